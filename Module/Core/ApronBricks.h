@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ApronBricks_h
+#define ApronBricks_h
+
+#include "BrickCounters.h"
+#include "Unbricked.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Bricks of n^3 cells, each with all (n + 1)^3 corners of its cells: the samples on a face between
+/// two bricks are in both (the apron), so that a cell never needs a second brick. A brick is made
+/// by the first ray that reads it.
+template <typename T>
+class ApronBricks
+{
+public:
+  using Value = Stored<T>;
+
+  ApronBricks(const Samples<T>& samples, int size)
+    : TheSamples(samples)
+    , Size(size)
+    , Edge(static_cast<std::size_t>(size) + 1)
+    , BrickDimensions(
+        BlocksCovering({ samples.GetDimensions()[0] - 1, samples.GetDimensions()[1] - 1,
+                         samples.GetDimensions()[2] - 1 },
+          size))
+    , Bricks(Count(this->BrickDimensions))
+  {
+  }
+
+  ~ApronBricks()
+  {
+    for (auto& brick : this->Bricks)
+    {
+      delete[] brick.load(std::memory_order_relaxed);
+    }
+  }
+
+  ApronBricks(const ApronBricks&) = delete;
+  ApronBricks& operator=(const ApronBricks&) = delete;
+
+  class Reader
+  {
+  public:
+    explicit Reader(ApronBricks& layout)
+      : Layout(layout)
+    {
+    }
+
+    void Load(const Index3& cell, Value corners[8])
+    {
+      if (!this->IsInBrick(cell))
+      {
+        this->MoveTo(cell);
+      }
+      if (!this->Brick)
+      {
+        LoadCorners(this->Layout.TheSamples, cell, corners);
+        return;
+      }
+      const std::size_t edge = this->Layout.Edge;
+      const Value* low = this->Brick + static_cast<std::size_t>(cell[0] - this->First[0]) +
+        edge *
+          (static_cast<std::size_t>(cell[1] - this->First[1]) +
+            edge * static_cast<std::size_t>(cell[2] - this->First[2]));
+      const Value* high = low + edge * edge;
+      corners[0] = low[0];
+      corners[1] = low[1];
+      corners[2] = low[edge];
+      corners[3] = low[edge + 1];
+      corners[4] = high[0];
+      corners[5] = high[1];
+      corners[6] = high[edge];
+      corners[7] = high[edge + 1];
+    }
+
+  private:
+    bool IsInBrick(const Index3& cell) const
+    {
+      const auto size = static_cast<unsigned int>(this->Layout.Size);
+      // Cells before the first wrap round to large numbers.
+      return static_cast<unsigned int>(cell[0] - this->First[0]) < size &&
+        static_cast<unsigned int>(cell[1] - this->First[1]) < size &&
+        static_cast<unsigned int>(cell[2] - this->First[2]) < size;
+    }
+
+    void MoveTo(const Index3& cell)
+    {
+      const int size = this->Layout.Size;
+      const Index3 brick = { cell[0] / size, cell[1] / size, cell[2] / size };
+      this->First = { brick[0] * size, brick[1] * size, brick[2] * size };
+      this->Brick = this->Layout.GetBrick(brick);
+    }
+
+    ApronBricks& Layout;
+    /// Null before the first brick, and where memory ran out.
+    const Value* Brick = nullptr;
+    Index3 First = { -(1 << 30), -(1 << 30), -(1 << 30) };
+  };
+
+  const BrickCounters& GetCounters() const { return this->Counters; }
+  std::size_t GetMaximumNumberOfBricks() const { return this->Bricks.size(); }
+
+  std::size_t GetMemory() const
+  {
+    return this->Counters.Bricks.load() * this->Edge * this->Edge * this->Edge * sizeof(Value) +
+      this->Bricks.size() * sizeof(std::atomic<Value*>);
+  }
+
+private:
+  /// The brick, made now if it is not there yet; null if there is no memory for it.
+  const Value* GetBrick(const Index3& index)
+  {
+    std::atomic<Value*>& slot = this->Bricks[Offset(index, this->BrickDimensions)];
+    if (const Value* present = slot.load(std::memory_order_acquire))
+    {
+      return present;
+    }
+    // Two threads may make the same brick at once: one of them keeps it. No thread ever waits.
+    const BrickTimer timer(this->Counters);
+    std::unique_ptr<Value[]> made(new (std::nothrow) Value[this->Edge * this->Edge * this->Edge]);
+    if (!made)
+    {
+      return nullptr;
+    }
+    this->FillBrick(index, made.get());
+    Value* present = nullptr;
+    if (!slot.compare_exchange_strong(present, made.get(), std::memory_order_acq_rel))
+    {
+      return present;
+    }
+    this->Counters.Bricks.fetch_add(1, std::memory_order_relaxed);
+    return made.release();
+  }
+
+  void FillBrick(const Index3& index, Value* brick) const
+  {
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    const int edge = static_cast<int>(this->Edge);
+    Index3 first;
+    Index3 count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = index[axis] * this->Size;
+      count[axis] = std::min(edge, dimensions[axis] - first[axis]);
+    }
+    const std::ptrdiff_t stride = this->TheSamples.GetStride(0);
+    for (int z = 0; z < count[2]; ++z)
+    {
+      for (int y = 0; y < count[1]; ++y)
+      {
+        const T* from = this->TheSamples.At({ first[0], first[1] + y, first[2] + z });
+        Value* to = brick + Offset({ 0, y, z }, { edge, edge, edge });
+        for (int x = 0; x < count[0]; ++x)
+        {
+          to[x] = static_cast<Value>(from[x * stride]);
+        }
+      }
+    }
+  }
+
+  Samples<T> TheSamples;
+  int Size;
+  std::size_t Edge;
+  Index3 BrickDimensions;
+  std::vector<std::atomic<Value*>> Bricks;
+  BrickCounters Counters;
+};
+
+}
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Ray_h
+#define Ray_h
+
+#include "Vector.h"
+
+#include <optional>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A ray in index space, where samples stand at whole numbers, cut to a volume.
+///
+/// The origin of the ray may be far away (1e9 cells), where a double resolves no small fraction of
+/// a cell. So the ray is given a new origin near its entry into the volume, and all arithmetic is
+/// done with the distance from there.
+struct Ray
+{
+  Vector3 Origin;
+  /// In cells per unit of t.
+  Vector3 Direction;
+  Vector3 Inverse;
+  /// The sign of the direction; 0 where the ray is parallel to the lattice planes of that axis.
+  Index3 Step;
+  /// The part of the ray inside the volume, in t counted from Origin.
+  double Begin;
+  double End;
+  /// The t of Origin on the ray as the caller gave it.
+  double Base;
+
+  /// The t at which the ray crosses the lattice plane k of an axis it is not parallel to. Every t
+  /// of a crossing comes from here, and never from a running sum: neighbouring cells agree on it to
+  /// the last bit, and nothing drifts. Rounding is monotone, so it never falls as k moves with
+  /// Step.
+  double Crossing(std::size_t axis, int k) const
+  {
+    return (k - this->Origin[axis]) * this->Inverse[axis];
+  }
+
+  double Coordinate(std::size_t axis, double t) const
+  {
+    return this->Origin[axis] + t * this->Direction[axis];
+  }
+};
+
+/// A place on a ray: every plane whose crossing comes before it, or is it, has been crossed.
+///
+/// Planes crossed at the same t (the ray meets an edge or a vertex) are crossed in the order x, y,
+/// z. So every ray has one sequence of cells, in which neighbours share a face, and every cell of
+/// it can be recognised without knowing the others.
+struct Place
+{
+  double T;
+  /// The axis of the plane crossed; StartAxis where the place is no crossing but a mere t.
+  int Axis;
+
+  static constexpr int StartAxis = 3;
+
+  bool operator<(const Place& other) const
+  {
+    return this->T < other.T || (this->T == other.T && this->Axis < other.Axis);
+  }
+};
+
+/// Cuts a ray (index space, tBegin <= t <= tEnd) to the box of a volume's samples. Nothing is
+/// returned if it misses, or if the ray is no ray: not finite, or without direction.
+std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
+  double tEnd, const Index3& dimensions);
+
+}
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double RadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+struct Illumination
+{
+  /// From the surface to the light, of length one.
+  Vector3 Direction;
+  double Strength;
+};
+
+Illumination Illuminate(const Light& light, const Vector3& point)
+{
+  if (!light.Positional)
+  {
+    return { light.Direction, 1.0 };
+  }
+  const Vector3 toLight = light.Position - point;
+  const double distance = std::sqrt(Dot(toLight, toLight));
+  const Vector3 direction = Normalized(toLight);
+  double strength = 1.0 /
+    (light.Attenuation[0] + distance * (light.Attenuation[1] + distance * light.Attenuation[2]));
+  if (light.ConeAngle < 90.0)
+  {
+    const double cosine = Dot(direction, light.Direction);
+    strength *= cosine >= std::cos(light.ConeAngle * RadiansPerDegree)
+      ? std::pow(cosine, light.Exponent)
+      : 0.0;
+  }
+  return { direction, strength };
+}
+
+Vector3 Product(const Vector3& a, const Vector3& b)
+{
+  return { a[0] * b[0], a[1] * b[1], a[2] * b[2] };
+}
+
+Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+}
+
+//------------------------------------------------------------------------------
+Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
+{
+  // The inverse transposed is the matrix of cofactors over the determinant; its rows are cross
+  // products. Columns are scaled to one first, so that no spacing overflows.
+  Vector3 axes[3];
+  double lengths[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector3 column = { m[i], m[4 + i], m[8 + i] };
+    lengths[i] = std::sqrt(Dot(column, column));
+    axes[i] = column * (1.0 / lengths[i]);
+  }
+  const Vector3 cofactors[3] = { Cross(axes[1], axes[2]), Cross(axes[2], axes[0]),
+    Cross(axes[0], axes[1]) };
+  const double sign = std::copysign(1.0, Dot(axes[0], cofactors[0]));
+  const double shortest = std::min(std::min(lengths[0], lengths[1]), lengths[2]);
+  Vector3 normal = { 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    normal = normal + cofactors[i] * (sign * gradient[i] * (shortest / lengths[i]));
+  }
+  return normal;
+}
+
+//------------------------------------------------------------------------------
+Vector3 ShadeHit(
+  const Scene& scene, const TracedVolume& volume, const Hit& hit, const Vector3& direction)
+{
+  const Vector3& color = scene.Colors[static_cast<std::size_t>(hit.Surface)];
+  const Material& look = scene.Look;
+  if (!look.Shade)
+  {
+    return color;
+  }
+  const Matrix4& toWorld = scene.View.GetWorldFromIndex();
+  const Vector3 toViewer = Normalized(TransformDirection(toWorld, direction)) * -1.0;
+  // The outside of a surface is where values are smaller.
+  Vector3 normal =
+    Normalized(GradientToWorld(toWorld, volume.GetGradient(hit, scene.Normals))) * -1.0;
+  if (scene.TwoSidedLighting && Dot(normal, toViewer) < 0.0)
+  {
+    normal = normal * -1.0;
+  }
+
+  const Vector3 point = TransformPoint(toWorld, hit.GetPoint());
+  Vector3 diffuse = { 0.0, 0.0, 0.0 };
+  Vector3 specular = { 0.0, 0.0, 0.0 };
+  for (const Light& light : scene.Lights)
+  {
+    const Illumination illumination = Illuminate(light, point);
+    const double cosine = Dot(normal, illumination.Direction);
+    if (cosine <= 0.0)
+    {
+      continue;
+    }
+    diffuse = diffuse + light.DiffuseColor * (cosine * illumination.Strength);
+    const Vector3 mirrored = normal * (2.0 * cosine) - illumination.Direction;
+    const double highlight = std::max(0.0, Dot(mirrored, toViewer));
+    specular = specular +
+      light.SpecularColor * (std::pow(highlight, look.SpecularPower) * illumination.Strength);
+  }
+  return color * look.Ambient + Product(color, diffuse) * look.Diffuse + specular * look.Specular;
+}
+
+}

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TracedVolume_h
+#define TracedVolume_h
+
+#include "Hit.h"
+#include "Ray.h"
+#include "VolumeView.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+enum class BrickLayout
+{
+  Unbricked,
+  Apron,
+  TwoLevel
+};
+
+enum class NormalMode
+{
+  InterpolantGradient,
+  CentralDifferences
+};
+
+/// What is built over the samples of a volume, and how.
+struct VolumeSettings
+{
+  /// The branching of the macrocell levels, finest first.
+  std::vector<int> MacrocellBranching = { 8, 8 };
+  BrickLayout Layout = BrickLayout::Apron;
+  int BrickSize = 8;
+  /// For BrickLayout::TwoLevel, in bricks.
+  int BrickGroupSize = 4;
+
+  bool operator==(const VolumeSettings& other) const
+  {
+    return this->MacrocellBranching == other.MacrocellBranching && this->Layout == other.Layout &&
+      this->BrickSize == other.BrickSize && this->BrickGroupSize == other.BrickGroupSize;
+  }
+};
+
+/// An isosurface to trace. Opacity is in (0, 1]; what is not seen at all is not traced.
+struct Isosurface
+{
+  double Isovalue;
+  double Opacity;
+};
+
+/// A ray is followed no further once the surfaces it passed let through less than this: a quarter
+/// of a step of an 8-bit colour.
+constexpr double NegligibleTransmittance = 1.0 / 1024.0;
+
+/// A volume made ready for rays: macrocells at once, bricks as rays come. It depends on the samples
+/// and the settings alone; the samples must outlive it and not change.
+class TracedVolume
+{
+public:
+  /// Builds the macrocells, with the given number of threads.
+  static std::unique_ptr<TracedVolume> New(
+    const VolumeView& view, const VolumeSettings& settings, int threads);
+  virtual ~TracedVolume() = default;
+
+  /// Chooses the surfaces to trace from now on: finds their macrocells unless the isovalues are the
+  /// same as before.
+  virtual void SelectSurfaces(const std::vector<Isosurface>& surfaces, int threads) = 0;
+
+  /// Appends the hits of a ray with the surfaces, front to back, up to the first opaque one or to
+  /// where nothing of the ray is left to see. Any number of threads may trace at once.
+  virtual void Trace(const Ray& ray, std::vector<Hit>& hits) = 0;
+
+  /// The gradient of the samples at a hit, per cell edge along each axis.
+  virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
+
+  virtual const Index3& GetDimensions() const = 0;
+  /// In bytes.
+  virtual std::size_t GetMacrocellMemory() const = 0;
+  virtual std::size_t GetBrickMemory() const = 0;
+  virtual std::size_t GetNumberOfBricks() const = 0;
+  virtual std::size_t GetMaximumNumberOfBricks() const = 0;
+  /// The time spent making bricks so far, summed over the threads.
+  virtual std::int64_t GetBrickNanoseconds() const = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Unbricked_h
+#define Unbricked_h
+
+#include "BrickCounters.h"
+#include "VolumeView.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Reads the corners of a cell from the array of the user.
+template <typename T>
+void LoadCorners(const Samples<T>& samples, const Index3& cell, Stored<T> corners[8])
+{
+  const T* first = samples.At(cell);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners[corner] = static_cast<Stored<T>>(first[(corner & 1) * samples.GetStride(0) +
+      (corner >> 1 & 1) * samples.GetStride(1) + (corner >> 2) * samples.GetStride(2)]);
+  }
+}
+
+/// A layout that is none: rays read the array of the user as it is.
+///
+/// Every layout has a Reader, made for one ray at a time, that loads the corners of cells, and
+/// makes bricks on the way where they are missing. Readers of all threads work at once.
+template <typename T>
+class Unbricked
+{
+public:
+  using Value = Stored<T>;
+
+  explicit Unbricked(const Samples<T>& samples)
+    : TheSamples(samples)
+  {
+  }
+
+  class Reader
+  {
+  public:
+    explicit Reader(Unbricked& layout)
+      : Layout(layout)
+    {
+    }
+
+    void Load(const Index3& cell, Value corners[8])
+    {
+      LoadCorners(this->Layout.TheSamples, cell, corners);
+    }
+
+  private:
+    Unbricked& Layout;
+  };
+
+  const BrickCounters& GetCounters() const { return this->Counters; }
+  std::size_t GetMaximumNumberOfBricks() const { return 0; }
+  std::size_t GetMemory() const { return 0; }
+
+private:
+  Samples<T> TheSamples;
+  BrickCounters Counters;
+};
+
+}
+
+#endif

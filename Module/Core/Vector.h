@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Vector_h
+#define Vector_h
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A point or a direction. Which space it lives in is said where it is used.
+using Vector3 = std::array<double, 3>;
+/// Lattice coordinates: of a sample, a cell, a brick or a macrocell; or how many there are of them.
+using Index3 = std::array<int, 3>;
+/// Row-major 4 x 4 matrix, applied to column vectors, as vtkMatrix4x4 has it.
+using Matrix4 = std::array<double, 16>;
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+inline Vector3 operator-(const Vector3& a, const Vector3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+inline Vector3 operator*(const Vector3& a, double s)
+{
+  return { a[0] * s, a[1] * s, a[2] * s };
+}
+
+inline double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The vector at length one; a zero vector stays zero.
+inline Vector3 Normalized(const Vector3& a)
+{
+  const double length = std::sqrt(Dot(a, a));
+  return length > 0.0 ? a * (1.0 / length) : a;
+}
+
+/// Transforms a point whose homogeneous coordinate stays 1.
+inline Vector3 TransformPoint(const Matrix4& m, const Vector3& p)
+{
+  return { m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],
+    m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7],
+    m[8] * p[0] + m[9] * p[1] + m[10] * p[2] + m[11] };
+}
+
+/// Transforms a direction: the linear part of the matrix alone.
+inline Vector3 TransformDirection(const Matrix4& m, const Vector3& d)
+{
+  return { m[0] * d[0] + m[1] * d[1] + m[2] * d[2], m[4] * d[0] + m[5] * d[1] + m[6] * d[2],
+    m[8] * d[0] + m[9] * d[1] + m[10] * d[2] };
+}
+
+/// Multiplies by the transposed linear part. With the inverse of a transformation this carries a
+/// gradient to the space the transformation leads to.
+inline Vector3 TransposeTransformDirection(const Matrix4& m, const Vector3& g)
+{
+  return { m[0] * g[0] + m[4] * g[1] + m[8] * g[2], m[1] * g[0] + m[5] * g[1] + m[9] * g[2],
+    m[2] * g[0] + m[6] * g[1] + m[10] * g[2] };
+}
+
+/// The number of lattice places in a box.
+inline std::size_t Count(const Index3& size)
+{
+  return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+    static_cast<std::size_t>(size[2]);
+}
+
+/// The place of an index in an array with x fastest.
+inline std::size_t Offset(const Index3& index, const Index3& size)
+{
+  return static_cast<std::size_t>(index[0]) +
+    static_cast<std::size_t>(size[0]) *
+    (static_cast<std::size_t>(index[1]) +
+      static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(index[2]));
+}
+
+/// How many blocks of the given edge cover a size.
+inline Index3 BlocksCovering(const Index3& size, int edge)
+{
+  return { (size[0] + edge - 1) / edge, (size[1] + edge - 1) / edge, (size[2] + edge - 1) / edge };
+}
+
+}
+
+#endif
