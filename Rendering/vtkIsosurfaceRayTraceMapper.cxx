@@ -10,6 +10,8 @@
 #include "vtkCommand.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -21,13 +23,18 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include "CastRays.h"
 #include "RenderTiles.h"
+#include "Shading.h"
 
 #include <omp.h>
 
@@ -35,6 +42,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -172,34 +180,38 @@ int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents)
   return chosen;
 }
 
-/// The surfaces of the property that can be seen at all, each with its colour.
-void AddSurfaces(vtkVolumeProperty* property, int component, vtkirt::Scene& scene)
+/// The isovalues of the property whose surfaces can be seen at all, in ascending order.
+std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int component)
 {
   vtkContourValues* contours = property->GetIsoSurfaceValues();
   std::vector<double> isovalues(
     contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
   std::sort(isovalues.begin(), isovalues.end());
   isovalues.erase(std::unique(isovalues.begin(), isovalues.end()), isovalues.end());
+  std::vector<vtkirt::Isosurface> surfaces;
   for (const double isovalue : isovalues)
   {
-    const double opacity =
-      std::clamp(property->GetScalarOpacity(component)->GetValue(isovalue), 0.0, 1.0);
-    if (!(opacity > 0.0))
+    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
+    if (opacity > 0.0)
     {
-      continue;
+      surfaces.push_back({ isovalue, std::min(opacity, 1.0) });
     }
-    vtkirt::Vector3 color;
-    if (property->GetColorChannels(component) == 1)
-    {
-      color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
-    }
-    else
-    {
-      property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
-    }
-    scene.Surfaces.push_back({ isovalue, opacity });
-    scene.Colors.push_back(color);
   }
+  return surfaces;
+}
+
+vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
+{
+  vtkirt::Vector3 color;
+  if (property->GetColorChannels(component) == 1)
+  {
+    color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
+  }
+  else
+  {
+    property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
+  }
+  return color;
 }
 
 vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
@@ -241,13 +253,18 @@ void AddLights(vtkRenderer* renderer, vtkirt::Scene& scene)
   }
 }
 
-vtkirt::Camera MakeCamera(
-  vtkRenderer* renderer, vtkVolume* volume, const Geometry& geometry, int width, int height)
+vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const Geometry& geometry)
 {
   const vtkirt::Matrix4 physicalFromIndex = geometry.GetPhysicalFromIndex();
   vtkirt::Matrix4 worldFromIndex;
   vtkMatrix4x4::Multiply4x4(
     volume->GetMatrix()->GetData(), physicalFromIndex.data(), worldFromIndex.data());
+  return worldFromIndex;
+}
+
+vtkirt::Camera MakeCamera(
+  vtkRenderer* renderer, const vtkirt::Matrix4& worldFromIndex, int width, int height)
+{
   vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
     renderer->GetTiledAspectRatio(), -1.0, 1.0);
   vtkirt::Matrix4 clipFromIndex;
@@ -258,7 +275,7 @@ vtkirt::Camera MakeCamera(
 }
 
 /// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
-vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const int dimensions[3])
+vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Index3& dimensions)
 {
   const double width = camera.GetWidth();
   const double height = camera.GetHeight();
@@ -321,8 +338,11 @@ public:
   };
 
   /// What stands in the way of drawing; empty if nothing does.
-  static std::string FindProblem(vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer);
+  static std::string FindProblem(vtkIsosurfaceRayTraceMapper* self);
   static std::string FindProblem(vtkImageData* image, vtkDataArray* scalars, bool areCellScalars);
+
+  static vtkDataArray* GetScalars(
+    vtkIsosurfaceRayTraceMapper* self, vtkImageData* image, bool& areCellScalars);
 
   /// Whether a message is new. Every cause is named once, not once per frame.
   bool IsNews(const std::string& message, std::string& last) const
@@ -335,12 +355,25 @@ public:
   /// Makes sure that the volume is that of the input. Returns whether it had to be built.
   bool UpdateVolume(const Input& input, const vtkirt::VolumeSettings& settings, int threads);
 
+  /// The hits of rays given in the world, up to tEnd times their direction.
+  vtkirt::RayHits Cast(const std::vector<vtkirt::Vector3>& origins,
+    const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads);
+  vtkIdType GetCellId(const vtkirt::Hit& hit) const;
+  /// In the world, towards smaller values, of length one.
+  vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
+  void WriteHits(const vtkirt::RayHits& hits, int normalMode, vtkPolyData* output) const;
+
   std::unique_ptr<vtkirt::TracedVolume> Volume;
   std::optional<VolumeKey> Key;
   std::optional<Geometry> ImageGeometry;
   vtkMTimeType ImageTime = 0;
   /// A copy of scalars that are not plain arrays in memory.
   vtkSmartPointer<vtkDataArray> PlainScalars;
+
+  /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
+  int Component = 0;
+  vtkirt::Matrix4 WorldFromIndex;
+  vtkirt::Wanted Want;
 
   vtkirt::Frame Picture;
   std::vector<float> SceneDepths;
@@ -353,19 +386,23 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMapper::Internals::FindProblem(
-  vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer)
+vtkDataArray* vtkIsosurfaceRayTraceMapper::Internals::GetScalars(
+  vtkIsosurfaceRayTraceMapper* self, vtkImageData* image, bool& areCellScalars)
+{
+  int association = 0;
+  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
+    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  areCellScalars = association != 0;
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMapper::Internals::FindProblem(vtkIsosurfaceRayTraceMapper* self)
 {
   if (self->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
            "SetBlendModeToIsoSurface(), or use another volume mapper.";
-  }
-  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
-  {
-    return "The renderer is not in an OpenGL render window. Add it to a vtkRenderWindow, and "
-           "initialize the module vtkRenderingOpenGL2 (VTK_MODULE_INIT, vtk_module_autoinit, or "
-           "import vtkmodules.vtkRenderingOpenGL2).";
   }
   auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
   if (!image)
@@ -483,6 +520,94 @@ bool vtkIsosurfaceRayTraceMapper::Internals::UpdateVolume(
 }
 
 //------------------------------------------------------------------------------
+vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
+  const std::vector<vtkirt::Vector3>& origins, const std::vector<vtkirt::Vector3>& directions,
+  double tEnd, int threads)
+{
+  vtkirt::Matrix4 indexFromWorld;
+  vtkMatrix4x4::Invert(this->WorldFromIndex.data(), indexFromWorld.data());
+  // The place of the first sample is taken off first: a volume far from the origin of the world
+  // loses nothing.
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(this->WorldFromIndex, { 0.0, 0.0, 0.0 });
+  std::vector<std::optional<vtkirt::Ray>> rays(origins.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    using vtkirt::operator-;
+    rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
+      vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd,
+      this->Volume->GetDimensions());
+  }
+  this->Volume->Select(this->Want, threads);
+  return vtkirt::CastRays(*this->Volume, rays, threads);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::GetCellId(const vtkirt::Hit& hit) const
+{
+  const vtkirt::Index3& dimensions = this->Volume->GetDimensions();
+  return static_cast<vtkIdType>(
+    vtkirt::Offset(hit.Cell, { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }));
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 vtkIsosurfaceRayTraceMapper::Internals::GetNormal(
+  const vtkirt::Hit& hit, int normalMode) const
+{
+  using vtkirt::operator*;
+  const vtkirt::Vector3 gradient =
+    this->Volume->GetGradient(hit, static_cast<vtkirt::NormalMode>(normalMode));
+  return vtkirt::Normalized(vtkirt::GradientToWorld(this->WorldFromIndex, gradient)) * -1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::WriteHits(
+  const vtkirt::RayHits& hits, int normalMode, vtkPolyData* output) const
+{
+  const auto count = static_cast<vtkIdType>(hits.Hits.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkIdTypeArray> rayIds;
+  vtkNew<vtkIdTypeArray> cellIds;
+  vtkNew<vtkDoubleArray> ts;
+  vtkNew<vtkDoubleArray> isovalues;
+  vtkNew<vtkDoubleArray> parametric;
+  vtkNew<vtkDoubleArray> normals;
+  parametric->SetNumberOfComponents(3);
+  normals->SetNumberOfComponents(3);
+  const auto add = [count, output](vtkDataArray* array, const char* name)
+  {
+    array->SetName(name);
+    array->SetNumberOfTuples(count);
+    output->GetPointData()->AddArray(array);
+  };
+  add(rayIds, "RayId");
+  add(ts, "T");
+  add(cellIds, "CellId");
+  add(parametric, "ParametricCoordinates");
+  add(isovalues, "Isovalue");
+  add(normals, "Normals");
+  output->GetPointData()->SetActiveNormals("Normals");
+  output->SetPoints(points);
+
+  for (std::size_t ray = 0; ray + 1 < hits.First.size(); ++ray)
+  {
+    for (std::size_t i = hits.First[ray]; i < hits.First[ray + 1]; ++i)
+    {
+      const vtkirt::Hit& hit = hits.Hits[i];
+      const auto row = static_cast<vtkIdType>(i);
+      points->SetPoint(row, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()).data());
+      rayIds->SetValue(row, static_cast<vtkIdType>(ray));
+      ts->SetValue(row, hit.T);
+      cellIds->SetValue(row, this->GetCellId(hit));
+      parametric->SetTypedTuple(row, hit.Parametric.data());
+      isovalues->SetValue(row, this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue);
+      normals->SetTypedTuple(row, this->GetNormal(hit, normalMode).data());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkIsosurfaceRayTraceMapper);
 
 //------------------------------------------------------------------------------
@@ -592,17 +717,14 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
     return;
   }
   const Clock::time_point start = Clock::now();
-  if (this->GetNumberOfInputConnections(0) > 0)
+  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
-    this->GetInputAlgorithm()->Update();
+    this->ReportOnce("The renderer is not in an OpenGL render window. Add it to a vtkRenderWindow, "
+                     "and initialize the module vtkRenderingOpenGL2 (VTK_MODULE_INIT, "
+                     "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).");
+    return;
   }
-  Internals& internal = *this->Internal;
-  const std::string problem = Internals::FindProblem(this, renderer);
-  if (internal.IsNews(problem, internal.LastProblem))
-  {
-    vtkErrorMacro(<< problem);
-  }
-  if (!problem.empty())
+  if (!this->UpdateVolume(volume))
   {
     return;
   }
@@ -635,18 +757,38 @@ void vtkIsosurfaceRayTraceMapper::WarnOfWhatIsIgnored()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume)
+bool vtkIsosurfaceRayTraceMapper::ReportOnce(const std::string& problem)
 {
-  Internals& internal = *this->Internal;
-  const int threads =
-    this->NumberOfThreads > 0 ? this->NumberOfThreads : std::max(1, omp_get_max_threads());
+  if (this->Internal->IsNews(problem, this->Internal->LastProblem))
+  {
+    vtkErrorMacro(<< problem);
+  }
+  return !problem.empty();
+}
 
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMapper::GetThreads()
+{
+  return this->NumberOfThreads > 0 ? this->NumberOfThreads : std::max(1, omp_get_max_threads());
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  Internals& internal = *this->Internal;
+  if (this->ReportOnce(Internals::FindProblem(this)))
+  {
+    return false;
+  }
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  int association = 0;
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
-    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, association);
+  bool areCellScalars = false;
+  vtkDataArray* scalars = Internals::GetScalars(this, image, areCellScalars);
   vtkVolumeProperty* property = volume->GetProperty();
-  const int component = ChooseComponent(property, scalars->GetNumberOfComponents());
+  internal.Component = ChooseComponent(property, scalars->GetNumberOfComponents());
 
   vtkirt::VolumeSettings settings;
   settings.MacrocellBranching.assign(
@@ -655,29 +797,44 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   settings.BrickSize = this->BrickSize;
   settings.BrickGroupSize = this->BrickGroupSize;
 
-  const Clock::time_point buildStart = Clock::now();
-  if (internal.UpdateVolume({ image, scalars, component }, settings, threads))
+  const Clock::time_point start = Clock::now();
+  if (internal.UpdateVolume({ image, scalars, internal.Component }, settings, this->GetThreads()))
   {
-    this->MacrocellBuildTime = SecondsSince(buildStart);
+    this->MacrocellBuildTime = SecondsSince(start);
   }
+  internal.WorldFromIndex = GetWorldFromIndex(volume, Geometry(image));
+  internal.Want.Surfaces = GetSurfaces(property, internal.Component);
+  internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
+  internal.Want.Interpolations = this->NumberOfInterpolations;
+  return true;
+}
 
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  Internals& internal = *this->Internal;
+  vtkVolumeProperty* property = volume->GetProperty();
   vtkirt::Scene scene;
-  scene.Threads = threads;
+  scene.Threads = this->GetThreads();
   scene.TileWidth = this->TileSize[0];
   scene.TileHeight = this->TileSize[1];
   scene.Normals = static_cast<vtkirt::NormalMode>(this->NormalMode);
-  AddSurfaces(property, component, scene);
+  scene.Want = internal.Want;
+  for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
+  {
+    scene.Colors.push_back(GetColor(property, internal.Component, surface.Isovalue));
+  }
   AddLights(renderer, scene);
-  scene.Look = GetMaterial(property, component);
+  scene.Look = GetMaterial(property, internal.Component);
 
   int width = 0;
   int height = 0;
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  scene.View = MakeCamera(renderer, volume, Geometry(image), width, height);
-  scene.Pixels = GetPixels(scene.View, image->GetDimensions());
-  if (scene.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  scene.View = MakeCamera(renderer, internal.WorldFromIndex, width, height);
+  scene.Pixels = GetPixels(scene.View, internal.Volume->GetDimensions());
+  if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -710,12 +867,72 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point displayStart = Clock::now();
-  const bool opaque = std::all_of(scene.Surfaces.begin(), scene.Surfaces.end(),
+  const bool opaque = std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
     [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
   internal.Display.Display(window,
     { left, bottom, scene.Pixels.Width, scene.Pixels.Height, internal.Picture.Colors.data(),
       internal.Picture.Depths.data(), opaque });
   this->DisplayTime += SecondsSince(displayStart);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
+  const double p2[3], double& t, double x[3], double pcoords[3], vtkIdType& cellId,
+  double& isovalue, double normal[3])
+{
+  if (!volume || !this->UpdateVolume(volume))
+  {
+    return 0;
+  }
+  Internals& internal = *this->Internal;
+  const vtkirt::Vector3 from = { p1[0], p1[1], p1[2] };
+  const vtkirt::Vector3 direction = { p2[0] - p1[0], p2[1] - p1[1], p2[2] - p1[2] };
+  const vtkirt::RayHits hits = internal.Cast({ from }, { direction }, 1.0, 1);
+  if (hits.Hits.empty())
+  {
+    return 0;
+  }
+  const vtkirt::Hit& hit = hits.Hits.front();
+  t = hit.T;
+  isovalue = internal.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  cellId = internal.GetCellId(hit);
+  std::copy_n(hit.Parametric.begin(), 3, pcoords);
+  const vtkirt::Vector3 point = vtkirt::TransformPoint(internal.WorldFromIndex, hit.GetPoint());
+  std::copy_n(point.begin(), 3, x);
+  const vtkirt::Vector3 outward = internal.GetNormal(hit, this->NormalMode);
+  std::copy_n(outward.begin(), 3, normal);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::CastRays(
+  vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output)
+{
+  if (!volume || !origins || !directions || !output || directions->GetNumberOfComponents() != 3 ||
+    directions->GetNumberOfTuples() != origins->GetNumberOfPoints())
+  {
+    vtkErrorMacro("CastRays needs a volume, origins, as many directions of 3 components, and an "
+                  "output.");
+    return false;
+  }
+  output->Initialize();
+  if (!this->UpdateVolume(volume))
+  {
+    return false;
+  }
+  const auto count = static_cast<std::size_t>(origins->GetNumberOfPoints());
+  std::vector<vtkirt::Vector3> from(count);
+  std::vector<vtkirt::Vector3> along(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    origins->GetPoint(static_cast<vtkIdType>(i), from[i].data());
+    directions->GetTuple(static_cast<vtkIdType>(i), along[i].data());
+  }
+  Internals& internal = *this->Internal;
+  const vtkirt::RayHits hits =
+    internal.Cast(from, along, std::numeric_limits<double>::infinity(), this->GetThreads());
+  internal.WriteHits(hits, this->NormalMode, output);
   return true;
 }
 
@@ -733,6 +950,9 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
      << "\n";
+  const char* const solvers[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
+  os << indent << "RootSolver: " << solvers[this->RootSolver] << "\n";
+  os << indent << "NumberOfInterpolations: " << this->NumberOfInterpolations << "\n";
   const char* const layouts[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };
   os << indent << "BrickLayout: " << layouts[this->BrickLayout] << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";

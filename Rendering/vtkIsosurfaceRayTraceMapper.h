@@ -53,9 +53,13 @@
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkDataArray;
+class vtkPoints;
+class vtkPolyData;
 class vtkRenderWindow;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMapper : public vtkVolumeMapper
@@ -64,6 +68,49 @@ public:
   static vtkIsosurfaceRayTraceMapper* New();
   vtkTypeMacro(vtkIsosurfaceRayTraceMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the place where a ray meets the surface in a cell is found.
+   */
+  enum RootSolvers
+  {
+    /// Bernstein form, cut into monotone pieces, guarded Newton, in double. No hit is missed or
+    /// invented.
+    ROBUST = 0,
+    /// The same in single precision, several cells at a time in vector registers. Where a ray
+    /// grazes the surface, with an extremum within 4.8e-7 of the isovalue (times the largest
+    /// difference between a corner of the cell and the isovalue), it may be judged either way.
+    FAST = 1,
+    /// The closed form as published by Parker et al. 1998 (J. Schwarze, Graphics Gems 1990).
+    ANALYTIC = 2,
+    /// Cut at the extrema, then NumberOfInterpolations linear interpolations (G. Marmitt et al.,
+    /// VMV 2004).
+    MARMITT = 3,
+    /// Signs at the ends of the segment and one linear interpolation (A. Neubauer et al., VisSym
+    /// 2002): a preview, which misses thin sheets.
+    LINEAR = 4
+  };
+
+  ///@{
+  /**
+   * Set/Get the solver. Default: ROBUST.
+   */
+  vtkSetClampMacro(RootSolver, int, ROBUST, LINEAR);
+  vtkGetMacro(RootSolver, int);
+  void SetRootSolverToRobust() { this->SetRootSolver(ROBUST); }
+  void SetRootSolverToFast() { this->SetRootSolver(FAST); }
+  void SetRootSolverToAnalytic() { this->SetRootSolver(ANALYTIC); }
+  void SetRootSolverToMarmitt() { this->SetRootSolver(MARMITT); }
+  void SetRootSolverToLinear() { this->SetRootSolver(LINEAR); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of linear interpolations of the solver MARMITT. Range: 1 to 64. Default: 3.
+   */
+  vtkSetClampMacro(NumberOfInterpolations, int, 1, 64);
+  vtkGetMacro(NumberOfInterpolations, int);
+  ///@}
 
   /**
    * Where the normal of the surface comes from.
@@ -207,6 +254,30 @@ public:
   ///@}
 
   /**
+   * Finds the first isosurface that a line from p1 to p2 (world coordinates) meets, as the picture
+   * of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs no window
+   * and no OpenGL. Returns 1 if there is a hit, else 0 and nothing is changed.
+   *
+   * t is the fraction of the way from p1 to p2, x the point in the world, pcoords the point in the
+   * cell, cellId the cell of the input, isovalue that of the surface, normal its normal of length
+   * one in the world, by NormalMode, on the side of smaller values.
+   */
+  int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
+    double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Casts rays, given by origins and directions in the world, on all threads, as IntersectWithLine
+   * does: a ray has the hits of which its pixel would be composed, the last one opaque. The
+   * directions have three components, one tuple for each origin; their length is the unit of T.
+   *
+   * The output has a point for every hit, by ray and from front to back, and as point data RayId, T
+   * (in units of the direction), CellId, ParametricCoordinates (3), Isovalue and Normals (3).
+   * Returns whether rays were cast; if not, the error says why.
+   */
+  bool CastRays(
+    vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
+
+  /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Trace the isosurfaces of the volume into the window of the renderer.
    */
@@ -228,10 +299,19 @@ private:
   vtkIsosurfaceRayTraceMapper(const vtkIsosurfaceRayTraceMapper&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
 
+  int GetThreads();
+  /// Says what the problem is, if there is one and it was not said before. Returns whether there
+  /// is.
+  bool ReportOnce(const std::string& problem);
+  /// Brings everything about the volume up to date but the picture. Returns false if it can't be
+  /// traced.
+  bool UpdateVolume(vtkVolume* volume);
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume);
   bool ReportProgress(vtkRenderWindow* window, double fraction);
   void WarnOfWhatIsIgnored();
 
+  int RootSolver = ROBUST;
+  int NumberOfInterpolations = 3;
   int NormalMode = CENTRAL_DIFFERENCES;
   int BrickLayout = APRON_BRICKS;
   int BrickSize = 8;

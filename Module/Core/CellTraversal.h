@@ -8,8 +8,10 @@
 #include "Ray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -21,9 +23,11 @@ namespace vtkIsosurfaceRayTracing
 class LatticeWalk
 {
 public:
+  LatticeWalk() = default;
+
   /// Starts at a place of the ray within the region of blocks first <= block < last.
   LatticeWalk(const Ray& ray, int edge, const Index3& first, const Index3& last, const Place& start)
-    : TheRay(ray)
+    : TheRay(&ray)
     , Edge(edge)
     , First(first)
     , Last(last)
@@ -49,13 +53,13 @@ public:
   /// Steps over the exit of the block. Returns false at the end of the ray or of the region.
   bool Advance(const Place& exit)
   {
-    if (!(exit.T < this->TheRay.End))
+    if (!(exit.T < this->TheRay->End))
     {
       return false;
     }
     const auto axis = static_cast<std::size_t>(exit.Axis);
     int& block = this->Block[axis];
-    block += this->TheRay.Step[axis];
+    block += this->TheRay->Step[axis];
     if (block < this->First[axis] || block >= this->Last[axis])
     {
       return false;
@@ -67,23 +71,23 @@ public:
 private:
   double NearCrossing(std::size_t axis, int block) const
   {
-    return this->TheRay.Crossing(
-      axis, (this->TheRay.Step[axis] > 0 ? block : block + 1) * this->Edge);
+    return this->TheRay->Crossing(
+      axis, (this->TheRay->Step[axis] > 0 ? block : block + 1) * this->Edge);
   }
 
   double FarCrossing(std::size_t axis, int block) const
   {
-    return this->TheRay.Crossing(
-      axis, (this->TheRay.Step[axis] > 0 ? block + 1 : block) * this->Edge);
+    return this->TheRay->Crossing(
+      axis, (this->TheRay->Step[axis] > 0 ? block + 1 : block) * this->Edge);
   }
 
   // The floor of a coordinate is a guess, off by one where rounding will have it so; the planes
   // decide.
   int Locate(std::size_t axis, const Place& start) const
   {
-    const int step = this->TheRay.Step[axis];
+    const int step = this->TheRay->Step[axis];
     const double coordinate =
-      step == 0 ? this->TheRay.Origin[axis] : this->TheRay.Coordinate(axis, start.T);
+      step == 0 ? this->TheRay->Origin[axis] : this->TheRay->Coordinate(axis, start.T);
     const double guess = std::floor(coordinate / this->Edge);
     const int lowest = this->First[axis];
     const int highest = this->Last[axis] - 1;
@@ -109,7 +113,7 @@ private:
     return block;
   }
 
-  const Ray& TheRay;
+  const Ray* TheRay;
   int Edge;
   Index3 First;
   Index3 Last;
@@ -117,51 +121,134 @@ private:
   Vector3 Next;
 };
 
-/// Walks the cells of a region that the ray passes from a place on, until visit(cell) returns true.
-template <typename Visit>
-bool WalkCells(const Ray& ray, const Index3& first, const Index3& last, Place place, Visit&& visit)
+/// A block of cells, first <= cell < last, and the place where a ray comes to it.
+struct CellRegion
 {
-  LatticeWalk walk(ray, 1, first, last, place);
+  Index3 First;
+  Index3 Last;
+  Place Start;
+};
+
+/// The active macrocells of the finest level that a ray passes, in order, each as the region of its
+/// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the walk.
+class MacrocellWalk
+{
+public:
+  /// More than any volume has use for.
+  static constexpr std::size_t MaximumLevels = 8;
+
+  MacrocellWalk(const Ray& ray, const ActiveMacrocells& active)
+    : TheRay(&ray)
+    , Active(&active)
+    , Top(active.GetLattice().Levels.size())
+    , Level(this->Top)
+  {
+  }
+
+  /// Moves to the next one. Returns false at the end of the ray.
+  bool Next(CellRegion& region)
+  {
+    if (this->Level == this->Top)
+    {
+      // Above the levels there is one region: the volume.
+      const MacrocellLattice& lattice = this->Active->GetLattice();
+      const Index3& size = this->Top == 0 ? lattice.Cells : lattice.Levels.back().Size;
+      region = { { 0, 0, 0 }, size, { this->TheRay->Begin, Place::StartAxis } };
+      if (std::exchange(this->IsDone, true))
+      {
+        return false;
+      }
+      if (this->Top == 0)
+      {
+        return true;
+      }
+      this->Descend(region);
+    }
+    else
+    {
+      this->Advance();
+    }
+    while (this->Level < this->Top)
+    {
+      const Index3& block = this->Walks[this->Level].GetBlock();
+      if (!this->Active->IsActive(this->Level, block))
+      {
+        this->Advance();
+        continue;
+      }
+      region = this->GetChildren(block);
+      if (this->Level == 0)
+      {
+        return true;
+      }
+      this->Descend(region);
+    }
+    return false;
+  }
+
+private:
+  /// Moves to the next block of the level, or of the level above where there is none.
+  void Advance()
+  {
+    while (this->Level < this->Top)
+    {
+      LatticeWalk& walk = this->Walks[this->Level];
+      this->Places[this->Level] = walk.GetExit();
+      if (walk.Advance(this->Places[this->Level]))
+      {
+        return;
+      }
+      ++this->Level;
+    }
+  }
+
+  void Descend(const CellRegion& region)
+  {
+    --this->Level;
+    const int edge = this->Active->GetLattice().Levels[this->Level].Edge;
+    this->Walks[this->Level] =
+      LatticeWalk(*this->TheRay, edge, region.First, region.Last, region.Start);
+    this->Places[this->Level] = region.Start;
+  }
+
+  /// What a block of the level is made of: blocks of the level below, or cells.
+  CellRegion GetChildren(const Index3& block) const
+  {
+    const MacrocellLattice& lattice = this->Active->GetLattice();
+    const int branching = lattice.Levels[this->Level].Branching;
+    const Index3& size = this->Level == 0 ? lattice.Cells : lattice.Levels[this->Level - 1].Size;
+    CellRegion region{ {}, {}, this->Places[this->Level] };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      region.First[axis] = block[axis] * branching;
+      region.Last[axis] = std::min(region.First[axis] + branching, size[axis]);
+    }
+    return region;
+  }
+
+  const Ray* TheRay;
+  const ActiveMacrocells* Active;
+  std::size_t Top;
+  /// Where the walk is; the top when it has not begun or is over.
+  std::size_t Level;
+  bool IsDone = false;
+  std::array<LatticeWalk, MaximumLevels> Walks;
+  std::array<Place, MaximumLevels> Places;
+};
+
+/// Calls visit(cell) for the cells of a region that the ray passes, in order, until visit returns
+/// true. Returns whether it did.
+template <typename Visit>
+bool VisitCells(const Ray& ray, const CellRegion& region, Visit&& visit)
+{
+  LatticeWalk walk(ray, 1, region.First, region.Last, region.Start);
   do
   {
     if (visit(walk.GetBlock()))
     {
       return true;
     }
-    place = walk.GetExit();
-  } while (walk.Advance(place));
-  return false;
-}
-
-/// Walks the macrocells of a level in a region, and descends into the active ones.
-template <typename Visit>
-bool WalkMacrocells(const Ray& ray, const ActiveMacrocells& active, std::size_t level,
-  const Index3& first, const Index3& last, Place place, Visit&& visit)
-{
-  const MacrocellLattice& lattice = active.GetLattice();
-  const int branching = lattice.Levels[level].Branching;
-  const Index3& childSize = level == 0 ? lattice.Cells : lattice.Levels[level - 1].Size;
-  LatticeWalk walk(ray, lattice.Levels[level].Edge, first, last, place);
-  do
-  {
-    const Index3& block = walk.GetBlock();
-    if (active.IsActive(level, block))
-    {
-      Index3 childFirst;
-      Index3 childLast;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        childFirst[axis] = block[axis] * branching;
-        childLast[axis] = std::min(childFirst[axis] + branching, childSize[axis]);
-      }
-      if (level == 0 ? WalkCells(ray, childFirst, childLast, place, visit)
-                     : WalkMacrocells(ray, active, level - 1, childFirst, childLast, place, visit))
-      {
-        return true;
-      }
-    }
-    place = walk.GetExit();
-  } while (walk.Advance(place));
+  } while (walk.Advance(walk.GetExit()));
   return false;
 }
 
@@ -170,17 +257,10 @@ bool WalkMacrocells(const Ray& ray, const ActiveMacrocells& active, std::size_t 
 template <typename Visit>
 void TraverseCells(const Ray& ray, const ActiveMacrocells& active, Visit&& visit)
 {
-  const MacrocellLattice& lattice = active.GetLattice();
-  const Place start{ ray.Begin, Place::StartAxis };
-  const Index3 origin = { 0, 0, 0 };
-  if (lattice.Levels.empty())
+  MacrocellWalk walk(ray, active);
+  CellRegion region;
+  while (walk.Next(region) && !VisitCells(ray, region, visit))
   {
-    WalkCells(ray, origin, lattice.Cells, start, visit);
-  }
-  else
-  {
-    WalkMacrocells(
-      ray, active, lattice.Levels.size() - 1, origin, lattice.Levels.back().Size, start, visit);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include <omp.h>
 
@@ -24,19 +25,12 @@ double Seconds(Clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
-/// The hits of the rays of a tile. Ray i has those from First[i] to First[i + 1].
-struct TileHits
+/// The rays of a tile and what they hit.
+struct TileRays
 {
-  std::vector<Hit> Hits;
-  std::vector<std::size_t> First;
+  std::vector<std::optional<Ray>> Rays;
   std::vector<Vector3> Directions;
-
-  void Clear()
-  {
-    this->Hits.clear();
-    this->First.assign(1, 0);
-    this->Directions.clear();
-  }
+  RayHits Hits;
 };
 
 /// The place of a pixel in the arrays of a frame.
@@ -45,10 +39,10 @@ std::size_t PixelOffset(const Scene& scene, int x, int y)
   return Offset({ x, y, 0 }, { scene.Pixels.Width, scene.Pixels.Height, 1 });
 }
 
-void TraceTile(
-  const Scene& scene, TracedVolume& volume, const PixelRectangle& tile, TileHits& tileHits)
+void TraceTile(const Scene& scene, TracedVolume& volume, const PixelRectangle& tile, TileRays& rays)
 {
-  tileHits.Clear();
+  rays.Rays.clear();
+  rays.Directions.clear();
   for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
   {
     for (int x = tile.X; x < tile.X + tile.Width; ++x)
@@ -56,15 +50,12 @@ void TraceTile(
       const float depth = scene.Depth ? scene.Depth[PixelOffset(scene, x, y)] : 1.0F;
       const Camera::PixelRay pixel =
         scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, static_cast<double>(depth));
-      if (const auto ray =
-            ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, volume.GetDimensions()))
-      {
-        volume.Trace(*ray, tileHits.Hits);
-      }
-      tileHits.First.push_back(tileHits.Hits.size());
-      tileHits.Directions.push_back(pixel.Direction);
+      rays.Rays.push_back(
+        ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, volume.GetDimensions()));
+      rays.Directions.push_back(pixel.Direction);
     }
   }
+  volume.Trace(rays.Rays, rays.Hits);
 }
 
 std::uint8_t ToByte(double value)
@@ -81,7 +72,7 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
   depth = Frame::NoSurface;
   for (const Hit* hit = first; hit != last; ++hit)
   {
-    const double opacity = scene.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
+    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
     Vector3 shaded = ShadeHit(scene, volume, *hit, direction);
     for (double& channel : shaded)
     {
@@ -101,7 +92,7 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
 }
 
 void ShadeTile(const Scene& scene, const TracedVolume& volume, const PixelRectangle& tile,
-  const TileHits& tileHits, Frame& frame)
+  const TileRays& rays, Frame& frame)
 {
   std::size_t ray = 0;
   for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
@@ -109,9 +100,9 @@ void ShadeTile(const Scene& scene, const TracedVolume& volume, const PixelRectan
     for (int x = tile.X; x < tile.X + tile.Width; ++x, ++ray)
     {
       const std::size_t pixel = PixelOffset(scene, x, y);
-      const Hit* hits = tileHits.Hits.data();
-      ShadePixel(scene, volume, hits + tileHits.First[ray], hits + tileHits.First[ray + 1],
-        tileHits.Directions[ray], &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      const Hit* hits = rays.Hits.Hits.data();
+      ShadePixel(scene, volume, hits + rays.Hits.First[ray], hits + rays.Hits.First[ray + 1],
+        rays.Directions[ray], &frame.Colors[4 * pixel], frame.Depths[pixel]);
     }
   }
 }
@@ -135,7 +126,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   const std::size_t count = Count({ pixels.Width, pixels.Height, 1 });
   frame.Colors.resize(4 * count);
   frame.Depths.resize(count);
-  volume.SelectSurfaces(scene.Surfaces, scene.Threads);
+  volume.Select(scene.Want, scene.Threads);
 
   const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
   const int tiles = tilesPerRow * ((pixels.Height + scene.TileHeight - 1) / scene.TileHeight);
@@ -148,7 +139,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
 
 #pragma omp parallel num_threads(scene.Threads) reduction(+ : traceSeconds, shadeSeconds)
   {
-    TileHits hits;
+    TileRays rays;
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < tiles; ++i)
     {
@@ -159,9 +150,9 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
       }
       const PixelRectangle tile = GetTile(scene, i, tilesPerRow);
       const Clock::time_point begin = Clock::now();
-      TraceTile(scene, volume, tile, hits);
+      TraceTile(scene, volume, tile, rays);
       const Clock::time_point traced = Clock::now();
-      ShadeTile(scene, volume, tile, hits, frame);
+      ShadeTile(scene, volume, tile, rays, frame);
       traceSeconds += Seconds(traced - begin);
       shadeSeconds += Seconds(Clock::now() - traced);
       const int finished = done.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -58,7 +58,7 @@ struct Scene
   /// null where there is nothing.
   const float* Depth = nullptr;
 
-  std::vector<Isosurface> Surfaces;
+  Wanted Want;
   /// The colour of each surface.
   std::vector<Vector3> Colors;
   NormalMode Normals = NormalMode::CentralDifferences;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -46,11 +47,37 @@ struct VolumeSettings
   }
 };
 
+/// How the place where a ray meets the surface in a cell is found.
+enum class RootSolver
+{
+  Robust,
+  Fast,
+  Analytic,
+  Marmitt,
+  Linear
+};
+
 /// An isosurface to trace. Opacity is in (0, 1]; what is not seen at all is not traced.
 struct Isosurface
 {
   double Isovalue;
   double Opacity;
+};
+
+/// What to look for along rays, and how.
+struct Wanted
+{
+  std::vector<Isosurface> Surfaces;
+  RootSolver Solver = RootSolver::Robust;
+  /// For RootSolver::Marmitt.
+  int Interpolations = 3;
+};
+
+/// The hits of a number of rays: ray i has those from First[i] to First[i + 1], front to back.
+struct RayHits
+{
+  std::vector<Hit> Hits;
+  std::vector<std::size_t> First;
 };
 
 /// A ray is followed no further once the surfaces it passed let through less than this: a quarter
@@ -67,13 +94,14 @@ public:
     const VolumeView& view, const VolumeSettings& settings, int threads);
   virtual ~TracedVolume() = default;
 
-  /// Chooses the surfaces to trace from now on: finds their macrocells unless the isovalues are the
+  /// Chooses what to trace from now on: finds the macrocells of the isovalues unless they are the
   /// same as before.
-  virtual void SelectSurfaces(const std::vector<Isosurface>& surfaces, int threads) = 0;
+  virtual void Select(const Wanted& wanted, int threads) = 0;
 
-  /// Appends the hits of a ray with the surfaces, front to back, up to the first opaque one or to
-  /// where nothing of the ray is left to see. Any number of threads may trace at once.
-  virtual void Trace(const Ray& ray, std::vector<Hit>& hits) = 0;
+  /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
+  /// nothing of it is left to see. A ray that is not there has no hits. Any number of threads may
+  /// trace at once; what a ray hits does not depend on the others.
+  virtual void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits) = 0;
 
   /// The gradient of the samples at a hit, per cell edge along each axis.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;

@@ -11,6 +11,13 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
+/// place where the sign changes; to touch the isovalue and turn back is none.
+inline bool IsInside(double valueMinusIsovalue)
+{
+  return valueMinusIsovalue >= 0.0;
+}
+
 /// The values at the corners of a cell: corner (x, y, z) in {0, 1}^3 is number x + 2 y + 4 z.
 using CellCorners = std::array<double, 8>;
 

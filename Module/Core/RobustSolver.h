@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef CubicRoots_h
-#define CubicRoots_h
+#ifndef RobustSolver_h
+#define RobustSolver_h
 
+#include "CellSegment.h"
+#include "MonotonePieces.h"
 #include "TrilinearCell.h"
 
 #include <algorithm>
@@ -12,18 +14,17 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
-/// place where the sign changes; to touch the isovalue and turn back is none.
-inline bool IsInside(double valueMinusIsovalue)
-{
-  return valueMinusIsovalue >= 0.0;
-}
-
+/// The default solver: Bernstein form, cut into monotone pieces, guarded Newton, all in double.
+///
+/// If all coefficients are on one side, there is no root (the hull). Else the interval is cut at
+/// the extrema (Marmitt et al. 2004, see MarmittSolver.h), and a piece has a root if and only if
+/// the signs at its ends differ. The ends of the segment have the sign that both cells of a face
+/// see.
 namespace Robust
 {
 
-/// Newton's method stops at a step of this size, in fractions of the segment. The step after it,
-/// squared by the convergence, is taken too.
+/// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
+/// to the square of it.
 constexpr double Tolerance = 1e-10;
 /// Bisection alone would be done by then.
 constexpr int MaximumIterations = 64;
@@ -37,38 +38,15 @@ inline double Evaluate(const BernsteinCubic& b, double u)
   return Lerp(Lerp(b01, b12, u), Lerp(b12, b23, u), u);
 }
 
-/// The fractions in (0, 1) where the cubic may turn, in order: the interval falls into monotone
-/// pieces. Returns how many there are (0 to 2).
-inline int Extrema(const BernsteinCubic& b, double extrema[2])
+/// Where the cubic turns, in (0, 1). Returns how often.
+inline int Extrema(const BernsteinCubic& b, double turns[2])
 {
   const double d0 = b[1] - b[0];
   const double d1 = b[2] - b[1];
   const double d2 = b[3] - b[2];
-  if ((d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0))
-  {
-    return 0;
-  }
-  // The derivative is a u^2 + 2 h u + d0, up to a factor. Its roots in the form that does not
-  // cancel; where a or w is zero, a quotient is infinite or NaN and falls out of the comparisons.
-  const double h = d1 - d0;
-  const double a = d2 - d1 - h;
-  const double discriminant = h * h - a * d0;
-  if (!(discriminant > 0.0))
-  {
-    return 0;
-  }
-  const double w = -(h + std::copysign(std::sqrt(discriminant), h));
-  const double first = std::min(w / a, d0 / w);
-  const double second = std::max(w / a, d0 / w);
-  int count = 0;
-  for (const double u : { first, second })
-  {
-    if (u > 0.0 && u < 1.0)
-    {
-      extrema[count++] = u;
-    }
-  }
-  return count;
+  const bool monotone =
+    (d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0);
+  return monotone ? 0 : TurningPoints((d2 - d1) - (d1 - d0), d1 - d0, d0, turns);
 }
 
 /// The root in [lo, hi], where the cubic is monotone and its signs at the ends differ: Newton's
@@ -119,11 +97,6 @@ inline BernsteinCubic Normalize(BernsteinCubic b)
 
 /// Calls visit(u, rising) for every root of the cubic in [0, 1], in order, until visit returns
 /// true. Rising tells whether the ray goes in (from below the isovalue to at or above it).
-///
-/// If all coefficients are on one side, there is no root (the hull). Else the interval is cut at
-/// the extrema (Marmitt et al.: Fast and Accurate Ray-Voxel Intersection Techniques for Iso-Surface
-/// Ray Tracing, VMV 2004), and a piece has a root if and only if the signs at its ends differ. All
-/// in double.
 template <typename Visit>
 void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
 {
@@ -134,23 +107,20 @@ void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
     return;
   }
   const BernsteinCubic b = Normalize(coefficients);
-  double ends[3];
-  const int turns = Extrema(b, ends);
-  ends[turns] = 1.0;
-  double lo = 0.0;
-  double atLo = b[0];
-  for (int piece = 0; piece <= turns; ++piece)
-  {
-    const double hi = ends[piece];
-    const double atHi = piece == turns ? b[3] : Evaluate(b, hi);
-    if (IsInside(atLo) != IsInside(atHi) &&
-      visit(RefineRoot(b, lo, hi, atLo, atHi), IsInside(atHi)))
-    {
-      return;
-    }
-    lo = hi;
-    atLo = atHi;
-  }
+  double turns[2];
+  const int count = Extrema(b, turns);
+  ForEachSignChange(
+    turns, count, b[0], b[3], [&b](double u) { return Evaluate(b, u); },
+    [&b](double lo, double hi, double atLo, double atHi)
+    { return RefineRoot(b, lo, hi, atLo, atHi); },
+    visit);
+}
+
+/// The roots of the interpolant of corner values (isovalue taken off) along a segment of the cell.
+template <typename Visit>
+void ForEachRoot(const CellCorners& difference, const CellSegment& segment, Visit&& visit)
+{
+  ForEachRoot(CubicAlongSegment(difference, segment.Entry, segment.Exit), visit);
 }
 
 }
