@@ -178,6 +178,9 @@ void AddSurfaces(vtkVolumeProperty* property, int component, vtkirt::Scene& scen
   vtkContourValues* contours = property->GetIsoSurfaceValues();
   std::vector<double> isovalues(
     contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
+  isovalues.erase(std::remove_if(isovalues.begin(), isovalues.end(),
+                    [](double isovalue) { return !std::isfinite(isovalue); }),
+    isovalues.end());
   std::sort(isovalues.begin(), isovalues.end());
   isovalues.erase(std::unique(isovalues.begin(), isovalues.end()), isovalues.end());
   for (const double isovalue : isovalues)

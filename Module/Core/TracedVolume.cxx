@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -52,51 +52,77 @@ bool IsFinite(const Value corners[8])
   return true;
 }
 
-/// Appends the hits of a ray in a cell, in order along the ray. Behind an opaque hit there may be
-/// more.
-template <typename Value>
-void IntersectCell(const Ray& ray, const Index3& cell, const Value corners[8],
-  const std::vector<Isosurface>& surfaces, std::vector<Hit>& hits)
+/// The power of two by which values are multiplied before the isovalue is taken off: 1, unless the
+/// values are so large or small that products of differences overflow or vanish.
+double GetScale(double low, double high, double isovalue)
 {
-  CellSegment segment;
-  if (!IsFinite(corners) || !SegmentInCell(ray, cell, segment))
+  const double size = std::max(std::max(std::abs(low), std::abs(high)), std::abs(isovalue));
+  const bool isExtreme = size < 0x1p-400 || size > 0x1p400;
+  return isExtreme && std::isfinite(size) && size > 0.0
+    ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000))
+    : 1.0;
+}
+
+/// The difference between a value and the isovalue. Its sign is exact.
+double Difference(double value, double isovalue, double scale)
+{
+  const double difference = value * scale - isovalue * scale;
+  if (std::abs(difference) >= SmallestDifference)
   {
-    return;
+    return difference;
   }
-  const std::size_t before = hits.size();
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  return value < isovalue ? -SmallestDifference : (value > isovalue ? SmallestDifference : 0.0);
+}
+
+/// A root along the segment of a ray in a cell.
+struct Root
+{
+  /// As a fraction of the segment.
+  double Fraction;
+  int Surface;
+  bool Rising;
+};
+
+/// The roots in a cell of several surfaces, in order along the ray.
+class CellRoots
+{
+public:
+  /// Starts with the roots of the next surface. Surfaces come in the order of their isovalues.
+  void NextSurface() { this->FirstAllowed = 0; }
+
+  /// Adds a root behind those of the same surface. Where surfaces are met at one place, a ray that
+  /// goes in meets the smaller isovalue first, and a ray that goes out the larger one.
+  void Add(const Root& root)
   {
-    const Isosurface& surface = surfaces[i];
-    // The isovalue is taken off first: the sign of the difference is exact.
-    CellCorners difference;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      difference[corner] = static_cast<double>(corners[corner]) - surface.Isovalue;
-    }
-    Robust::ForEachRoot(CubicAlongSegment(difference, segment.Entry, segment.Exit),
-      [&](double u, bool rising)
-      {
-        hits.push_back({ ray.Base + Lerp(segment.Begin, segment.End, u), cell, static_cast<int>(i),
-          { Lerp(segment.Entry[0], segment.Exit[0], u), Lerp(segment.Entry[1], segment.Exit[1], u),
-            Lerp(segment.Entry[2], segment.Exit[2], u) },
-          rising });
-        return surface.Opacity >= 1.0;
-      });
+    const auto first = this->Roots.begin() + this->FirstAllowed;
+    const auto place = root.Rising
+      ? std::upper_bound(first, this->Roots.end(), root.Fraction,
+          [](double fraction, const Root& other) { return fraction < other.Fraction; })
+      : std::lower_bound(first, this->Roots.end(), root.Fraction,
+          [](const Root& other, double fraction) { return other.Fraction < fraction; });
+    this->FirstAllowed = place - this->Roots.begin() + 1;
+    this->Roots.insert(place, root);
   }
-  if (hits.size() > before + 1)
+
+  void Clear() { this->Roots.clear(); }
+  const std::vector<Root>& Get() const { return this->Roots; }
+
+private:
+  std::vector<Root> Roots;
+  std::ptrdiff_t FirstAllowed = 0;
+};
+
+Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, const Root& root)
+{
+  const double u = root.Fraction;
+  Vector3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // Surfaces met at one t are met in the order of their values.
-    std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(before), hits.end(),
-      [&surfaces](const Hit& a, const Hit& b)
-      {
-        const auto order = [&surfaces](const Hit& hit)
-        {
-          const double isovalue = surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
-          return std::make_pair(hit.T, hit.Rising ? isovalue : -isovalue);
-        };
-        return order(a) < order(b);
-      });
+    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
   }
+  // Written so that it never falls as u grows.
+  const double t = segment.Begin + (segment.End - segment.Begin) * u;
+  return { ray.Base + std::min(t, segment.End), cell, root.Surface, point, root.Rising };
 }
 
 template <typename T, typename Layout>
@@ -119,39 +145,45 @@ public:
       std::equal(surfaces.begin(), surfaces.end(), this->Surfaces.begin(), this->Surfaces.end(),
         [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
     this->Surfaces = surfaces;
-    if (!sameIsovalues)
+    if (sameIsovalues)
     {
-      std::vector<double> isovalues;
-      for (const Isosurface& surface : surfaces)
-      {
-        isovalues.push_back(surface.Isovalue);
-      }
-      this->Active = this->Hierarchy.FindActive(isovalues, threads);
+      return;
     }
+    const ValueRange<T>& range = this->Hierarchy.GetRange();
+    std::vector<double> isovalues;
+    this->Scales.clear();
+    for (const Isosurface& surface : surfaces)
+    {
+      isovalues.push_back(surface.Isovalue);
+      this->Scales.push_back(
+        GetScale(static_cast<double>(range.Min), static_cast<double>(range.Max), surface.Isovalue));
+    }
+    this->Active = this->Hierarchy.FindActive(isovalues, threads);
   }
 
   void Trace(const Ray& ray, std::vector<Hit>& hits) override
   {
     typename Layout::Reader reader(this->Bricks);
+    CellRoots roots;
     double transmittance = 1.0;
     TraverseCells(ray, this->Active,
       [&](const Index3& cell)
       {
         typename Layout::Value corners[8];
         reader.Load(cell, corners);
-        if (!HasSurface(corners, this->Surfaces))
+        CellSegment segment;
+        if (!HasSurface(corners, this->Surfaces) || !IsFinite(corners) ||
+          !SegmentInCell(ray, cell, segment))
         {
           return false;
         }
-        std::size_t last = hits.size();
-        IntersectCell(ray, cell, corners, this->Surfaces, hits);
-        for (; last < hits.size(); ++last)
+        this->FindRoots(corners, segment, roots);
+        for (const Root& root : roots.Get())
         {
-          transmittance *=
-            1.0 - this->Surfaces[static_cast<std::size_t>(hits[last].Surface)].Opacity;
+          hits.push_back(MakeHit(ray, cell, segment, root));
+          transmittance *= 1.0 - this->Surfaces[static_cast<std::size_t>(root.Surface)].Opacity;
           if (transmittance < NegligibleTransmittance)
           {
-            hits.resize(last + 1);
             return true;
           }
         }
@@ -191,6 +223,31 @@ public:
   }
 
 private:
+  /// The roots of all surfaces in a cell, in order. Behind one of an opaque surface there may be
+  /// more.
+  void FindRoots(
+    const typename Layout::Value corners[8], const CellSegment& segment, CellRoots& roots) const
+  {
+    roots.Clear();
+    for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
+    {
+      const Isosurface& surface = this->Surfaces[i];
+      CellCorners differences;
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        differences[corner] =
+          Difference(static_cast<double>(corners[corner]), surface.Isovalue, this->Scales[i]);
+      }
+      roots.NextSurface();
+      Robust::ForEachRoot(CubicAlongSegment(differences, segment.Entry, segment.Exit),
+        [&](double u, bool rising)
+        {
+          roots.Add({ u, static_cast<int>(i), rising });
+          return surface.Opacity >= 1.0;
+        });
+    }
+  }
+
   /// The central difference at a sample; at the border of the volume, the one-sided difference.
   double GetDifference(Index3 sample, std::size_t axis) const
   {
@@ -227,6 +284,8 @@ private:
   ActiveMacrocells Active;
   Layout Bricks;
   std::vector<Isosurface> Surfaces;
+  /// For each surface, see GetScale.
+  std::vector<double> Scales;
 };
 
 }

@@ -67,8 +67,8 @@ public:
     const VolumeView& view, const VolumeSettings& settings, int threads);
   virtual ~TracedVolume() = default;
 
-  /// Chooses the surfaces to trace from now on: finds their macrocells unless the isovalues are the
-  /// same as before.
+  /// Chooses the surfaces to trace from now on, in ascending order of their isovalues: finds their
+  /// macrocells unless the isovalues are the same as before.
   virtual void SelectSurfaces(const std::vector<Isosurface>& surfaces, int threads) = 0;
 
   /// Appends the hits of a ray with the surfaces, front to back, up to the first opaque one or to
