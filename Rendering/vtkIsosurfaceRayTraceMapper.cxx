@@ -186,6 +186,9 @@ std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int com
   vtkContourValues* contours = property->GetIsoSurfaceValues();
   std::vector<double> isovalues(
     contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
+  isovalues.erase(std::remove_if(isovalues.begin(), isovalues.end(),
+                    [](double isovalue) { return !std::isfinite(isovalue); }),
+    isovalues.end());
   std::sort(isovalues.begin(), isovalues.end());
   isovalues.erase(std::unique(isovalues.begin(), isovalues.end()), isovalues.end());
   std::vector<vtkirt::Isosurface> surfaces;

@@ -6,7 +6,6 @@
 
 #include "Vector.h"
 
-#include <cmath>
 #include <limits>
 
 namespace vtkIsosurfaceRayTracing
@@ -57,8 +56,7 @@ public:
     const double wa = m[12] * x + m[13] * y + m[15];
     const double wb = m[14];
     const Vector3 along = b * wa - a * wb;
-    const Vector3 alongInWorld = TransformDirection(this->WorldFromIndex, along);
-    const double length = std::sqrt(Dot(alongInWorld, alongInWorld));
+    const double length = Length(TransformDirection(this->WorldFromIndex, along));
 
     const double wNear = wa - wb;
     const double z = 2.0 * depth - 1.0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -20,16 +21,32 @@ namespace vtkIsosurfaceRayTracing
 template <typename T>
 struct ValueRange
 {
-  T Min = std::numeric_limits<T>::has_infinity ? std::numeric_limits<T>::infinity()
-                                               : std::numeric_limits<T>::max();
-  T Max = std::numeric_limits<T>::has_infinity ? -std::numeric_limits<T>::infinity()
-                                               : std::numeric_limits<T>::lowest();
+  T Min = std::numeric_limits<T>::max();
+  T Max = std::numeric_limits<T>::lowest();
 
-  // Comparisons with NaN are false: the order of the operands keeps NaN out.
   void Include(T low, T high)
   {
-    this->Min = low < this->Min ? low : this->Min;
-    this->Max = high > this->Max ? high : this->Max;
+    this->Min = Smaller(low, this->Min);
+    this->Max = Larger(high, this->Max);
+  }
+
+  // Comparisons with NaN are false: the order of the operands keeps NaN out.
+  static T Smaller(T value, T than)
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return value < than && value >= std::numeric_limits<T>::lowest() ? value : than;
+    }
+    return value < than ? value : than;
+  }
+
+  static T Larger(T value, T than)
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return value > than && value <= std::numeric_limits<T>::max() ? value : than;
+    }
+    return value > than ? value : than;
   }
 
   /// Whether samples lie on both sides of the isovalue, by the rule that equal is inside.
@@ -56,6 +73,9 @@ public:
     return this->Ranges[level][Offset(macrocell, this->Lattice.Levels[level].Size)];
   }
 
+  /// The range of all samples.
+  const ValueRange<T>& GetRange() const { return this->Range; }
+
   /// In bytes.
   std::size_t GetMemory() const;
 
@@ -68,6 +88,7 @@ private:
 
   MacrocellLattice Lattice;
   std::vector<std::vector<ValueRange<T>>> Ranges;
+  ValueRange<T> Range;
 };
 
 //------------------------------------------------------------------------------
@@ -88,6 +109,19 @@ MacrocellHierarchy<T>::MacrocellHierarchy(
     {
       this->BuildLevel(level, threads);
     }
+  }
+  if (this->Ranges.empty())
+  {
+    // One macrocell of all cells, which nobody keeps.
+    const Index3& cells = this->Lattice.Cells;
+    this->Range =
+      MacrocellHierarchy<T>(samples, { 8, std::max({ cells[0], cells[1], cells[2] }) }, threads)
+        .GetRange();
+    return;
+  }
+  for (const ValueRange<T>& range : this->Ranges.back())
+  {
+    this->Range.Include(range.Min, range.Max);
   }
 }
 
@@ -126,8 +160,8 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
           T* highs = high.data();
           const auto include = [lows, highs](std::size_t x, T value)
           {
-            lows[x] = value < lows[x] ? value : lows[x];
-            highs[x] = value > highs[x] ? value : highs[x];
+            lows[x] = ValueRange<T>::Smaller(value, lows[x]);
+            highs[x] = ValueRange<T>::Larger(value, highs[x]);
           };
           if (stride == 1)
           {

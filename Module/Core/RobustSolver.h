@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -79,18 +80,22 @@ inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double a
 }
 
 /// Brings coefficients of extreme size near 1, by a power of two, where squares neither overflow
-/// nor vanish. The roots stay where they are.
+/// nor vanish. The roots stay where they are, and so does the sign of every coefficient.
 inline BernsteinCubic Normalize(BernsteinCubic b)
 {
   const double size =
     std::max(std::max(std::abs(b[0]), std::abs(b[1])), std::max(std::abs(b[2]), std::abs(b[3])));
-  if (size < 1e-100 || size > 1e100)
+  const bool isExtreme = size < 1e-100 || size > 1e100;
+  if (!isExtreme || size == 0.0 || !std::isfinite(size))
   {
-    const int exponent = std::clamp(-std::ilogb(size), -1000, 1000);
-    for (double& coefficient : b)
-    {
-      coefficient = std::ldexp(coefficient, exponent);
-    }
+    return b;
+  }
+  const int exponent = std::clamp(-std::ilogb(size), -1000, 1000);
+  for (double& coefficient : b)
+  {
+    const double scaled = std::ldexp(coefficient, exponent);
+    const bool vanished = scaled == 0.0 && coefficient < 0.0;
+    coefficient = vanished ? -std::numeric_limits<double>::denorm_min() : scaled;
   }
   return b;
 }

@@ -27,7 +27,7 @@ Illumination Illuminate(const Light& light, const Vector3& point)
     return { light.Direction, 1.0 };
   }
   const Vector3 toLight = light.Position - point;
-  const double distance = std::sqrt(Dot(toLight, toLight));
+  const double distance = Length(toLight);
   const Vector3 direction = Normalized(toLight);
   double strength = 1.0 /
     (light.Attenuation[0] + distance * (light.Attenuation[1] + distance * light.Attenuation[2]));
@@ -63,8 +63,8 @@ Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector3 column = { m[i], m[4 + i], m[8 + i] };
-    lengths[i] = std::sqrt(Dot(column, column));
-    axes[i] = column * (1.0 / lengths[i]);
+    lengths[i] = Length(column);
+    axes[i] = Normalized(column);
   }
   const Vector3 cofactors[3] = { Cross(axes[1], axes[2]), Cross(axes[2], axes[0]),
     Cross(axes[0], axes[1]) };
@@ -92,7 +92,7 @@ Vector3 ShadeHit(
   const Vector3 toViewer = Normalized(TransformDirection(toWorld, direction)) * -1.0;
   // The outside of a surface is where values are smaller.
   Vector3 normal =
-    Normalized(GradientToWorld(toWorld, volume.GetGradient(hit, scene.Normals))) * -1.0;
+    Normalized(GradientToWorld(toWorld, Normalized(volume.GetGradient(hit, scene.Normals)))) * -1.0;
   if (scene.TwoSidedLighting && Dot(normal, toViewer) < 0.0)
   {
     normal = normal * -1.0;

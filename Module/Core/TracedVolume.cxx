@@ -20,7 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -58,25 +58,77 @@ bool IsFinite(const Value corners[8])
   return true;
 }
 
-/// Whether a surface of the isovalue passes between corners of these values.
-template <typename Value>
-bool Straddles(const Value corners[8], double isovalue)
+/// The power of two by which values are multiplied before the isovalue is taken off: 1, unless the
+/// values are so large or small that products of differences overflow or vanish.
+double GetScale(double low, double high, double isovalue)
 {
-  const auto range = std::minmax_element(corners, corners + 8);
-  return static_cast<double>(*range.first) < isovalue &&
-    isovalue <= static_cast<double>(*range.second);
+  const double size = std::max(std::max(std::abs(low), std::abs(high)), std::abs(isovalue));
+  const bool isExtreme = size < 0x1p-400 || size > 0x1p400;
+  return isExtreme && std::isfinite(size) && size > 0.0
+    ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000))
+    : 1.0;
 }
 
-/// The isovalue is taken off first: the sign of the difference is exact.
-template <typename Value>
-CellCorners Difference(const Value corners[8], double isovalue)
+/// The difference between a value and the isovalue. Its sign is exact.
+double Difference(double value, double isovalue, double scale)
 {
-  CellCorners difference;
-  for (std::size_t corner = 0; corner < 8; ++corner)
+  const double difference = value * scale - isovalue * scale;
+  if (std::abs(difference) >= SmallestDifference)
   {
-    difference[corner] = static_cast<double>(corners[corner]) - isovalue;
+    return difference;
   }
-  return difference;
+  return value < isovalue ? -SmallestDifference : (value > isovalue ? SmallestDifference : 0.0);
+}
+
+/// A root along the segment of a ray in a cell.
+struct Root
+{
+  /// As a fraction of the segment.
+  double Fraction;
+  int Surface;
+  bool Rising;
+};
+
+/// The roots in a cell of several surfaces, in order along the ray.
+class CellRoots
+{
+public:
+  /// Starts with the roots of the next surface. Surfaces come in the order of their isovalues.
+  void NextSurface() { this->FirstAllowed = 0; }
+
+  /// Adds a root behind those of the same surface. Where surfaces are met at one place, a ray that
+  /// goes in meets the smaller isovalue first, and a ray that goes out the larger one.
+  void Add(const Root& root)
+  {
+    const auto first = this->Roots.begin() + this->FirstAllowed;
+    const auto place = root.Rising
+      ? std::upper_bound(first, this->Roots.end(), root.Fraction,
+          [](double fraction, const Root& other) { return fraction < other.Fraction; })
+      : std::lower_bound(first, this->Roots.end(), root.Fraction,
+          [](const Root& other, double fraction) { return other.Fraction < fraction; });
+    this->FirstAllowed = place - this->Roots.begin() + 1;
+    this->Roots.insert(place, root);
+  }
+
+  void Clear() { this->Roots.clear(); }
+  const std::vector<Root>& Get() const { return this->Roots; }
+
+private:
+  std::vector<Root> Roots;
+  std::ptrdiff_t FirstAllowed = 0;
+};
+
+Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, const Root& root)
+{
+  const double u = root.Fraction;
+  Vector3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
+  }
+  // Written so that it never falls as u grows.
+  const double t = segment.Begin + (segment.End - segment.Begin) * u;
+  return { ray.Base + std::min(t, segment.End), cell, root.Surface, point, root.Rising };
 }
 
 template <typename Visit>
@@ -96,30 +148,7 @@ void ForEachRoot(const CellCorners& difference, const CellSegment& segment, cons
   }
 }
 
-Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, int surface, double u,
-  bool rising)
-{
-  return { ray.Base + Lerp(segment.Begin, segment.End, u), cell, surface,
-    { Lerp(segment.Entry[0], segment.Exit[0], u), Lerp(segment.Entry[1], segment.Exit[1], u),
-      Lerp(segment.Entry[2], segment.Exit[2], u) },
-    rising };
-}
-
-/// Puts the hits in one cell, of several surfaces, in order along the ray. Surfaces met at one t
-/// are met in the order of their values.
-void SortHits(std::vector<Hit>::iterator first, std::vector<Hit>::iterator last,
-  const std::vector<Isosurface>& surfaces)
-{
-  const auto order = [&surfaces](const Hit& hit)
-  {
-    const double isovalue = surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
-    return std::make_pair(hit.T, hit.Rising ? isovalue : -isovalue);
-  };
-  std::stable_sort(
-    first, last, [&order](const Hit& a, const Hit& b) { return order(a) < order(b); });
-}
-
-/// What a ray has met on its way, and how much of it is left.
+/// How much is left of a ray on its way.
 class RayProgress
 {
 public:
@@ -128,21 +157,18 @@ public:
   {
   }
 
-  /// Passes the hits of a cell, those from the given one on, front to back. If nothing of the ray
-  /// is left behind one of them, drops the rest and returns true.
-  bool Pass(std::vector<Hit>& hits, std::size_t first)
+  /// Appends the hits that the roots in a cell are. Returns true if nothing of the ray is left
+  /// behind the last of them.
+  bool Pass(const Ray& ray, const Index3& cell, const CellSegment& segment, const CellRoots& roots,
+    std::vector<Hit>& hits)
   {
-    if (hits.size() > first + 1)
+    for (const Root& root : roots.Get())
     {
-      SortHits(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), this->Want->Surfaces);
-    }
-    for (std::size_t i = first; i < hits.size(); ++i)
-    {
+      hits.push_back(MakeHit(ray, cell, segment, root));
       this->Transmittance *=
-        1.0 - this->Want->Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
+        1.0 - this->Want->Surfaces[static_cast<std::size_t>(root.Surface)].Opacity;
       if (this->Transmittance < NegligibleTransmittance)
       {
-        hits.resize(i + 1);
         return true;
       }
     }
@@ -152,29 +178,6 @@ public:
 private:
   const Wanted* Want;
   double Transmittance = 1.0;
-};
-
-/// A cell that a ray may hit, queued for the fast solver.
-struct Candidate
-{
-  std::size_t Ray;
-  Index3 Cell;
-  int Surface;
-  CellSegment Segment;
-  std::array<float, 8> Difference;
-};
-
-/// A ray that is followed side by side with others.
-struct Follower
-{
-  std::size_t Ray;
-  MacrocellWalk Macrocells;
-  RayProgress Progress;
-  /// The walk over the cells of the macrocell that the ray is in, if any.
-  LatticeWalk Cells;
-  bool IsInRegion = false;
-  /// How many of its hits it has passed.
-  std::size_t Passed = 0;
 };
 
 /// The corners in single precision: in the range where squares are safe, and each with its sign.
@@ -200,43 +203,42 @@ std::array<float, 8> ToSinglePrecision(const CellCorners& difference)
   return result;
 }
 
-/// Calls visit(candidate, u, rising) for the roots of all candidates, in order.
-template <typename Visit>
-void SolveCandidates(
-  const std::vector<Candidate>& candidates, const Wanted& wanted, const Visit& visit)
+/// A ray that is followed side by side with others, from one cell that it may hit to the next.
+struct Follower
 {
-  const bool opaque = std::all_of(wanted.Surfaces.begin(), wanted.Surfaces.end(),
-    [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
-  Fast::Batch batch = {};
-  Fast::Roots roots;
-  for (std::size_t first = 0; first < candidates.size(); first += Fast::Lanes)
+  /// Its number among all rays.
+  std::size_t Number;
+  const Ray* TheRay;
+  MacrocellWalk Macrocells;
+  RayProgress Progress;
+  /// The walk over the cells of the macrocell that the ray is in, if any.
+  LatticeWalk Cells;
+  bool IsInMacrocell = false;
+  /// The cell it has come to.
+  Index3 Cell = {};
+  CellSegment Segment = {};
+};
+
+/// A surface in the cell of a follower, to be solved.
+struct Candidate
+{
+  std::size_t Follower;
+  int Surface;
+  std::array<float, 8> Difference;
+};
+
+/// Fills a lane of a batch.
+void Load(
+  const Candidate& candidate, const CellSegment& segment, std::size_t lane, Fast::Batch& batch)
+{
+  for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    const std::size_t lanes = std::min<std::size_t>(Fast::Lanes, candidates.size() - first);
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-    {
-      const Candidate& candidate = candidates[first + lane];
-      for (std::size_t corner = 0; corner < 8; ++corner)
-      {
-        batch.Difference[corner][lane] = candidate.Difference[corner];
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        batch.Entry[axis][lane] = static_cast<float>(candidate.Segment.Entry[axis]);
-        batch.Exit[axis][lane] = static_cast<float>(candidate.Segment.Exit[axis]);
-      }
-    }
-    Fast::Solve(batch, opaque, roots);
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-    {
-      for (std::size_t piece = 0; piece < 3; ++piece)
-      {
-        if (roots.Found[piece][lane] != 0)
-        {
-          visit(candidates[first + lane], static_cast<double>(roots.U[piece][lane]),
-            roots.Rising[piece][lane] != 0);
-        }
-      }
-    }
+    batch.Difference[corner][lane] = candidate.Difference[corner];
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    batch.Entry[axis][lane] = static_cast<float>(segment.Entry[axis]);
+    batch.Exit[axis][lane] = static_cast<float>(segment.Exit[axis]);
   }
 }
 
@@ -260,15 +262,20 @@ public:
       this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
       [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
     this->Want = wanted;
-    if (!sameIsovalues)
+    if (sameIsovalues)
     {
-      std::vector<double> isovalues;
-      for (const Isosurface& surface : wanted.Surfaces)
-      {
-        isovalues.push_back(surface.Isovalue);
-      }
-      this->Active = this->Hierarchy.FindActive(isovalues, threads);
+      return;
     }
+    const ValueRange<T>& range = this->Hierarchy.GetRange();
+    std::vector<double> isovalues;
+    this->Scales.clear();
+    for (const Isosurface& surface : wanted.Surfaces)
+    {
+      isovalues.push_back(surface.Isovalue);
+      this->Scales.push_back(
+        GetScale(static_cast<double>(range.Min), static_cast<double>(range.Max), surface.Isovalue));
+    }
+    this->Active = this->Hierarchy.FindActive(isovalues, threads);
   }
 
   void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits) override
@@ -322,26 +329,44 @@ public:
   }
 
 private:
-  /// Calls visit(surface, corners, segment) for the surfaces that may pass through a cell of a ray.
-  template <typename Visit>
-  void ExamineCell(
-    typename Layout::Reader& reader, const Ray& ray, const Index3& cell, const Visit& visit)
+  /// Looks at a cell of a ray. Returns whether the ray may hit a surface there; then the corners
+  /// and the segment are those of the cell.
+  bool Examine(typename Layout::Reader& reader, const Ray& ray, const Index3& cell,
+    typename Layout::Value corners[8], CellSegment& segment) const
   {
-    typename Layout::Value corners[8];
     reader.Load(cell, corners);
-    CellSegment segment;
-    if (!HasSurface(corners, this->Want.Surfaces) || !IsFinite(corners) ||
-      !SegmentInCell(ray, cell, segment))
+    return HasSurface(corners, this->Want.Surfaces) && IsFinite(corners) &&
+      SegmentInCell(ray, cell, segment);
+  }
+
+  /// The corners with an isovalue taken off.
+  CellCorners TakeOff(std::size_t surface, const typename Layout::Value corners[8]) const
+  {
+    CellCorners differences;
+    for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      return;
+      differences[corner] = Difference(static_cast<double>(corners[corner]),
+        this->Want.Surfaces[surface].Isovalue, this->Scales[surface]);
     }
+    return differences;
+  }
+
+  /// The roots of all surfaces in a cell, in order. Behind one of an opaque surface there may be
+  /// more.
+  void FindRoots(
+    const typename Layout::Value corners[8], const CellSegment& segment, CellRoots& roots) const
+  {
+    roots.Clear();
     for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
     {
-      const Isosurface& surface = this->Want.Surfaces[i];
-      if (Straddles(corners, surface.Isovalue))
-      {
-        visit(static_cast<int>(i), Difference(corners, surface.Isovalue), segment);
-      }
+      const bool opaque = this->Want.Surfaces[i].Opacity >= 1.0;
+      roots.NextSurface();
+      ForEachRoot(this->TakeOff(i, corners), segment, this->Want,
+        [&roots, i, opaque](double u, bool rising)
+        {
+          roots.Add({ u, static_cast<int>(i), rising });
+          return opaque;
+        });
     }
   }
 
@@ -349,24 +374,19 @@ private:
   void TraceAlone(const Ray& ray, std::vector<Hit>& hits)
   {
     typename Layout::Reader reader(this->Bricks);
+    CellRoots roots;
     RayProgress progress(this->Want);
     TraverseCells(ray, this->Active,
       [&](const Index3& cell)
       {
-        const std::size_t first = hits.size();
-        this->ExamineCell(reader, ray, cell,
-          [&](int surface, const CellCorners& difference, const CellSegment& segment)
-          {
-            const bool opaque =
-              this->Want.Surfaces[static_cast<std::size_t>(surface)].Opacity >= 1.0;
-            ForEachRoot(difference, segment, this->Want,
-              [&](double u, bool rising)
-              {
-                hits.push_back(MakeHit(ray, cell, segment, surface, u, rising));
-                return opaque;
-              });
-          });
-        return hits.size() > first && progress.Pass(hits, first);
+        typename Layout::Value corners[8];
+        CellSegment segment;
+        if (!this->Examine(reader, ray, cell, corners, segment))
+        {
+          return false;
+        }
+        this->FindRoots(corners, segment, roots);
+        return progress.Pass(ray, cell, segment, roots, hits);
       });
   }
 
@@ -383,7 +403,7 @@ private:
       {
         going.push_back(followers.size());
         followers.push_back(
-          { i, MacrocellWalk(*rays[i], this->Active), RayProgress(this->Want), {} });
+          { i, &*rays[i], MacrocellWalk(*rays[i], this->Active), RayProgress(this->Want), {} });
       }
     }
     std::vector<std::vector<Hit>> hits(rays.size());
@@ -391,26 +411,22 @@ private:
     while (!going.empty())
     {
       candidates.clear();
-      const auto isAtEnd = [&](std::size_t i)
+      for (const std::size_t i : going)
       {
-        Follower& follower = followers[i];
-        return !this->FindCandidates(*rays[follower.Ray], follower, candidates);
-      };
-      going.erase(std::remove_if(going.begin(), going.end(), isAtEnd), going.end());
-      SolveCandidates(candidates, this->Want,
-        [&](const Candidate& candidate, double u, bool rising)
+        this->GoToNextCell(i, followers[i], candidates);
+      }
+      // Those that came to no cell are at their end.
+      going.clear();
+      this->SolveCandidates(candidates, followers,
+        [&](std::size_t i, const CellRoots& roots)
         {
-          hits[candidate.Ray].push_back(MakeHit(
-            *rays[candidate.Ray], candidate.Cell, candidate.Segment, candidate.Surface, u, rising));
+          Follower& follower = followers[i];
+          if (!follower.Progress.Pass(
+                *follower.TheRay, follower.Cell, follower.Segment, roots, hits[follower.Number]))
+          {
+            going.push_back(i);
+          }
         });
-      const auto isSpent = [&hits, &followers](std::size_t i)
-      {
-        Follower& follower = followers[i];
-        std::vector<Hit>& own = hits[follower.Ray];
-        const std::size_t first = std::exchange(follower.Passed, own.size());
-        return own.size() > first && follower.Progress.Pass(own, first);
-      };
-      going.erase(std::remove_if(going.begin(), going.end(), isSpent), going.end());
     }
     result.Hits.clear();
     result.First.assign(1, 0);
@@ -421,37 +437,83 @@ private:
     }
   }
 
-  /// Walks a ray on to the next cell that it may hit, and queues it. Returns false if there is
-  /// none.
-  bool FindCandidates(const Ray& ray, Follower& follower, std::vector<Candidate>& candidates)
+  /// Walks a ray on to the next cell that it may hit, if there is one, and queues it once for every
+  /// surface.
+  void GoToNextCell(std::size_t number, Follower& follower, std::vector<Candidate>& candidates)
   {
-    const std::size_t before = candidates.size();
+    const Ray& ray = *follower.TheRay;
     typename Layout::Reader reader(this->Bricks);
-    while (candidates.size() == before)
+    typename Layout::Value corners[8];
+    bool found = false;
+    while (!found)
     {
-      CellRegion region;
-      if (!follower.IsInRegion)
+      if (!follower.IsInMacrocell)
       {
+        CellRegion region;
         if (!follower.Macrocells.Next(region))
         {
-          return false;
+          return;
         }
         follower.Cells = LatticeWalk(ray, 1, region.First, region.Last, region.Start);
       }
       LatticeWalk walk = follower.Cells;
       do
       {
-        const Index3 cell = walk.GetBlock();
-        this->ExamineCell(reader, ray, cell,
-          [&](int surface, const CellCorners& difference, const CellSegment& segment) {
-            candidates.push_back(
-              { follower.Ray, cell, surface, segment, ToSinglePrecision(difference) });
-          });
-        follower.IsInRegion = walk.Advance(walk.GetExit());
-      } while (follower.IsInRegion && candidates.size() == before);
+        follower.Cell = walk.GetBlock();
+        found = this->Examine(reader, ray, follower.Cell, corners, follower.Segment);
+        follower.IsInMacrocell = walk.Advance(walk.GetExit());
+      } while (follower.IsInMacrocell && !found);
       follower.Cells = walk;
     }
-    return true;
+    for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
+    {
+      candidates.push_back(
+        { number, static_cast<int>(i), ToSinglePrecision(this->TakeOff(i, corners)) });
+    }
+  }
+
+  /// Solves all candidates, a batch at a time, and calls visit(follower, roots) for every follower
+  /// they belong to.
+  template <typename Visit>
+  void SolveCandidates(const std::vector<Candidate>& candidates,
+    const std::vector<Follower>& followers, const Visit& visit) const
+  {
+    const bool opaque = std::all_of(this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
+      [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+    Fast::Batch batch = {};
+    Fast::Roots solved;
+    CellRoots roots;
+    for (std::size_t first = 0; first < candidates.size(); first += Fast::Lanes)
+    {
+      const std::size_t lanes = std::min<std::size_t>(Fast::Lanes, candidates.size() - first);
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+      {
+        const Candidate& candidate = candidates[first + lane];
+        Load(candidate, followers[candidate.Follower].Segment, lane, batch);
+      }
+      Fast::Solve(batch, opaque, solved);
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+      {
+        const Candidate& candidate = candidates[first + lane];
+        if (candidate.Surface == 0)
+        {
+          roots.Clear();
+        }
+        roots.NextSurface();
+        for (std::size_t piece = 0; piece < 3; ++piece)
+        {
+          if (solved.Found[piece][lane] != 0)
+          {
+            roots.Add({ static_cast<double>(solved.U[piece][lane]), candidate.Surface,
+              solved.Rising[piece][lane] != 0 });
+          }
+        }
+        if (static_cast<std::size_t>(candidate.Surface) + 1 == this->Want.Surfaces.size())
+        {
+          visit(candidate.Follower, roots);
+        }
+      }
+    }
   }
 
   /// The central difference at a sample; at the border of the volume, the one-sided difference.
@@ -490,6 +552,8 @@ private:
   ActiveMacrocells Active;
   Layout Bricks;
   Wanted Want;
+  /// For each surface, see GetScale.
+  std::vector<double> Scales;
 };
 
 }

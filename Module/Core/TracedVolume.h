@@ -67,6 +67,7 @@ struct Isosurface
 /// What to look for along rays, and how.
 struct Wanted
 {
+  /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.

@@ -21,8 +21,13 @@ inline bool IsInside(double valueMinusIsovalue)
 /// The values at the corners of a cell: corner (x, y, z) in {0, 1}^3 is number x + 2 y + 4 z.
 using CellCorners = std::array<double, 8>;
 
-/// Linear interpolation that is exact at both ends and never changes the common sign of a and b.
-/// (a + t (b - a) is neither.) Written without fma, so that every instruction set gives one result.
+/// Corners smaller than this, and not zero, could vanish in three interpolations in turn, and their
+/// sign with them.
+constexpr double SmallestDifference = 0x1p-900;
+
+/// Linear interpolation that is exact at both ends and never changes the common sign of a and b,
+/// unless they all but vanish (see SmallestDifference). (a + t (b - a) is neither.) Written without
+/// fma, so that every instruction set gives one result.
 inline double Lerp(double a, double b, double t)
 {
   return (1.0 - t) * a + t * b;

@@ -4,6 +4,7 @@
 #ifndef Vector_h
 #define Vector_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,11 +39,28 @@ inline double Dot(const Vector3& a, const Vector3& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// The length of a vector, whose squares may overflow or vanish.
+inline double Length(const Vector3& a)
+{
+  const double size = std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
+  if (!(size > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector3 scaled = { a[0] / size, a[1] / size, a[2] / size };
+  return size * std::sqrt(Dot(scaled, scaled));
+}
+
 /// The vector at length one; a zero vector stays zero.
 inline Vector3 Normalized(const Vector3& a)
 {
-  const double length = std::sqrt(Dot(a, a));
-  return length > 0.0 ? a * (1.0 / length) : a;
+  const double size = std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
+  if (!(size > 0.0))
+  {
+    return a;
+  }
+  const Vector3 scaled = { a[0] / size, a[1] / size, a[2] / size };
+  return scaled * (1.0 / std::sqrt(Dot(scaled, scaled)));
 }
 
 /// Transforms a point whose homogeneous coordinate stays 1.

@@ -1,0 +1,554 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Ray traces an isosurface of a volume read from a file: writes pictures of it and tells how long
+// that took, or opens a window (--interactive). RayTraceIsosurface --help lists the options.
+
+#include "vtkIsosurfaceComparisonFilter.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkCommand.h>
+#include <vtkConeSource.h>
+#include <vtkContourValues.h>
+#include <vtkImageData.h>
+#include <vtkImageReader2.h>
+#include <vtkImageReader2Factory.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkLightKit.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSliderRepresentation2D.h>
+#include <vtkSliderWidget.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkVariant.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+#include <vtkWindowToImageFilter.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtksys/CommandLineArguments.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
+constexpr double MillisecondsPerSecond = 1000.0;
+constexpr double BytesPerMebibyte = 1024.0 * 1024.0;
+
+struct Arguments
+{
+  std::string Input;
+  double Isovalue = NotGiven;
+  double Skin = NotGiven;
+  std::string Output = ".";
+  int Size = 800;
+  int Threads = 0;
+  bool Interactive = false;
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+// False, after showing the options, if there is nothing to do.
+bool ParseArguments(int argc, char* argv[], Arguments& arguments)
+{
+  using Parser = vtksys::CommandLineArguments;
+  Parser parser;
+  parser.Initialize(argc, argv);
+  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+    "The volume: .vti, .nii, .mhd or any other image that VTK reads.");
+  parser.AddArgument("--isovalue", Parser::SPACE_ARGUMENT, &arguments.Isovalue,
+    "The opaque surface. Default: the middle of the range of the data.");
+  parser.AddArgument("--skin", Parser::SPACE_ARGUMENT, &arguments.Skin,
+    "A translucent surface around it. Default: none.");
+  parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
+    "The folder of the pictures. Default: the current one.");
+  parser.AddArgument("--size", Parser::SPACE_ARGUMENT, &arguments.Size,
+    "Width and height of the pictures in pixels. Default: 800.");
+  parser.AddArgument("--threads", Parser::SPACE_ARGUMENT, &arguments.Threads,
+    "The number of threads. Default: 0, all there are.");
+  parser.AddBooleanArgument(
+    "--interactive", &arguments.Interactive, "Open a window, write no pictures.");
+  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
+
+  const bool parsed = parser.Parse() != 0;
+  const bool sensible = !arguments.Input.empty() && arguments.Size > 0 && arguments.Threads >= 0;
+  if (arguments.Help || !parsed || !sensible)
+  {
+    std::printf("Usage: RayTraceIsosurface --input FILE [options]\n%s", parser.GetHelp());
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The reader that the name of the file asks for, or nullptr.
+vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
+{
+  const std::string name = vtksys::SystemTools::LowerCase(fileName);
+  if (vtksys::SystemTools::StringEndsWith(name, ".vti"))
+  {
+    auto reader = vtkSmartPointer<vtkXMLImageDataReader>::New();
+    reader->SetFileName(fileName.c_str());
+    return reader;
+  }
+  vtkSmartPointer<vtkImageReader2> reader;
+  if (vtksys::SystemTools::StringEndsWith(name, ".nii") ||
+    vtksys::SystemTools::StringEndsWith(name, ".nii.gz"))
+  {
+    reader = vtkSmartPointer<vtkNIFTIImageReader>::New();
+  }
+  else
+  {
+    reader.TakeReference(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  }
+  if (reader)
+  {
+    reader->SetFileName(fileName.c_str());
+  }
+  return reader;
+}
+
+//------------------------------------------------------------------------------
+// The volume in the file, or nullptr with a word on why.
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
+{
+  if (!vtksys::SystemTools::FileExists(fileName, true))
+  {
+    std::fprintf(stderr, "There is no file %s.\n", fileName.c_str());
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkAlgorithm> reader = NewReader(fileName);
+  if (!reader)
+  {
+    std::fprintf(stderr, "VTK has no image reader for %s.\n", fileName.c_str());
+    return nullptr;
+  }
+  reader->Update();
+  auto* volume = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
+  if (!volume || !volume->GetPointData()->GetScalars() || volume->GetDataDimension() != 3)
+  {
+    std::fprintf(stderr, "%s is not a volume with point scalars.\n", fileName.c_str());
+    return nullptr;
+  }
+  return volume;
+}
+
+//------------------------------------------------------------------------------
+// The isovalues with their colours: an opaque surface, and a skin around it if there is one.
+void SetSurfaces(vtkVolumeProperty* property, double isovalue, double skin)
+{
+  vtkContourValues* isovalues = property->GetIsoSurfaceValues();
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  vtkPiecewiseFunction* opacities = property->GetScalarOpacity();
+  colors->RemoveAllPoints();
+  opacities->RemoveAllPoints();
+
+  isovalues->SetNumberOfContours(1);
+  isovalues->SetValue(0, isovalue);
+  colors->AddRGBPoint(isovalue, 0.96, 0.90, 0.80);
+  opacities->AddPoint(isovalue, 1.0);
+  if (!std::isnan(skin) && skin != isovalue)
+  {
+    isovalues->SetValue(1, skin);
+    colors->AddRGBPoint(skin, 0.90, 0.58, 0.46);
+    opacities->AddPoint(skin, 0.5);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A volume with its mapper, in a lit renderer of a window.
+struct Scene
+{
+  Scene(vtkImageData* image, const Arguments& arguments);
+
+  vtkNew<vtkIsosurfaceRayTraceMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkLightKit> Lights;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+//------------------------------------------------------------------------------
+// Look at the side of +y, from a little to one side and above, with z up: at the face of a head
+// whose rows of samples run from its back to its front.
+void PlaceCamera(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(-0.35, 1.0, 0.15);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCamera();
+  camera->Zoom(1.5);
+}
+
+//------------------------------------------------------------------------------
+Scene::Scene(vtkImageData* image, const Arguments& arguments)
+{
+  this->Mapper->SetInputData(image);
+  this->Mapper->SetNumberOfThreads(arguments.Threads);
+
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(0.1);
+  property->SetDiffuse(0.9);
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(30.0);
+  this->Volume->SetMapper(this->Mapper);
+
+  this->Lights->SetKeyLightIntensity(0.9);
+  this->Lights->AddLightsToRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.16, 0.18, 0.22);
+  this->Renderer->SetBackground2(0.42, 0.46, 0.52);
+  this->Renderer->GradientBackgroundOn();
+  this->Renderer->AddVolume(this->Volume);
+  PlaceCamera(this->Renderer);
+
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(arguments.Size, arguments.Size);
+  this->Window->SetWindowName("RayTraceIsosurface");
+  this->Window->AddRenderer(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+double SecondsOfRender(vtkRenderWindow* window)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  window->Render();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
+double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+//------------------------------------------------------------------------------
+// Once around the volume.
+std::vector<double> SecondsOfOrbit(Scene& scene)
+{
+  const int numberOfFrames = 15;
+  std::vector<double> seconds;
+  for (int frame = 0; frame < numberOfFrames; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(360.0 / numberOfFrames);
+    scene.Renderer->ResetCameraClippingRange();
+    seconds.push_back(SecondsOfRender(scene.Window));
+  }
+  return seconds;
+}
+
+//------------------------------------------------------------------------------
+void ReportVolume(vtkImageData* volume)
+{
+  const int* dimensions = volume->GetDimensions();
+  const double* range = volume->GetScalarRange();
+  std::printf("Volume\n");
+  std::printf("  %d x %d x %d samples of type %s, %g to %g, %.1f MiB\n", dimensions[0],
+    dimensions[1], dimensions[2], volume->GetScalarTypeAsString(), range[0], range[1],
+    volume->GetActualMemorySize() / 1024.0);
+}
+
+//------------------------------------------------------------------------------
+void PrintRow(const std::string& what, double seconds, double bytes, const std::string& note = "")
+{
+  std::printf("  %-18s %9.1f ms %9.2f MiB%s%s\n", what.c_str(), seconds * MillisecondsPerSecond,
+    bytes / BytesPerMebibyte, note.empty() ? "" : "  ", note.c_str());
+}
+
+//------------------------------------------------------------------------------
+std::string CountOfBricks(vtkIsosurfaceRayTraceMapper* mapper)
+{
+  return std::to_string(mapper->GetNumberOfBricks()) + " of " +
+    std::to_string(mapper->GetMaximumNumberOfBricks()) + " bricks";
+}
+
+//------------------------------------------------------------------------------
+// The first frame makes what the next ones use.
+void ReportRayTracing(Scene& scene, double isovalue)
+{
+  vtkIsosurfaceRayTraceMapper* mapper = scene.Mapper;
+  const auto memory = [mapper]()
+  { return mapper->GetMacrocellMemory() + mapper->GetBrickMemory(); };
+  const int* size = scene.Window->GetSize();
+  std::printf("Ray traced at isovalue %g, %d x %d pixels\n", isovalue, size[0], size[1]);
+
+  SetSurfaces(scene.Volume->GetProperty(), isovalue, NotGiven);
+  scene.Volume->VisibilityOff();
+  scene.Window->Render(); // opens the window, which is not ours to measure
+  scene.Volume->VisibilityOn();
+  const double firstFrame = SecondsOfRender(scene.Window);
+  PrintRow("first frame", firstFrame, memory());
+  PrintRow("  macrocells", mapper->GetMacrocellBuildTime(), mapper->GetMacrocellMemory());
+  PrintRow(
+    "  bricks", mapper->GetBrickBuildTime(), mapper->GetBrickMemory(), CountOfBricks(mapper));
+  const double nextFrame = Median(SecondsOfOrbit(scene));
+  PrintRow("next frame, median", nextFrame, memory(), CountOfBricks(mapper) + ", once around");
+}
+
+//------------------------------------------------------------------------------
+// What VTK's own filters need to make polygons of the same surface, before anything is drawn.
+void ReportExtraction(vtkImageData* volume, double isovalue)
+{
+  vtkNew<vtkIsosurfaceComparisonFilter> comparison;
+  comparison->SetInputData(volume);
+  comparison->SetValue(0, isovalue);
+  comparison->Update();
+
+  vtkTable* table = comparison->GetOutput();
+  std::printf("Extracted as polygons instead, without normals\n");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    PrintRow(table->GetValueByName(row, "Method").ToString(),
+      table->GetValueByName(row, "Time").ToDouble(),
+      table->GetValueByName(row, "Memory").ToDouble(),
+      table->GetValueByName(row, "Triangles").ToString() + " triangles");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool WritePicture(vtkRenderWindow* window, const std::string& fileName)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(fileName.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    std::fprintf(stderr, "%s cannot be written.\n", fileName.c_str());
+    return false;
+  }
+  std::printf("  %s\n", fileName.c_str());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A cone of polygons through the middle of the volume: what is in front of what is decided for
+// every pixel.
+vtkSmartPointer<vtkActor> NewPiercingCone(vtkVolume* volume)
+{
+  vtkNew<vtkConeSource> cone;
+  cone->SetCenter(volume->GetCenter());
+  cone->SetDirection(-1.0, 0.35, -0.15);
+  cone->SetHeight(volume->GetLength() * 0.65);
+  cone->SetRadius(volume->GetLength() * 0.09);
+  cone->SetResolution(128);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cone->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.20, 0.52, 0.62);
+  actor->GetProperty()->SetSpecular(0.4);
+  actor->GetProperty()->SetSpecularPower(40.0);
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+bool WritePictures(Scene& scene, double isovalue, const Arguments& arguments)
+{
+  if (!vtksys::SystemTools::MakeDirectory(arguments.Output))
+  {
+    std::fprintf(stderr, "The folder %s cannot be made.\n", arguments.Output.c_str());
+    return false;
+  }
+  const std::string folder = arguments.Output + "/";
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  std::printf("Pictures\n");
+
+  SetSurfaces(property, isovalue, NotGiven);
+  bool written = WritePicture(scene.Window, folder + "bone.png");
+  if (!std::isnan(arguments.Skin))
+  {
+    SetSurfaces(property, isovalue, arguments.Skin);
+    written = WritePicture(scene.Window, folder + "bone-and-skin.png") && written;
+    SetSurfaces(property, isovalue, NotGiven);
+  }
+  scene.Renderer->AddActor(NewPiercingCone(scene.Volume));
+  return WritePicture(scene.Window, folder + "cone.png") && written;
+}
+
+//------------------------------------------------------------------------------
+// A window with a slider for the isovalue.
+class InteractiveView
+{
+public:
+  InteractiveView(Scene& scene, const double range[2], double isovalue, double skin);
+  void Start();
+
+private:
+  void SetUpSlider();
+  void SetUpText();
+  void SetIsovalue(double isovalue);
+  void OnSlider();
+  void OnKey();
+  void OnRenderStart();
+
+  Scene& TheScene;
+  const double Lowest;
+  const double Highest;
+  const double Skin;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkSliderRepresentation2D> Slider;
+  vtkNew<vtkSliderWidget> SliderWidget;
+  vtkNew<vtkTextActor> Text;
+};
+
+//------------------------------------------------------------------------------
+InteractiveView::InteractiveView(Scene& scene, const double range[2], double isovalue, double skin)
+  : TheScene(scene)
+  , Lowest(range[0])
+  , Highest(range[1])
+  , Skin(skin)
+{
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  this->Interactor->SetInteractorStyle(style);
+  this->Interactor->SetRenderWindow(scene.Window);
+  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this, &InteractiveView::OnKey);
+  this->SetUpSlider();
+  this->SetUpText();
+  this->SetIsovalue(isovalue);
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::SetUpSlider()
+{
+  this->Slider->SetMinimumValue(this->Lowest);
+  this->Slider->SetMaximumValue(this->Highest);
+  this->Slider->SetTitleText("isovalue");
+  this->Slider->SetLabelFormat("%.4g");
+  this->Slider->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Slider->GetPoint1Coordinate()->SetValue(0.25, 0.09);
+  this->Slider->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Slider->GetPoint2Coordinate()->SetValue(0.75, 0.09);
+  this->Slider->SetSliderLength(0.02);
+  this->Slider->SetSliderWidth(0.03);
+  this->Slider->SetTubeWidth(0.006);
+  this->Slider->SetEndCapLength(0.0);
+  this->Slider->SetTitleHeight(0.022);
+  this->Slider->SetLabelHeight(0.022);
+  this->Slider->GetSliderProperty()->SetColor(0.96, 0.90, 0.80);
+  this->SliderWidget->SetInteractor(this->Interactor);
+  this->SliderWidget->SetRepresentation(this->Slider);
+  this->SliderWidget->SetAnimationModeToJump();
+  this->SliderWidget->AddObserver(vtkCommand::InteractionEvent, this, &InteractiveView::OnSlider);
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::SetUpText()
+{
+  this->Text->GetTextProperty()->SetFontSize(16);
+  this->Text->SetPosition(12, 12);
+  this->TheScene.Renderer->AddActor2D(this->Text);
+  this->TheScene.Renderer->AddObserver(
+    vtkCommand::StartEvent, this, &InteractiveView::OnRenderStart);
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::SetIsovalue(double isovalue)
+{
+  this->Slider->SetValue(isovalue); // clamps it
+  SetSurfaces(this->TheScene.Volume->GetProperty(), this->Slider->GetValue(), this->Skin);
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::OnSlider()
+{
+  this->SetIsovalue(this->Slider->GetValue());
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::OnKey()
+{
+  const std::string key = this->Interactor->GetKeySym();
+  const double step = key == "Up" ? 0.01 : key == "Down" ? -0.01 : 0.0;
+  if (step != 0.0)
+  {
+    this->SetIsovalue(this->Slider->GetValue() + step * (this->Highest - this->Lowest));
+    this->Interactor->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::OnRenderStart()
+{
+  const double seconds = this->TheScene.Renderer->GetLastRenderTimeInSeconds();
+  char text[64];
+  std::snprintf(text, sizeof(text), "previous frame %.0f ms", seconds * MillisecondsPerSecond);
+  this->Text->SetInput(text);
+}
+
+//------------------------------------------------------------------------------
+void InteractiveView::Start()
+{
+  std::printf("Drag to rotate, with Shift to move, with Ctrl to roll; the wheel zooms.\n"
+              "Up and Down change the isovalue, and so does the slider.\n"
+              "r shows all of it again, q ends.\n");
+  this->Interactor->Initialize();
+  this->SliderWidget->EnabledOn();
+  this->TheScene.Window->Render();
+  this->Interactor->Start();
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  Arguments arguments;
+  if (!ParseArguments(argc, argv, arguments))
+  {
+    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  const vtkSmartPointer<vtkImageData> volume = ReadVolume(arguments.Input);
+  if (!volume)
+  {
+    return EXIT_FAILURE;
+  }
+  const double* range = volume->GetScalarRange();
+  const double isovalue =
+    std::isnan(arguments.Isovalue) ? 0.5 * (range[0] + range[1]) : arguments.Isovalue;
+
+  ReportVolume(volume);
+  Scene scene(volume, arguments);
+  if (arguments.Interactive)
+  {
+    InteractiveView(scene, range, isovalue, arguments.Skin).Start();
+    return EXIT_SUCCESS;
+  }
+  scene.Window->SetOffScreenRendering(true);
+  ReportRayTracing(scene, isovalue);
+  ReportExtraction(volume, isovalue);
+  return WritePictures(scene, isovalue, arguments) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

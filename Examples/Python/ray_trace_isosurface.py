@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ray trace an isosurface: ray_trace_isosurface.py VOLUME.mhd ISOVALUE PICTURE.png"""
+
+import sys
+
+from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+
+if len(sys.argv) != 4:
+    sys.exit(__doc__)
+volume_file, isovalue, picture_file = sys.argv[1], float(sys.argv[2]), sys.argv[3]
+
+reader = vtkImageReader2Factory.CreateImageReader2(volume_file)
+if reader is None:
+    sys.exit(f"VTK has no image reader for {volume_file}")
+reader.SetFileName(volume_file)
+
+mapper = vtkIsosurfaceRayTraceMapper()
+mapper.SetInputConnection(reader.GetOutputPort())
+volume = vtkVolume()
+volume.SetMapper(mapper)
+surface = volume.GetProperty()
+surface.GetIsoSurfaceValues().SetValue(0, isovalue)
+surface.GetRGBTransferFunction().AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
+surface.GetScalarOpacity().AddPoint(isovalue, 1.0)
+surface.ShadeOn()
+surface.SetDiffuse(0.9)
+
+renderer = vtkRenderer()
+renderer.SetBackground(0.16, 0.18, 0.22)
+renderer.AddVolume(volume)
+camera = renderer.GetActiveCamera()  # from the side of +y, with z up
+camera.SetPosition(-0.35, 1.0, 0.15)
+camera.SetViewUp(0.0, 0.0, 1.0)
+renderer.ResetCamera()
+camera.Zoom(1.5)
+window = vtkRenderWindow()
+window.SetOffScreenRendering(True)
+window.SetSize(800, 800)
+window.AddRenderer(renderer)
+window.Render()
+
+picture = vtkWindowToImageFilter()
+picture.SetInput(window)
+writer = vtkPNGWriter()
+writer.SetInputConnection(picture.GetOutputPort())
+writer.SetFileName(picture_file)
+writer.Write()

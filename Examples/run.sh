@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs what is missing, builds and installs the library below build/examples, builds the example
+# against it as any project would, and ray traces a CT of a skull (Debian's invesalius-examples):
+#
+#   Examples/run.sh                  writes pictures to build/examples/pictures
+#   Examples/run.sh --interactive    opens a window instead
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+case "$*" in
+  "") interactive=no ;;
+  --interactive) interactive=yes ;;
+  *)
+    echo "usage: Examples/run.sh [--interactive]" >&2
+    exit 2
+    ;;
+esac
+
+if [[ $interactive == yes && -z ${DISPLAY:-} ]]; then
+  echo "error: --interactive needs a display, and DISPLAY is not set." >&2
+  exit 1
+fi
+
+Utilities/install-dependencies.sh invesalius-examples
+
+build=$PWD/build/examples
+
+# The python3 found first may be another than Debian's, which alone knows Debian's VTK.
+cmake -G Ninja -S . -B "$build/library" -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_INSTALL_PREFIX="$build/prefix" -DPython3_EXECUTABLE=/usr/bin/python3
+cmake --build "$build/library" --target install
+
+cmake -G Ninja -S Examples/Cxx/RayTraceIsosurface -B "$build/RayTraceIsosurface" \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$build/prefix"
+cmake --build "$build/RayTraceIsosurface"
+
+/usr/bin/python3 Examples/Python/invesalius_to_metaimage.py \
+  /usr/share/doc/invesalius-examples/examples/Cranium.inv3 "$build/data"
+
+example=("$build/RayTraceIsosurface/RayTraceIsosurface" --input "$build/data/cranium.mhd"
+  --isovalue 300 --skin -300) # Hounsfield units: bone, and skin, which is well above air
+if [[ $interactive == yes ]]; then
+  exec "${example[@]}" --interactive
+fi
+mkdir -p "$build/pictures"
+xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+  "${example[@]}" --output "$build/pictures"
+echo "The pictures are in $build/pictures"

@@ -1,0 +1,57 @@
+# The library, in the directory scope of vtk.module: by itself and inside a VTK tree alike.
+
+set(core_sources
+  CastRays.cxx
+  FastSolver.cxx
+  Ray.cxx
+  RenderTiles.cxx
+  Shading.cxx
+  TracedVolume.cxx)
+list(TRANSFORM core_sources PREPEND "Module/Core/")
+
+set(classes
+  Filters/vtkIsosurfaceComparisonFilter
+  Rendering/vtkIsosurfaceRayTraceMapper)
+
+set(private_classes
+  Rendering/vtkIsosurfaceRayTraceImageDisplay)
+
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+
+# The core is compiled by itself, without VTK's include folder: a VTK header there does not compile.
+# The library and the unit tests take the same objects.
+add_library(vtkIsosurfaceRayTracingCore OBJECT ${core_sources})
+target_include_directories(vtkIsosurfaceRayTracingCore
+  PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Module/Core")
+target_compile_features(vtkIsosurfaceRayTracingCore PUBLIC cxx_std_17)
+target_compile_options(vtkIsosurfaceRayTracingCore
+  PRIVATE
+    ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS}
+    # Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers
+    # and instruction sets.
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+target_link_libraries(vtkIsosurfaceRayTracingCore PUBLIC OpenMP::OpenMP_CXX)
+set_target_properties(vtkIsosurfaceRayTracingCore
+  PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+
+vtk_module_add_module(VTK::IsosurfaceRayTracing
+  CLASSES         ${classes}
+  PRIVATE_CLASSES ${private_classes}
+  NOWRAP_HEADERS  Module/vtkIsosurfaceRayTracingCompat.h
+  SOURCES         $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
+vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
+if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
+  vtk_module_compile_options(VTK::IsosurfaceRayTracing
+    PRIVATE ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS})
+endif ()
+vtk_module_include(VTK::IsosurfaceRayTracing
+  PUBLIC
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Module>"
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>"
+  PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Core")
+vtk_module_link(VTK::IsosurfaceRayTracing PRIVATE OpenMP::OpenMP_CXX)
