@@ -138,15 +138,17 @@ void FindPieces(const Cubic& cubic, Real ends[4])
 }
 
 /// The roots between lo and hi, in the lanes where there is one.
-Real RefineRoots(
-  const Cubic& cubic, const Mask& isThere, Real lo, Real hi, const Real& atLo, const Real& atHi)
+Real RefineRoots(const Cubic& cubic, const Mask& isThere, const Real& from, const Real& to,
+  const Real& atFrom, const Real& atTo)
 {
   const Real* b = cubic.B;
   const Real c1 = 3.0F * (b[1] - b[0]);
   const Real c2 = 3.0F * ((b[2] - b[1]) - (b[1] - b[0]));
   const Real c3 = (b[3] - b[0]) - 3.0F * (b[2] - b[1]);
-  const Mask insideAtLo = IsInside(atLo);
-  Real u = lo + (hi - lo) * (atLo / (atLo - atHi));
+  const Mask insideAtLo = IsInside(atFrom);
+  Real lo = from;
+  Real hi = to;
+  Real u = lo + (hi - lo) * (atFrom / (atFrom - atTo));
   u = ((u >= lo) & (u <= hi)) != 0 ? u : lo;
   for (int i = 0; i < MaximumIterations; ++i)
   {
