@@ -21,10 +21,11 @@ namespace
 using Real = float __attribute__((vector_size(sizeof(float) * Lanes)));
 using Mask = std::int32_t __attribute__((vector_size(sizeof(std::int32_t) * Lanes)));
 
-/// A root is refined until Newton's step is no larger than a few roundings, in at most so many
-/// steps: bisection alone would be done by then.
+/// A root is refined until Newton's step is no larger than a few roundings. Where that does not come
+/// soon (near a triple root), bisection brings it to an end.
 constexpr float Tolerance = 1e-6F;
-constexpr int MaximumIterations = 24;
+constexpr int NewtonIterations = 12;
+constexpr int MaximumIterations = NewtonIterations + 24;
 
 inline Real Load(const float* lanes)
 {
@@ -137,7 +138,8 @@ void FindPieces(const Cubic& cubic, Real ends[4])
   ends[3] = one;
 }
 
-/// The roots between lo and hi, in the lanes where there is one.
+/// The roots between lo and hi, in the lanes where there is one. A lane that is done stands still
+/// while others go on: what it finds does not depend on its neighbours.
 Real RefineRoots(const Cubic& cubic, const Mask& isThere, const Real& from, const Real& to,
   const Real& atFrom, const Real& atTo)
 {
@@ -150,6 +152,7 @@ Real RefineRoots(const Cubic& cubic, const Mask& isThere, const Real& from, cons
   Real hi = to;
   Real u = lo + (hi - lo) * (atFrom / (atFrom - atTo));
   u = ((u >= lo) & (u <= hi)) != 0 ? u : lo;
+  Mask going = isThere;
   for (int i = 0; i < MaximumIterations; ++i)
   {
     const Real f = cubic.Evaluate(u);
@@ -159,10 +162,15 @@ Real RefineRoots(const Cubic& cubic, const Mask& isThere, const Real& from, cons
     const Real slope = (3.0F * c3 * u + 2.0F * c2) * u + c1;
     const Real newton = u - f / slope;
     const Mask inBracket = (newton >= lo) & (newton <= hi);
-    const Real next = inBracket ? newton : lo + 0.5F * (hi - lo);
+    Real next = lo + 0.5F * (hi - lo);
+    if (i < NewtonIterations)
+    {
+      next = inBracket != 0 ? newton : next;
+    }
     const Real step = next - u;
-    u = next;
-    if (!IsAny(isThere & ((step > Tolerance) | (step < -Tolerance))))
+    u = going != 0 ? next : u;
+    going &= (step > Tolerance) | (step < -Tolerance);
+    if (!IsAny(going))
     {
       break;
     }

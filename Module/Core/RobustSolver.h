@@ -27,8 +27,9 @@ namespace Robust
 /// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
 /// to the square of it.
 constexpr double Tolerance = 1e-10;
-/// Bisection alone would be done by then.
-constexpr int MaximumIterations = 64;
+/// Where that does not come soon (near a triple root), bisection brings it to an end.
+constexpr int NewtonIterations = 40;
+constexpr int MaximumIterations = NewtonIterations + 36;
 
 /// The cubic at a fraction of its interval, by convex combinations (de Casteljau).
 inline double Evaluate(const BernsteinCubic& b, double u)
@@ -65,7 +66,7 @@ inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double a
     (IsInside(f) == insideAtLo ? lo : hi) = u;
     const double slope = (3.0 * c3 * u + 2.0 * c2) * u + c1;
     double next = u - f / slope;
-    if (!(next >= lo && next <= hi))
+    if (!(next >= lo && next <= hi) || i >= NewtonIterations)
     {
       next = lo + 0.5 * (hi - lo);
     }
@@ -94,8 +95,8 @@ inline BernsteinCubic Normalize(BernsteinCubic b)
   for (double& coefficient : b)
   {
     const double scaled = std::ldexp(coefficient, exponent);
-    const bool vanished = scaled == 0.0 && coefficient < 0.0;
-    coefficient = vanished ? -std::numeric_limits<double>::denorm_min() : scaled;
+    const bool vanishes = coefficient < 0.0 && scaled > -SmallestDifference;
+    coefficient = vanishes ? -SmallestDifference : scaled;
   }
   return b;
 }
