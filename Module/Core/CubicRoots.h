@@ -14,7 +14,8 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
-/// place where the sign changes; to touch the isovalue and turn back is none.
+/// place where the sign changes. To touch the isovalue from inside and turn back is none; to touch
+/// it from outside is to go in and out again at one place.
 inline bool IsInside(double valueMinusIsovalue)
 {
   return valueMinusIsovalue >= 0.0;
@@ -80,7 +81,7 @@ inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double a
   const double c2 = 3.0 * ((b[2] - b[1]) - (b[1] - b[0]));
   const double c3 = (b[3] - b[0]) - 3.0 * (b[2] - b[1]);
   const bool insideAtLo = IsInside(atLo);
-  double u = lo + (hi - lo) * (atLo / (atLo - atHi));
+  double u = std::min(hi, lo + (hi - lo) * (atLo / (atLo - atHi)));
   for (int i = 0; i < MaximumIterations; ++i)
   {
     const double f = ((c3 * u + c2) * u + c1) * u + b[0];

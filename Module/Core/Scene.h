@@ -58,6 +58,7 @@ struct Scene
   /// null where there is nothing.
   const float* Depth = nullptr;
 
+  /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
   /// The colour of each surface.
   std::vector<Vector3> Colors;
