@@ -98,7 +98,7 @@ void CheckComponents(Checks& check, const Picture& expected)
   {
     Scene scene(NewImageOf(array));
     vtkVolumeProperty* property = scene.Property();
-    property->GetIsoSurfaceValues()->SetValue(0, 50.0);
+    scene.SetSurface(50.0, { 1.0, 0.0, 0.0 }, 0.5);
     vtkNew<vtkColorTransferFunction> ivory;
     ivory->AddRGBPoint(50.0, 0.9, 0.8, 0.7);
     vtkNew<vtkPiecewiseFunction> opaque;
