@@ -18,6 +18,10 @@ set(private_classes
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
+# Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers and
+# instruction sets. Much of the core is in headers, so all who include them do the same.
+set(no_contraction "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>")
+
 # The core is compiled by itself, without VTK's include folder: a VTK header there does not compile.
 # The library and the unit tests take the same objects.
 add_library(vtkIsosurfaceRayTracingCore OBJECT ${core_sources})
@@ -27,9 +31,8 @@ target_compile_features(vtkIsosurfaceRayTracingCore PUBLIC cxx_std_17)
 target_compile_options(vtkIsosurfaceRayTracingCore
   PRIVATE
     ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS}
-    # Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers
-    # and instruction sets.
-    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+  PUBLIC
+    ${no_contraction})
 target_link_libraries(vtkIsosurfaceRayTracingCore PUBLIC OpenMP::OpenMP_CXX)
 set_target_properties(vtkIsosurfaceRayTracingCore
   PROPERTIES
@@ -45,7 +48,7 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
 if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
   vtk_module_compile_options(VTK::IsosurfaceRayTracing
-    PRIVATE ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS})
+    PRIVATE ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS} ${no_contraction})
 endif ()
 vtk_module_include(VTK::IsosurfaceRayTracing
   PUBLIC

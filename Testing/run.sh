@@ -13,5 +13,7 @@ Utilities/install-dependencies.sh libgtest-dev
 # The python3 found first may be another than Debian's, which alone knows Debian's VTK.
 cmake --preset release -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build --preset release
-xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+# Without -noreset the server starts anew whenever its last client leaves, and refuses the next one
+# that comes meanwhile.
+xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   ctest --preset release --parallel 2 "$@"

@@ -21,8 +21,8 @@ namespace
 using Real = float __attribute__((vector_size(sizeof(float) * Lanes)));
 using Mask = std::int32_t __attribute__((vector_size(sizeof(std::int32_t) * Lanes)));
 
-/// A root is refined until Newton's step is no larger than a few roundings. Where that does not come
-/// soon (near a triple root), bisection brings it to an end.
+/// A root is refined until Newton's step is no larger than a few roundings. Where that does not
+/// come soon (near a triple root), bisection brings it to an end.
 constexpr float Tolerance = 1e-6F;
 constexpr int NewtonIterations = 12;
 constexpr int MaximumIterations = NewtonIterations + 24;

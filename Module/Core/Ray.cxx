@@ -47,7 +47,7 @@ std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction,
     {
       return std::nullopt;
     }
-    // A component so small that its inverse is infinite moves the ray by no bit across any volume.
+    // A component so small that its inverse is infinite does not move the ray across any volume.
     ray.Inverse[axis] = 1.0 / direction[axis];
     const bool parallel = !std::isfinite(ray.Inverse[axis]);
     ray.Step[axis] = parallel ? 0 : direction[axis] > 0.0 ? 1 : -1;

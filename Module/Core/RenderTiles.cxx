@@ -60,7 +60,8 @@ void TraceTile(const Scene& scene, TracedVolume& volume, const PixelRectangle& t
 
 std::uint8_t ToByte(double value)
 {
-  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+  // What is no number, from a light without any attenuation on its own position, is black.
+  return static_cast<std::uint8_t>(std::lround(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0)));
 }
 
 /// Composites the hits of one ray, front to back.

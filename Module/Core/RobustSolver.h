@@ -59,7 +59,7 @@ inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double a
   const double c2 = 3.0 * ((b[2] - b[1]) - (b[1] - b[0]));
   const double c3 = (b[3] - b[0]) - 3.0 * (b[2] - b[1]);
   const bool insideAtLo = IsInside(atLo);
-  double u = lo + (hi - lo) * (atLo / (atLo - atHi));
+  double u = std::min(hi, lo + (hi - lo) * (atLo / (atLo - atHi)));
   for (int i = 0; i < MaximumIterations; ++i)
   {
     const double f = ((c3 * u + c2) * u + c1) * u + b[0];

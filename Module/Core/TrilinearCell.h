@@ -12,7 +12,8 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
-/// place where the sign changes; to touch the isovalue and turn back is none.
+/// place where the sign changes. To touch the isovalue from inside and turn back is none; to touch
+/// it from outside is to go in and out again at one place.
 inline bool IsInside(double valueMinusIsovalue)
 {
   return valueMinusIsovalue >= 0.0;

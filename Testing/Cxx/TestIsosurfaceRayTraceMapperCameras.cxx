@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Cameras, viewports and windows: the ball is where the polygons of a ball are.
+
+#include "MapperTesting.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+
+#include <functional>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+struct Setting
+{
+  std::string Name;
+  std::function<void(vtkRenderer*)> Apply;
+};
+
+std::vector<Setting> GetSettings()
+{
+  return {
+    { "perspective", [](vtkRenderer*) {} },
+    { "parallel",
+      [](vtkRenderer* renderer) { renderer->GetActiveCamera()->ParallelProjectionOn(); } },
+    { "off centre",
+      [](vtkRenderer* renderer) { renderer->GetActiveCamera()->SetWindowCenter(0.3, -0.2); } },
+    { "sheared",
+      [](vtkRenderer* renderer)
+      {
+        renderer->GetActiveCamera()->ParallelProjectionOn();
+        renderer->GetActiveCamera()->SetViewShear(0.3, 0.2, 1.0);
+      } },
+    { "rolled and near",
+      [](vtkRenderer* renderer)
+      {
+        renderer->GetActiveCamera()->Roll(30.0);
+        renderer->GetActiveCamera()->Dolly(1.2);
+        renderer->ResetCameraClippingRange();
+      } },
+    { "cut by the near plane",
+      [](vtkRenderer* renderer)
+      {
+        const double distance = renderer->GetActiveCamera()->GetDistance();
+        renderer->GetActiveCamera()->SetClippingRange(distance - 0.5, distance + 2.0);
+      } },
+    { "cut by the far plane",
+      [](vtkRenderer* renderer)
+      {
+        const double distance = renderer->GetActiveCamera()->GetDistance();
+        renderer->GetActiveCamera()->SetClippingRange(0.1, distance - 0.4);
+      } },
+    { "from within",
+      [](vtkRenderer* renderer)
+      {
+        renderer->GetActiveCamera()->SetPosition(0.2, 0.1, 0.3);
+        renderer->GetActiveCamera()->SetFocalPoint(1.0, 0.4, 0.2);
+        renderer->GetActiveCamera()->SetClippingRange(0.01, 5.0);
+      } },
+    { "viewport", [](vtkRenderer* renderer) { renderer->SetViewport(0.31, 0.12, 0.83, 0.97); } },
+  };
+}
+
+vtkSmartPointer<vtkActor> NewFlatBall(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(300);
+  sphere->SetPhiResolution(300);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  return actor;
+}
+
+void CheckAgainstPolygons(Checks& check, vtkImageData* image, const Setting& setting)
+{
+  Scene scene(image);
+  scene.Property()->ShadeOff();
+  scene.SetSurface(0.0, { 1.0, 0.0, 0.0 }, 1.0);
+  setting.Apply(scene.Renderer);
+  const Picture traced = RenderAndCapture(scene.Window);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  const Picture empty = RenderAndCapture(scene.Window);
+  scene.Renderer->AddActor(NewFlatBall(0.7));
+  const Picture polygons = RenderAndCapture(scene.Window);
+  const double covered = GetDifference(polygons, empty, 2);
+  const double difference = GetDifference(traced, polygons, 2);
+  std::cout << setting.Name << ": the ball covers " << 100.0 * covered << " %, "
+            << 100.0 * difference << " % of the pixels differ\n";
+  check.That(covered > 0.05, setting.Name + ": there is something to see");
+  check.That(difference < 0.004, setting.Name + ": the ball is where its polygons are");
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperCameras(int argc, char* argv[])
+{
+  Checks check;
+  const auto image = NewBall(65, 0.7);
+  for (const Setting& setting : GetSettings())
+  {
+    CheckAgainstPolygons(check, image, setting);
+  }
+
+  // On the screen and off it.
+  Scene scene(image);
+  const Picture onScreen = RenderAndCapture(scene.Window);
+  Scene hidden(image);
+  hidden.Window->SetOffScreenRendering(true);
+  check.Equal(
+    GetDifference(RenderAndCapture(hidden.Window), onScreen, 0), 0.0, "the difference off screen");
+
+  // Two renderers side by side, and one on a layer above both.
+  Scene several(image, 320, 160);
+  several.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->AddVolume(several.Volume);
+  right->SetBackground(0.3, 0.1, 0.1);
+  several.Window->AddRenderer(right);
+  right->ResetCamera();
+  several.Window->SetNumberOfLayers(2);
+  vtkNew<vtkRenderer> above;
+  above->SetLayer(1);
+  above->SetViewport(0.35, 0.3, 0.65, 0.7);
+  vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkVolume> small;
+  small->SetMapper(mapper);
+  small->GetProperty()->DeepCopy(several.Property());
+  small->GetProperty()->GetRGBTransferFunction()->AddRGBPoint(0.0, 0.3, 0.8, 0.4);
+  above->AddVolume(small);
+  several.Window->AddRenderer(above);
+  above->ResetCamera();
+  check.That(IsBaseline(argc, argv, several.Window), "the picture is the baseline");
+  return check.Result();
+}

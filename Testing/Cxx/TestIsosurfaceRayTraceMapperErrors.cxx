@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What cannot be drawn: one error with the remedy, nothing drawn, nothing broken.
+
+#include "MapperTesting.h"
+
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkPlane.h>
+
+#include <functional>
+#include <limits>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+struct Fault
+{
+  std::string Name;
+  /// A word of the remedy.
+  std::string Remedy;
+  std::function<void(Scene&, vtkImageData*)> Make;
+  std::function<void(Scene&, vtkImageData*)> Mend;
+};
+
+void SetScalars(vtkImageData* image, vtkDataArray* scalars)
+{
+  image->GetPointData()->SetScalars(scalars);
+}
+
+std::vector<Fault> GetFaults(vtkDataArray* good)
+{
+  const auto restore = [good](Scene&, vtkImageData* image) { SetScalars(image, good); };
+  return {
+    { "no scalars", "point scalars",
+      [](Scene&, vtkImageData* image) { SetScalars(image, nullptr); }, restore },
+    { "cell scalars", "vtkCellDataToPointData",
+      [](Scene&, vtkImageData* image)
+      {
+        SetScalars(image, nullptr);
+        vtkNew<vtkFloatArray> cells;
+        cells->SetNumberOfTuples(image->GetNumberOfCells());
+        cells->Fill(1.0);
+        image->GetCellData()->SetScalars(cells);
+      },
+      [good](Scene&, vtkImageData* image)
+      {
+        image->GetCellData()->Initialize();
+        SetScalars(image, good);
+      } },
+    { "an array that is not there", "SelectScalarArray",
+      [](Scene& scene, vtkImageData*)
+      {
+        scene.Mapper->SetScalarModeToUsePointFieldData();
+        scene.Mapper->SelectScalarArray("no such array");
+      },
+      [](Scene& scene, vtkImageData*) { scene.Mapper->SetScalarModeToDefault(); } },
+    { "too few scalars", "every point",
+      [](Scene&, vtkImageData* image)
+      {
+        vtkNew<vtkFloatArray> few;
+        few->SetNumberOfTuples(10);
+        few->Fill(1.0);
+        SetScalars(image, few);
+      },
+      restore },
+    { "five components", "vtkImageExtractComponents",
+      [](Scene&, vtkImageData* image)
+      {
+        vtkNew<vtkFloatArray> five;
+        five->SetNumberOfComponents(5);
+        five->SetNumberOfTuples(image->GetNumberOfPoints());
+        five->Fill(1.0);
+        SetScalars(image, five);
+      },
+      restore },
+    { "one sample along y", "at least 2",
+      [](Scene&, vtkImageData* image)
+      {
+        image->SetDimensions(17, 1, 17);
+        vtkNew<vtkFloatArray> flat;
+        flat->SetNumberOfTuples(image->GetNumberOfPoints());
+        flat->Fill(1.0);
+        SetScalars(image, flat);
+      },
+      [good](Scene&, vtkImageData* image)
+      {
+        image->SetDimensions(17, 17, 17);
+        SetScalars(image, good);
+      } },
+    { "no samples at all", "at least 2",
+      [](Scene&, vtkImageData* image)
+      {
+        image->SetDimensions(0, 0, 0);
+        vtkNew<vtkFloatArray> none;
+        SetScalars(image, none);
+      },
+      [good](Scene&, vtkImageData* image)
+      {
+        image->SetDimensions(17, 17, 17);
+        SetScalars(image, good);
+      } },
+    { "a spacing of 0", "spacing",
+      [](Scene&, vtkImageData* image) { image->SetSpacing(0.125, 0.0, 0.125); },
+      [](Scene&, vtkImageData* image) { image->SetSpacing(0.125, 0.125, 0.125); } },
+    { "another blend mode", "SetBlendModeToIsoSurface",
+      [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToComposite(); },
+      [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToIsoSurface(); } },
+  };
+}
+
+void CheckFault(Checks& check, const Fault& fault, Scene& scene, vtkImageData* image,
+  const Picture& good, const Picture& empty)
+{
+  vtkNew<EventCounter> errors;
+  const unsigned long observer = scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  fault.Make(scene, image);
+  const Picture first = RenderAndCapture(scene.Window);
+  scene.Window->Render();
+  check.Equal(errors->Count, 1, "the number of errors, of two frames with " + fault.Name + ",");
+  check.That(errors->Text.find("vtkIsosurfaceRayTraceMapper") != std::string::npos &&
+      errors->Text.find(fault.Remedy) != std::string::npos,
+    "the error of " + fault.Name + " says who and what to do: " + errors->Text);
+  check.Equal(GetDifference(first, empty, 0), 0.0, "what is drawn of " + fault.Name);
+  fault.Mend(scene, image);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), good, 0), 0.0,
+    "the difference after " + fault.Name);
+  check.Equal(errors->Count, 1, "the number of errors after " + fault.Name);
+  fault.Make(scene, image);
+  scene.Window->Render();
+  check.Equal(errors->Count, 2, "the number of errors when there is again " + fault.Name);
+  fault.Mend(scene, image);
+  scene.Mapper->RemoveObserver(observer);
+}
+
+/// What is not supported is ignored, with a warning.
+void CheckWarnings(Checks& check, Scene& scene, const Picture& good)
+{
+  vtkNew<EventCounter> warnings;
+  scene.Mapper->AddObserver(vtkCommand::WarningEvent, warnings);
+  scene.Mapper->CroppingOn();
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), good, 0), 0.0, "cropping changes");
+  scene.Window->Render();
+  check.Equal(warnings->Count, 1, "the number of warnings of cropping");
+  vtkNew<vtkPlane> plane;
+  scene.Mapper->AddClippingPlane(plane);
+  scene.Window->Render();
+  scene.Window->Render();
+  check.Equal(warnings->Count, 2, "the number of warnings with clipping too");
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperErrors(int, char*[])
+{
+  Checks check;
+  const auto image = NewBall(17, 0.7);
+  const vtkSmartPointer<vtkDataArray> scalars = image->GetPointData()->GetScalars();
+  Scene scene(image);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(2.0, -4.0, 1.6);
+  camera->SetClippingRange(1.0, 10.0);
+  const Picture good = RenderAndCapture(scene.Window);
+  scene.Volume->VisibilityOff();
+  const Picture empty = RenderAndCapture(scene.Window);
+  scene.Volume->VisibilityOn();
+  check.That(GetDifference(good, empty, 0) > 0.1, "there is something to see");
+
+  for (const Fault& fault : GetFaults(scalars))
+  {
+    CheckFault(check, fault, scene, image, good, empty);
+  }
+
+  // VTK itself passes over a volume that reaches to infinity; a direct call says what is wrong.
+  vtkNew<EventCounter> infinityErrors;
+  const unsigned long observer = scene.Mapper->AddObserver(vtkCommand::ErrorEvent, infinityErrors);
+  image->SetOrigin(std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  scene.Mapper->Render(scene.Renderer, scene.Volume);
+  check.Equal(infinityErrors->Count, 1, "the number of errors with an infinite origin");
+  check.That(infinityErrors->Text.find("finite") != std::string::npos, "it says what to give");
+  scene.Mapper->RemoveObserver(observer);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+
+  // Without an input VTK does not ask the mapper to draw; a direct call says what is missing.
+  vtkNew<EventCounter> errors;
+  vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
+  mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  mapper->Render(scene.Renderer, scene.Volume);
+  mapper->Render(scene.Renderer, scene.Volume);
+  check.Equal(errors->Count, 1, "the number of errors without an input");
+  check.That(errors->Text.find("SetInputData") != std::string::npos, "it says what to call");
+  CheckWarnings(check, scene, good);
+
+  vtkNew<EventCounter> settingErrors;
+  mapper->AddObserver(vtkCommand::ErrorEvent, settingErrors);
+  mapper->SetMacrocellBranching(8, 4);
+  mapper->SetMacrocellBranching(-1, 4);
+  check.Equal(mapper->GetMacrocellBranching(99), 0, "the branching of a level that is not there");
+  check.Equal(settingErrors->Count, 3, "the number of errors of levels that are not there");
+  mapper->SetMacrocellBranching(0, 1);
+  check.Equal(mapper->GetMacrocellBranching(0), 2, "the smallest branching");
+  mapper->SetTileSize(0, 100000);
+  check.Equal(mapper->GetTileSize()[0], 1, "the smallest tile");
+  check.Equal(mapper->GetTileSize()[1], 4096, "the largest tile");
+  return check.Result();
+}

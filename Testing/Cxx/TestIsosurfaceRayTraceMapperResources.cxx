@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Windows that come and go, events, aborting, selecting, and depth peeling beside a volume.
+
+#include "MapperTesting.h"
+
+#include <vtkActor.h>
+#include <vtkHardwareSelector.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseKey.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkSphereSource.h>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+vtkSmartPointer<vtkActor> NewSphere(double radius, const std::array<double, 3>& center)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// One mapper in two windows at once, one after the other, after release, and after a resize.
+void CheckWindows(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  const Picture expected = RenderAndCapture(scene.Window);
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(scene.Renderer->GetBackground());
+    renderer->AddVolume(scene.Volume);
+    renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    vtkNew<vtkRenderWindow> window;
+    window->SetMultiSamples(0);
+    window->SetSize(160, 160);
+    window->AddRenderer(renderer);
+    check.Equal(GetDifference(RenderAndCapture(window), expected, 0), 0.0,
+      "the difference in another window");
+    check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+      "the difference back in the first window");
+    check.Equal(GetDifference(RenderAndCapture(window), expected, 0), 0.0,
+      "the difference in the other window again");
+  }
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference after the other windows are gone");
+  scene.Volume->ReleaseGraphicsResources(scene.Window);
+  scene.Volume->ReleaseGraphicsResources(scene.Window);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference after release");
+  scene.Window->SetSize(90, 120);
+  scene.Window->Render();
+  scene.Window->SetSize(160, 160);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference after the window was smaller");
+  scene.Window->Finalize();
+}
+
+void CheckEvents(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  vtkNew<EventCounter> starts;
+  vtkNew<EventCounter> steps;
+  vtkNew<EventCounter> ends;
+  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, starts);
+  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, steps);
+  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, ends);
+  scene.Window->Render();
+  check.Equal(starts->Count, 1, "the number of start events");
+  check.Equal(ends->Count, 1, "the number of end events");
+  check.That(steps->Count > 5, "there is progress");
+}
+
+/// Aborts every frame.
+class Aborter : public vtkCommand
+{
+public:
+  vtkTypeMacro(Aborter, vtkCommand);
+  static Aborter* New() { return new Aborter; }
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    static_cast<vtkRenderWindow*>(caller)->SetAbortRender(1);
+  }
+};
+
+void CheckAbort(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  const Picture whole = RenderAndCapture(scene.Window);
+  scene.Volume->VisibilityOff();
+  const Picture empty = RenderAndCapture(scene.Window);
+  scene.Volume->VisibilityOn();
+  vtkNew<Aborter> aborter;
+  const unsigned long observer = scene.Window->AddObserver(vtkCommand::AbortCheckEvent, aborter);
+  scene.Window->Render();
+  scene.Window->SetAbortRender(0);
+  const Picture aborted = Capture(scene.Window);
+  check.That(GetDifference(aborted, empty, 0) == 0.0 || GetDifference(aborted, whole, 0) == 0.0,
+    "an aborted frame shows nothing of a half-traced volume");
+  scene.Window->RemoveObserver(observer);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), whole, 0), 0.0,
+    "the difference of the frame after the aborted one");
+}
+
+/// The volume is not selected, and what is selected behind it is right.
+void CheckSelection(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  const auto sphere = NewSphere(0.3, { 0.0, 1.4, 0.0 });
+  scene.Renderer->AddActor(sphere);
+  scene.LookFrom(0.0, -4.0, 0.0);
+  const Picture before = RenderAndCapture(scene.Window);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 159, 159);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  check.Equal(selection->GetNumberOfNodes(), 1U, "the number of props selected");
+  if (selection->GetNumberOfNodes() == 1)
+  {
+    check.That(selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()) == sphere,
+      "the sphere is selected");
+  }
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), before, 0), 0.0,
+    "the difference after a selection");
+}
+
+/// Depth peeling of polygons goes well beside the volume.
+void CheckDepthPeeling(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  const auto glass = NewSphere(0.4, { 0.9, -0.5, 0.0 });
+  glass->GetProperty()->SetOpacity(0.4);
+  scene.Renderer->AddActor(glass);
+  const Picture plain = RenderAndCapture(scene.Window);
+  scene.Window->AlphaBitPlanesOn();
+  scene.Renderer->UseDepthPeelingOn();
+  const Picture peeled = RenderAndCapture(scene.Window);
+  check.That(GetDifference(peeled, plain, 60) < 0.01, "a peeled picture is much the same");
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperResources(int, char*[])
+{
+  Checks check;
+  const auto image = NewBall(33, 0.7);
+  CheckWindows(check, image);
+  CheckEvents(check, image);
+  CheckAbort(check, image);
+  CheckSelection(check, image);
+  CheckDepthPeeling(check, image);
+  return check.Result();
+}

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The classes as Python sees them, in the build folder and where they are installed."""
+
+import unittest
+
+from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter, vtkIsosurfaceRayTraceMapper
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonExecutionModel import vtkTableAlgorithm
+from vtkmodules.vtkRenderingCore import (
+    vtkColorTransferFunction,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkVolume,
+)
+from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
+
+
+def one_cell():
+    """A cell whose isosurface 100 is the plane halfway between its lower and upper face."""
+    image = vtkImageData()
+    image.SetDimensions(2, 2, 2)
+    image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+    scalars = image.GetPointData().GetScalars()
+    for i in range(8):
+        scalars.SetValue(i, 0 if i < 4 else 200)
+    return image
+
+
+class TestIsosurfaceRayTraceMapper(unittest.TestCase):
+    def test_classes_know_their_superclasses(self):
+        self.assertIsInstance(vtkIsosurfaceRayTraceMapper(), vtkVolumeMapper)
+        self.assertIsInstance(vtkIsosurfaceComparisonFilter(), vtkTableAlgorithm)
+
+    def test_settings(self):
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.SetBrickLayout(vtkIsosurfaceRayTraceMapper.TWO_LEVEL_BRICKS)
+        self.assertEqual(mapper.GetBrickLayout(), vtkIsosurfaceRayTraceMapper.TWO_LEVEL_BRICKS)
+        mapper.SetTileSize(16, 8)
+        self.assertEqual(mapper.GetTileSize(), (16, 8))
+
+    def test_picture(self):
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.SetInputData(one_cell())
+        red = vtkColorTransferFunction()
+        red.AddRGBPoint(100.0, 1.0, 0.0, 0.0)
+        opaque = vtkPiecewiseFunction()
+        opaque.AddPoint(100.0, 1.0)
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 100.0)
+        volume.GetProperty().SetColor(red)
+        volume.GetProperty().SetScalarOpacity(opaque)
+
+        renderer = vtkRenderer()
+        renderer.AddVolume(volume)
+        renderer.SetBackground(0.0, 0.0, 1.0)
+        window = vtkRenderWindow()
+        window.SetSize(64, 64)
+        window.SetMultiSamples(0)
+        window.AddRenderer(renderer)
+        window.Render()
+
+        pixels = vtkUnsignedCharArray()
+        window.GetPixelData(0, 0, 63, 63, 0, pixels)
+        self.assertEqual(pixels.GetTuple(0), (0, 0, 255))
+        red, green, blue = pixels.GetTuple(32 * 64 + 32)
+        self.assertGreater(red, 0)
+        self.assertEqual((green, blue), (0, 0))
+
+
+if __name__ == "__main__":
+    unittest.main()

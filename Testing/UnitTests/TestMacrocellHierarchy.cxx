@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The ranges and the active macrocells of hierarchies are compared with those found by looking at
+// all samples of each macrocell.
+
+#include "MacrocellHierarchy.h"
+#include "RandomNumbers.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+const std::vector<std::vector<int>> Branchings = { { 8, 8 }, { 2, 3, 5 }, { 64 }, { 1 },
+  { 3, 1, 2 }, { 7 }, { 1 << 15, 1 << 15, 1 << 15 }, {} };
+
+const std::vector<Index3> Sizes = { { 2, 2, 2 }, { 3, 2, 7 }, { 9, 8, 10 }, { 17, 16, 15 },
+  { 2, 33, 17 }, { 35, 3, 2 } };
+
+template <typename T>
+TestVolume<T> RandomVolume(RandomNumbers& random, const Index3& size, int stride)
+{
+  std::vector<T> samples(Count(size));
+  for (T& sample : samples)
+  {
+    sample = static_cast<T>(random.Integer(0, 100));
+    if (std::is_floating_point_v<T> && random.Integer(0, 4) == 0)
+    {
+      const double bad[] = { std::nan(""), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity() };
+      sample = static_cast<T>(bad[random.Integer(0, 2)]);
+    }
+    if (random.Integer(0, 9) == 0)
+    {
+      sample =
+        random.Integer(0, 1) ? std::numeric_limits<T>::max() : std::numeric_limits<T>::lowest();
+    }
+  }
+  return TestVolume<T>(size, samples, stride);
+}
+
+/// The finite samples at the corners of the cells of a macrocell.
+template <typename T>
+std::vector<T> SamplesOf(const TestVolume<T>& volume, const Index3& macrocell, std::int64_t edge)
+{
+  std::vector<T> samples;
+  ForEachPlace(volume.Dimensions,
+    [&](const Index3& i)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::int64_t first = macrocell[axis] * edge;
+        if (i[axis] < first || i[axis] > first + edge)
+        {
+          return;
+        }
+      }
+      const T value = volume.At(i);
+      if (std::isfinite(static_cast<double>(value)))
+      {
+        samples.push_back(value);
+      }
+    });
+  return samples;
+}
+
+/// The macrocells of a level by definition: the smallest number that covers all cells.
+Index3 MacrocellsCovering(const Index3& dimensions, std::int64_t edge)
+{
+  Index3 count = { 0, 0, 0 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    while (count[axis] * edge < dimensions[axis] - 1)
+    {
+      ++count[axis];
+    }
+  }
+  return count;
+}
+
+template <typename T>
+class MacrocellHierarchyOf : public testing::Test
+{
+};
+
+using ScalarTypes = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+  std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
+TYPED_TEST_SUITE(MacrocellHierarchyOf, ScalarTypes);
+
+//------------------------------------------------------------------------------
+template <typename T>
+void CheckHierarchy(
+  const TestVolume<T>& volume, const std::vector<int>& branching, int threads, std::size_t& checked)
+{
+  const MacrocellHierarchy<T> hierarchy(Samples<T>(volume.View()), branching, threads);
+  const std::vector<double> isovalues = { 50.0, 99.5 };
+  const ActiveMacrocells active = hierarchy.FindActive(isovalues, threads);
+  std::int64_t edge = 1;
+  for (std::size_t level = 0; level < branching.size(); ++level)
+  {
+    edge *= branching[level];
+    const Index3 size = MacrocellsCovering(volume.Dimensions, edge);
+    ASSERT_EQ(hierarchy.GetLattice().Levels[level].Size, size);
+    ForEachPlace(size,
+      [&](const Index3& macrocell)
+      {
+        ++checked;
+        const std::vector<T> samples = SamplesOf(volume, macrocell, edge);
+        const ValueRange<T>& range = hierarchy.GetRange(level, macrocell);
+        if (samples.empty())
+        {
+          EXPECT_GT(range.Min, range.Max);
+          EXPECT_FALSE(active.IsActive(level, macrocell));
+          return;
+        }
+        const auto ends = std::minmax_element(samples.begin(), samples.end());
+        EXPECT_EQ(range.Min, *ends.first);
+        EXPECT_EQ(range.Max, *ends.second);
+        bool expected = false;
+        for (const double isovalue : isovalues)
+        {
+          const auto isInside = [isovalue](T v) { return static_cast<double>(v) >= isovalue; };
+          expected = expected ||
+            (std::any_of(samples.begin(), samples.end(), isInside) &&
+              !std::all_of(samples.begin(), samples.end(), isInside));
+        }
+        EXPECT_EQ(active.IsActive(level, macrocell), expected);
+      });
+    ASSERT_FALSE(testing::Test::HasFailure()) << "level " << level;
+  }
+}
+
+TYPED_TEST(MacrocellHierarchyOf, HasTheRangesOfAllSamplesAndIsActiveWhereTheyStraddle)
+{
+  RandomNumbers random(501);
+  std::size_t checked = 0;
+  for (const Index3& size : Sizes)
+  {
+    for (const int stride : { 1, 3 })
+    {
+      const auto volume = RandomVolume<TypeParam>(random, size, stride);
+      for (const std::vector<int>& branching : Branchings)
+      {
+        ASSERT_NO_FATAL_FAILURE(CheckHierarchy(volume, branching, stride, checked));
+      }
+    }
+  }
+  std::cout << "[ tried    ] " << checked << " macrocells\n";
+  EXPECT_GT(checked, 10000U);
+}
+
+//------------------------------------------------------------------------------
+TEST(MacrocellHierarchy, IsTheSameForAnyNumberOfThreads)
+{
+  RandomNumbers random(502);
+  const auto volume = RandomVolume<float>(random, { 37, 26, 41 }, 1);
+  const Samples<float> samples(volume.View());
+  const std::vector<int> branching = { 2, 3 };
+  const MacrocellHierarchy<float> reference(samples, branching, 1);
+  for (const int threads : { 2, 3, 7, 16 })
+  {
+    const MacrocellHierarchy<float> hierarchy(samples, branching, threads);
+    const ActiveMacrocells expected = reference.FindActive({ 17.0 }, 1);
+    const ActiveMacrocells active = hierarchy.FindActive({ 17.0 }, threads);
+    for (std::size_t level = 0; level < 2; ++level)
+    {
+      ForEachPlace(reference.GetLattice().Levels[level].Size,
+        [&](const Index3& macrocell)
+        {
+          const auto& a = hierarchy.GetRange(level, macrocell);
+          const auto& b = reference.GetRange(level, macrocell);
+          ASSERT_TRUE(a.Min == b.Min && a.Max == b.Max);
+          ASSERT_EQ(active.IsActive(level, macrocell), expected.IsActive(level, macrocell));
+        });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Two values, 3 and 4: equal to the isovalue is inside.
+TEST(MacrocellHierarchy, IsActiveByTheSignRule)
+{
+  TestVolume<std::uint8_t> volume({ 3, 2, 2 }, { 3, 3, 4, 3, 3, 4, 3, 3, 4, 3, 3, 4 });
+  const MacrocellHierarchy<std::uint8_t> hierarchy(Samples<std::uint8_t>(volume.View()), { 1 }, 1);
+  const auto isActive = [&](double isovalue, int cell) {
+    return hierarchy.FindActive({ isovalue }, 1).IsActive(0, { cell, 0, 0 });
+  };
+  for (const double isovalue : { 2.0, 2.9, 3.0, 4.1, 5.0, std::nan("") })
+  {
+    EXPECT_FALSE(isActive(isovalue, 0)) << isovalue;
+    EXPECT_FALSE(isActive(isovalue, 1)) << isovalue;
+  }
+  for (const double isovalue : { 3.0000001, 3.5, 4.0 })
+  {
+    EXPECT_FALSE(isActive(isovalue, 0)) << isovalue;
+    EXPECT_TRUE(isActive(isovalue, 1)) << isovalue;
+  }
+  EXPECT_FALSE(hierarchy.FindActive({}, 1).IsActive(0, { 1, 0, 0 }));
+}
+
+//------------------------------------------------------------------------------
+TEST(MacrocellHierarchy, TakesLittleMemory)
+{
+  const Index3 size = { 256, 256, 108 };
+  const TestVolume<std::int16_t> volume(size, std::vector<std::int16_t>(Count(size)));
+  const MacrocellHierarchy<std::int16_t> hierarchy(
+    Samples<std::int16_t>(volume.View()), { 8, 8 }, 2);
+  const double share =
+    static_cast<double>(hierarchy.GetMemory()) / (2.0 * static_cast<double>(Count(size)));
+  std::cout << "[ tried    ] 256 x 256 x 108 samples; overhead " << 100.0 * share << " %\n";
+  EXPECT_GE(hierarchy.GetMemory(), std::size_t{ 32 * 32 * 14 * 4 });
+  EXPECT_LE(share, 0.005);
+}
+
+}
+}

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Frames of fields whose picture is known: where surfaces are, how deep, and how colours add up.
+
+#include "Matrices.h"
+#include "RenderTiles.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+bool GoOn(double)
+{
+  return true;
+}
+
+Camera NewCamera(const Matrix4& projection, const Matrix4& worldFromView,
+  const Matrix4& worldFromIndex, int width, int height)
+{
+  const Matrix4 clipFromIndex =
+    Multiply(projection, Multiply(Invert(worldFromView), worldFromIndex));
+  return { clipFromIndex, Invert(clipFromIndex), worldFromIndex, width, height };
+}
+
+/// Looks down on a volume of 9 x 9 x 9 samples along -z, from z = 20; the near plane is at z = 19,
+/// the far plane at z = -11, and a pixel is one cell wide: column 0 is at x = 0.5.
+Scene NewSceneFromAbove()
+{
+  Scene scene;
+  scene.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
+    Scaling({ 1.0, 1.0, 1.0 }), 8, 8);
+  scene.Pixels = { 0, 0, 8, 8 };
+  scene.Want.Surfaces = { { 0.0, 1.0 } };
+  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  return scene;
+}
+
+Frame Render(const Scene& scene, TracedVolume& volume)
+{
+  Frame frame;
+  FrameTimes times;
+  EXPECT_TRUE(RenderTiles(scene, volume, frame, times, GoOn));
+  EXPECT_GE(times.Bricks, 0.0);
+  EXPECT_GE(times.Trace, 0.0);
+  EXPECT_GE(times.Shade, 0.0);
+  return frame;
+}
+
+template <typename Field>
+struct TracedField
+{
+  explicit TracedField(const Field& field)
+    : Volume(TestVolume<float>::Of({ 9, 9, 9 }, field))
+    , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
+  {
+  }
+
+  TestVolume<float> Volume;
+  std::unique_ptr<TracedVolume> Traced;
+};
+
+std::vector<int> PixelOf(const Frame& frame, std::size_t pixel)
+{
+  const auto first = frame.Colors.begin() + static_cast<std::ptrdiff_t>(4 * pixel);
+  return { first, first + 4 };
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, SeesAPlaneWhereItIs)
+{
+  // z = 2 + 0.5 x - 0.25 y, inside is below
+  const TracedField field(AnalyticFields::Plane{ { 0.5, -0.25, -1.0 }, -2.0 });
+  const Frame frame = Render(NewSceneFromAbove(), *field.Traced);
+  ASSERT_EQ(frame.Depths.size(), 64U);
+  ASSERT_EQ(frame.Colors.size(), 256U);
+  for (std::size_t i = 0; i < 64; ++i)
+  {
+    const double x = static_cast<double>(i % 8) + 0.5;
+    const double y = static_cast<double>(i / 8) + 0.5;
+    const double z = 2.0 + 0.5 * x - 0.25 * y;
+    EXPECT_NEAR(frame.Depths[i], (19.0 - z) / 30.0, 1e-7);
+    EXPECT_EQ(PixelOf(frame, i), (std::vector<int>{ 255, 128, 64, 255 }));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, SeesAPlaneInPerspectiveWhereItIs)
+{
+  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
+  Scene scene = NewSceneFromAbove();
+  const double spacing = 0.5;
+  scene.View = NewCamera(Perspective(1.0, 100.0, 1.0), Translation({ 2.0, 2.0, 3.5 }),
+    Scaling({ spacing, spacing, spacing }), 10, 10);
+  scene.Pixels = { 0, 0, 10, 10 };
+  const Frame frame = Render(scene, *field.Traced);
+  // The plane is 2 before the eye, and 4 wide there: it just fills the picture.
+  for (std::size_t i = 0; i < 100; ++i)
+  {
+    EXPECT_NEAR(frame.Depths[i], (1.0 - 1.0 / 2.0) / (1.0 - 1.0 / 100.0), 1e-7);
+    EXPECT_EQ(PixelOf(frame, i)[3], 255);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, LeavesPixelsWithoutSurfaceEmpty)
+{
+  const TracedField field(AnalyticFields::Plane{ { 1.0, 0.0, -1.0 }, 0.75 }); // z = x - 0.75
+  Scene scene = NewSceneFromAbove();
+  scene.Pixels = { -3, -2, 14, 12 };
+  const Frame frame = Render(scene, *field.Traced);
+  ASSERT_EQ(frame.Depths.size(), 14U * 12U);
+  int empty = 0;
+  for (std::size_t i = 0; i < frame.Depths.size(); ++i)
+  {
+    const int x = static_cast<int>(i % 14) - 3;
+    const int y = static_cast<int>(i / 14) - 2;
+    const bool onSurface = x >= 1 && x < 8 && y >= 0 && y < 8;
+    const double depth = onSurface ? (19.0 - (x + 0.5 - 0.75)) / 30.0 : 2.0;
+    EXPECT_NEAR(frame.Depths[i], depth, 1e-7) << x << " " << y;
+    EXPECT_EQ(PixelOf(frame, i),
+      (onSurface ? std::vector<int>{ 255, 128, 64, 255 } : std::vector<int>{ 0, 0, 0, 0 }));
+    empty += onSurface ? 0 : 1;
+  }
+  EXPECT_EQ(empty, 14 * 12 - 7 * 8);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, DrawsARectangleOfTheWholePicture)
+{
+  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  Scene scene = NewSceneFromAbove();
+  scene.Look.Shade = true;
+  scene.Lights = { Light() };
+  const Frame whole = Render(scene, *field.Traced);
+  scene.Pixels = { 2, 3, 5, 4 };
+  const Frame part = Render(scene, *field.Traced);
+  ASSERT_EQ(part.Depths.size(), 20U);
+  for (std::size_t i = 0; i < 20; ++i)
+  {
+    const std::size_t pixel = (i / 5 + 3) * 8 + i % 5 + 2;
+    EXPECT_EQ(part.Depths[i], whole.Depths[pixel]);
+    EXPECT_EQ(PixelOf(part, i), PixelOf(whole, pixel));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, DrawsAnEmptyRectangle)
+{
+  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  Scene scene = NewSceneFromAbove();
+  scene.Pixels = { 2, 3, 0, 0 };
+  const Frame frame = Render(scene, *field.Traced);
+  EXPECT_TRUE(frame.Colors.empty() && frame.Depths.empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
+{
+  const Index3 size = { 40, 41, 42 };
+  const auto volume = TestVolume<float>::Of(size, AnalyticFields::Gyroid{ 13.0 });
+  Scene scene;
+  const Matrix4 worldFromView = Multiply(Rotation(0.4, 0.9), Translation({ 10.0, 15.0, 90.0 }));
+  scene.View =
+    NewCamera(Perspective(1.0, 300.0, 0.5), worldFromView, Scaling({ 1.0, 1.1, -0.9 }), 101, 67);
+  scene.Pixels = { 0, 0, 101, 67 };
+  scene.Want.Surfaces = { { -0.7, 1.0 }, { 0.2, 0.4 } };
+  scene.Colors = { { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.1 } };
+  scene.Look.Shade = true;
+  Light lamp;
+  lamp.Positional = true;
+  lamp.Position = { 50.0, 50.0, 90.0 };
+  scene.Lights = { Light(), lamp };
+  Frame reference;
+  std::size_t frames = 0;
+  for (const int threads : { 1, 2, 3, 7 })
+  {
+    for (const auto& tile : { std::pair(32, 4), { 1, 1 }, { 7, 5 }, { 200, 200 }, { 101, 1 } })
+    {
+      // Afresh each time, so that the threads make bricks at once.
+      for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
+      {
+        const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, threads);
+        scene.Threads = threads;
+        scene.TileWidth = tile.first;
+        scene.TileHeight = tile.second;
+        Frame frame = Render(scene, *traced);
+        if (frames++ == 0)
+        {
+          reference = std::move(frame);
+          continue;
+        }
+        ASSERT_EQ(frame.Colors, reference.Colors);
+        ASSERT_EQ(frame.Depths, reference.Depths);
+      }
+    }
+  }
+  const auto covered = std::count_if(
+    reference.Depths.begin(), reference.Depths.end(), [](float depth) { return depth <= 1.0F; });
+  std::cout << "[ tried    ] " << frames << " frames of 101 x 67 pixels, " << covered
+            << " with an opaque surface\n";
+  EXPECT_GT(covered, 500);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, StopsWhenToldTo)
+{
+  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  Scene scene = NewSceneFromAbove();
+  scene.TileWidth = 1;
+  scene.TileHeight = 1;
+  for (int wanted = 1; wanted <= 64; ++wanted)
+  {
+    Frame frame;
+    FrameTimes times;
+    std::vector<double> told;
+    const bool complete = RenderTiles(scene, *field.Traced, frame, times,
+      [&](double done)
+      {
+        told.push_back(done);
+        return static_cast<int>(told.size()) < wanted;
+      });
+    ASSERT_FALSE(complete);
+    ASSERT_EQ(told.size(), static_cast<std::size_t>(wanted));
+    for (std::size_t i = 0; i < told.size(); ++i)
+    {
+      ASSERT_EQ(told[i], static_cast<double>(i + 1) / 64.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, AsksOnlyOnTheCallingThread)
+{
+  const TracedField field(AnalyticFields::Gyroid{ 5.0 });
+  Scene scene = NewSceneFromAbove();
+  scene.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
+    Scaling({ 1.0, 1.0, 1.0 }), 300, 300);
+  scene.Pixels = { 0, 0, 300, 300 };
+  scene.Threads = 4;
+  const auto caller = std::this_thread::get_id();
+  int calls = 0;
+  bool onlyHere = true;
+  // On a busy machine the other threads may do all of a frame.
+  for (int i = 0; i < 5 || (calls == 0 && i < 100); ++i)
+  {
+    Frame frame;
+    FrameTimes times;
+    double last = 0.0;
+    EXPECT_TRUE(RenderTiles(scene, *field.Traced, frame, times,
+      [&](double done)
+      {
+        onlyHere = onlyHere && std::this_thread::get_id() == caller;
+        EXPECT_TRUE(done > last && done <= 1.0);
+        last = done;
+        ++calls;
+        return true;
+      }));
+  }
+  EXPECT_TRUE(onlyHere);
+  EXPECT_GT(calls, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, EndsRaysAtWhatIsDrawnAlready)
+{
+  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
+  Scene scene = NewSceneFromAbove();
+  const float depthOfPlane = 16.0F / 30.0F;
+  std::vector<float> depths(64);
+  for (std::size_t i = 0; i < 64; ++i)
+  {
+    const float offs[] = { -1e-6F, 1e-6F, -0.5F, 1.0F - depthOfPlane };
+    depths[i] = depthOfPlane + offs[i % 4];
+  }
+  scene.Depth = depths.data();
+  scene.TileWidth = 3;
+  scene.TileHeight = 3;
+  const Frame frame = Render(scene, *field.Traced);
+  for (std::size_t i = 0; i < 64; ++i)
+  {
+    const bool isSeen = depths[i] > depthOfPlane;
+    EXPECT_NEAR(frame.Depths[i], isSeen ? depthOfPlane : Frame::NoSurface, 1e-7);
+    EXPECT_EQ(PixelOf(frame, i)[3], isSeen ? 255 : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
+{
+  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, 1.0 }, 0.0 }); // value z
+  Scene scene = NewSceneFromAbove();
+  // From above: the last first.
+  scene.Want.Surfaces = { { 1.5, 1.0 }, { 3.5, 0.25 }, { 5.5, 0.5 } };
+  scene.Colors = { { 0.4, 0.6, 3.0 }, { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.2 } }; // 3 is clamped to 1
+  Frame frame = Render(scene, *field.Traced);
+  const auto byte = [](double value) { return static_cast<int>(std::lround(255.0 * value)); };
+  const double behind = 0.5 * 0.75;
+  EXPECT_EQ(PixelOf(frame, 27),
+    (std::vector<int>{
+      byte(0.5 + behind * 0.4), byte(0.5 * 0.25 + behind * 0.6), byte(0.5 * 0.2 + behind), 255 }));
+  EXPECT_NEAR(frame.Depths[27], (19.0 - 1.5) / 30.0, 1e-7);
+
+  scene.Want.Surfaces[0].Opacity = 0.1;
+  frame = Render(scene, *field.Traced);
+  EXPECT_EQ(PixelOf(frame, 27),
+    (std::vector<int>{ byte(0.5 + behind * 0.1 * 0.4), byte(0.5 * 0.25 + behind * 0.1 * 0.6),
+      byte(0.5 * 0.2 + behind * 0.1), byte(1.0 - behind * 0.9) }));
+  EXPECT_EQ(frame.Depths[27], Frame::NoSurface);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, FollowsTheSurfacesOfTheScene)
+{
+  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -8.0 }); // value 8 - z
+  Scene scene = NewSceneFromAbove();
+  for (const double isovalue : { 1.25, 6.75, 1.25, 3.0 })
+  {
+    scene.Want.Surfaces = { { isovalue, 1.0 } };
+    const Frame frame = Render(scene, *field.Traced);
+    EXPECT_NEAR(frame.Depths[0], (19.0 - (8.0 - isovalue)) / 30.0, 1e-7);
+  }
+  scene.Want.Surfaces.clear();
+  EXPECT_EQ(Render(scene, *field.Traced).Depths[0], Frame::NoSurface);
+}
+
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TestVolume_h
+#define TestVolume_h
+
+#include "VolumeView.h"
+
+#include "../AnalyticFields.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+template <typename T>
+constexpr ScalarType ScalarTypeOf()
+{
+  if constexpr (std::is_same_v<T, float>)
+  {
+    return ScalarType::Float32;
+  }
+  else if constexpr (std::is_same_v<T, double>)
+  {
+    return ScalarType::Float64;
+  }
+  else
+  {
+    constexpr ScalarType types[2][4] = { { ScalarType::UInt8, ScalarType::UInt16,
+                                           ScalarType::UInt32, ScalarType::UInt64 },
+      { ScalarType::Int8, ScalarType::Int16, ScalarType::Int32, ScalarType::Int64 } };
+    return types[std::is_signed_v<T> ? 1 : 0][sizeof(T) == 1 ? 0
+        : sizeof(T) == 2                                     ? 1
+        : sizeof(T) == 4                                     ? 2
+                                                             : 3];
+  }
+}
+
+/// A volume that owns its samples: the last of Stride interleaved components.
+template <typename T>
+struct TestVolume
+{
+  TestVolume(const Index3& dimensions, const std::vector<T>& samples, int stride = 1)
+    : Dimensions(dimensions)
+    , Stride(static_cast<std::size_t>(stride))
+    , Values(samples.size() * this->Stride, static_cast<T>(77))
+  {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      this->Values[i * this->Stride + this->Stride - 1] = samples[i];
+    }
+  }
+
+  template <typename Field>
+  static TestVolume Of(const Index3& dimensions, const Field& field, int stride = 1)
+  {
+    return TestVolume(dimensions, AnalyticFields::Sample<T>(dimensions, field), stride);
+  }
+
+  T& At(const Index3& i)
+  {
+    return this->Values[Offset(i, this->Dimensions) * this->Stride + this->Stride - 1];
+  }
+  const T& At(const Index3& i) const
+  {
+    return this->Values[Offset(i, this->Dimensions) * this->Stride + this->Stride - 1];
+  }
+
+  VolumeView View() const
+  {
+    return { this->Values.data() + this->Stride - 1, ScalarTypeOf<T>(), this->Dimensions,
+      static_cast<std::ptrdiff_t>(this->Stride) };
+  }
+
+  Index3 Dimensions;
+  std::size_t Stride;
+  std::vector<T> Values;
+};
+
+/// Calls visit(index) for every place of a lattice, x fastest.
+template <typename Visit>
+void ForEachPlace(const Index3& size, const Visit& visit)
+{
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x)
+      {
+        visit(Index3{ x, y, z });
+      }
+    }
+  }
+}
+
+}
+
+#endif
