@@ -30,6 +30,20 @@ double GetDistanceOfRay(const DepthPicture& picture, int x, int y)
   return std::sqrt(Dot(nearest, nearest));
 }
 
+/// Where the ray of a pixel meets the plane: how far inside the cube, negative if outside.
+double GetDepthInCube(const DepthPicture& picture, int x, int y, const AnalyticFields::Plane& plane)
+{
+  const AnalyticFields::Point a = picture.GetPoint(x, y, 0.0);
+  const AnalyticFields::Point b = picture.GetPoint(x, y, 1.0);
+  const double t = plane(a) / (plane(a) - plane(b));
+  double inside = 1.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    inside = std::min(inside, 1.0 - std::abs(a[i] + t * (b[i] - a[i])));
+  }
+  return inside;
+}
+
 void CheckPlane(Checks& check, bool parallel)
 {
   const AnalyticFields::Plane plane = { { 0.48, -0.6, 0.64 }, 0.1 };
@@ -44,6 +58,12 @@ void CheckPlane(Checks& check, bool parallel)
   {
     for (int x = 0; x < picture.GetWidth(); ++x)
     {
+      const double inside = GetDepthInCube(picture, x, y, plane);
+      if (std::abs(inside) > 1e-4)
+      {
+        check.That(picture.IsEmpty(x, y) == (inside < 0.0),
+          "pixel " + std::to_string(x) + ", " + std::to_string(y) + " shows the plane or does not");
+      }
       if (!picture.IsEmpty(x, y))
       {
         ++hits;

@@ -106,6 +106,12 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
   const std::vector<Change> rebuilding = {
     { "the scalars, of which the array was told", [=]() { scalars->Modified(); } },
     { "the scalars, of which the image was told", [=]() { image->Modified(); } },
+    { "the scalars and the spacing at once",
+      [=]()
+      {
+        scalars->Modified();
+        image->SetSpacing(0.031, 0.032, 0.033);
+      } },
     { "another array",
       [=]() { image->GetPointData()->SetScalars(other->GetPointData()->GetScalars()); } },
     { "another image", [=]() { mapper->SetInputData(large); } },

@@ -10,6 +10,7 @@
 #include <vtkSOADataArrayTemplate.h>
 
 #include <limits>
+#include <utility>
 
 using namespace MapperTesting;
 
@@ -64,6 +65,27 @@ void CheckTypes(Checks& check, const Picture& expected)
     const auto image = NewImageOf(NewHills(type));
     check.Equal(GetDifference(Draw(image, 50.0), expected, 0), 0.0,
       std::string("the difference with ") + image->GetScalarTypeAsString());
+  }
+}
+
+/// The upper half of unsigned types, which are negative numbers if taken for signed ones.
+void CheckLargeValues(Checks& check, const Picture& expected)
+{
+  const std::pair<int, double> offsets[] = { { VTK_UNSIGNED_CHAR, 130.0 },
+    { VTK_UNSIGNED_SHORT, 65000.0 }, { VTK_UNSIGNED_INT, 4e9 },
+    { VTK_UNSIGNED_LONG_LONG, 4503599627370496.0 } };
+  for (const auto& [type, offset] : offsets)
+  {
+    const auto hills = NewHills(VTK_DOUBLE);
+    auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    array->SetNumberOfTuples(hills->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < hills->GetNumberOfTuples(); ++i)
+    {
+      array->SetComponent(i, 0, hills->GetComponent(i, 0) + offset);
+    }
+    // Differences to the isovalue are the same numbers, so the picture is the same too.
+    check.Equal(GetDifference(Draw(NewImageOf(array), 50.0 + offset), expected, 0), 0.0,
+      std::string("the difference with large values of ") + array->GetDataTypeAsString());
   }
 }
 
@@ -182,6 +204,7 @@ int TestIsosurfaceRayTraceMapperScalars(int argc, char* argv[])
   const auto image = NewImageOf(NewHills(VTK_DOUBLE));
   const Picture expected = Draw(image, 50.0);
   CheckTypes(check, expected);
+  CheckLargeValues(check, expected);
   CheckBits(check);
   CheckComponents(check, expected);
   CheckNamedArray(check, expected);
