@@ -97,7 +97,7 @@ void CheckAgainstPolygons(
   std::cout << setting.Name << ": it covers " << 100.0 * covered << " %, " << 100.0 * difference
             << " % of the pixels differ\n";
   check.That(covered > 0.05, setting.Name + ": there is something to see");
-  check.That(difference < 0.004, setting.Name + ": it is where its polygons are");
+  check.That(difference < 0.001, setting.Name + ": it is where its polygons are");
 }
 
 }
