@@ -19,7 +19,9 @@ namespace vtkIsosurfaceRayTracing
 namespace Fast
 {
 
-constexpr int Lanes = 8;
+/// As many as the registers that every machine has (SSE2, NEON) hold: compilers take wider vectors
+/// to pieces there, at ten times the cost.
+constexpr int Lanes = 4;
 /// Eight roundings of 2^-24.
 constexpr double Band = 8.0 / 16777216.0;
 /// The lowest and the highest size of differences that keep squares in the range of a float.
@@ -30,20 +32,20 @@ constexpr double Largest = 1e15;
 struct Batch
 {
   /// The values of the corners with the isovalue taken off.
-  alignas(32) float Difference[8][Lanes];
-  alignas(32) float Entry[3][Lanes];
-  alignas(32) float Exit[3][Lanes];
+  alignas(16) float Difference[8][Lanes];
+  alignas(16) float Entry[3][Lanes];
+  alignas(16) float Exit[3][Lanes];
 };
 
 /// Up to three roots in each lane, in order; one for every monotone piece of the segment.
 struct Roots
 {
   /// As fractions of the segment.
-  alignas(32) float U[3][Lanes];
+  alignas(16) float U[3][Lanes];
   /// -1 where there is a root, else 0.
-  alignas(32) std::int32_t Found[3][Lanes];
+  alignas(16) std::int32_t Found[3][Lanes];
   /// -1 where the ray goes in, else 0.
-  alignas(32) std::int32_t Rising[3][Lanes];
+  alignas(16) std::int32_t Rising[3][Lanes];
 };
 
 /// Solves all lanes. With firstOnly, at most one root is found in a lane: the first.

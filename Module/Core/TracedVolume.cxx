@@ -195,9 +195,10 @@ std::array<float, 8> ToSinglePrecision(const CellCorners& difference)
   {
     const double value = isSafe ? difference[corner] : std::ldexp(difference[corner], exponent);
     result[corner] = static_cast<float>(value);
-    if (result[corner] == 0.0F && value < 0.0)
+    // What is below stays below in three interpolations in turn: see SmallestDifference.
+    if (value < 0.0 && result[corner] > -0x1p-100F)
     {
-      result[corner] = -std::numeric_limits<float>::denorm_min();
+      result[corner] = -0x1p-100F;
     }
   }
   return result;

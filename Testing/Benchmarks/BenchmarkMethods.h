@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BenchmarkMethods_h
+#define BenchmarkMethods_h
+
+#include "BenchmarkInputs.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Benchmark
+{
+
+/// A way to find where lines meet the surface first.
+struct Method
+{
+  /// Methods of a family differ by their knob, and are a curve in the plots.
+  std::string Family;
+  std::string Knob;
+  /// The t of every line, NaN where it meets nothing. On one thread.
+  std::function<void(const std::vector<Oracle::Line>&, std::vector<double>&)> Cast;
+  /// Nanoseconds to solve one cell of a ray that may hit it, the cell being at hand; 0 where a
+  /// method does not solve cells.
+  std::function<double()> MeasureCell = []() { return 0.0; };
+};
+
+/// All methods, made ready for an input: hierarchies are built and triangles extracted. The input
+/// must outlive them.
+std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Line>& lines);
+
+}
+
+#endif

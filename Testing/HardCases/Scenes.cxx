@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Scenes.h"
+
+#include <cstdlib>
+
+namespace HardCases
+{
+namespace
+{
+
+template <typename T>
+std::vector<unsigned char> ToBytes(const std::vector<double>& values)
+{
+  std::vector<T> typed;
+  for (const double value : values)
+  {
+    typed.push_back(static_cast<T>(value));
+  }
+  std::vector<unsigned char> bytes(typed.size() * sizeof(T));
+  std::memcpy(bytes.data(), typed.data(), bytes.size());
+  return bytes;
+}
+
+std::vector<unsigned char> ToBytes(const std::vector<double>& values, ScalarType type)
+{
+  switch (type)
+  {
+    case ScalarType::UInt8:
+      return ToBytes<std::uint8_t>(values);
+    case ScalarType::Int16:
+      return ToBytes<std::int16_t>(values);
+    case ScalarType::Float32:
+      return ToBytes<float>(values);
+    default:
+      return ToBytes<double>(values);
+  }
+}
+
+bool IsSame(const Hit& a, const Hit& b)
+{
+  const auto bits = [](const Hit& hit) {
+    return std::array<double, 4>{ hit.T, hit.Parametric[0], hit.Parametric[1], hit.Parametric[2] };
+  };
+  const auto inA = bits(a);
+  const auto inB = bits(b);
+  return std::memcmp(inA.data(), inB.data(), sizeof(inA)) == 0 && a.Cell == b.Cell &&
+    a.Surface == b.Surface && a.Rising == b.Rising;
+}
+
+}
+
+//------------------------------------------------------------------------------
+Tracer::Tracer(const Field& field, const VolumeSettings& settings, ScalarType type)
+  : Bytes(ToBytes(field.Values, type))
+  , Volume(vtkIsosurfaceRayTracing::TracedVolume::New(
+      { this->Bytes.data(), type, field.Dimensions, 1 }, settings, 1))
+  , Dimensions(field.Dimensions)
+{
+}
+
+//------------------------------------------------------------------------------
+RayHits Tracer::Cast(
+  const std::vector<Line>& lines, double isovalue, RootSolver solver, Reach reach, int threads)
+{
+  Wanted wanted;
+  wanted.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
+  wanted.Solver = solver;
+  this->Volume->Select(wanted, threads);
+  std::vector<std::optional<vtkIsosurfaceRayTracing::Ray>> rays;
+  for (const Line& line : lines)
+  {
+    rays.push_back(vtkIsosurfaceRayTracing::ClipToVolume(
+      line.Origin, line.Direction, line.Begin, line.End, this->Dimensions));
+  }
+  return CastRays(*this->Volume, rays, threads);
+}
+
+//------------------------------------------------------------------------------
+Field RandomField(Dice& dice, const Index& dimensions, double low, double high)
+{
+  return Sample(dimensions, [&dice, low, high](int, int, int) { return dice.Uniform(low, high); });
+}
+
+//------------------------------------------------------------------------------
+Field Ball(const Index& dimensions, const Triple& center, double radius)
+{
+  return Sample(dimensions,
+    [&center, radius](int x, int y, int z) {
+      return radius - Oracle::Length({ x - center[0], y - center[1], z - center[2] });
+    });
+}
+
+//------------------------------------------------------------------------------
+Line RandomLine(Dice& dice, const Index& dimensions, double distance)
+{
+  const Triple target = dice.PointIn(dimensions);
+  const Triple direction = dice.Direction();
+  Triple origin;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = target[axis] - distance * dimensions[axis] * direction[axis];
+  }
+  return { origin, direction };
+}
+
+//------------------------------------------------------------------------------
+std::vector<Line> RandomLines(
+  Dice& dice, const Index& dimensions, std::size_t count, double distance)
+{
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    lines.push_back(RandomLine(dice, dimensions, distance));
+  }
+  return lines;
+}
+
+//------------------------------------------------------------------------------
+bool IsSame(const RayHits& a, const RayHits& b)
+{
+  if (a.First != b.First || a.Hits.size() != b.Hits.size())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.Hits.size(); ++i)
+  {
+    if (!IsSame(a.Hits[i], b.Hits[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IsLongRun()
+{
+  return std::getenv("HARD_CASES_LONG") != nullptr;
+}
+
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef HardCases_Scenes_h
+#define HardCases_Scenes_h
+
+#include "CastRays.h"
+#include "Dice.h"
+#include "Oracle.h"
+
+#include <memory>
+
+namespace HardCases
+{
+
+using Oracle::Field;
+using Oracle::Index;
+using Oracle::Line;
+using Oracle::Triple;
+using vtkIsosurfaceRayTracing::Hit;
+using vtkIsosurfaceRayTracing::Isosurface;
+using vtkIsosurfaceRayTracing::RayHits;
+using vtkIsosurfaceRayTracing::RootSolver;
+using vtkIsosurfaceRayTracing::ScalarType;
+using vtkIsosurfaceRayTracing::VolumeSettings;
+using vtkIsosurfaceRayTracing::Wanted;
+
+/// Which hits of a ray are asked for.
+enum class Reach
+{
+  First,
+  All
+};
+
+/// A field, made ready for rays.
+class Tracer
+{
+public:
+  explicit Tracer(
+    const Field& field, const VolumeSettings& settings = {}, ScalarType type = ScalarType::Float64);
+
+  /// The hits of every line. All: with a surface so transparent that the ray goes on and on.
+  RayHits Cast(const std::vector<Line>& lines, double isovalue,
+    RootSolver solver = RootSolver::Robust, Reach reach = Reach::All, int threads = 1);
+
+  vtkIsosurfaceRayTracing::TracedVolume& GetVolume() { return *this->Volume; }
+
+private:
+  std::vector<unsigned char> Bytes;
+  std::unique_ptr<vtkIsosurfaceRayTracing::TracedVolume> Volume;
+  Index Dimensions;
+};
+
+/// A field by a function of the point.
+template <typename Function>
+Field Sample(const Index& dimensions, const Function& function)
+{
+  Field field{ dimensions, {} };
+  for (int z = 0; z < dimensions[2]; ++z)
+  {
+    for (int y = 0; y < dimensions[1]; ++y)
+    {
+      for (int x = 0; x < dimensions[0]; ++x)
+      {
+        field.Values.push_back(function(x, y, z));
+      }
+    }
+  }
+  return field;
+}
+
+Field RandomField(Dice& dice, const Index& dimensions, double low = -1.0, double high = 1.0);
+
+/// Values are positive within the ball: the isovalue is 0.
+Field Ball(const Index& dimensions, const Triple& center, double radius);
+
+/// A line through the volume, from some cells before it.
+Line RandomLine(Dice& dice, const Index& dimensions, double distance = 3.0);
+std::vector<Line> RandomLines(
+  Dice& dice, const Index& dimensions, std::size_t count, double distance = 3.0);
+
+/// Whether two sets of hits are the same, to the last bit.
+bool IsSame(const RayHits& a, const RayHits& b);
+
+/// Whether the long form of the tests is wanted (environment variable HARD_CASES_LONG).
+bool IsLongRun();
+
+}
+
+#endif

@@ -1,0 +1,459 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One cell or few, and values that make its cubic hard.
+
+#include "Tally.h"
+
+#include "AnalyticSolver.h"
+#include "FastSolver.h"
+#include "LinearSolver.h"
+#include "MarmittSolver.h"
+#include "RobustSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace HardCases;
+using namespace vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+const Index OneCell = { 2, 2, 2 };
+
+/// Judges Robust and Fast alike.
+struct BothTallies
+{
+  explicit BothTallies(const std::string& name)
+    : InDouble(name + " (Robust)")
+    , InSingle(name + " (Fast)")
+  {
+  }
+
+  void Try(const Field& field, double isovalue, const std::vector<Line>& lines)
+  {
+    this->InDouble.Try(field, isovalue, lines);
+    this->InSingle.Try(field, isovalue, lines, RootSolver::Fast);
+  }
+
+  void Report()
+  {
+    this->InDouble.Report();
+    this->InSingle.Report();
+  }
+
+  Tally InDouble;
+  Tally InSingle;
+};
+
+/// A value that the interpolant has where it turns along the line, if it does, and the size of
+/// differences around it.
+bool FindTurn(const Field& field, const Line& line, double& value, double& size)
+{
+  const auto pieces = Oracle::FindPieces(field, 0.0, line);
+  if (pieces.size() < 2)
+  {
+    return false;
+  }
+  size = 0.0;
+  for (const double corner : field.Values)
+  {
+    size = std::max(size, std::abs(corner));
+  }
+  value = static_cast<double>(pieces[0].AtEnd * size);
+  return true;
+}
+
+/// (x - a) (y - b) (z - c): along the diagonal, a cubic with these roots.
+Field Product(double a, double b, double c)
+{
+  return Sample(OneCell, [a, b, c](int x, int y, int z) { return (x - a) * (y - b) * (z - c); });
+}
+
+const Line Diagonal = { { -0.25, -0.25, -0.25 }, { 1.0, 1.0, 1.0 } };
+
+}
+
+TEST(TestCells, RandomCorners)
+{
+  Dice dice(10);
+  BothTallies tally("random corners");
+  for (int i = 0; i < 400; ++i)
+  {
+    const Field field = RandomField(dice, { 5, 6, 7 });
+    const auto lines = RandomLines(dice, field.Dimensions, 40);
+    tally.Try(field, dice.Uniform(-0.8, 0.8), lines);
+  }
+  tally.Report();
+}
+
+TEST(TestCells, TangentRays)
+{
+  Dice dice(11);
+  BothTallies far("tangent, extremum 1e-2 to 1e-6 from the isovalue");
+  Tally near("tangent, extremum 1e-7 to 1e-12 from the isovalue (Robust)");
+  Tally nearest("tangent, extremum 1e-13 to 1e-16 from the isovalue (Robust)");
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Field field = RandomField(dice, OneCell);
+    const Line line = RandomLine(dice, OneCell);
+    double turn;
+    double size;
+    if (!FindTurn(field, line, turn, size))
+    {
+      continue;
+    }
+    for (int k = 2; k <= 16; ++k)
+    {
+      const double offset = size * std::pow(10.0, -k);
+      for (const double isovalue : { turn - offset, turn + offset })
+      {
+        k <= 6 ? far.Try(field, isovalue, { line })
+               : (k <= 12 ? near : nearest).Try(field, isovalue, { line });
+      }
+    }
+  }
+  far.Report();
+  near.Report();
+  nearest.Report();
+}
+
+TEST(TestCells, RaysThatOnlyTouch)
+{
+  // (p (1 - x) - q x) (p (1 - y) - q y) on the diagonal is a square: exact, as small integers.
+  Dice dice(12);
+  Tally above("touching from above, integers (Robust)");
+  Tally below("touching from below, integers (Robust)");
+  for (int i = 0; i < 2000; ++i)
+  {
+    const int p = dice.Integer(1, 100);
+    const int q = dice.Integer(1, 100);
+    const auto square = [p, q](int x, int y, int)
+    { return double((x == 0 ? p : -q) * (y == 0 ? p : -q)); };
+    const Line line = { { -0.5, -0.5, dice.Uniform(0.0, 1.0) }, { 1.0, 1.0, 0.0 } };
+    above.Try(Sample(OneCell, square), 0.0, { line });
+    below.Try(
+      Sample(OneCell, [&square](int x, int y, int z) { return -square(x, y, z); }), 0.0, { line });
+  }
+  above.Report();
+  below.Report();
+}
+
+TEST(TestCells, RaysThatTouchAndThenCross)
+{
+  // A square as above, times a third factor: the hit is the crossing, never the touch.
+  Dice dice(22);
+  Tally tally("touching, and crossing elsewhere, integers (Robust)");
+  Tally fast("touching, and crossing elsewhere, integers (Fast)");
+  for (int i = 0; i < 10000; ++i)
+  {
+    const int p = dice.Integer(1, 100);
+    const int q = dice.Integer(1, 100);
+    const int r = dice.Integer(-100, 100);
+    const int s = dice.Integer(-100, 100);
+    const Field field = Sample(OneCell,
+      [p, q, r, s](int x, int y, int z)
+      { return (x == 0 ? p : -q) * (y == 0 ? p : -q) * (z == 0 ? r : -s); });
+    tally.Try(field, 0.0, { Diagonal });
+    fast.Try(field, 0.0, { Diagonal }, RootSolver::Fast);
+  }
+  tally.Report();
+  fast.Report();
+}
+
+TEST(TestCells, ThreeRootsInOneCell)
+{
+  Dice dice(13);
+  Tally tally("three roots, gaps 1e-1 to 1e-8 (Robust)");
+  Tally fast("three roots, gaps 1e-1 to 1e-2 (Fast)");
+  std::size_t threes = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double gap = std::pow(10.0, -dice.Uniform(1.0, 8.0));
+    const double other = dice.Integer(0, 1) == 0 ? gap : dice.Uniform(0.1, 0.4);
+    const double a = dice.Uniform(0.0, 0.4);
+    const Field field = Product(a, a + gap, a + gap + other);
+    tally.Try(field, 0.0, { Diagonal });
+    if (gap > 1e-2)
+    {
+      fast.Try(field, 0.0, { Diagonal }, RootSolver::Fast);
+    }
+    Tracer tracer(field);
+    threes += tracer.Cast({ Diagonal }, 0.0).Hits.size() == 3 ? 1 : 0;
+  }
+  tally.Note(std::to_string(threes) + " rays with all three hits");
+  tally.Report();
+  fast.Report();
+}
+
+TEST(TestCells, TripleRoots)
+{
+  Dice dice(14);
+  Tally tally("triple root (Robust)");
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double a = dice.Uniform(0.0, 1.0);
+    tally.Try(Product(a, a, a), 0.0, { Diagonal });
+  }
+  tally.Report();
+}
+
+TEST(TestCells, VanishingCoefficients)
+{
+  Dice dice(15);
+  BothTallies tally("vanishing leading coefficients");
+  for (int i = 0; i < 4000; ++i)
+  {
+    const int kind = i % 4;
+    // A plane through the corner (1, 1, 1), there the last coefficient survives unrounded.
+    const double g[3] = { double(dice.Integer(-8, 8)), double(dice.Integer(-8, 8)),
+      double(dice.Integer(-8, 8)) };
+    const double tiny = std::pow(10.0, -dice.Uniform(0.0, 300.0));
+    const auto value = [&](int x, int y, int z)
+    {
+      switch (kind)
+      {
+        case 0: // a plane
+          return g[0] * x + g[1] * y + g[2] * z - 0.5 * (g[0] + g[1] + g[2]);
+        case 1: // bilinear, the same for all z
+          return g[0] * x + g[1] * y + g[2] * x * y - 1.0;
+        case 2: // corners equal in pairs
+          return g[(x + y) % 2] * (z == 0 ? -1.0 : 1.0) + 0.5;
+        default: // a cubic coefficient from 1 to 1e-300
+          return g[0] * (x - 1) + g[1] * (y - 1) + g[2] * (z - 1) + tiny * (x * y * z);
+      }
+    };
+    tally.Try(Sample(OneCell, value), 0.0, RandomLines(dice, OneCell, 10));
+  }
+  tally.Report();
+}
+
+TEST(TestCells, Cancellation)
+{
+  Dice dice(16);
+  Tally small("values 1e6 + 1e-6 (Robust)");
+  Tally large("values 1e15 + eighths (Robust)");
+  Tally fast("values 1e6 + 1e-6 (Fast)");
+  for (int i = 0; i < 300; ++i)
+  {
+    const Index dimensions = { 4, 4, 4 };
+    const Field near = RandomField(dice, dimensions, 1e6 - 1e-6, 1e6 + 1e-6);
+    const Field far =
+      Sample(dimensions, [&dice](int, int, int) { return 1e15 + dice.Integer(-80, 80) / 8.0; });
+    const auto lines = RandomLines(dice, dimensions, 20);
+    small.Try(near, 1e6 + dice.Uniform(-5e-7, 5e-7), lines);
+    fast.Try(near, 1e6 + dice.Uniform(-5e-7, 5e-7), lines, RootSolver::Fast);
+    large.Try(far, 1e15 + dice.Integer(-40, 40) / 8.0, lines);
+  }
+  small.Report();
+  fast.Report();
+  large.Report();
+}
+
+TEST(TestCells, EverySignPatternWithItsSaddles)
+{
+  // All ways in which corners can be inside: the ambiguous ones of marching cubes among them.
+  Dice dice(17);
+  BothTallies tally("all 254 sign patterns, saddles");
+  for (int pattern = 1; pattern < 255; ++pattern)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const Field field = Sample(OneCell,
+        [&dice, pattern](int x, int y, int z)
+        {
+          const double value = dice.Uniform(0.01, 1.0);
+          return (pattern >> (x + 2 * y + 4 * z) & 1) != 0 ? value : -value;
+        });
+      tally.Try(field, 0.0, RandomLines(dice, OneCell, 20));
+    }
+  }
+  tally.Report();
+}
+
+TEST(TestCells, MagnitudesFromDenormalToHuge)
+{
+  // Below 2^-1000 a denormal gradient has too few bits for an angle.
+  for (const bool isDenormal : { false, true })
+  {
+    Dice dice(18);
+    const std::string name =
+      isDenormal ? "magnitudes 2^-1060 to 2^-1010, denormal" : "magnitudes 2^-1000 to 2^1020";
+    BothTallies tally(name);
+    for (int exponent = isDenormal ? -1060 : -1000; exponent <= (isDenormal ? -1010 : 1020);
+         exponent += isDenormal ? 2 : 10)
+    {
+      for (int i = 0; i < 10; ++i)
+      {
+        Field field = RandomField(dice, { 3, 3, 3 });
+        for (double& value : field.Values)
+        {
+          value = std::ldexp(value, exponent);
+        }
+        const double isovalue = std::ldexp(dice.Uniform(-0.5, 0.5), exponent);
+        const auto lines = RandomLines(dice, field.Dimensions, 10);
+        tally.InDouble.CheckNormals(!isDenormal);
+        tally.InSingle.CheckNormals(!isDenormal);
+        tally.Try(field, isovalue, lines);
+      }
+    }
+    tally.Report();
+  }
+}
+
+TEST(TestCells, DifferencesThatOverflow)
+{
+  // Values of both signs near the largest double: their differences are none.
+  Dice dice(23);
+  Tally tally("values +-1.7e308 (Robust)");
+  Tally fast("values +-1.7e308 (Fast)");
+  for (int i = 0; i < 200; ++i)
+  {
+    const Field field = RandomField(dice, { 3, 3, 3 }, -1.0, 1.0);
+    Field huge = field;
+    for (double& value : huge.Values)
+    {
+      value *= 1.7e308;
+    }
+    const auto lines = RandomLines(dice, field.Dimensions, 10);
+    tally.CheckNormals(false);
+    fast.CheckNormals(false);
+    tally.Try(huge, dice.Uniform(-0.9, 0.9) * 1.7e308, lines);
+    fast.Try(huge, dice.Uniform(-0.9, 0.9) * 1.7e308, lines, RootSolver::Fast);
+  }
+  tally.Report();
+  fast.Report();
+}
+
+TEST(TestCells, AllMagnitudesInOneCell)
+{
+  Dice dice(19);
+  Tally tally("magnitudes 1e-120 to 1e120 in one cell (Robust)");
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Field field = Sample({ 3, 3, 3 },
+      [&dice](int, int, int)
+      {
+        const double magnitude = std::pow(10.0, dice.Uniform(-120.0, 120.0));
+        return dice.Integer(0, 1) == 0 ? magnitude : -magnitude;
+      });
+    tally.Try(field, 0.0, RandomLines(dice, field.Dimensions, 10));
+  }
+  tally.Report();
+}
+
+//------------------------------------------------------------------------------
+// Termination
+
+namespace
+{
+
+CellCorners RandomBits(Dice& dice)
+{
+  CellCorners corners;
+  for (double& value : corners)
+  {
+    value = dice.AnyDouble();
+  }
+  return corners;
+}
+
+CellSegment RandomSegment(Dice& dice)
+{
+  CellSegment segment{ 0.0, 1.0, dice.Point(0.0, 1.0), dice.Point(0.0, 1.0) };
+  segment.Entry[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
+  segment.Exit[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
+  return segment;
+}
+
+/// Counts roots, and those that are none of the segment.
+struct RootCounter
+{
+  std::size_t Roots = 0;
+  std::size_t Outside = 0;
+
+  bool operator()(double u, bool)
+  {
+    ++this->Roots;
+    this->Outside += u >= 0.0 && u <= 1.0 ? 0 : 1;
+    return false;
+  }
+};
+
+}
+
+TEST(TestCells, EverySolverEndsOnRandomBits)
+{
+  Dice dice(20);
+  const std::size_t cells = IsLongRun() ? 1000000000 : 1000000;
+  RootCounter robust;
+  RootCounter others;
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < cells; ++i)
+  {
+    const CellCorners corners = RandomBits(dice);
+    const CellSegment segment = RandomSegment(dice);
+    const auto count = [&robust](double u, bool rising) { return robust(u, rising); };
+    const auto countOther = [&others](double u, bool rising) { return others(u, rising); };
+    const std::size_t before = robust.Outside;
+    Robust::ForEachRoot(corners, segment, count);
+    const bool isFinite = std::all_of(
+      corners.begin(), corners.end(), [](double value) { return std::isfinite(value); });
+    finite += isFinite ? 1 : 0;
+    // The traversal never gives cells that are not finite to a solver.
+    robust.Outside = isFinite ? robust.Outside : before;
+    Marmitt::ForEachRoot(corners, segment, 3, countOther);
+    Analytic::ForEachRoot(corners, segment, countOther);
+    Linear::ForEachRoot(corners, segment, countOther);
+  }
+  Tally tally("termination on random bits (Robust, Marmitt, Analytic, Linear)");
+  tally.Count(cells, robust.Roots, 0, robust.Outside);
+  tally.Note(std::to_string(finite) + " cells finite");
+  tally.Report();
+}
+
+TEST(TestCells, FastEndsOnRandomBits)
+{
+  Dice dice(21);
+  const std::size_t batches = IsLongRun() ? 100000000 : 100000;
+  std::size_t found = 0;
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < batches; ++i)
+  {
+    Fast::Batch batch;
+    for (auto& corner : batch.Difference)
+    {
+      for (float& value : corner)
+      {
+        const auto bits = static_cast<std::uint32_t>(dice.Bits());
+        std::memcpy(&value, &bits, sizeof(value));
+      }
+    }
+    for (std::size_t lane = 0; lane < Fast::Lanes; ++lane)
+    {
+      const CellSegment segment = RandomSegment(dice);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        batch.Entry[axis][lane] = static_cast<float>(segment.Entry[axis]);
+        batch.Exit[axis][lane] = static_cast<float>(segment.Exit[axis]);
+      }
+    }
+    Fast::Roots roots;
+    Fast::Solve(batch, false, roots);
+    for (std::size_t piece = 0; piece < 3; ++piece)
+    {
+      for (std::size_t lane = 0; lane < Fast::Lanes; ++lane)
+      {
+        const bool isRoot = roots.Found[piece][lane] != 0;
+        const float u = roots.U[piece][lane];
+        found += isRoot ? 1 : 0;
+        outside += isRoot && std::isfinite(u) && (u < 0.0F || u > 1.0F) ? 1 : 0;
+      }
+    }
+  }
+  Tally tally("termination on random bits (Fast)");
+  tally.Count(batches * Fast::Lanes, found, 0, outside);
+  tally.Report();
+}
