@@ -75,13 +75,16 @@ public:
   enum RootSolvers
   {
     /// Bernstein form, cut into monotone pieces, guarded Newton, in double. No hit is missed or
-    /// invented.
+    /// invented, but where a ray grazes the surface to within rounding: an extremum within
+    /// (32 + 16 n) 2^-53 of the isovalue (times the largest difference between a corner of the cell
+    /// and the isovalue; n is the longest edge of the volume in cells).
     ROBUST = 0,
     /// The same in single precision, several cells at a time in vector registers. Where a ray
     /// grazes the surface, with an extremum within 4.8e-7 of the isovalue (times the largest
     /// difference between a corner of the cell and the isovalue), it may be judged either way.
     FAST = 1,
-    /// The closed form as published by Parker et al. 1998 (J. Schwarze, Graphics Gems 1990).
+    /// The closed form as published by Parker et al. 1998 (J. Schwarze, Graphics Gems 1990). It
+    /// loses many hits where a cell is nearly linear along the ray: for comparison only.
     ANALYTIC = 2,
     /// Cut at the extrema, then NumberOfInterpolations linear interpolations (G. Marmitt et al.,
     /// VMV 2004).

@@ -15,9 +15,10 @@ namespace vtkIsosurfaceRayTracing
 /// The closed form that Parker et al. 1998 used, with their special cases for a vanishing cubic and
 /// quadratic coefficient: J. Schwarze, Cubic and Quartic Roots, Graphics Gems, 1990. In double.
 ///
-/// As published: what is zero is decided by a fixed threshold, roots that fall just outside the
-/// segment by rounding are lost in both cells of a face, and a double root counts although the ray
-/// only touches the surface. For comparison and teaching.
+/// As published: what is zero is decided by a fixed threshold, so that a cubic coefficient which is
+/// but a rounding is divided by, and the roots are lost (on fields without an xyz term, most of
+/// them); roots that fall just outside the segment by rounding are lost in both cells of a face;
+/// and a double root counts although the ray only touches the surface. For comparison and teaching.
 namespace Analytic
 {
 
