@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -108,7 +109,13 @@ void ForEachRoot(const CellCorners& difference, const CellSegment& segment, Visi
   const int count = !IsZero(c[3]) ? SolveCubic(c, roots)
     : !IsZero(c[2])               ? SolveQuadratic(c, roots)
                                   : SolveLinear(c, roots);
-  std::sort(roots, roots + count);
+  for (int i = 1; i < count; ++i)
+  {
+    for (int j = i; j > 0 && roots[j] < roots[j - 1]; --j)
+    {
+      std::swap(roots[j], roots[j - 1]);
+    }
+  }
   for (int i = 0; i < count; ++i)
   {
     if (roots[i] >= 0.0 && roots[i] <= 1.0 &&
