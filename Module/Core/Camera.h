@@ -75,6 +75,7 @@ public:
   }
 
   const Matrix4& GetClipFromIndex() const { return this->ClipFromIndex; }
+  const Matrix4& GetIndexFromClip() const { return this->IndexFromClip; }
   const Matrix4& GetWorldFromIndex() const { return this->WorldFromIndex; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }

@@ -17,6 +17,8 @@ struct CellSegment
 {
   double Begin;
   double End;
+  /// The axis of the plane crossed at Begin; see Place.
+  int BeginAxis;
   Vector3 Entry;
   Vector3 Exit;
 };
@@ -67,6 +69,7 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   }
 
   segment.Begin = begin.T;
+  segment.BeginAxis = begin.Axis;
   segment.End = end.T;
   segment.Entry = PointInCell(ray, cell, begin);
   segment.Exit = PointInCell(ray, cell, end);

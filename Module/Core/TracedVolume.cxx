@@ -5,12 +5,17 @@
 
 #include "AnalyticSolver.h"
 #include "ApronBricks.h"
+#include "BeamTracer.h"
+#include "BlockTree.h"
+#include "CellMasks.h"
 #include "CellSegment.h"
 #include "CellTraversal.h"
 #include "FastSolver.h"
+#include "Kernels.h"
 #include "LinearSolver.h"
 #include "MacrocellHierarchy.h"
 #include "MarmittSolver.h"
+#include "RayGroup.h"
 #include "RobustSolver.h"
 #include "TrilinearCell.h"
 #include "TwoLevelBricks.h"
@@ -253,6 +258,7 @@ public:
     : TheSamples(samples)
     , Hierarchy(samples, branching, threads)
     , Active(this->Hierarchy.GetLattice())
+    , Masks(samples)
     , Bricks(samples, arguments...)
   {
   }
@@ -277,24 +283,36 @@ public:
         GetScale(static_cast<double>(range.Min), static_cast<double>(range.Max), surface.Isovalue));
     }
     this->Active = this->Hierarchy.FindActive(isovalues, threads);
+    this->HasTree = !this->Active.GetLattice().Levels.empty() &&
+      this->Active.GetLattice().Levels[0].Edge == BlockMask::Edge;
+    if (this->HasTree)
+    {
+      this->Tree = BlockTree(this->Active, threads);
+      this->Masks.Select(isovalues);
+    }
   }
 
-  void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits) override
+  void Trace(RayGroup& rays, RayHits& hits) override
   {
+    hits.Clear();
     if (this->Want.Solver == RootSolver::Fast)
     {
       this->TraceTogether(rays, hits);
-      return;
     }
-    hits.Hits.clear();
-    hits.First.assign(1, 0);
-    for (const std::optional<Ray>& ray : rays)
+    else if (this->CanUseBeams(rays))
     {
-      if (ray)
+      this->TraceBeams(rays, hits);
+    }
+    else
+    {
+      for (int i = 0; i < rays.Count; ++i)
       {
-        this->TraceAlone(*ray, hits.Hits);
+        if (Has(rays.Exists, i))
+        {
+          this->TraceAlone(GetRay(rays, i), hits.Hits);
+        }
+        hits.First.push_back(hits.Hits.size());
       }
-      hits.First.push_back(hits.Hits.size());
     }
   }
 
@@ -371,6 +389,99 @@ private:
     }
   }
 
+  /// Whether a frame needs no more of rays than their first hits with one surface. Beams take
+  /// macrocells of 8^3 cells, and rays of ordinary length.
+  bool CanUseBeams(const RayGroup& rays) const
+  {
+    bool isFinite = true;
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      isFinite = isFinite &&
+        (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
+    }
+    return isFinite && this->HasTree && this->Want.BeamKernels &&
+      this->Want.Solver == RootSolver::Robust && this->Want.Surfaces.size() == 1 &&
+      this->Want.Surfaces[0].Opacity >= 1.0;
+  }
+
+  void TraceBeams(RayGroup& rays, RayHits& hits)
+  {
+    BeamCells cells(*this, rays);
+    BeamTracer tracer(
+      *this->Want.BeamKernels, this->Tree, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
+    tracer.Trace(rays, cells);
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (tracer.HasHit(i))
+      {
+        hits.Hits.push_back(tracer.GetHit(i));
+      }
+      hits.First.push_back(hits.Hits.size());
+    }
+  }
+
+  /// The cells of the volume, for the beams of one thread.
+  class BeamCells final : public BeamTracer::Cells
+  {
+  public:
+    BeamCells(TypedVolume& volume, const RayGroup& rays)
+      : Volume(volume)
+      , Rays(rays)
+      , Reader(volume.Bricks)
+    {
+    }
+
+    const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+    {
+      return this->Volume.Masks.Get(block, own);
+    }
+
+    void LoadCorners(Candidates& candidates) override
+    {
+      for (int i = 0; i < candidates.Count; ++i)
+      {
+        typename Layout::Value corners[8];
+        this->Reader.Load(
+          { candidates.Cell[0][i], candidates.Cell[1][i], candidates.Cell[2][i] }, corners);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          candidates.Corners[corner][i] = static_cast<double>(corners[corner]);
+        }
+      }
+    }
+
+    bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) override
+    {
+      return this->Volume.FindFirstHit(this->Reader, GetRay(this->Rays, ray), cell, hit, begin);
+    }
+
+  private:
+    TypedVolume& Volume;
+    const RayGroup& Rays;
+    typename Layout::Reader Reader;
+  };
+
+  /// The first hit of a ray in a cell, and where the ray enters the cell.
+  bool FindFirstHit(
+    typename Layout::Reader& reader, const Ray& ray, const Index3& cell, Hit& hit, Place& begin)
+  {
+    typename Layout::Value corners[8];
+    CellSegment segment;
+    CellRoots roots;
+    if (!this->Examine(reader, ray, cell, corners, segment))
+    {
+      return false;
+    }
+    this->FindRoots(corners, segment, roots);
+    if (roots.Get().empty())
+    {
+      return false;
+    }
+    hit = MakeHit(ray, cell, segment, roots.Get().front());
+    begin = { segment.Begin, segment.BeginAxis };
+    return true;
+  }
+
   /// Follows one ray to its end, solving cell by cell.
   void TraceAlone(const Ray& ray, std::vector<Hit>& hits)
   {
@@ -393,21 +504,24 @@ private:
 
   /// Follows rays side by side, each from one cell that it may hit to the next. The cells of all
   /// rays are solved together.
-  void TraceTogether(const std::vector<std::optional<Ray>>& rays, RayHits& result)
+  void TraceTogether(const RayGroup& group, RayHits& result)
   {
+    std::vector<Ray> rays;
     std::vector<Follower> followers;
     std::vector<std::size_t> going;
-    followers.reserve(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    rays.reserve(RayGroup::Capacity);
+    followers.reserve(RayGroup::Capacity);
+    for (int i = 0; i < group.Count; ++i)
     {
-      if (rays[i])
+      if (Has(group.Exists, i))
       {
+        rays.push_back(GetRay(group, i));
         going.push_back(followers.size());
-        followers.push_back(
-          { i, &*rays[i], MacrocellWalk(*rays[i], this->Active), RayProgress(this->Want), {} });
+        followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
+          MacrocellWalk(rays.back(), this->Active), RayProgress(this->Want), {} });
       }
     }
-    std::vector<std::vector<Hit>> hits(rays.size());
+    std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));
     std::vector<Candidate> candidates;
     while (!going.empty())
     {
@@ -429,8 +543,6 @@ private:
           }
         });
     }
-    result.Hits.clear();
-    result.First.assign(1, 0);
     for (const std::vector<Hit>& own : hits)
     {
       result.Hits.insert(result.Hits.end(), own.begin(), own.end());
@@ -551,12 +663,34 @@ private:
   Samples<T> TheSamples;
   MacrocellHierarchy<T> Hierarchy;
   ActiveMacrocells Active;
+  BlockTree Tree;
+  bool HasTree = false;
+  CellMasks<T> Masks;
   Layout Bricks;
   Wanted Want;
   /// For each surface, see GetScale.
   std::vector<double> Scales;
 };
 
+}
+
+//------------------------------------------------------------------------------
+void TracedVolume::Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits)
+{
+  hits.Clear();
+  RayHits some;
+  RayGroup group;
+  for (std::size_t first = 0; first < rays.size(); first += RayGroup::Capacity)
+  {
+    group.Count = 0;
+    group.Exists = {};
+    for (std::size_t i = first; i < std::min(first + RayGroup::Capacity, rays.size()); ++i)
+    {
+      AddRay(rays[i], group);
+    }
+    this->Trace(group, some);
+    hits.Append(some);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Kernels_h
+#define Kernels_h
+
+// Plain structures and functions only: this header is compiled for several instruction sets, and
+// nothing of it may leave code behind that runs on one of them alone.
+#include <cstddef>
+#include <cstdint>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Some of up to 128 rays.
+struct RaySet
+{
+  std::uint64_t Words[2];
+};
+
+/// Rays that are traced side by side, in arrays.
+struct RayGroup
+{
+  static constexpr int Capacity = 128;
+
+  int Count;
+  /// Those that meet the volume at all; the others have no defined values.
+  RaySet Exists;
+  // As in Ray. The direction is zero along an axis that the ray is parallel to.
+  alignas(64) double Origin[3][Capacity];
+  alignas(64) double Direction[3][Capacity];
+  alignas(64) double Inverse[3][Capacity];
+  alignas(64) double Begin[Capacity];
+  alignas(64) double End[Capacity];
+  alignas(64) double Base[Capacity];
+
+  // For the axis the rays were last aligned with, and the two axes across.
+  /// The coordinates across at plane 4 of the axis, from the middle of the first block.
+  alignas(64) double Center[2][Capacity];
+  /// How they change from plane to plane.
+  alignas(64) double Slope[2][Capacity];
+  /// How far from the middle of a block a ray may pass its middle plane to meet it anywhere.
+  alignas(64) double Reach[2][Capacity];
+  /// The part of the ray in the volume, along the axis, and a little more.
+  alignas(64) double Low[Capacity];
+  alignas(64) double High[Capacity];
+};
+
+/// A rectangle of at most 128 pixels, and what is needed to send rays through them; see Camera.
+struct PixelBlock
+{
+  const double* IndexFromClip;
+  const double* WorldFromIndex;
+  /// Of the viewport, in pixels.
+  int Width;
+  int Height;
+  int Column;
+  int Row;
+  int Columns;
+  int Rows;
+  /// The depth of the first pixel, and how far it is from row to row; null for the far plane.
+  const float* Depth;
+  std::ptrdiff_t DepthStride;
+  /// Of the volume, in samples.
+  const int* Dimensions;
+};
+
+/// What a set of rays sweeps: between the planes Low and High of an axis they are, across it,
+/// between two lines. (The smallest of linear functions is concave and stays above the chord.)
+struct Beam
+{
+  int Axis;
+  /// Whether the rays go up the axis.
+  bool IsUp;
+  double Low;
+  double High;
+  /// At Low and at High, for the two axes across.
+  double Least[2][2];
+  double Most[2][2];
+};
+
+/// The cells of a block that rays may pass, of those in its mask.
+struct BlockCells
+{
+  int Count;
+  int Ray[RayGroup::Capacity];
+  /// The slices across the axis that have any.
+  unsigned int Slices[RayGroup::Capacity];
+  std::uint64_t Cells[RayGroup::Capacity][8];
+};
+
+/// Pairs of a ray and a cell, to be solved.
+struct Candidates
+{
+  static constexpr int Batch = 64;
+  /// A ray adds all its cells in a slice at once, which are not many.
+  static constexpr int Capacity = Batch + 64;
+
+  int Count;
+  int Ray[Capacity];
+  int Cell[3][Capacity];
+  alignas(64) double Corners[8][Capacity];
+};
+
+/// The isovalue and the power of two by which it and all values are multiplied.
+struct ScaledIsovalue
+{
+  double Isovalue;
+  double Scale;
+};
+
+/// The first roots of those of the candidates that have any.
+struct FirstRoots
+{
+  int Count;
+  int Candidate[Candidates::Capacity];
+  /// Where the ray enters the cell; equal places are ordered by their axis.
+  double Begin[Candidates::Capacity];
+  double BeginAxis[Candidates::Capacity];
+  double T[Candidates::Capacity];
+  double Parametric[3][Candidates::Capacity];
+  bool Rising[Candidates::Capacity];
+
+  /// Candidates whose values are too large or too small for the arithmetic of the kernel.
+  int ExtremeCount;
+  int Extreme[Candidates::Capacity];
+};
+
+/// The inner loops of ray tracing, compiled for one instruction set. All sets do the same
+/// operations in the same order, and give the same bits.
+struct Kernels
+{
+  const char* Name;
+
+  /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
+  /// do.
+  void (*MakeRays)(const PixelBlock& block, RayGroup& group);
+
+  /// Looks at rays along an axis, and finds the beam they make. Returns false if they make none:
+  /// if they do not all go the same way along it, or steeply away from it.
+  bool (*Align)(RayGroup& group, const RaySet& rays, int axis, Beam& beam);
+
+  /// Finds the cells that rays of a beam may pass in a block with its first cell at first; slices
+  /// are those of its mask across the axis. It may find cells that a ray comes near to; it never
+  /// leaves out one that a ray passes.
+  void (*FindCells)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+    const std::uint64_t slices[8], BlockCells& cells);
+
+  /// Finds the first roots of candidates, exactly as Robust::ForEachRoot does.
+  void (*FindFirstRoots)(const RayGroup& group, const Candidates& candidates,
+    const ScaledIsovalue& isovalue, FirstRoots& roots);
+};
+
+extern const Kernels BaselineKernels;
+extern const Kernels Avx2Kernels;
+extern const Kernels Avx512Kernels;
+
+}
+
+#endif

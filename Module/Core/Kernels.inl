@@ -1,0 +1,779 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The kernels, included once for every instruction set. Nothing from another header of the core is
+// called here, and nothing of the standard library: the linker keeps one copy of a function that
+// several files compile, and might keep the one for a processor that is not there.
+
+#include "Kernels.h"
+#include "Lanes.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = __builtin_inf();
+/// By how much, in cells, a ray is taken to be thicker than it is: more than all rounding.
+constexpr double Margin = 0x1p-9;
+/// Across its axis a beam may go this much per cell along it.
+constexpr double LargestSlope = 2.0;
+
+constexpr int AxisU[3] = { 1, 0, 0 };
+constexpr int AxisV[3] = { 2, 2, 1 };
+
+LANES_INLINE Doubles Lerp(Doubles a, Doubles b, Doubles t)
+{
+  return (Broadcast(1.0) - t) * a + t * b;
+}
+
+LANES_INLINE Mask IsInside(Doubles valueMinusIsovalue)
+{
+  return Broadcast(0.0) <= valueMinusIsovalue;
+}
+
+LANES_INLINE unsigned int GetLanes(const RaySet& rays, int first)
+{
+  return static_cast<unsigned int>(rays.Words[first >> 6] >> (first & 63)) &
+    ((1U << LaneCount) - 1U);
+}
+
+LANES_INLINE double SmallestOf(Doubles values)
+{
+  double lanes[LaneCount];
+  Store(values, lanes);
+  double result = lanes[0];
+  for (int lane = 1; lane < LaneCount; ++lane)
+  {
+    result = lanes[lane] < result ? lanes[lane] : result;
+  }
+  return result;
+}
+
+LANES_INLINE double LargestOf(Doubles values)
+{
+  return -SmallestOf(Broadcast(0.0) - values);
+}
+
+LANES_INLINE Mask LanesOf(unsigned int bits)
+{
+#if defined(LANES_AVX512)
+  return { static_cast<__mmask8>(bits) };
+#else
+  double lanes[LaneCount];
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    lanes[lane] = static_cast<double>(bits >> lane & 1U);
+  }
+  return Broadcast(0.0) < Load(lanes);
+#endif
+}
+
+//------------------------------------------------------------------------------
+/// Rays on their way to a group; see Ray.
+struct Rays
+{
+  Doubles Origin[3];
+  Doubles Direction[3];
+  Doubles Inverse[3];
+  Mask Up[3];
+  Mask Parallel[3];
+  Doubles Begin;
+  Doubles End;
+};
+
+// The same as Length of Vector.h.
+LANES_INLINE Doubles Length(const Doubles a[3])
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles size = Larger(Larger(Magnitude(a[0]), Magnitude(a[1])), Magnitude(a[2]));
+  const Doubles x = a[0] / size;
+  const Doubles y = a[1] / size;
+  const Doubles z = a[2] / size;
+  return Select(zero < size, size * SquareRoot(x * x + y * y + z * z), zero);
+}
+
+// The same as Camera::GetRay; the rays begin at zero.
+LANES_INLINE void MakeUnclippedRays(
+  const PixelBlock& block, Doubles column, Doubles row, Doubles depth, Rays& rays)
+{
+  const double* m = block.IndexFromClip;
+  const double* w = block.WorldFromIndex;
+  const Doubles half = Broadcast(0.5);
+  const Doubles one = Broadcast(1.0);
+  const Doubles two = Broadcast(2.0);
+  const Doubles x = two * (column + half) / Broadcast(block.Width) - one;
+  const Doubles y = two * (row + half) / Broadcast(block.Height) - one;
+  const auto transform = [m, x, y](int first)
+  { return Broadcast(m[first]) * x + Broadcast(m[first + 1]) * y + Broadcast(m[first + 3]); };
+  const Doubles wa = transform(12);
+  const Doubles wb = Broadcast(m[14]);
+  Doubles a[3];
+  Doubles along[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = transform(4 * i);
+    along[i] = Broadcast(m[4 * i + 2]) * wa - a[i] * wb;
+  }
+  Doubles world[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    world[i] = Broadcast(w[4 * i]) * along[0] + Broadcast(w[4 * i + 1]) * along[1] +
+      Broadcast(w[4 * i + 2]) * along[2];
+  }
+  const Doubles length = Length(world);
+  const Doubles wNear = wa - wb;
+  const Doubles z = two * depth - one;
+  const Doubles end = (z + one) * length / ((wa + z * wb) * wNear);
+  const Doubles inverseNear = one / wNear;
+  const Doubles inverseLength = one / length;
+  for (int i = 0; i < 3; ++i)
+  {
+    rays.Origin[i] = (a[i] - Broadcast(m[4 * i + 2])) * inverseNear;
+    rays.Direction[i] = along[i] * inverseLength;
+  }
+  rays.Begin = Broadcast(0.0);
+  rays.End = Select(Broadcast(0.0) <= end, end, Broadcast(Infinity));
+}
+
+// The same as ClipToSlabs of Ray.cxx.
+LANES_INLINE Mask ClipToSlabs(Rays& rays, const int dimensions[3])
+{
+  const Doubles zero = Broadcast(0.0);
+  Mask misses = FirstLanes(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles last = Broadcast(dimensions[axis] - 1);
+    const Doubles origin = rays.Origin[axis];
+    const Mask parallel = rays.Parallel[axis];
+    misses = misses | AndNot(parallel, (zero <= origin) & (origin <= last));
+    const Doubles in = (Select(rays.Up[axis], zero, last) - origin) * rays.Inverse[axis];
+    const Doubles out = (Select(rays.Up[axis], last, zero) - origin) * rays.Inverse[axis];
+    rays.Begin = Select(parallel, rays.Begin, Larger(rays.Begin, in));
+    rays.End = Select(parallel, rays.End, Smaller(rays.End, out));
+  }
+  return AndNot(rays.Begin <= rays.End, misses);
+}
+
+// The same as ClipToVolume of Ray.cxx.
+LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& base)
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles infinity = Broadcast(Infinity);
+  Mask isFinite = zero < infinity;
+  Mask isRay = FirstLanes(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isFinite = isFinite & (Magnitude(rays.Origin[axis]) < infinity) &
+      (Magnitude(rays.Direction[axis]) < infinity);
+    rays.Inverse[axis] = Broadcast(1.0) / rays.Direction[axis];
+    const Mask moves = Magnitude(rays.Inverse[axis]) < infinity;
+    rays.Parallel[axis] = AndNot(zero < infinity, moves);
+    rays.Up[axis] = zero < rays.Direction[axis];
+    rays.Direction[axis] = Select(moves, rays.Direction[axis], zero);
+    isRay = isRay | moves;
+  }
+  Mask exists = isFinite & isRay;
+  const Doubles begin = rays.Begin;
+  const Doubles end = rays.End;
+  exists = exists & ClipToSlabs(rays, dimensions);
+  base = rays.Begin;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    rays.Origin[axis] = FusedMultiplyAdd(base, rays.Direction[axis], rays.Origin[axis]);
+  }
+  rays.Begin = begin - base;
+  rays.End = end - base;
+  return exists & ClipToSlabs(rays, dimensions);
+}
+
+void MakeRays(const PixelBlock& block, RayGroup& group)
+{
+  double columns[RayGroup::Capacity + LaneCount];
+  double rows[RayGroup::Capacity + LaneCount];
+  double depths[RayGroup::Capacity + LaneCount];
+  int count = 0;
+  for (int y = 0; y < block.Rows; ++y)
+  {
+    for (int x = 0; x < block.Columns; ++x)
+    {
+      columns[count] = block.Column + x;
+      rows[count] = block.Row + y;
+      depths[count++] =
+        block.Depth ? static_cast<double>(block.Depth[y * block.DepthStride + x]) : 1.0;
+    }
+  }
+  group.Count = count;
+  group.Exists.Words[0] = 0;
+  group.Exists.Words[1] = 0;
+  for (int i = count; i < count + LaneCount; ++i)
+  {
+    columns[i] = columns[0];
+    rows[i] = rows[0];
+    depths[i] = depths[0];
+  }
+  for (int i = 0; i < count; i += LaneCount)
+  {
+    Rays rays;
+    MakeUnclippedRays(block, Load(&columns[i]), Load(&rows[i]), Load(&depths[i]), rays);
+    Doubles base;
+    const Mask exists = ClipToVolume(rays, block.Dimensions, base) &
+      FirstLanes(count - i < LaneCount ? count - i : LaneCount);
+    group.Exists.Words[i >> 6] |= static_cast<std::uint64_t>(ToBits(exists)) << (i & 63);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(rays.Origin[axis], &group.Origin[axis][i]);
+      Store(rays.Direction[axis], &group.Direction[axis][i]);
+      Store(rays.Inverse[axis], &group.Inverse[axis][i]);
+    }
+    Store(rays.Begin, &group.Begin[i]);
+    Store(rays.End, &group.End[i]);
+    Store(base, &group.Base[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
+{
+  const int across[2] = { AxisU[axis], AxisV[axis] };
+  const Doubles zero = Broadcast(0.0);
+  const Doubles margin = Broadcast(Margin);
+  Doubles low = Broadcast(Infinity);
+  Doubles high = Broadcast(-Infinity);
+  unsigned int up = 0;
+  unsigned int down = 0;
+  unsigned int steep = 0;
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes == 0)
+    {
+      continue;
+    }
+    const Mask mask = LanesOf(lanes);
+    const Doubles direction = Load(&group.Direction[axis][i]);
+    const Doubles origin = Load(&group.Origin[axis][i]);
+    const Doubles inverse = Load(&group.Inverse[axis][i]);
+    up |= ToBits(mask & (zero < direction));
+    down |= ToBits(mask & (direction < zero));
+    const Doubles begin = origin + Load(&group.Begin[i]) * direction;
+    const Doubles end = origin + Load(&group.End[i]) * direction;
+    const Doubles lowest = Smaller(begin, end) - margin;
+    const Doubles highest = Larger(begin, end) + margin;
+    Store(lowest, &group.Low[i]);
+    Store(highest, &group.High[i]);
+    low = Select(mask, Smaller(low, lowest), low);
+    high = Select(mask, Larger(high, highest), high);
+    for (int j = 0; j < 2; ++j)
+    {
+      const Doubles slope = Load(&group.Direction[across[j]][i]) * inverse;
+      const Doubles size = Magnitude(slope);
+      // Not less, so that what is no number counts as steep.
+      steep |= lanes & ~ToBits(size <= Broadcast(LargestSlope));
+      Store(slope, &group.Slope[j][i]);
+      Store(Load(&group.Origin[across[j]][i]) - origin * slope +
+          (Broadcast(4.0) * slope - Broadcast(4.0)),
+        &group.Center[j][i]);
+      Store(Broadcast(4.0 + Margin) + Broadcast(4.0) * size, &group.Reach[j][i]);
+    }
+  }
+  beam.Axis = axis;
+  beam.IsUp = up != 0;
+  beam.Low = SmallestOf(low);
+  beam.High = LargestOf(high);
+  if ((up != 0) == (down != 0) || steep != 0)
+  {
+    return false;
+  }
+  for (int j = 0; j < 2; ++j)
+  {
+    Doubles least[2] = { Broadcast(Infinity), Broadcast(Infinity) };
+    Doubles most[2] = { Broadcast(-Infinity), Broadcast(-Infinity) };
+    for (int i = 0; i < group.Count; i += LaneCount)
+    {
+      const unsigned int lanes = GetLanes(rays, i);
+      if (lanes == 0)
+      {
+        continue;
+      }
+      const Mask mask = LanesOf(lanes);
+      const Doubles slope = Load(&group.Slope[j][i]);
+      const Doubles center = Load(&group.Center[j][i]);
+      for (int end = 0; end < 2; ++end)
+      {
+        const Doubles plane = Broadcast((end == 0 ? beam.Low : beam.High) - 4.0);
+        const Doubles place = center + plane * slope + Broadcast(4.0);
+        least[end] = Select(mask, Smaller(least[end], place), least[end]);
+        most[end] = Select(mask, Larger(most[end], place), most[end]);
+      }
+    }
+    for (int end = 0; end < 2; ++end)
+    {
+      beam.Least[j][end] = SmallestOf(least[end]) - Margin;
+      beam.Most[j][end] = LargestOf(most[end]) + Margin;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The cells of one ray in a block: slice by slice the rectangle of cells between the places where
+// the ray meets the two planes of the slice. The ray is given by its places across the axis in the
+// middle of the block, and its slopes.
+#if defined(LANES_AVX512)
+LANES_INLINE unsigned int FindCellsOfRay(
+  const float middle[2], const float slope[2], __m512i slices, std::uint64_t cells[8])
+{
+  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m256 margin = _mm256_set1_ps(static_cast<float>(Margin));
+  const __m256 four = _mm256_set1_ps(4.0F);
+  const __m256i zero = _mm256_setzero_si256();
+  const __m256i seven = _mm256_set1_epi32(7);
+  __m256i low[2];
+  __m256i high[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    const __m256 slopes = _mm256_set1_ps(slope[j]);
+    const __m256 near =
+      _mm256_add_ps(_mm256_add_ps(_mm256_set1_ps(middle[j]), four), _mm256_mul_ps(planes, slopes));
+    const __m256 far = _mm256_add_ps(near, slopes);
+    const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margin);
+    const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margin);
+    low[j] = _mm256_max_epi32(_mm256_cvttps_epi32(least), zero);
+    high[j] =
+      _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
+  }
+  const __m256i byte = _mm256_set1_epi32(0xFF);
+  const __m256i columns = _mm256_and_si256(
+    _mm256_and_si256(_mm256_sllv_epi32(byte, low[0]), _mm256_srlv_epi32(byte, high[0])), byte);
+  const __m512i spread = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(columns),
+    _mm512_set4_epi32(0x08080808, 0x08080808, 0x00000000, 0x00000000));
+  const __m512i ones = _mm512_set1_epi64(-1);
+  const __m512i from = _mm512_sllv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(low[1], 3)));
+  const __m512i to = _mm512_srlv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(high[1], 3)));
+  const __m512i found =
+    _mm512_and_epi64(_mm512_and_epi64(slices, spread), _mm512_and_epi64(from, to));
+  _mm512_storeu_si512(cells, found);
+  return _mm512_test_epi64_mask(found, found);
+}
+#else
+LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
+  const std::uint64_t slices[8], std::uint64_t cells[8])
+{
+  unsigned int any = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    int low[2];
+    int high[2];
+    for (int j = 0; j < 2; ++j)
+    {
+      const float near = middle[j] + 4.0F + static_cast<float>(slice - 4) * slope[j];
+      const float far = near + slope[j];
+      const float least = (near < far ? near : far) - static_cast<float>(Margin);
+      const float most = (near < far ? far : near) + static_cast<float>(Margin);
+      low[j] = least > 0.0F ? static_cast<int>(least) : 0;
+      high[j] = most < 0.0F ? -1 : (most < 8.0F ? static_cast<int>(most) : 7);
+    }
+    cells[slice] = 0;
+    if (slices[slice] != 0 && low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
+    {
+      const std::uint64_t columns = (0xFFU << low[0] & 0xFFU & 0xFFU >> (7 - high[0]));
+      const std::uint64_t rows =
+        (~std::uint64_t{ 0 } << (8 * low[1])) & (~std::uint64_t{ 0 } >> (8 * (7 - high[1])));
+      cells[slice] = slices[slice] & rows & (columns * 0x0101010101010101U);
+    }
+    any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
+  }
+  return any;
+}
+#endif
+
+void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+  const std::uint64_t slices[8], BlockCells& cells)
+{
+  const double plane = first[axis];
+  const Doubles planes = Broadcast(plane);
+  const Doubles nextPlanes = Broadcast(plane + 8.0);
+  const Doubles firstU = Broadcast(first[AxisU[axis]]);
+  const Doubles firstV = Broadcast(first[AxisV[axis]]);
+#if defined(LANES_AVX512)
+  const __m512i mask = _mm512_loadu_si512(slices);
+#else
+  const std::uint64_t* mask = slices;
+#endif
+  int count = 0;
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes == 0)
+    {
+      continue;
+    }
+    const Doubles u = Load(&group.Center[0][i]) + planes * Load(&group.Slope[0][i]) - firstU;
+    const Doubles v = Load(&group.Center[1][i]) + planes * Load(&group.Slope[1][i]) - firstV;
+    unsigned int meets = lanes &
+      ToBits((Magnitude(u) < Load(&group.Reach[0][i])) & (Magnitude(v) < Load(&group.Reach[1][i])) &
+        (Load(&group.Low[i]) < nextPlanes) & (planes < Load(&group.High[i])));
+    if (meets == 0)
+    {
+      continue;
+    }
+    double middleU[LaneCount];
+    double middleV[LaneCount];
+    Store(u, middleU);
+    Store(v, middleV);
+    while (meets != 0)
+    {
+      const int lane = __builtin_ctz(meets);
+      meets &= meets - 1;
+      const float middle[2] = { static_cast<float>(middleU[lane]),
+        static_cast<float>(middleV[lane]) };
+      const float slope[2] = { static_cast<float>(group.Slope[0][i + lane]),
+        static_cast<float>(group.Slope[1][i + lane]) };
+      const unsigned int any = FindCellsOfRay(middle, slope, mask, cells.Cells[count]);
+      cells.Ray[count] = i + lane;
+      cells.Slices[count] = any;
+      count += any != 0 ? 1 : 0;
+    }
+  }
+  cells.Count = count;
+}
+
+//------------------------------------------------------------------------------
+// The same as Difference of TracedVolume.cxx.
+LANES_INLINE Doubles Difference(Doubles value, const ScaledIsovalue& isovalue)
+{
+  constexpr double smallest = 0x1p-900;
+  const Doubles plain =
+    value * Broadcast(isovalue.Scale) - Broadcast(isovalue.Isovalue * isovalue.Scale);
+  const Mask large = Broadcast(smallest) <= Magnitude(plain);
+  const Doubles iso = Broadcast(isovalue.Isovalue);
+  const Doubles small = Select(
+    value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
+  return Select(large, plain, small);
+}
+
+/// The part of rays in cells, as CellSegment has it. Axes are 0.0, 1.0, 2.0; 3.0 where a ray begins
+/// or ends within the cell.
+struct Segments
+{
+  Mask Exists;
+  Doubles Begin;
+  Doubles BeginAxis;
+  Doubles End;
+  Doubles Entry[3];
+  Doubles Exit[3];
+};
+
+// The same as SegmentInCell of CellSegment.h, for rays whose Begin and End are finite.
+LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const Doubles cell[3])
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles one = Broadcast(1.0);
+  const Doubles startAxis = Broadcast(3.0);
+  Doubles origin[3];
+  Doubles direction[3];
+  Mask up[3];
+  Doubles entry = Broadcast(-Infinity);
+  Doubles entryAxis = zero;
+  Doubles exit = Broadcast(Infinity);
+  Doubles exitAxis = startAxis;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = Gather(group.Origin[axis], rays);
+    direction[axis] = Gather(group.Direction[axis], rays);
+    const Doubles inverse = Gather(group.Inverse[axis], rays);
+    up[axis] = zero < direction[axis];
+    const Mask moves = up[axis] | (direction[axis] < zero);
+    const Doubles next = cell[axis] + one;
+    const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
+    const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
+    const Doubles axes = Broadcast(axis);
+    const Mask later = moves & (entry <= in);
+    entry = Select(later, in, entry);
+    entryAxis = Select(later, axes, entryAxis);
+    const Mask sooner = moves & (out < exit);
+    exit = Select(sooner, out, exit);
+    exitAxis = Select(sooner, axes, exitAxis);
+  }
+  const Doubles rayBegin = Gather(group.Begin, rays);
+  const Doubles rayEnd = Gather(group.End, rays);
+  const Mask enters = rayBegin <= entry;
+  const Mask leaves = exit <= rayEnd;
+  Segments result;
+  result.Begin = Select(enters, entry, rayBegin);
+  result.BeginAxis = Select(enters, entryAxis, startAxis);
+  result.End = Select(leaves, exit, rayEnd);
+  const Doubles endAxis = Select(leaves, exitAxis, startAxis);
+  result.Exists =
+    ((result.Begin < result.End) | ((result.Begin == result.End) & (result.BeginAxis < endAxis))) &
+    (rayBegin < exit) & (entry < rayEnd);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
+    const Doubles end = origin[axis] + result.End * direction[axis] - cell[axis];
+    const Doubles beginInside = Select(begin < zero, zero, Select(one < begin, one, begin));
+    const Doubles endInside = Select(end < zero, zero, Select(one < end, one, end));
+    const Doubles axes = Broadcast(axis);
+    result.Entry[axis] = Select(result.BeginAxis == axes, Select(up[axis], zero, one), beginInside);
+    result.Exit[axis] = Select(endAxis == axes, Select(up[axis], one, zero), endInside);
+  }
+  return result;
+}
+
+// The same as CubicAlongSegment of TrilinearCell.h.
+LANES_INLINE void FindCubics(
+  const Doubles v[8], const Doubles p[3], const Doubles q[3], Doubles b[4])
+{
+  Doubles x[2][4];
+  for (int i = 0; i < 4; ++i)
+  {
+    x[0][i] = Lerp(v[2 * i], v[2 * i + 1], p[0]);
+    x[1][i] = Lerp(v[2 * i], v[2 * i + 1], q[0]);
+  }
+  Doubles xy[2][2][2];
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int z = 0; z < 2; ++z)
+    {
+      xy[i][0][z] = Lerp(x[i][2 * z], x[i][2 * z + 1], p[1]);
+      xy[i][1][z] = Lerp(x[i][2 * z], x[i][2 * z + 1], q[1]);
+    }
+  }
+  const auto blossom = [&xy, p, q](int fromX, int fromY, int fromZ)
+  { return Lerp(xy[fromX][fromY][0], xy[fromX][fromY][1], fromZ == 0 ? p[2] : q[2]); };
+  const Doubles once = blossom(1, 0, 0) + blossom(0, 1, 0) + blossom(0, 0, 1);
+  const Doubles twice = blossom(1, 1, 0) + blossom(1, 0, 1) + blossom(0, 1, 1);
+  const Doubles third = Broadcast(1.0 / 3.0);
+  b[0] = blossom(0, 0, 0);
+  b[1] = once * third;
+  b[2] = twice * third;
+  b[3] = blossom(1, 1, 1);
+}
+
+// The same as Robust::Evaluate.
+LANES_INLINE Doubles Evaluate(const Doubles b[4], Doubles u)
+{
+  const Doubles b01 = Lerp(b[0], b[1], u);
+  const Doubles b12 = Lerp(b[1], b[2], u);
+  const Doubles b23 = Lerp(b[2], b[3], u);
+  return Lerp(Lerp(b01, b12, u), Lerp(b12, b23, u), u);
+}
+
+/// A piece of the interval on which a cubic is monotone and changes its sign.
+struct Brackets
+{
+  Mask Exists;
+  Doubles Low;
+  Doubles High;
+  Doubles AtLow;
+  Doubles AtHigh;
+};
+
+// The same as Robust::Extrema and ForEachSignChange, up to the first change.
+LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles one = Broadcast(1.0);
+  const Doubles d0 = b[1] - b[0];
+  const Doubles d1 = b[2] - b[1];
+  const Doubles d2 = b[3] - b[2];
+  const Mask monotone =
+    ((zero <= d0) & (zero <= d1) & (zero <= d2)) | ((d0 <= zero) & (d1 <= zero) & (d2 <= zero));
+  const Doubles a = (d2 - d1) - (d1 - d0);
+  const Doubles h = d1 - d0;
+  const Doubles discriminant = h * h - a * d0;
+  const Mask turns = AndNot(zero < discriminant, monotone);
+
+  Brackets result = { FirstLanes(0), zero, one, b[0], b[3] };
+  if (Any(turns))
+  {
+    const Doubles w = zero - (h + CopySign(SquareRoot(Select(turns, discriminant, zero)), h));
+    const Doubles r0 = w / a;
+    const Doubles r1 = d0 / w;
+    for (int i = 0; i < 2; ++i)
+    {
+      const Doubles turn = i == 0 ? Smaller(r0, r1) : Larger(r0, r1);
+      const Mask isTurn = AndNot(turns & (zero < turn) & (turn < one), result.Exists);
+      const Doubles value = Evaluate(b, turn);
+      const Mask changes = isTurn & (IsInside(value) ^ IsInside(result.AtLow));
+      result.High = Select(changes, turn, result.High);
+      result.AtHigh = Select(changes, value, result.AtHigh);
+      result.Exists = result.Exists | changes;
+      const Mask passes = AndNot(isTurn, changes);
+      result.Low = Select(passes, turn, result.Low);
+      result.AtLow = Select(passes, value, result.AtLow);
+    }
+  }
+  result.Exists = result.Exists | (IsInside(result.AtHigh) ^ IsInside(result.AtLow));
+  return result;
+}
+
+// The same as Robust::RefineRoot.
+LANES_INLINE Doubles RefineRoots(const Doubles b[4], const Brackets& brackets)
+{
+  constexpr double tolerance = 1e-10;
+  constexpr int newtonIterations = 40;
+  constexpr int maximumIterations = newtonIterations + 36;
+  const Doubles three = Broadcast(3.0);
+  const Doubles c1 = three * (b[1] - b[0]);
+  const Doubles c2 = three * ((b[2] - b[1]) - (b[1] - b[0]));
+  const Doubles c3 = (b[3] - b[0]) - three * (b[2] - b[1]);
+  const Doubles doubleC2 = Broadcast(2.0) * c2;
+  const Doubles tripleC3 = three * c3;
+  const Mask insideAtLow = IsInside(brackets.AtLow);
+  Doubles low = brackets.Low;
+  Doubles high = brackets.High;
+  Doubles u =
+    Smaller(high, low + (high - low) * (brackets.AtLow / (brackets.AtLow - brackets.AtHigh)));
+  Mask going = brackets.Exists;
+  for (int i = 0; i < maximumIterations && Any(going); ++i)
+  {
+    const Doubles f = ((c3 * u + c2) * u + c1) * u + b[0];
+    const Mask isBefore = IsInside(f) ^ insideAtLow;
+    low = Select(isBefore, low, u);
+    high = Select(isBefore, u, high);
+    const Doubles slope = (tripleC3 * u + doubleC2) * u + c1;
+    Doubles next = u - f / slope;
+    const Doubles half = low + Broadcast(0.5) * (high - low);
+    next = i < newtonIterations ? Select((low <= next) & (next <= high), next, half) : half;
+    const Mask done = Magnitude(next - u) <= Broadcast(tolerance);
+    u = Select(going, next, u);
+    going = AndNot(going, done);
+  }
+  return u;
+}
+
+/// What is known of candidates whose cubic may have a root.
+struct Undecided
+{
+  int Count;
+  int Candidate[Candidates::Capacity];
+  int Ray[Candidates::Capacity];
+  double Cubic[4][Candidates::Capacity];
+  double Begin[Candidates::Capacity];
+  double BeginAxis[Candidates::Capacity];
+  double End[Candidates::Capacity];
+  double Entry[3][Candidates::Capacity];
+  double Exit[3][Candidates::Capacity];
+};
+
+/// Finds the cubics of candidates, and lists those whose coefficients are not all on one side.
+LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candidates,
+  const ScaledIsovalue& isovalue, Undecided& undecided, FirstRoots& roots)
+{
+  undecided.Count = 0;
+  roots.ExtremeCount = 0;
+  for (int i = 0; i < candidates.Count; i += LaneCount)
+  {
+    Doubles cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = LoadIntegers(&candidates.Cell[axis][i]);
+    }
+    const Segments segments = FindSegments(group, &candidates.Ray[i], cell);
+    Doubles values[8];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      values[corner] = Difference(Load(&candidates.Corners[corner][i]), isovalue);
+    }
+    Doubles b[4];
+    FindCubics(values, segments.Entry, segments.Exit, b);
+    const Mask inside = IsInside(b[0]);
+    const Mask existing = segments.Exists &
+      FirstLanes(candidates.Count - i < LaneCount ? candidates.Count - i : LaneCount);
+    const Mask mayHaveRoot = existing &
+      ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
+    const Doubles size =
+      Larger(Larger(Magnitude(b[0]), Magnitude(b[1])), Larger(Magnitude(b[2]), Magnitude(b[3])));
+    const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
+    unsigned int extreme = ToBits(AndNot(mayHaveRoot, ordinary));
+    while (extreme != 0)
+    {
+      roots.Extreme[roots.ExtremeCount++] = i + __builtin_ctz(extreme);
+      extreme &= extreme - 1;
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      Store(b[k], &undecided.Cubic[k][i]);
+    }
+    Store(segments.Begin, &undecided.Begin[i]);
+    Store(segments.BeginAxis, &undecided.BeginAxis[i]);
+    Store(segments.End, &undecided.End[i]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(segments.Entry[axis], &undecided.Entry[axis][i]);
+      Store(segments.Exit[axis], &undecided.Exit[axis][i]);
+    }
+    unsigned int open = ToBits(mayHaveRoot & ordinary);
+    while (open != 0)
+    {
+      const int place = i + __builtin_ctz(open);
+      open &= open - 1;
+      undecided.Candidate[undecided.Count] = place;
+      undecided.Ray[undecided.Count++] = candidates.Ray[place];
+    }
+  }
+}
+
+void FindFirstRoots(const RayGroup& group, const Candidates& candidates,
+  const ScaledIsovalue& isovalue, FirstRoots& roots)
+{
+  Undecided undecided;
+  FindUndecided(group, candidates, isovalue, undecided, roots);
+  roots.Count = 0;
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    undecided.Candidate[undecided.Count + i] = 0;
+    undecided.Ray[undecided.Count + i] = 0;
+  }
+  for (int i = 0; i < undecided.Count; i += LaneCount)
+  {
+    const int* places = &undecided.Candidate[i];
+    Doubles b[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      b[k] = Gather(undecided.Cubic[k], places);
+    }
+    Brackets brackets = FindFirstSignChange(b);
+    brackets.Exists = brackets.Exists &
+      FirstLanes(undecided.Count - i < LaneCount ? undecided.Count - i : LaneCount);
+    const unsigned int found = ToBits(brackets.Exists);
+    if (found == 0)
+    {
+      continue;
+    }
+    const Doubles u = RefineRoots(b, brackets);
+    const Doubles begin = Gather(undecided.Begin, places);
+    const Doubles end = Gather(undecided.End, places);
+    const Doubles t =
+      Gather(group.Base, &undecided.Ray[i]) + Smaller(begin + (end - begin) * u, end);
+    double lanes[6][LaneCount];
+    Store(begin, lanes[0]);
+    Store(Gather(undecided.BeginAxis, places), lanes[1]);
+    Store(t, lanes[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(Lerp(Gather(undecided.Entry[axis], places), Gather(undecided.Exit[axis], places), u),
+        lanes[3 + axis]);
+    }
+    const unsigned int rising = ToBits(IsInside(brackets.AtHigh));
+    for (unsigned int left = found; left != 0; left &= left - 1)
+    {
+      const int lane = __builtin_ctz(left);
+      const int to = roots.Count++;
+      roots.Candidate[to] = places[lane];
+      roots.Begin[to] = lanes[0][lane];
+      roots.BeginAxis[to] = lanes[1][lane];
+      roots.T[to] = lanes[2][lane];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        roots.Parametric[axis][to] = lanes[3 + axis][lane];
+      }
+      roots.Rising[to] = (rising >> lane & 1U) != 0;
+    }
+  }
+}
+
+}
+}
