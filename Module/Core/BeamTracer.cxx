@@ -88,28 +88,27 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
 
   this->FoundInBlock = {};
-  // A ray needs the cells of a slice only if it hit nothing in the slices before.
-  int left = this->Passed.Count;
   int waiting[RayGroup::Capacity];
+  int left = this->Passed.Count;
   for (int i = 0; i < left; ++i)
   {
     waiting[i] = i;
   }
+  // A ray needs the cells of a slice only if it hit nothing in the slices before. (Whether there is
+  // more to do for a ray is as good as random: counting is faster than branching.)
   while (left > 0)
   {
-    this->Queue.Count = 0;
     int next = 0;
     for (int i = 0; i < left; ++i)
     {
       const int entry = waiting[i];
-      unsigned int& slices = this->Passed.Slices[entry];
+      const unsigned int slices = this->Passed.Slices[entry];
       const int slice = beam.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
-      slices &= ~(1U << slice);
+      const unsigned int others = slices & ~(1U << slice);
+      this->Passed.Slices[entry] = others;
       this->AddCandidates(beam.Axis, first, entry, slice);
-      if (slices != 0)
-      {
-        waiting[next++] = entry;
-      }
+      waiting[next] = entry;
+      next += others != 0 ? 1 : 0;
       if (this->Queue.Count >= Candidates::Batch)
       {
         this->SolveQueue();
@@ -119,27 +118,37 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     left = 0;
     for (int i = 0; i < next; ++i)
     {
-      if (!Has(this->FoundInBlock, this->Passed.Ray[waiting[i]]))
-      {
-        waiting[left++] = waiting[i];
-      }
+      waiting[left] = waiting[i];
+      left += Has(this->FoundInBlock, this->Passed.Ray[waiting[i]]) ? 0 : 1;
     }
   }
 }
 
 void BeamTracer::AddCandidates(int axis, const int first[3], int entry, int slice)
 {
-  const int u = BlockMask::U[axis];
-  const int v = BlockMask::V[axis];
-  for (std::uint64_t cells = this->Passed.Cells[entry][slice]; cells != 0; cells &= cells - 1)
+  Candidates& queue = this->Queue;
+  int* along = queue.Cell[axis];
+  int* acrossU = queue.Cell[BlockMask::U[axis]];
+  int* acrossV = queue.Cell[BlockMask::V[axis]];
+  const int firstU = first[BlockMask::U[axis]];
+  const int firstV = first[BlockMask::V[axis]];
+  const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
-    const int place = this->Queue.Count++;
-    Candidates& queue = this->Queue;
     queue.Ray[place] = this->Passed.Ray[entry];
-    queue.Cell[axis][place] = first[axis] + slice;
-    queue.Cell[u][place] = first[u] + bit % 8;
-    queue.Cell[v][place] = first[v] + bit / 8;
+    along[place] = first[axis] + slice;
+    acrossU[place] = firstU + bit % 8;
+    acrossV[place] = firstV + bit / 8;
+  };
+  // Mostly there are one or two. Both are written, and then counted.
+  std::uint64_t cells = this->Passed.Cells[entry][slice];
+  put(queue.Count, cells);
+  cells &= cells - 1;
+  put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
+  queue.Count += cells != 0 ? 2 : 1;
+  for (cells &= cells - 1; cells != 0; cells &= cells - 1)
+  {
+    put(queue.Count++, cells);
   }
 }
 

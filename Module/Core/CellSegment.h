@@ -32,7 +32,7 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    p[axis] = std::clamp(ray.Coordinate(axis, place.T) - cell[axis], 0.0, 1.0);
+    p[axis] = std::min(1.0, std::max(0.0, ray.Coordinate(axis, place.T) - cell[axis]));
   }
   return p;
 }

@@ -35,12 +35,12 @@ struct RayGroup
   alignas(64) double Base[Capacity];
 
   // For the axis the rays were last aligned with, and the two axes across.
-  /// The coordinates across at plane 4 of the axis, from the middle of the first block.
-  alignas(64) double Center[2][Capacity];
+  /// The coordinates across at plane 0 of the axis.
+  alignas(64) double Offset[2][Capacity];
   /// How they change from plane to plane.
   alignas(64) double Slope[2][Capacity];
-  /// How far from the middle of a block a ray may pass its middle plane to meet it anywhere.
-  alignas(64) double Reach[2][Capacity];
+  /// Both slopes of a ray, side by side.
+  alignas(64) float Slopes[Capacity][2];
   /// The part of the ray in the volume, along the axis, and a little more.
   alignas(64) double Low[Capacity];
   alignas(64) double High[Capacity];
@@ -50,7 +50,6 @@ struct RayGroup
 struct PixelBlock
 {
   const double* IndexFromClip;
-  const double* WorldFromIndex;
   /// Of the viewport, in pixels.
   int Width;
   int Height;

@@ -69,6 +69,26 @@ LANES_INLINE Mask LanesOf(unsigned int bits)
 #endif
 }
 
+/// Stores pairs in single precision.
+LANES_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+#if defined(LANES_AVX512)
+  const __m512i places = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  _mm512_storeu_ps(pairs,
+    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), places,
+      _mm512_castps256_ps512(_mm512_cvtpd_ps(second.Value))));
+#else
+  double lanes[2][LaneCount];
+  Store(first, lanes[0]);
+  Store(second, lanes[1]);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
+    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
+  }
+#endif
+}
+
 //------------------------------------------------------------------------------
 /// Rays on their way to a group; see Ray.
 struct Rays
@@ -82,56 +102,31 @@ struct Rays
   Doubles End;
 };
 
-// The same as Length of Vector.h.
-LANES_INLINE Doubles Length(const Doubles a[3])
-{
-  const Doubles zero = Broadcast(0.0);
-  const Doubles size = Larger(Larger(Magnitude(a[0]), Magnitude(a[1])), Magnitude(a[2]));
-  const Doubles x = a[0] / size;
-  const Doubles y = a[1] / size;
-  const Doubles z = a[2] / size;
-  return Select(zero < size, size * SquareRoot(x * x + y * y + z * z), zero);
-}
-
 // The same as Camera::GetRay; the rays begin at zero.
 LANES_INLINE void MakeUnclippedRays(
   const PixelBlock& block, Doubles column, Doubles row, Doubles depth, Rays& rays)
 {
   const double* m = block.IndexFromClip;
-  const double* w = block.WorldFromIndex;
   const Doubles half = Broadcast(0.5);
   const Doubles one = Broadcast(1.0);
   const Doubles two = Broadcast(2.0);
-  const Doubles x = two * (column + half) / Broadcast(block.Width) - one;
-  const Doubles y = two * (row + half) / Broadcast(block.Height) - one;
+  const Doubles x = (column + half) * Broadcast(2.0 / block.Width) - one;
+  const Doubles y = (row + half) * Broadcast(2.0 / block.Height) - one;
   const auto transform = [m, x, y](int first)
   { return Broadcast(m[first]) * x + Broadcast(m[first + 1]) * y + Broadcast(m[first + 3]); };
   const Doubles wa = transform(12);
   const Doubles wb = Broadcast(m[14]);
-  Doubles a[3];
-  Doubles along[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    a[i] = transform(4 * i);
-    along[i] = Broadcast(m[4 * i + 2]) * wa - a[i] * wb;
-  }
-  Doubles world[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    world[i] = Broadcast(w[4 * i]) * along[0] + Broadcast(w[4 * i + 1]) * along[1] +
-      Broadcast(w[4 * i + 2]) * along[2];
-  }
-  const Doubles length = Length(world);
   const Doubles wNear = wa - wb;
-  const Doubles z = two * depth - one;
-  const Doubles end = (z + one) * length / ((wa + z * wb) * wNear);
   const Doubles inverseNear = one / wNear;
-  const Doubles inverseLength = one / length;
   for (int i = 0; i < 3; ++i)
   {
-    rays.Origin[i] = (a[i] - Broadcast(m[4 * i + 2])) * inverseNear;
-    rays.Direction[i] = along[i] * inverseLength;
+    const Doubles a = transform(4 * i);
+    const Doubles b = Broadcast(m[4 * i + 2]);
+    rays.Origin[i] = (a - b) * inverseNear;
+    rays.Direction[i] = b * wa - a * wb;
   }
+  const Doubles z = two * depth - one;
+  const Doubles end = (z + one) / ((wa + z * wb) * wNear);
   rays.Begin = Broadcast(0.0);
   rays.End = Select(Broadcast(0.0) <= end, end, Broadcast(Infinity));
 }
@@ -271,11 +266,9 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
       // Not less, so that what is no number counts as steep.
       steep |= lanes & ~ToBits(size <= Broadcast(LargestSlope));
       Store(slope, &group.Slope[j][i]);
-      Store(Load(&group.Origin[across[j]][i]) - origin * slope +
-          (Broadcast(4.0) * slope - Broadcast(4.0)),
-        &group.Center[j][i]);
-      Store(Broadcast(4.0 + Margin) + Broadcast(4.0) * size, &group.Reach[j][i]);
+      Store(Load(&group.Origin[across[j]][i]) - origin * slope, &group.Offset[j][i]);
     }
+    StorePairs(Load(&group.Slope[0][i]), Load(&group.Slope[1][i]), &group.Slopes[i]);
   }
   beam.Axis = axis;
   beam.IsUp = up != 0;
@@ -298,11 +291,10 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
       }
       const Mask mask = LanesOf(lanes);
       const Doubles slope = Load(&group.Slope[j][i]);
-      const Doubles center = Load(&group.Center[j][i]);
+      const Doubles offset = Load(&group.Offset[j][i]);
       for (int end = 0; end < 2; ++end)
       {
-        const Doubles plane = Broadcast((end == 0 ? beam.Low : beam.High) - 4.0);
-        const Doubles place = center + plane * slope + Broadcast(4.0);
+        const Doubles place = offset + Broadcast(end == 0 ? beam.Low : beam.High) * slope;
         least[end] = Select(mask, Smaller(least[end], place), least[end]);
         most[end] = Select(mask, Larger(most[end], place), most[end]);
       }
@@ -319,40 +311,40 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
 //------------------------------------------------------------------------------
 // The cells of one ray in a block: slice by slice the rectangle of cells between the places where
 // the ray meets the two planes of the slice. The ray is given by its places across the axis in the
-// middle of the block, and its slopes.
+// middle plane of the block, counted from the first cell, and its slopes.
 #if defined(LANES_AVX512)
+// All slices at once: in the lower half of a register for u, in the upper half for v.
 LANES_INLINE unsigned int FindCellsOfRay(
   const float middle[2], const float slope[2], __m512i slices, std::uint64_t cells[8])
 {
-  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
-  const __m256 margin = _mm256_set1_ps(static_cast<float>(Margin));
-  const __m256 four = _mm256_set1_ps(4.0F);
-  const __m256i zero = _mm256_setzero_si256();
-  const __m256i seven = _mm256_set1_epi32(7);
-  __m256i low[2];
-  __m256i high[2];
-  for (int j = 0; j < 2; ++j)
+  const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
+    2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m512i halves = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
+  const __m512 margin = _mm512_set1_ps(static_cast<float>(Margin));
+  const auto spread = [halves](const float pair[2])
   {
-    const __m256 slopes = _mm256_set1_ps(slope[j]);
-    const __m256 near =
-      _mm256_add_ps(_mm256_add_ps(_mm256_set1_ps(middle[j]), four), _mm256_mul_ps(planes, slopes));
-    const __m256 far = _mm256_add_ps(near, slopes);
-    const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margin);
-    const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margin);
-    low[j] = _mm256_max_epi32(_mm256_cvttps_epi32(least), zero);
-    high[j] =
-      _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
-  }
-  const __m256i byte = _mm256_set1_epi32(0xFF);
-  const __m256i columns = _mm256_and_si256(
-    _mm256_and_si256(_mm256_sllv_epi32(byte, low[0]), _mm256_srlv_epi32(byte, high[0])), byte);
-  const __m512i spread = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(columns),
+    return _mm512_permutexvar_ps(halves,
+      _mm512_castps128_ps512(_mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(pair))));
+  };
+  const __m512 slopes = spread(slope);
+  const __m512 near = _mm512_add_ps(spread(middle), _mm512_mul_ps(planes, slopes));
+  const __m512 far = _mm512_add_ps(near, slopes);
+  const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margin);
+  const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margin);
+  const __m512i seven = _mm512_set1_epi32(7);
+  const __m512i low = _mm512_max_epi32(_mm512_cvttps_epi32(least), _mm512_setzero_si512());
+  const __m512i high = _mm512_sub_epi32(seven,
+    _mm512_min_epi32(
+      _mm512_cvt_roundps_epi32(most, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC), seven));
+
+  const __m512i byte = _mm512_set1_epi32(0xFF);
+  const __m512i bits = _mm512_ternarylogic_epi32(
+    _mm512_sllv_epi32(byte, low), _mm512_srlv_epi32(byte, high), byte, 0x80);
+  const __m512i columns = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(_mm512_castsi512_si256(bits)),
     _mm512_set4_epi32(0x08080808, 0x08080808, 0x00000000, 0x00000000));
-  const __m512i ones = _mm512_set1_epi64(-1);
-  const __m512i from = _mm512_sllv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(low[1], 3)));
-  const __m512i to = _mm512_srlv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(high[1], 3)));
-  const __m512i found =
-    _mm512_and_epi64(_mm512_and_epi64(slices, spread), _mm512_and_epi64(from, to));
+  const __m128i rowBits = _mm256_cvtepi32_epi8(_mm512_extracti64x4_epi64(bits, 1));
+  const __mmask64 rows = static_cast<__mmask64>(_mm_cvtsi128_si64(rowBits));
+  const __m512i found = _mm512_maskz_mov_epi8(rows, _mm512_and_si512(slices, columns));
   _mm512_storeu_si512(cells, found);
   return _mm512_test_epi64_mask(found, found);
 }
@@ -363,39 +355,93 @@ LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slop
   unsigned int any = 0;
   for (int slice = 0; slice < 8; ++slice)
   {
+    cells[slice] = 0;
+    if (slices[slice] == 0)
+    {
+      continue;
+    }
     int low[2];
     int high[2];
     for (int j = 0; j < 2; ++j)
     {
-      const float near = middle[j] + 4.0F + static_cast<float>(slice - 4) * slope[j];
+      const float near = middle[j] + static_cast<float>(slice - 4) * slope[j];
       const float far = near + slope[j];
       const float least = (near < far ? near : far) - static_cast<float>(Margin);
       const float most = (near < far ? far : near) + static_cast<float>(Margin);
       low[j] = least > 0.0F ? static_cast<int>(least) : 0;
       high[j] = most < 0.0F ? -1 : (most < 8.0F ? static_cast<int>(most) : 7);
     }
-    cells[slice] = 0;
-    if (slices[slice] != 0 && low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
+    if (low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
     {
       const std::uint64_t columns = (0xFFU << low[0] & 0xFFU & 0xFFU >> (7 - high[0]));
       const std::uint64_t rows =
         (~std::uint64_t{ 0 } << (8 * low[1])) & (~std::uint64_t{ 0 } >> (8 * (7 - high[1])));
       cells[slice] = slices[slice] & rows & (columns * 0x0101010101010101U);
+      any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
     }
-    any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
   }
   return any;
 }
 #endif
 
+/// The smallest box around the members of a block: along the axis, and the two across.
+struct Box
+{
+  double Middle[3];
+  /// Half its size.
+  double Extent[3];
+};
+
+LANES_INLINE Box FindBox(const std::uint64_t slices[8])
+{
+  std::uint64_t any = 0;
+  unsigned int occupied = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    any |= slices[slice];
+    occupied |= static_cast<unsigned int>(slices[slice] != 0) << slice;
+  }
+  std::uint64_t columns = any | any >> 32;
+  columns |= columns >> 16;
+  columns = (columns | columns >> 8) & 0xFFU;
+  const int first[3] = { __builtin_ctz(occupied), __builtin_ctzll(columns),
+    __builtin_ctzll(any) / 8 };
+  const int last[3] = { 31 - __builtin_clz(occupied), 63 - __builtin_clzll(columns),
+    (63 - __builtin_clzll(any)) / 8 };
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.Middle[i] = 0.5 * (first[i] + last[i] + 1);
+    box.Extent[i] = 0.5 * (last[i] + 1 - first[i]) + Margin;
+  }
+  return box;
+}
+
 void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
   const std::uint64_t slices[8], BlockCells& cells)
 {
-  const double plane = first[axis];
+  cells.Count = 0;
+  if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
+        slices[7]) == 0)
+  {
+    return;
+  }
+  const Box box = FindBox(slices);
+  const double plane = first[axis] + box.Middle[0];
+  const Doubles lowest = Broadcast(plane - box.Extent[0]);
+  const Doubles highest = Broadcast(plane + box.Extent[0]);
+  const Doubles extent = Broadcast(box.Extent[0]);
   const Doubles planes = Broadcast(plane);
-  const Doubles nextPlanes = Broadcast(plane + 8.0);
-  const Doubles firstU = Broadcast(first[AxisU[axis]]);
-  const Doubles firstV = Broadcast(first[AxisV[axis]]);
+  const Doubles middlePlanes = Broadcast(first[axis] + 4.0);
+  Doubles firstOf[2];
+  Doubles middle[2];
+  Doubles reach[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    firstOf[j] = Broadcast(first[j == 0 ? AxisU[axis] : AxisV[axis]]);
+    middle[j] = firstOf[j] + Broadcast(box.Middle[1 + j]);
+    reach[j] = Broadcast(box.Extent[1 + j]);
+  }
 #if defined(LANES_AVX512)
   const __m512i mask = _mm512_loadu_si512(slices);
 #else
@@ -409,28 +455,29 @@ void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int fi
     {
       continue;
     }
-    const Doubles u = Load(&group.Center[0][i]) + planes * Load(&group.Slope[0][i]) - firstU;
-    const Doubles v = Load(&group.Center[1][i]) + planes * Load(&group.Slope[1][i]) - firstV;
+    const Doubles slopeU = Load(&group.Slope[0][i]);
+    const Doubles slopeV = Load(&group.Slope[1][i]);
+    const Doubles offsetU = Load(&group.Offset[0][i]);
+    const Doubles offsetV = Load(&group.Offset[1][i]);
+    const Doubles u = offsetU + planes * slopeU - middle[0];
+    const Doubles v = offsetV + planes * slopeV - middle[1];
     unsigned int meets = lanes &
-      ToBits((Magnitude(u) < Load(&group.Reach[0][i])) & (Magnitude(v) < Load(&group.Reach[1][i])) &
-        (Load(&group.Low[i]) < nextPlanes) & (planes < Load(&group.High[i])));
+      ToBits((Magnitude(u) < reach[0] + extent * Magnitude(slopeU)) &
+        (Magnitude(v) < reach[1] + extent * Magnitude(slopeV)) & (Load(&group.Low[i]) < highest) &
+        (lowest < Load(&group.High[i])));
     if (meets == 0)
     {
       continue;
     }
-    double middleU[LaneCount];
-    double middleV[LaneCount];
-    Store(u, middleU);
-    Store(v, middleV);
+    float middles[LaneCount][2];
+    StorePairs(offsetU + middlePlanes * slopeU - firstOf[0],
+      offsetV + middlePlanes * slopeV - firstOf[1], middles);
     while (meets != 0)
     {
       const int lane = __builtin_ctz(meets);
       meets &= meets - 1;
-      const float middle[2] = { static_cast<float>(middleU[lane]),
-        static_cast<float>(middleV[lane]) };
-      const float slope[2] = { static_cast<float>(group.Slope[0][i + lane]),
-        static_cast<float>(group.Slope[1][i + lane]) };
-      const unsigned int any = FindCellsOfRay(middle, slope, mask, cells.Cells[count]);
+      const unsigned int any =
+        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, cells.Cells[count]);
       cells.Ray[count] = i + lane;
       cells.Slices[count] = any;
       count += any != 0 ? 1 : 0;
@@ -440,17 +487,31 @@ void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int fi
 }
 
 //------------------------------------------------------------------------------
-// The same as Difference of TracedVolume.cxx.
-LANES_INLINE Doubles Difference(Doubles value, const ScaledIsovalue& isovalue)
+// The same as Difference of TracedVolume.cxx, for the corners of cells.
+LANES_INLINE void FindDifferences(
+  const Candidates& candidates, int first, const ScaledIsovalue& isovalue, Doubles values[8])
 {
   constexpr double smallest = 0x1p-900;
-  const Doubles plain =
-    value * Broadcast(isovalue.Scale) - Broadcast(isovalue.Isovalue * isovalue.Scale);
-  const Mask large = Broadcast(smallest) <= Magnitude(plain);
+  const Doubles scaled = Broadcast(isovalue.Isovalue * isovalue.Scale);
+  Doubles least = Broadcast(Infinity);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    values[corner] = (isovalue.Scale == 1.0 ? value : value * Broadcast(isovalue.Scale)) - scaled;
+    least = Smaller(least, Magnitude(values[corner]));
+  }
+  if (!Any(least < Broadcast(smallest)))
+  {
+    return;
+  }
   const Doubles iso = Broadcast(isovalue.Isovalue);
-  const Doubles small = Select(
-    value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
-  return Select(large, plain, small);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    const Doubles sign = Select(
+      value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
+    values[corner] = Select(Magnitude(values[corner]) < Broadcast(smallest), sign, values[corner]);
+  }
 }
 
 /// The part of rays in cells, as CellSegment has it. Axes are 0.0, 1.0, 2.0; 3.0 where a ray begins
@@ -512,8 +573,8 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   {
     const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
     const Doubles end = origin[axis] + result.End * direction[axis] - cell[axis];
-    const Doubles beginInside = Select(begin < zero, zero, Select(one < begin, one, begin));
-    const Doubles endInside = Select(end < zero, zero, Select(one < end, one, end));
+    const Doubles beginInside = Smaller(one, Larger(zero, begin));
+    const Doubles endInside = Smaller(one, Larger(zero, end));
     const Doubles axes = Broadcast(axis);
     result.Entry[axis] = Select(result.BeginAxis == axes, Select(up[axis], zero, one), beginInside);
     result.Exit[axis] = Select(endAxis == axes, Select(up[axis], one, zero), endInside);
@@ -673,10 +734,7 @@ LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candida
     }
     const Segments segments = FindSegments(group, &candidates.Ray[i], cell);
     Doubles values[8];
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      values[corner] = Difference(Load(&candidates.Corners[corner][i]), isovalue);
-    }
+    FindDifferences(candidates, i, isovalue, values);
     Doubles b[4];
     FindCubics(values, segments.Entry, segments.Exit, b);
     const Mask inside = IsInside(b[0]);

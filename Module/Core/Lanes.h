@@ -130,6 +130,15 @@ LANES_INLINE Mask operator==(Doubles a, Doubles b)
 {
   return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_EQ_OQ) };
 }
+// As std::min and std::max choose, NaN and the signs of zeros included.
+LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
+{
+  return { _mm512_min_pd(b.Value, a.Value) };
+}
+LANES_INLINE Doubles Larger(Doubles a, Doubles b)
+{
+  return { _mm512_max_pd(b.Value, a.Value) };
+}
 LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
 {
   return { _mm512_mask_mov_pd(no.Value, mask.Value, yes.Value) };
@@ -239,6 +248,14 @@ LANES_INLINE Mask operator<=(Doubles a, Doubles b)
 LANES_INLINE Mask operator==(Doubles a, Doubles b)
 {
   return { _mm256_cmp_pd(a.Value, b.Value, _CMP_EQ_OQ) };
+}
+LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
+{
+  return { _mm256_min_pd(b.Value, a.Value) };
+}
+LANES_INLINE Doubles Larger(Doubles a, Doubles b)
+{
+  return { _mm256_max_pd(b.Value, a.Value) };
 }
 LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
 {
@@ -360,15 +377,6 @@ LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
   return { reinterpret_cast<DoubleVector>((reinterpret_cast<MaskVector>(yes.Value) & mask.Value) |
     (reinterpret_cast<MaskVector>(no.Value) & ~mask.Value)) };
 }
-
-#endif
-
-LANES_INLINE bool Any(Mask mask)
-{
-  return ToBits(mask) != 0;
-}
-
-// As std::min and std::max choose, NaN included.
 LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
 {
   return Select(b < a, b, a);
@@ -376,6 +384,13 @@ LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
 LANES_INLINE Doubles Larger(Doubles a, Doubles b)
 {
   return Select(a < b, b, a);
+}
+
+#endif
+
+LANES_INLINE bool Any(Mask mask)
+{
+  return ToBits(mask) != 0;
 }
 
 }

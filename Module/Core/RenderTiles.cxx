@@ -61,7 +61,6 @@ void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& 
   }
   PixelBlock block;
   block.IndexFromClip = scene.View.GetIndexFromClip().data();
-  block.WorldFromIndex = scene.View.GetWorldFromIndex().data();
   block.Width = scene.View.GetWidth();
   block.Height = scene.View.GetHeight();
   block.Column = scene.Pixels.X + pixels.X;
