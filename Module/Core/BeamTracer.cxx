@@ -30,8 +30,11 @@ void BeamTracer::Trace(RayGroup& group, Cells& cells)
 {
   this->Group = &group;
   this->Source = &cells;
-  this->Found = {};
+  this->Hits.Found = {};
+  this->Hits.Refined = {};
+  this->Hits.Rising = {};
   this->TraceSet(group.Exists, CountOf(group.Exists));
+  this->TheKernels.Refine(group, this->Hits);
 }
 
 /// Traces rays as one beam, or, where they make none, half of them after the other.
@@ -72,8 +75,8 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
     .ForEachSlice([this, &beam](const Index3& macrocell) { this->VisitBlock(beam, macrocell); },
       [this]()
       {
-        this->Going.Words[0] &= ~this->Found.Words[0];
-        this->Going.Words[1] &= ~this->Found.Words[1];
+        this->Going.Words[0] &= ~this->Hits.Found.Words[0];
+        this->Going.Words[1] &= ~this->Hits.Found.Words[1];
         return IsEmpty(this->Going);
       });
 }
@@ -163,48 +166,48 @@ void BeamTracer::SolveQueue()
     this->Queue.Ray[this->Queue.Count + i] = 0;
   }
   this->Source->LoadCorners(this->Queue);
-  this->TheKernels.FindFirstRoots(*this->Group, this->Queue, this->Isovalue, this->Roots);
-  for (int i = 0; i < this->Roots.Count; ++i)
+  this->TheKernels.FindHits(
+    *this->Group, this->Queue, this->Isovalue, this->Hits, this->FoundInBlock, this->Extremes);
+  for (int i = 0; i < this->Extremes.Count; ++i)
   {
-    const int candidate = this->Roots.Candidate[i];
-    this->Keep(this->Queue.Ray[candidate],
-      { this->Roots.T[i], this->GetCell(candidate), 0,
-        { this->Roots.Parametric[0][i], this->Roots.Parametric[1][i],
-          this->Roots.Parametric[2][i] },
-        this->Roots.Rising[i] },
-      { this->Roots.Begin[i], static_cast<int>(this->Roots.BeginAxis[i]) });
-  }
-  for (int i = 0; i < this->Roots.ExtremeCount; ++i)
-  {
-    const int candidate = this->Roots.Extreme[i];
-    const int ray = this->Queue.Ray[candidate];
-    Hit hit;
-    Place begin;
-    if (this->Source->FindFirstHit(ray, this->GetCell(candidate), hit, begin))
-    {
-      this->Keep(ray, hit, begin);
-    }
+    this->KeepExtreme(this->Extremes.Numbers[i]);
   }
   this->Queue.Count = 0;
 }
 
-Index3 BeamTracer::GetCell(int candidate) const
+/// Solves a candidate that the kernels do not, and keeps its hit as they do.
+void BeamTracer::KeepExtreme(int candidate)
 {
-  return { this->Queue.Cell[0][candidate], this->Queue.Cell[1][candidate],
-    this->Queue.Cell[2][candidate] };
-}
-
-/// Keeps a hit unless the ray has one in a cell before.
-void BeamTracer::Keep(int ray, const Hit& hit, const Place& begin)
-{
-  Add(ray, this->FoundInBlock);
-  if (this->HasHit(ray) && !(begin < this->Begins[ray]))
+  const int ray = this->Queue.Ray[candidate];
+  Hit hit;
+  Place begin;
+  if (!this->Source->FindFirstHit(ray,
+        { this->Queue.Cell[0][candidate], this->Queue.Cell[1][candidate],
+          this->Queue.Cell[2][candidate] },
+        hit, begin))
   {
     return;
   }
-  Add(ray, this->Found);
-  this->Hits[ray] = hit;
-  this->Begins[ray] = begin;
+  Add(ray, this->FoundInBlock);
+  GroupHits& hits = this->Hits;
+  if (Has(hits.Found, ray) &&
+    !(begin < Place{ hits.Begin[ray], static_cast<int>(hits.BeginAxis[ray]) }))
+  {
+    return;
+  }
+  Add(ray, hits.Found);
+  Add(ray, hits.Refined);
+  hits.Begin[ray] = begin.T;
+  hits.BeginAxis[ray] = begin.Axis;
+  hits.T[ray] = hit.T;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    hits.Cell[axis][ray] = hit.Cell[axis];
+    hits.Parametric[axis][ray] = hit.Parametric[axis];
+  }
+  const std::uint64_t bit = std::uint64_t{ 1 } << (ray % 64);
+  std::uint64_t& rising = hits.Rising.Words[ray / 64];
+  rising = hit.Rising ? rising | bit : rising & ~bit;
 }
 
 }

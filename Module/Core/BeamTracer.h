@@ -45,18 +45,17 @@ public:
   {
   }
 
+  /// Finds the hits of all rays of a group that exist.
   void Trace(RayGroup& group, Cells& cells);
 
-  bool HasHit(int ray) const { return (this->Found.Words[ray / 64] >> (ray % 64) & 1) != 0; }
-  const Hit& GetHit(int ray) const { return this->Hits[ray]; }
+  const GroupHits& GetHits() const { return this->Hits; }
 
 private:
   void TraceSet(const RaySet& rays, int count);
   void VisitBlock(const Beam& beam, const Index3& block);
   void AddCandidates(int axis, const int first[3], int entry, int slice);
   void SolveQueue();
-  Index3 GetCell(int candidate) const;
-  void Keep(int ray, const Hit& hit, const Place& begin);
+  void KeepExtreme(int candidate);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
@@ -65,14 +64,11 @@ private:
   RayGroup* Group = nullptr;
   Cells* Source = nullptr;
   RaySet Going = {};
-  RaySet Found = {};
   RaySet FoundInBlock = {};
-  Hit Hits[RayGroup::Capacity];
-  /// Where a ray came into the cell it hit.
-  Place Begins[RayGroup::Capacity];
+  GroupHits Hits;
   BlockCells Passed;
   Candidates Queue;
-  FirstRoots Roots;
+  ExtremeCandidates Extremes;
 };
 
 }

@@ -108,21 +108,35 @@ struct ScaledIsovalue
   double Scale;
 };
 
-/// The first roots of those of the candidates that have any.
-struct FirstRoots
+/// The first hits of the rays of a group. Where a ray meets the surface is known first by the cell,
+/// and refined to a place when nothing before it can come any more.
+struct GroupHits
+{
+  /// The rays that hit.
+  RaySet Found;
+  /// Those whose place is known.
+  RaySet Refined;
+
+  int Cell[3][RayGroup::Capacity];
+  /// The segment of the ray in the cell, as in CellSegment, and the cubic along it.
+  alignas(64) double Begin[RayGroup::Capacity];
+  alignas(64) double BeginAxis[RayGroup::Capacity];
+  alignas(64) double End[RayGroup::Capacity];
+  alignas(64) double Entry[3][RayGroup::Capacity];
+  alignas(64) double Exit[3][RayGroup::Capacity];
+  alignas(64) double Cubic[4][RayGroup::Capacity];
+
+  /// The place, as in Hit.
+  alignas(64) double T[RayGroup::Capacity];
+  alignas(64) double Parametric[3][RayGroup::Capacity];
+  RaySet Rising;
+};
+
+/// Candidates whose values are too large or too small for the arithmetic of the kernels.
+struct ExtremeCandidates
 {
   int Count;
-  int Candidate[Candidates::Capacity];
-  /// Where the ray enters the cell; equal places are ordered by their axis.
-  double Begin[Candidates::Capacity];
-  double BeginAxis[Candidates::Capacity];
-  double T[Candidates::Capacity];
-  double Parametric[3][Candidates::Capacity];
-  bool Rising[Candidates::Capacity];
-
-  /// Candidates whose values are too large or too small for the arithmetic of the kernel.
-  int ExtremeCount;
-  int Extreme[Candidates::Capacity];
+  int Numbers[Candidates::Capacity];
 };
 
 /// The inner loops of ray tracing, compiled for one instruction set. All sets do the same
@@ -145,9 +159,14 @@ struct Kernels
   void (*FindCells)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], BlockCells& cells);
 
-  /// Finds the first roots of candidates, exactly as Robust::ForEachRoot does.
-  void (*FindFirstRoots)(const RayGroup& group, const Candidates& candidates,
-    const ScaledIsovalue& isovalue, FirstRoots& roots);
+  /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and adds
+  /// the rays to found.
+  void (*FindHits)(const RayGroup& group, const Candidates& candidates,
+    const ScaledIsovalue& isovalue, GroupHits& hits, RaySet& found, ExtremeCandidates& extremes);
+
+  /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
+  /// Robust::ForEachRoot does.
+  void (*Refine)(const RayGroup& group, GroupHits& hits);
 };
 
 extern const Kernels BaselineKernels;

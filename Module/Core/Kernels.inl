@@ -38,6 +38,11 @@ LANES_INLINE unsigned int GetLanes(const RaySet& rays, int first)
     ((1U << LaneCount) - 1U);
 }
 
+LANES_INLINE int SmallerOf(int a, int b)
+{
+  return a < b ? a : b;
+}
+
 LANES_INLINE double SmallestOf(Doubles values)
 {
   double lanes[LaneCount];
@@ -212,8 +217,8 @@ void MakeRays(const PixelBlock& block, RayGroup& group)
     Rays rays;
     MakeUnclippedRays(block, Load(&columns[i]), Load(&rows[i]), Load(&depths[i]), rays);
     Doubles base;
-    const Mask exists = ClipToVolume(rays, block.Dimensions, base) &
-      FirstLanes(count - i < LaneCount ? count - i : LaneCount);
+    const Mask exists =
+      ClipToVolume(rays, block.Dimensions, base) & FirstLanes(SmallerOf(count - i, LaneCount));
     group.Exists.Words[i >> 6] |= static_cast<std::uint64_t>(ToBits(exists)) << (i & 63);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -670,61 +675,44 @@ LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
   return result;
 }
 
-// The same as Robust::RefineRoot.
-LANES_INLINE Doubles RefineRoots(const Doubles b[4], const Brackets& brackets)
+/// Keeps the hit of a ray in a cell, with a lane of the segments and cubics, unless the ray has one
+/// in a cell before.
+LANES_INLINE void Keep(const Candidates& candidates, int candidate,
+  const double (*lanes)[LaneCount], int lane, GroupHits& hits, RaySet& found)
 {
-  constexpr double tolerance = 1e-10;
-  constexpr int newtonIterations = 40;
-  constexpr int maximumIterations = newtonIterations + 36;
-  const Doubles three = Broadcast(3.0);
-  const Doubles c1 = three * (b[1] - b[0]);
-  const Doubles c2 = three * ((b[2] - b[1]) - (b[1] - b[0]));
-  const Doubles c3 = (b[3] - b[0]) - three * (b[2] - b[1]);
-  const Doubles doubleC2 = Broadcast(2.0) * c2;
-  const Doubles tripleC3 = three * c3;
-  const Mask insideAtLow = IsInside(brackets.AtLow);
-  Doubles low = brackets.Low;
-  Doubles high = brackets.High;
-  Doubles u =
-    Smaller(high, low + (high - low) * (brackets.AtLow / (brackets.AtLow - brackets.AtHigh)));
-  Mask going = brackets.Exists;
-  for (int i = 0; i < maximumIterations && Any(going); ++i)
+  const int ray = candidates.Ray[candidate];
+  const std::uint64_t bit = std::uint64_t{ 1 } << (ray & 63);
+  found.Words[ray >> 6] |= bit;
+  const double begin = lanes[0][lane];
+  const double beginAxis = lanes[1][lane];
+  const bool hasOther = (hits.Found.Words[ray >> 6] & bit) != 0;
+  if (hasOther &&
+    !(begin < hits.Begin[ray] || (begin == hits.Begin[ray] && beginAxis < hits.BeginAxis[ray])))
   {
-    const Doubles f = ((c3 * u + c2) * u + c1) * u + b[0];
-    const Mask isBefore = IsInside(f) ^ insideAtLow;
-    low = Select(isBefore, low, u);
-    high = Select(isBefore, u, high);
-    const Doubles slope = (tripleC3 * u + doubleC2) * u + c1;
-    Doubles next = u - f / slope;
-    const Doubles half = low + Broadcast(0.5) * (high - low);
-    next = i < newtonIterations ? Select((low <= next) & (next <= high), next, half) : half;
-    const Mask done = Magnitude(next - u) <= Broadcast(tolerance);
-    u = Select(going, next, u);
-    going = AndNot(going, done);
+    return;
   }
-  return u;
+  hits.Found.Words[ray >> 6] |= bit;
+  hits.Refined.Words[ray >> 6] &= ~bit;
+  hits.Rising.Words[ray >> 6] &= ~bit;
+  hits.Begin[ray] = begin;
+  hits.BeginAxis[ray] = beginAxis;
+  hits.End[ray] = lanes[2][lane];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hits.Cell[axis][ray] = candidates.Cell[axis][candidate];
+    hits.Entry[axis][ray] = lanes[3 + axis][lane];
+    hits.Exit[axis][ray] = lanes[6 + axis][lane];
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    hits.Cubic[k][ray] = lanes[9 + k][lane];
+  }
 }
 
-/// What is known of candidates whose cubic may have a root.
-struct Undecided
+void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+  GroupHits& hits, RaySet& found, ExtremeCandidates& extremes)
 {
-  int Count;
-  int Candidate[Candidates::Capacity];
-  int Ray[Candidates::Capacity];
-  double Cubic[4][Candidates::Capacity];
-  double Begin[Candidates::Capacity];
-  double BeginAxis[Candidates::Capacity];
-  double End[Candidates::Capacity];
-  double Entry[3][Candidates::Capacity];
-  double Exit[3][Candidates::Capacity];
-};
-
-/// Finds the cubics of candidates, and lists those whose coefficients are not all on one side.
-LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candidates,
-  const ScaledIsovalue& isovalue, Undecided& undecided, FirstRoots& roots)
-{
-  undecided.Count = 0;
-  roots.ExtremeCount = 0;
+  extremes.Count = 0;
   for (int i = 0; i < candidates.Count; i += LaneCount)
   {
     Doubles cell[3];
@@ -738,99 +726,158 @@ LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candida
     Doubles b[4];
     FindCubics(values, segments.Entry, segments.Exit, b);
     const Mask inside = IsInside(b[0]);
-    const Mask existing = segments.Exists &
-      FirstLanes(candidates.Count - i < LaneCount ? candidates.Count - i : LaneCount);
-    const Mask mayHaveRoot = existing &
-      ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
+    const Mask exists = segments.Exists & FirstLanes(SmallerOf(candidates.Count - i, LaneCount));
+    const Mask mayHaveRoot =
+      exists & ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
     const Doubles size =
       Larger(Larger(Magnitude(b[0]), Magnitude(b[1])), Larger(Magnitude(b[2]), Magnitude(b[3])));
     const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
-    unsigned int extreme = ToBits(AndNot(mayHaveRoot, ordinary));
-    while (extreme != 0)
+    for (unsigned int left = ToBits(AndNot(mayHaveRoot, ordinary)); left != 0; left &= left - 1)
     {
-      roots.Extreme[roots.ExtremeCount++] = i + __builtin_ctz(extreme);
-      extreme &= extreme - 1;
+      extremes.Numbers[extremes.Count++] = i + __builtin_ctz(left);
+    }
+    // Most cubics with a root have ends on two sides; for the others, the extrema decide.
+    const Mask open = mayHaveRoot & ordinary;
+    Mask hasRoot = open & (IsInside(b[3]) ^ inside);
+    const Mask undecided = AndNot(open, hasRoot);
+    if (Any(undecided))
+    {
+      hasRoot = hasRoot | (undecided & FindFirstSignChange(b).Exists);
+    }
+    if (!Any(hasRoot))
+    {
+      continue;
+    }
+    double lanes[13][LaneCount];
+    Store(segments.Begin, lanes[0]);
+    Store(segments.BeginAxis, lanes[1]);
+    Store(segments.End, lanes[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(segments.Entry[axis], lanes[3 + axis]);
+      Store(segments.Exit[axis], lanes[6 + axis]);
     }
     for (int k = 0; k < 4; ++k)
     {
-      Store(b[k], &undecided.Cubic[k][i]);
+      Store(b[k], lanes[9 + k]);
     }
-    Store(segments.Begin, &undecided.Begin[i]);
-    Store(segments.BeginAxis, &undecided.BeginAxis[i]);
-    Store(segments.End, &undecided.End[i]);
-    for (int axis = 0; axis < 3; ++axis)
+    for (unsigned int left = ToBits(hasRoot); left != 0; left &= left - 1)
     {
-      Store(segments.Entry[axis], &undecided.Entry[axis][i]);
-      Store(segments.Exit[axis], &undecided.Exit[axis][i]);
-    }
-    unsigned int open = ToBits(mayHaveRoot & ordinary);
-    while (open != 0)
-    {
-      const int place = i + __builtin_ctz(open);
-      open &= open - 1;
-      undecided.Candidate[undecided.Count] = place;
-      undecided.Ray[undecided.Count++] = candidates.Ray[place];
+      const int lane = __builtin_ctz(left);
+      Keep(candidates, i + lane, lanes, lane, hits, found);
     }
   }
 }
 
-void FindFirstRoots(const RayGroup& group, const Candidates& candidates,
-  const ScaledIsovalue& isovalue, FirstRoots& roots)
+//------------------------------------------------------------------------------
+// The same as Robust::RefineRoot, for two vectors at a time: each step waits for the one before,
+// and the other vector fills the wait.
+LANES_INLINE void RefineRoots(const Doubles (*b)[4], const Brackets* brackets, Doubles* u)
 {
-  Undecided undecided;
-  FindUndecided(group, candidates, isovalue, undecided, roots);
-  roots.Count = 0;
-  for (int i = 0; i < LaneCount; ++i)
+  constexpr double tolerance = 1e-10;
+  constexpr int newtonIterations = 40;
+  constexpr int maximumIterations = newtonIterations + 36;
+  const Doubles three = Broadcast(3.0);
+  Doubles c1[2];
+  Doubles c2[2];
+  Doubles c3[2];
+  Doubles low[2];
+  Doubles high[2];
+  Mask going[2];
+  for (int j = 0; j < 2; ++j)
   {
-    undecided.Candidate[undecided.Count + i] = 0;
-    undecided.Ray[undecided.Count + i] = 0;
+    c1[j] = three * (b[j][1] - b[j][0]);
+    c2[j] = three * ((b[j][2] - b[j][1]) - (b[j][1] - b[j][0]));
+    c3[j] = (b[j][3] - b[j][0]) - three * (b[j][2] - b[j][1]);
+    low[j] = brackets[j].Low;
+    high[j] = brackets[j].High;
+    u[j] = Smaller(high[j],
+      low[j] + (high[j] - low[j]) * (brackets[j].AtLow / (brackets[j].AtLow - brackets[j].AtHigh)));
+    going[j] = brackets[j].Exists;
   }
-  for (int i = 0; i < undecided.Count; i += LaneCount)
+  for (int i = 0; i < maximumIterations && Any(going[0] | going[1]); ++i)
   {
-    const int* places = &undecided.Candidate[i];
-    Doubles b[4];
+    for (int j = 0; j < 2; ++j)
+    {
+      const Doubles f = ((c3[j] * u[j] + c2[j]) * u[j] + c1[j]) * u[j] + b[j][0];
+      const Mask isBeyond = IsInside(f) ^ IsInside(brackets[j].AtLow);
+      low[j] = Select(isBeyond, low[j], u[j]);
+      high[j] = Select(isBeyond, u[j], high[j]);
+      const Doubles slope = (three * c3[j] * u[j] + Broadcast(2.0) * c2[j]) * u[j] + c1[j];
+      Doubles next = u[j] - f / slope;
+      const Mask isBetween = (low[j] <= next) & (next <= high[j]);
+      const Doubles half = low[j] + Broadcast(0.5) * (high[j] - low[j]);
+      next = Select(i < newtonIterations ? isBetween : FirstLanes(0), next, half);
+      const Mask done = Magnitude(next - u[j]) <= Broadcast(tolerance);
+      u[j] = Select(going[j], next, u[j]);
+      going[j] = AndNot(going[j], done);
+    }
+  }
+}
+
+/// Refines the hits of two vectors of rays, where missing says so.
+LANES_INLINE void RefineVectors(
+  const RayGroup& group, const int first[2], const unsigned int missing[2], GroupHits& hits)
+{
+  Doubles b[2][4];
+  Brackets brackets[2];
+  Doubles u[2];
+  for (int j = 0; j < 2; ++j)
+  {
     for (int k = 0; k < 4; ++k)
     {
-      b[k] = Gather(undecided.Cubic[k], places);
+      b[j][k] = Load(&hits.Cubic[k][first[j]]);
     }
-    Brackets brackets = FindFirstSignChange(b);
-    brackets.Exists = brackets.Exists &
-      FirstLanes(undecided.Count - i < LaneCount ? undecided.Count - i : LaneCount);
-    const unsigned int found = ToBits(brackets.Exists);
-    if (found == 0)
-    {
-      continue;
-    }
-    const Doubles u = RefineRoots(b, brackets);
-    const Doubles begin = Gather(undecided.Begin, places);
-    const Doubles end = Gather(undecided.End, places);
-    const Doubles t =
-      Gather(group.Base, &undecided.Ray[i]) + Smaller(begin + (end - begin) * u, end);
-    double lanes[6][LaneCount];
-    Store(begin, lanes[0]);
-    Store(Gather(undecided.BeginAxis, places), lanes[1]);
-    Store(t, lanes[2]);
+    brackets[j] = FindFirstSignChange(b[j]);
+    brackets[j].Exists = brackets[j].Exists & LanesOf(missing[j]);
+  }
+  RefineRoots(b, brackets, u);
+  for (int j = 0; j < 2; ++j)
+  {
+    const int i = first[j];
+    const Mask mask = LanesOf(missing[j]);
+    const Doubles begin = Load(&hits.Begin[i]);
+    const Doubles end = Load(&hits.End[i]);
+    const Doubles t = Load(&group.Base[i]) + Smaller(begin + (end - begin) * u[j], end);
+    Store(Select(mask, t, Load(&hits.T[i])), &hits.T[i]);
     for (int axis = 0; axis < 3; ++axis)
     {
-      Store(Lerp(Gather(undecided.Entry[axis], places), Gather(undecided.Exit[axis], places), u),
-        lanes[3 + axis]);
+      const Doubles place = Lerp(Load(&hits.Entry[axis][i]), Load(&hits.Exit[axis][i]), u[j]);
+      Store(Select(mask, place, Load(&hits.Parametric[axis][i])), &hits.Parametric[axis][i]);
     }
-    const unsigned int rising = ToBits(IsInside(brackets.AtHigh));
-    for (unsigned int left = found; left != 0; left &= left - 1)
+    const std::uint64_t rising = missing[j] & ToBits(IsInside(brackets[j].AtHigh));
+    hits.Rising.Words[i >> 6] |= rising << (i & 63);
+  }
+}
+
+void Refine(const RayGroup& group, GroupHits& hits)
+{
+  const RaySet rays = { { hits.Found.Words[0] & ~hits.Refined.Words[0],
+    hits.Found.Words[1] & ~hits.Refined.Words[1] } };
+  int count = 0;
+  int first[2];
+  unsigned int missing[2];
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes != 0)
     {
-      const int lane = __builtin_ctz(left);
-      const int to = roots.Count++;
-      roots.Candidate[to] = places[lane];
-      roots.Begin[to] = lanes[0][lane];
-      roots.BeginAxis[to] = lanes[1][lane];
-      roots.T[to] = lanes[2][lane];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        roots.Parametric[axis][to] = lanes[3 + axis][lane];
-      }
-      roots.Rising[to] = (rising >> lane & 1U) != 0;
+      first[count] = i;
+      missing[count++] = lanes;
+    }
+    if (count == 2)
+    {
+      RefineVectors(group, first, missing, hits);
+      count = 0;
     }
   }
+  if (count == 1)
+  {
+    first[1] = first[0];
+    missing[1] = 0;
+    RefineVectors(group, first, missing, hits);
+  }
+  hits.Refined = hits.Found;
 }
 
 }

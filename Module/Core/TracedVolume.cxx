@@ -410,11 +410,14 @@ private:
     BeamTracer tracer(
       *this->Want.BeamKernels, this->Tree, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
     tracer.Trace(rays, cells);
+    const GroupHits& found = tracer.GetHits();
     for (int i = 0; i < rays.Count; ++i)
     {
-      if (tracer.HasHit(i))
+      if (Has(found.Found, i))
       {
-        hits.Hits.push_back(tracer.GetHit(i));
+        hits.Hits.push_back({ found.T[i], { found.Cell[0][i], found.Cell[1][i], found.Cell[2][i] },
+          0, { found.Parametric[0][i], found.Parametric[1][i], found.Parametric[2][i] },
+          Has(found.Rising, i) });
       }
       hits.First.push_back(hits.Hits.size());
     }
