@@ -71,10 +71,12 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
     return;
   }
   this->Going = rays;
+  this->Passed.Count = 0;
   BeamWalk(this->Tree, beam)
     .ForEachSlice([this, &beam](const Index3& macrocell) { this->VisitBlock(beam, macrocell); },
-      [this]()
+      [this, &beam]()
       {
+        this->FollowPassages(beam);
         this->Going.Words[0] &= ~this->Hits.Found.Words[0];
         this->Going.Words[1] &= ~this->Hits.Found.Words[1];
         return IsEmpty(this->Going);
@@ -87,30 +89,37 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
   const BlockMask& mask = this->Source->GetMask(block, own);
   const int first[3] = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
     block[2] * BlockMask::Edge };
-  this->TheKernels.FindCells(
+  this->TheKernels.FindPassages(
     *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
+  if (this->Passed.Count >= Passages::Batch)
+  {
+    this->FollowPassages(beam);
+  }
+}
 
-  this->FoundInBlock = {};
-  int waiting[RayGroup::Capacity];
+/// Finds the first hit of every passage. A ray needs the cells of a slice only if it hit nothing in
+/// the slices before. (Whether there is more to do for a ray is as good as random: counting is
+/// faster than branching.)
+void BeamTracer::FollowPassages(const Beam& beam)
+{
+  int waiting[Passages::Capacity];
   int left = this->Passed.Count;
   for (int i = 0; i < left; ++i)
   {
     waiting[i] = i;
   }
-  // A ray needs the cells of a slice only if it hit nothing in the slices before. (Whether there is
-  // more to do for a ray is as good as random: counting is faster than branching.)
   while (left > 0)
   {
     int next = 0;
     for (int i = 0; i < left; ++i)
     {
-      const int entry = waiting[i];
-      const unsigned int slices = this->Passed.Slices[entry];
+      const int passage = waiting[i];
+      const unsigned int slices = this->Passed.Slices[passage];
       const int slice = beam.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
       const unsigned int others = slices & ~(1U << slice);
-      this->Passed.Slices[entry] = others;
-      this->AddCandidates(beam.Axis, first, entry, slice);
-      waiting[next] = entry;
+      this->Passed.Slices[passage] = others;
+      this->AddCandidates(beam.Axis, passage, slice);
+      waiting[next] = passage;
       next += others != 0 ? 1 : 0;
       if (this->Queue.Count >= Candidates::Batch)
       {
@@ -122,14 +131,16 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     for (int i = 0; i < next; ++i)
     {
       waiting[left] = waiting[i];
-      left += Has(this->FoundInBlock, this->Passed.Ray[waiting[i]]) ? 0 : 1;
+      left += this->Passed.Hits[waiting[i]] ? 0 : 1;
     }
   }
+  this->Passed.Count = 0;
 }
 
-void BeamTracer::AddCandidates(int axis, const int first[3], int entry, int slice)
+void BeamTracer::AddCandidates(int axis, int passage, int slice)
 {
   Candidates& queue = this->Queue;
+  const int* first = this->Passed.First[passage];
   int* along = queue.Cell[axis];
   int* acrossU = queue.Cell[BlockMask::U[axis]];
   int* acrossV = queue.Cell[BlockMask::V[axis]];
@@ -138,13 +149,14 @@ void BeamTracer::AddCandidates(int axis, const int first[3], int entry, int slic
   const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
-    queue.Ray[place] = this->Passed.Ray[entry];
+    queue.Passage[place] = passage;
+    queue.Ray[place] = this->Passed.Ray[passage];
     along[place] = first[axis] + slice;
     acrossU[place] = firstU + bit % 8;
     acrossV[place] = firstV + bit / 8;
   };
   // Mostly there are one or two. Both are written, and then counted.
-  std::uint64_t cells = this->Passed.Cells[entry][slice];
+  std::uint64_t cells = this->Passed.Cells[passage][slice];
   put(queue.Count, cells);
   cells &= cells - 1;
   put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
@@ -167,7 +179,7 @@ void BeamTracer::SolveQueue()
   }
   this->Source->LoadCorners(this->Queue);
   this->TheKernels.FindHits(
-    *this->Group, this->Queue, this->Isovalue, this->Hits, this->FoundInBlock, this->Extremes);
+    *this->Group, this->Queue, this->Isovalue, this->Hits, this->Passed, this->Extremes);
   for (int i = 0; i < this->Extremes.Count; ++i)
   {
     this->KeepExtreme(this->Extremes.Numbers[i]);
@@ -188,7 +200,7 @@ void BeamTracer::KeepExtreme(int candidate)
   {
     return;
   }
-  Add(ray, this->FoundInBlock);
+  this->Passed.Hits[this->Queue.Passage[candidate]] = true;
   GroupHits& hits = this->Hits;
   if (Has(hits.Found, ray) &&
     !(begin < Place{ hits.Begin[ray], static_cast<int>(hits.BeginAxis[ray]) }))

@@ -53,7 +53,8 @@ public:
 private:
   void TraceSet(const RaySet& rays, int count);
   void VisitBlock(const Beam& beam, const Index3& block);
-  void AddCandidates(int axis, const int first[3], int entry, int slice);
+  void FollowPassages(const Beam& beam);
+  void AddCandidates(int axis, int passage, int slice);
   void SolveQueue();
   void KeepExtreme(int candidate);
 
@@ -64,9 +65,8 @@ private:
   RayGroup* Group = nullptr;
   Cells* Source = nullptr;
   RaySet Going = {};
-  RaySet FoundInBlock = {};
   GroupHits Hits;
-  BlockCells Passed;
+  Passages Passed;
   Candidates Queue;
   ExtremeCandidates Extremes;
 };

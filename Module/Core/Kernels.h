@@ -78,24 +78,35 @@ struct Beam
   double Most[2][2];
 };
 
-/// The cells of a block that rays may pass, of those in its mask.
-struct BlockCells
+/// Where rays pass blocks of cells: for each passage the cells that the ray may pass there, of
+/// those in the mask of the block.
+struct Passages
 {
+  /// When there are so many, it is time to go through them...
+  static constexpr int Batch = 128;
+  /// ...for each ray of a group may add one before anybody asks.
+  static constexpr int Capacity = Batch + RayGroup::Capacity;
+
   int Count;
-  int Ray[RayGroup::Capacity];
-  /// The slices across the axis that have any.
-  unsigned int Slices[RayGroup::Capacity];
-  std::uint64_t Cells[RayGroup::Capacity][8];
+  int Ray[Capacity];
+  /// The first cell of the block.
+  int First[Capacity][3];
+  /// The slices across the axis that have cells left.
+  unsigned int Slices[Capacity];
+  std::uint64_t Cells[Capacity][8];
+  /// Whether the ray hit something there.
+  bool Hits[Capacity];
 };
 
 /// Pairs of a ray and a cell, to be solved.
 struct Candidates
 {
   static constexpr int Batch = 64;
-  /// A ray adds all its cells in a slice at once, which are not many.
+  /// A passage adds all its cells in a slice at once, which are not many.
   static constexpr int Capacity = Batch + 64;
 
   int Count;
+  int Passage[Capacity];
   int Ray[Capacity];
   int Cell[3][Capacity];
   alignas(64) double Corners[8][Capacity];
@@ -153,16 +164,17 @@ struct Kernels
   /// if they do not all go the same way along it, or steeply away from it.
   bool (*Align)(RayGroup& group, const RaySet& rays, int axis, Beam& beam);
 
-  /// Finds the cells that rays of a beam may pass in a block with its first cell at first; slices
-  /// are those of its mask across the axis. It may find cells that a ray comes near to; it never
-  /// leaves out one that a ray passes.
-  void (*FindCells)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
-    const std::uint64_t slices[8], BlockCells& cells);
+  /// Adds the passages of rays of a beam through a block with its first cell at first; slices are
+  /// those of its mask across the axis. It may find cells that a ray comes near to; it never leaves
+  /// out one that a ray passes.
+  void (*FindPassages)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+    const std::uint64_t slices[8], Passages& passages);
 
-  /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and adds
-  /// the rays to found.
+  /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and
+  /// tells the passages.
   void (*FindHits)(const RayGroup& group, const Candidates& candidates,
-    const ScaledIsovalue& isovalue, GroupHits& hits, RaySet& found, ExtremeCandidates& extremes);
+    const ScaledIsovalue& isovalue, GroupHits& hits, Passages& passages,
+    ExtremeCandidates& extremes);
 
   /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
   /// Robust::ForEachRoot does.

@@ -422,10 +422,9 @@ LANES_INLINE Box FindBox(const std::uint64_t slices[8])
   return box;
 }
 
-void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
-  const std::uint64_t slices[8], BlockCells& cells)
+void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+  const std::uint64_t slices[8], Passages& passages)
 {
-  cells.Count = 0;
   if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
         slices[7]) == 0)
   {
@@ -452,7 +451,7 @@ void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int fi
 #else
   const std::uint64_t* mask = slices;
 #endif
-  int count = 0;
+  int count = passages.Count;
   for (int i = 0; i < group.Count; i += LaneCount)
   {
     const unsigned int lanes = GetLanes(rays, i);
@@ -482,13 +481,17 @@ void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int fi
       const int lane = __builtin_ctz(meets);
       meets &= meets - 1;
       const unsigned int any =
-        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, cells.Cells[count]);
-      cells.Ray[count] = i + lane;
-      cells.Slices[count] = any;
+        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, passages.Cells[count]);
+      passages.Ray[count] = i + lane;
+      passages.First[count][0] = first[0];
+      passages.First[count][1] = first[1];
+      passages.First[count][2] = first[2];
+      passages.Slices[count] = any;
+      passages.Hits[count] = false;
       count += any != 0 ? 1 : 0;
     }
   }
-  cells.Count = count;
+  passages.Count = count;
 }
 
 //------------------------------------------------------------------------------
@@ -678,11 +681,10 @@ LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
 /// Keeps the hit of a ray in a cell, with a lane of the segments and cubics, unless the ray has one
 /// in a cell before.
 LANES_INLINE void Keep(const Candidates& candidates, int candidate,
-  const double (*lanes)[LaneCount], int lane, GroupHits& hits, RaySet& found)
+  const double (*lanes)[LaneCount], int lane, GroupHits& hits)
 {
   const int ray = candidates.Ray[candidate];
   const std::uint64_t bit = std::uint64_t{ 1 } << (ray & 63);
-  found.Words[ray >> 6] |= bit;
   const double begin = lanes[0][lane];
   const double beginAxis = lanes[1][lane];
   const bool hasOther = (hits.Found.Words[ray >> 6] & bit) != 0;
@@ -710,7 +712,7 @@ LANES_INLINE void Keep(const Candidates& candidates, int candidate,
 }
 
 void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
-  GroupHits& hits, RaySet& found, ExtremeCandidates& extremes)
+  GroupHits& hits, Passages& passages, ExtremeCandidates& extremes)
 {
   extremes.Count = 0;
   for (int i = 0; i < candidates.Count; i += LaneCount)
@@ -764,7 +766,8 @@ void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledI
     for (unsigned int left = ToBits(hasRoot); left != 0; left &= left - 1)
     {
       const int lane = __builtin_ctz(left);
-      Keep(candidates, i + lane, lanes, lane, hits, found);
+      passages.Hits[candidates.Passage[i + lane]] = true;
+      Keep(candidates, i + lane, lanes, lane, hits);
     }
   }
 }
