@@ -56,22 +56,23 @@ public:
     {
     }
 
+    /// Says that the cells of the brick of a cell are wanted soon.
+    void Prefetch(const Index3& cell) const
+    {
+      const int size = this->Layout.Size;
+      __builtin_prefetch(&this->Layout.Bricks[Offset(
+        { cell[0] / size, cell[1] / size, cell[2] / size }, this->Layout.BrickDimensions)]);
+    }
+
     void Load(const Index3& cell, Value corners[8])
     {
-      if (!this->IsInBrick(cell))
-      {
-        this->MoveTo(cell);
-      }
-      if (!this->Brick)
+      const Value* low = this->Find(cell);
+      if (!low)
       {
         LoadCorners(this->Layout.TheSamples, cell, corners);
         return;
       }
       const std::size_t edge = this->Layout.Edge;
-      const Value* low = this->Brick + static_cast<std::size_t>(cell[0] - this->First[0]) +
-        edge *
-          (static_cast<std::size_t>(cell[1] - this->First[1]) +
-            edge * static_cast<std::size_t>(cell[2] - this->First[2]));
       const Value* high = low + edge * edge;
       corners[0] = low[0];
       corners[1] = low[1];
@@ -84,6 +85,24 @@ public:
     }
 
   private:
+    /// The first corner of a cell; null if there is no memory for its brick.
+    const Value* Find(const Index3& cell)
+    {
+      if (!this->IsInBrick(cell))
+      {
+        this->MoveTo(cell);
+      }
+      if (!this->Brick)
+      {
+        return nullptr;
+      }
+      const std::size_t edge = this->Layout.Edge;
+      return this->Brick + static_cast<std::size_t>(cell[0] - this->First[0]) +
+        edge *
+        (static_cast<std::size_t>(cell[1] - this->First[1]) +
+          edge * static_cast<std::size_t>(cell[2] - this->First[2]));
+    }
+
     bool IsInBrick(const Index3& cell) const
     {
       const auto size = static_cast<unsigned int>(this->Layout.Size);

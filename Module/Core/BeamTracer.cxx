@@ -73,9 +73,17 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   this->Going = rays;
   this->Passed.Count = 0;
   BeamWalk(this->Tree, beam)
-    .ForEachSlice([this, &beam](const Index3& macrocell) { this->VisitBlock(beam, macrocell); },
-      [this, &beam]()
+    .ForEachSlice(
+      [this, &beam](const Index3* blocks, int count)
       {
+        for (int i = 0; i < count; ++i)
+        {
+          this->Source->Prefetch(blocks[i], beam.Axis);
+        }
+        for (int i = 0; i < count; ++i)
+        {
+          this->VisitBlock(beam, blocks[i]);
+        }
         this->FollowPassages(beam);
         this->Going.Words[0] &= ~this->Hits.Found.Words[0];
         this->Going.Words[1] &= ~this->Hits.Found.Words[1];

@@ -52,6 +52,13 @@ public:
     }
   }
 
+  void Prefetch(const Index3& block, int axis) const
+  {
+    const std::size_t place = Offset(block, this->Blocks);
+    __builtin_prefetch(&this->States[place]);
+    __builtin_prefetch(this->Masks.get()[place].Slices[axis]);
+  }
+
   /// The mask of a block: the one that is kept, or one made in the place given, when another thread
   /// is about to make it. No thread ever waits.
   const BlockMask& Get(const Index3& block, BlockMask& own)

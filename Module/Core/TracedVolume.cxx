@@ -434,6 +434,13 @@ private:
     {
     }
 
+    void Prefetch(const Index3& block, int axis) override
+    {
+      this->Volume.Masks.Prefetch(block, axis);
+      this->Reader.Prefetch(
+        { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge });
+    }
+
     const BlockMask& GetMask(const Index3& block, BlockMask& own) override
     {
       return this->Volume.Masks.Get(block, own);

@@ -72,6 +72,8 @@ public:
     {
     }
 
+    void Prefetch(const Index3&) {}
+
     void Load(const Index3& cell, Value corners[8])
     {
       if (!this->Layout.Values)

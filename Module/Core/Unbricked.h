@@ -45,6 +45,8 @@ public:
     {
     }
 
+    void Prefetch(const Index3&) {}
+
     void Load(const Index3& cell, Value corners[8])
     {
       LoadCorners(this->Layout.TheSamples, cell, corners);
