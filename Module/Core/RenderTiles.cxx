@@ -77,20 +77,25 @@ void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& 
 std::uint8_t ToByte(double value)
 {
   // What is no number, from a light without any attenuation on its own position, is black.
-  return static_cast<std::uint8_t>(std::lround(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0)));
+  return static_cast<std::uint8_t>(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0) + 0.5);
 }
 
 /// Composites the hits of one ray, front to back.
-void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first, const Hit* last,
+void ShadePixel(const Scene& scene, const Shader& shader, const Hit* first, const Hit* last,
   const Vector3& direction, std::uint8_t rgba[4], float& depth)
 {
+  depth = Frame::NoSurface;
+  std::fill_n(rgba, 4, std::uint8_t{ 0 });
+  if (first == last)
+  {
+    return;
+  }
   Vector3 color = { 0.0, 0.0, 0.0 };
   double transmittance = 1.0;
-  depth = Frame::NoSurface;
   for (const Hit* hit = first; hit != last; ++hit)
   {
     const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
-    Vector3 shaded = ShadeHit(scene, volume, *hit, direction);
+    Vector3 shaded = shader.Shade(*hit, direction);
     for (double& channel : shaded)
     {
       channel = std::clamp(channel, 0.0, 1.0);
@@ -108,7 +113,7 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
   rgba[3] = ToByte(1.0 - transmittance);
 }
 
-void ShadeBlock(const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels,
+void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, Frame& frame)
 {
   int ray = 0;
@@ -119,7 +124,7 @@ void ShadeBlock(const Scene& scene, const TracedVolume& volume, const PixelRecta
       const std::size_t pixel = PixelOffset(scene, x, y);
       const auto number = static_cast<std::size_t>(ray);
       const Hit* first = hits.Hits.data();
-      ShadePixel(scene, volume, first + hits.First[number], first + hits.First[number + 1],
+      ShadePixel(scene, shader, first + hits.First[number], first + hits.First[number + 1],
         { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] },
         &frame.Colors[4 * pixel], frame.Depths[pixel]);
     }
@@ -165,6 +170,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   frame.Depths.resize(count);
   volume.Select(scene.Want, scene.Threads);
 
+  const Shader shader(scene, volume);
   const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
   const int tiles = tilesPerRow * ((pixels.Height + scene.TileHeight - 1) / scene.TileHeight);
   const double brickSecondsBefore = 1e-9 * static_cast<double>(volume.GetBrickNanoseconds());
@@ -193,7 +199,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
           const Clock::time_point begin = Clock::now();
           TraceBlock(scene, volume, block, rays, hits);
           const Clock::time_point traced = Clock::now();
-          ShadeBlock(scene, volume, block, rays, hits, frame);
+          ShadeBlock(scene, shader, block, rays, hits, frame);
           traceSeconds += Seconds(traced - begin);
           shadeSeconds += Seconds(Clock::now() - traced);
         });

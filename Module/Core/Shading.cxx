@@ -54,7 +54,7 @@ Vector3 Cross(const Vector3& a, const Vector3& b)
 }
 
 //------------------------------------------------------------------------------
-Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
+Matrix4 GradientMatrix(const Matrix4& m)
 {
   // The inverse transposed is the matrix of cofactors over the determinant; its rows are cross
   // products. Columns are scaled to one first, so that no spacing overflows.
@@ -70,18 +70,55 @@ Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
     Cross(axes[0], axes[1]) };
   const double sign = std::copysign(1.0, Dot(axes[0], cofactors[0]));
   const double shortest = std::min(std::min(lengths[0], lengths[1]), lengths[2]);
-  Vector3 normal = { 0.0, 0.0, 0.0 };
+  Matrix4 result = {};
   for (std::size_t i = 0; i < 3; ++i)
   {
-    normal = normal + cofactors[i] * (sign * gradient[i] * (shortest / lengths[i]));
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      result[4 * row + i] = cofactors[i][row] * (sign * (shortest / lengths[i]));
+    }
   }
-  return normal;
+  return result;
 }
 
 //------------------------------------------------------------------------------
-Vector3 ShadeHit(
-  const Scene& scene, const TracedVolume& volume, const Hit& hit, const Vector3& direction)
+Vector3 GradientToWorld(const Matrix4& worldFromIndex, const Vector3& gradient)
 {
+  return TransformDirection(GradientMatrix(worldFromIndex), gradient);
+}
+
+//------------------------------------------------------------------------------
+Shader::Shader(const Scene& scene, const TracedVolume& volume)
+  : TheScene(scene)
+  , Volume(volume)
+  , WorldFromGradient(GradientMatrix(scene.View.GetWorldFromIndex()))
+{
+  const double power = scene.Look.SpecularPower;
+  const bool isWhole = power >= 0.0 && power <= 128.0 && power == std::floor(power);
+  this->WholePower = isWhole ? static_cast<int>(power) : -1;
+}
+
+//------------------------------------------------------------------------------
+double Shader::Highlight(double cosine) const
+{
+  if (this->WholePower < 0)
+  {
+    return std::pow(cosine, this->TheScene.Look.SpecularPower);
+  }
+  double result = 1.0;
+  double square = cosine;
+  for (int power = this->WholePower; power > 0; power /= 2)
+  {
+    result *= power % 2 == 1 ? square : 1.0;
+    square *= square;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Vector3 Shader::Shade(const Hit& hit, const Vector3& direction) const
+{
+  const Scene& scene = this->TheScene;
   const Vector3& color = scene.Colors[static_cast<std::size_t>(hit.Surface)];
   const Material& look = scene.Look;
   if (!look.Shade)
@@ -91,8 +128,9 @@ Vector3 ShadeHit(
   const Matrix4& toWorld = scene.View.GetWorldFromIndex();
   const Vector3 toViewer = Normalized(TransformDirection(toWorld, direction)) * -1.0;
   // The outside of a surface is where values are smaller.
+  const Vector3 gradient = this->Volume.GetGradient(hit, scene.Normals);
   Vector3 normal =
-    Normalized(GradientToWorld(toWorld, Normalized(volume.GetGradient(hit, scene.Normals)))) * -1.0;
+    Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient))) * -1.0;
   if (scene.TwoSidedLighting && Dot(normal, toViewer) < 0.0)
   {
     normal = normal * -1.0;
@@ -111,9 +149,8 @@ Vector3 ShadeHit(
     }
     diffuse = diffuse + light.DiffuseColor * (cosine * illumination.Strength);
     const Vector3 mirrored = normal * (2.0 * cosine) - illumination.Direction;
-    const double highlight = std::max(0.0, Dot(mirrored, toViewer));
-    specular = specular +
-      light.SpecularColor * (std::pow(highlight, look.SpecularPower) * illumination.Strength);
+    const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));
+    specular = specular + light.SpecularColor * (highlight * illumination.Strength);
   }
   return color * look.Ambient + Product(color, diffuse) * look.Diffuse + specular * look.Specular;
 }
