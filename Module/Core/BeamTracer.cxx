@@ -74,13 +74,13 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   this->Passed.Count = 0;
   BeamWalk(this->Tree, beam)
     .ForEachSlice(
-      [this, &beam](const Index3* blocks, int count)
+      [this, &beam](const Index3* blocks, int blockCount)
       {
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < blockCount; ++i)
         {
-          this->Source->Prefetch(blocks[i], beam.Axis);
+          this->Source->Prefetch(blocks[i]);
         }
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < blockCount; ++i)
         {
           this->VisitBlock(beam, blocks[i]);
         }

@@ -30,8 +30,8 @@ public:
   {
   public:
     virtual ~Cells() = default;
-    /// Says that the mask of a block is wanted soon, for rays along an axis.
-    virtual void Prefetch(const Index3& block, int axis) = 0;
+    /// Says that a block is wanted soon.
+    virtual void Prefetch(const Index3& block) = 0;
     /// Which cells of a block of 8^3 the surface passes; either kept elsewhere or made in own.
     virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
     virtual void LoadCorners(Candidates& candidates) = 0;

@@ -265,6 +265,7 @@ public:
 
   void Select(const Wanted& wanted, int threads) override
   {
+    this->BeginFrame(wanted.MaximumMemory);
     const bool sameIsovalues = std::equal(wanted.Surfaces.begin(), wanted.Surfaces.end(),
       this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
       [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
@@ -336,8 +337,11 @@ public:
 
   const Index3& GetDimensions() const override { return this->TheSamples.GetDimensions(); }
   std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
-  std::size_t GetBrickMemory() const override { return this->Bricks.GetMemory(); }
-  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetCounters().Bricks; }
+  std::size_t GetBrickMemory() const override
+  {
+    return this->Bricks.GetMemory() + this->Masks.GetMemory();
+  }
+  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetNumberOfBricks(); }
   std::size_t GetMaximumNumberOfBricks() const override
   {
     return this->Bricks.GetMaximumNumberOfBricks();
@@ -348,6 +352,15 @@ public:
   }
 
 private:
+  /// Shares the memory a frame may take between bricks and masks, by what they take of one block.
+  void BeginFrame(std::size_t maximumMemory)
+  {
+    constexpr std::size_t brick = BlockMask::Edge * BlockMask::Edge * BlockMask::Edge * sizeof(T);
+    const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
+    this->Masks.BeginFrame(forMasks);
+    this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
   /// Looks at a cell of a ray. Returns whether the ray may hit a surface there; then the corners
   /// and the segment are those of the cell.
   bool Examine(typename Layout::Reader& reader, const Ray& ray, const Index3& cell,
@@ -434,9 +447,9 @@ private:
     {
     }
 
-    void Prefetch(const Index3& block, int axis) override
+    void Prefetch(const Index3& block) override
     {
-      this->Volume.Masks.Prefetch(block, axis);
+      this->Volume.Masks.Prefetch(block);
       this->Reader.Prefetch(
         { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge });
     }

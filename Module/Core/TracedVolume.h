@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -77,6 +78,9 @@ struct Wanted
   /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
   /// goes by itself, cell after cell; the hits are the same.
   const Kernels* BeamKernels = &GetBestKernels();
+  /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
+  /// that were not used lately make room, and rays do without: the hits are the same.
+  std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
 };
 
 /// The hits of a number of rays: ray i has those from First[i] to First[i + 1], front to back.

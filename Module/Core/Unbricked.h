@@ -37,6 +37,8 @@ public:
   {
   }
 
+  void BeginFrame(std::size_t) {}
+
   class Reader
   {
   public:
@@ -57,6 +59,7 @@ public:
   };
 
   const BrickCounters& GetCounters() const { return this->Counters; }
+  std::size_t GetNumberOfBricks() const { return 0; }
   std::size_t GetMaximumNumberOfBricks() const { return 0; }
   std::size_t GetMemory() const { return 0; }
 

@@ -91,7 +91,7 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
     { "the matrix of the volume", [&]() { scene.Volume->SetScale(1.1); } },
     { "the normals", [=]() { mapper->SetNormalModeToInterpolantGradient(); } },
     { "the number of threads", [=]() { mapper->SetNumberOfThreads(1); } },
-    { "the tiles", [=]() { mapper->SetTileSize(16, 16); } },
+    { "the tiles", [=]() { mapper->SetTileSize(32, 4); } },
   };
   for (const Change& change : harmless)
   {
