@@ -175,6 +175,8 @@ void DescribeMachine(const std::vector<std::string>& command, Report& report)
   report.Circumstances.emplace_back("machine",
     std::string(system.GetModelName()) + ", " +
       std::to_string(std::thread::hardware_concurrency()) + " logical processors");
+  report.Circumstances.emplace_back("load of the machine before",
+    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)");
   report.Circumstances.emplace_back("compiler", __VERSION__);
   report.Circumstances.emplace_back("VTK",
     std::string(vtkVersion::GetVTKVersion()) +
