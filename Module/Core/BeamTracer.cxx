@@ -30,6 +30,7 @@ void BeamTracer::Trace(RayGroup& group, Cells& cells)
 {
   this->Group = &group;
   this->Source = &cells;
+  this->Queue.Count = 0;
   this->Hits.Found = {};
   this->Hits.Refined = {};
   this->Hits.Rising = {};

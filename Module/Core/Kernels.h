@@ -154,8 +154,6 @@ struct ExtremeCandidates
 /// operations in the same order, and give the same bits.
 struct Kernels
 {
-  const char* Name;
-
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayGroup& group);
@@ -179,6 +177,10 @@ struct Kernels
   /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
   /// Robust::ForEachRoot does.
   void (*Refine)(const RayGroup& group, GroupHits& hits);
+
+  /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
+  /// One for every ScalarType.
+  void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 };
 
 extern const Kernels BaselineKernels;

@@ -883,5 +883,39 @@ void Refine(const RayGroup& group, GroupHits& hits)
   hits.Refined = hits.Found;
 }
 
+//------------------------------------------------------------------------------
+// The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
+// and what is infinite lies beyond the largest numbers: neither is ever kept.
+template <typename T>
+void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
+{
+  const T* values = static_cast<const T*>(row);
+  T* lows = static_cast<T*>(low);
+  T* highs = static_cast<T*>(high);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const T value = values[i];
+    if constexpr (static_cast<T>(0.5) != 0)
+    {
+      constexpr T largest =
+        sizeof(T) == 4 ? static_cast<T>(__FLT_MAX__) : static_cast<T>(__DBL_MAX__);
+      lows[i] = (value < lows[i]) & (value >= -largest) ? value : lows[i];
+      highs[i] = (value > highs[i]) & (value <= largest) ? value : highs[i];
+    }
+    else
+    {
+      lows[i] = value < lows[i] ? value : lows[i];
+      highs[i] = value > highs[i] ? value : highs[i];
+    }
+  }
+}
+
+#define KERNELS(name)                                                                              \
+  const Kernels name = { MakeRays, Align, FindPassages, FindHits, Refine,                          \
+    { IncludeRow<std::int8_t>, IncludeRow<std::uint8_t>, IncludeRow<std::int16_t>,                 \
+      IncludeRow<std::uint16_t>, IncludeRow<std::int32_t>, IncludeRow<std::uint32_t>,              \
+      IncludeRow<std::int64_t>, IncludeRow<std::uint64_t>, IncludeRow<float>,                      \
+      IncludeRow<double> } }
+
 }
 }
