@@ -335,6 +335,45 @@ public:
     return InterpolantGradient(corners, hit.Parametric);
   }
 
+  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const override
+  {
+    if (mode == NormalMode::CentralDifferences)
+    {
+      CornerDifferences differences;
+      differences.Count = count;
+      for (int i = 0; i < count; ++i)
+      {
+        this->Prefetch(hits[i].Cell);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        CellCorners corners[3];
+        this->GetDifferences(hits[i].Cell, corners);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          differences.Parametric[axis][i] = hits[i].Parametric[axis];
+          for (std::size_t corner = 0; corner < 8; ++corner)
+          {
+            differences.Values[axis][corner][i] = corners[axis][corner];
+          }
+        }
+      }
+      kernels.InterpolateDifferences(differences, gradients);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      if (mode != NormalMode::CentralDifferences || !std::isfinite(gradients[0][i]) ||
+        !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
+      {
+        const Vector3 gradient = this->GetGradient(hits[i], mode);
+        gradients[0][i] = gradient[0];
+        gradients[1][i] = gradient[1];
+        gradients[2][i] = gradient[2];
+      }
+    }
+  }
+
   const Index3& GetDimensions() const override { return this->TheSamples.GetDimensions(); }
   std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
   std::size_t GetBrickMemory() const override
@@ -669,25 +708,45 @@ private:
   Vector3 GetSmoothGradient(const Hit& hit) const
   {
     CellCorners differences[3];
-    if (this->IsInner(hit.Cell))
-    {
-      this->GetInnerDifferences(hit.Cell, differences);
-    }
-    else
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          differences[axis][static_cast<std::size_t>(corner)] =
-            this->GetDifference({ hit.Cell[0] + (corner & 1), hit.Cell[1] + (corner >> 1 & 1),
-                                  hit.Cell[2] + (corner >> 2) },
-              axis);
-        }
-      }
-    }
+    this->GetDifferences(hit.Cell, differences);
     return { Interpolate(differences[0], hit.Parametric),
       Interpolate(differences[1], hit.Parametric), Interpolate(differences[2], hit.Parametric) };
+  }
+
+  /// The differences along each axis at the corners of a cell.
+  void GetDifferences(const Index3& cell, CellCorners differences[3]) const
+  {
+    if (this->IsInner(cell))
+    {
+      this->GetInnerDifferences(cell, differences);
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        differences[axis][static_cast<std::size_t>(corner)] = this->GetDifference(
+          { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis);
+      }
+    }
+  }
+
+  /// Says that the differences of a cell are wanted soon.
+  void Prefetch(const Index3& cell) const
+  {
+    if (!this->IsInner(cell))
+    {
+      return;
+    }
+    const T* first = this->TheSamples.At(cell);
+    for (int z = -1; z < 3; ++z)
+    {
+      for (int y = -1; y < 3; ++y)
+      {
+        __builtin_prefetch(
+          first + y * this->TheSamples.GetStride(1) + z * this->TheSamples.GetStride(2));
+      }
+    }
   }
 
   /// Whether all corners of a cell have neighbours on both sides.
@@ -698,20 +757,38 @@ private:
       cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
   }
 
-  /// The same as GetDifference at the corners of an inner cell, faster.
+  /// The same as GetDifference at the corners of an inner cell, reading each sample once.
   void GetInnerDifferences(const Index3& cell, CellCorners differences[3]) const
   {
     const T* first = this->TheSamples.At(cell);
-    for (int corner = 0; corner < 8; ++corner)
+    const std::ptrdiff_t strideX = this->TheSamples.GetStride(0);
+    const std::ptrdiff_t strideY = this->TheSamples.GetStride(1);
+    const std::ptrdiff_t strideZ = this->TheSamples.GetStride(2);
+    const auto sample = [=](int x, int y, int z)
+    { return static_cast<double>(first[x * strideX + y * strideY + z * strideZ]); };
+    double corners[8];
+    for (int z = 0; z < 2; ++z)
     {
-      const T* sample = first + (corner & 1) * this->TheSamples.GetStride(0) +
-        (corner >> 1 & 1) * this->TheSamples.GetStride(1) +
-        (corner >> 2) * this->TheSamples.GetStride(2);
-      for (int axis = 0; axis < 3; ++axis)
+      for (int y = 0; y < 2; ++y)
       {
-        const std::ptrdiff_t stride = this->TheSamples.GetStride(axis);
-        differences[axis][static_cast<std::size_t>(corner)] =
-          (static_cast<double>(sample[stride]) - static_cast<double>(sample[-stride])) * 0.5;
+        const int row = 2 * y + 4 * z;
+        const auto place = static_cast<std::size_t>(row);
+        corners[row] = sample(0, y, z);
+        corners[row + 1] = sample(1, y, z);
+        differences[0][place] = (corners[row + 1] - sample(-1, y, z)) * 0.5;
+        differences[0][place + 1] = (sample(2, y, z) - corners[row]) * 0.5;
+      }
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int x = 0; x < 2; ++x)
+      {
+        const auto y = static_cast<std::size_t>(x + 4 * i);
+        differences[1][y] = (corners[y + 2] - sample(x, -1, i)) * 0.5;
+        differences[1][y + 2] = (sample(x, 2, i) - corners[y]) * 0.5;
+        const auto z = static_cast<std::size_t>(x + 2 * i);
+        differences[2][z] = (corners[z + 4] - sample(x, i, -1)) * 0.5;
+        differences[2][z + 4] = (sample(x, i, 2) - corners[z]) * 0.5;
       }
     }
   }
