@@ -184,7 +184,13 @@ LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& bas
   }
   rays.Begin = begin - base;
   rays.End = end - base;
-  return exists & ClipToSlabs(rays, dimensions);
+  exists = exists & ClipToSlabs(rays, dimensions);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles cell = Smaller(Floor(rays.Origin[axis]), Broadcast(dimensions[axis] - 2));
+    rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+  }
+  return exists;
 }
 
 void MakeRays(const PixelBlock& block, RayGroup& group)
@@ -254,8 +260,12 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
     const Doubles direction = Load(&group.Direction[axis][i]);
     const Doubles origin = Load(&group.Origin[axis][i]);
     const Doubles inverse = Load(&group.Inverse[axis][i]);
-    up |= ToBits(mask & (zero < direction));
-    down |= ToBits(mask & (direction < zero));
+    const unsigned int upward = ToBits(zero < direction);
+    const unsigned int downward = ToBits(direction < zero);
+    up |= lanes & upward;
+    down |= lanes & downward;
+    // Along the axis it must move at all.
+    steep |= lanes & ~(upward | downward);
     const Doubles begin = origin + Load(&group.Begin[i]) * direction;
     const Doubles end = origin + Load(&group.End[i]) * direction;
     const Doubles lowest = Smaller(begin, end) - margin;
@@ -547,6 +557,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   Doubles entryAxis = zero;
   Doubles exit = Broadcast(Infinity);
   Doubles exitAxis = startAxis;
+  Mask staysOutside = FirstLanes(0);
   for (int axis = 0; axis < 3; ++axis)
   {
     origin[axis] = Gather(group.Origin[axis], rays);
@@ -557,6 +568,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
     const Doubles next = cell[axis] + one;
     const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
     const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
+    staysOutside = staysOutside | AndNot((inverse < cell[axis]) | (cell[axis] < inverse), moves);
     const Doubles axes = Broadcast(axis);
     const Mask later = moves & (entry <= in);
     entry = Select(later, in, entry);
@@ -577,6 +589,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   result.Exists =
     ((result.Begin < result.End) | ((result.Begin == result.End) & (result.BeginAxis < endAxis))) &
     (rayBegin < exit) & (entry < rayEnd);
+  result.Exists = AndNot(result.Exists, staysOutside);
   for (int axis = 0; axis < 3; ++axis)
   {
     const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
