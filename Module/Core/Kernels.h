@@ -85,7 +85,10 @@ struct Passages
   /// When there are so many, it is time to go through them...
   static constexpr int Batch = 128;
   /// ...for each ray of a group may add one before anybody asks.
-  static constexpr int Capacity = Batch + RayGroup::Capacity;
+  static constexpr int Capacity = 1024;
+  /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
+  /// across). For so many rays, there is room without asking.
+  static constexpr int RaysWithRoom = Capacity / 16;
 
   int Count;
   int Ray[Capacity];

@@ -441,8 +441,7 @@ private:
     }
   }
 
-  /// Whether a frame needs no more of rays than their first hits with one surface. Beams take
-  /// macrocells of 8^3 cells, and rays of ordinary length.
+  /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
   bool CanUseBeams(const RayGroup& rays) const
   {
     bool isFinite = true;
@@ -451,18 +450,23 @@ private:
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->HasTree && this->Want.BeamKernels &&
-      this->Want.Solver == RootSolver::Robust && this->Want.Surfaces.size() == 1 &&
-      this->Want.Surfaces[0].Opacity >= 1.0;
+    return isFinite && this->HasTree && this->Want.BeamKernels;
   }
 
   void TraceBeams(RayGroup& rays, RayHits& hits)
   {
+    BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
     BeamCells cells(*this, rays);
-    BeamTracer tracer(
-      *this->Want.BeamKernels, this->Tree, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
-    tracer.Trace(rays, cells);
-    const GroupHits& found = tracer.GetHits();
+    const bool firstHits = this->Want.Solver == RootSolver::Robust &&
+      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0;
+    if (!firstHits)
+    {
+      tracer.FollowRays(rays, cells);
+      cells.GetHits(hits);
+      return;
+    }
+    const GroupHits& found =
+      tracer.FindFirstHits(rays, cells, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
     for (int i = 0; i < rays.Count; ++i)
     {
       if (Has(found.Found, i))
@@ -483,6 +487,8 @@ private:
       : Volume(volume)
       , Rays(rays)
       , Reader(volume.Bricks)
+      , Progress(static_cast<std::size_t>(rays.Count), RayProgress(volume.Want))
+      , Hits(static_cast<std::size_t>(rays.Count))
     {
     }
 
@@ -496,6 +502,49 @@ private:
     const BlockMask& GetMask(const Index3& block, BlockMask& own) override
     {
       return this->Volume.Masks.Get(block, own);
+    }
+
+    bool Follow(int ray, const std::vector<Index3>& cells) override
+    {
+      const Ray& own = GetRay(this->Rays, ray);
+      this->Passed.clear();
+      for (const Index3& cell : cells)
+      {
+        CellSegment segment;
+        if (SegmentInCell(own, cell, segment))
+        {
+          this->Passed.push_back({ cell, segment });
+        }
+      }
+      std::sort(this->Passed.begin(), this->Passed.end(),
+        [](const PassedCell& a, const PassedCell& b)
+        {
+          return Place{ a.Segment.Begin, a.Segment.BeginAxis } <
+            Place{ b.Segment.Begin, b.Segment.BeginAxis };
+        });
+      const auto number = static_cast<std::size_t>(ray);
+      for (const PassedCell& passed : this->Passed)
+      {
+        typename Layout::Value corners[8];
+        this->Reader.Load(passed.Cell, corners);
+        this->Volume.FindRoots(corners, passed.Segment, this->Roots);
+        if (this->Progress[number].Pass(
+              own, passed.Cell, passed.Segment, this->Roots, this->Hits[number]))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    /// The hits of the rays that were followed.
+    void GetHits(RayHits& hits) const
+    {
+      for (const std::vector<Hit>& own : this->Hits)
+      {
+        hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
+        hits.First.push_back(hits.Hits.size());
+      }
     }
 
     void LoadCorners(Candidates& candidates) override
@@ -518,9 +567,20 @@ private:
     }
 
   private:
+    struct PassedCell
+    {
+      Index3 Cell;
+      CellSegment Segment;
+    };
+
     TypedVolume& Volume;
     const RayGroup& Rays;
     typename Layout::Reader Reader;
+    /// Of each ray that is followed.
+    std::vector<RayProgress> Progress;
+    std::vector<std::vector<Hit>> Hits;
+    std::vector<PassedCell> Passed;
+    CellRoots Roots;
   };
 
   /// The first hit of a ray in a cell, and where the ray enters the cell.
