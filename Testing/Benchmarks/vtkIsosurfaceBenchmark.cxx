@@ -28,6 +28,8 @@
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -158,7 +160,8 @@ std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
 }
 
 //------------------------------------------------------------------------------
-void DescribeMachine(const std::vector<std::string>& command, Report& report)
+void DescribeMachine(
+  const std::vector<std::string>& command, OffScreenWindow* window, Report& report)
 {
   vtksys::SystemInformation system;
   system.RunCPUCheck();
@@ -184,17 +187,11 @@ void DescribeMachine(const std::vector<std::string>& command, Report& report)
 #ifdef BENCHMARK_HAS_EMBREE
   report.Circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
 #endif
-  if (OffScreenWindow::IsPossible())
-  {
-    OffScreenWindow window(16);
-    report.Circumstances.emplace_back("OpenGL", window.GetDriver());
-  }
-  else
-  {
-    report.Circumstances.emplace_back("OpenGL",
-      "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 is "
-      "not measured");
-  }
+  report.Circumstances.emplace_back("OpenGL",
+    window
+      ? window->GetDriver()
+      : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 "
+        "is not measured");
 }
 
 //------------------------------------------------------------------------------
@@ -230,25 +227,44 @@ void WriteFile(const std::string& fileName, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report)
+void WriteReport(const Arguments& arguments, const Report& report)
+{
+  if (!arguments.Json.empty())
+  {
+    WriteFile(arguments.Json, report.GetJson());
+  }
+  if (!arguments.Markdown.empty())
+  {
+    WriteFile(arguments.Markdown, report.GetMarkdown());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Calls back after every part, so that hours of work are not lost.
+void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report,
+  const std::function<void()>& onPartDone)
 {
   for (const double isovalue : setup.Isovalues)
   {
     RunRace(setup, isovalue, report);
+    onPartDone();
     if (arguments.Goals)
     {
       MeasureColdStart(setup, isovalue, report);
       MeasureWholeFrame(setup, isovalue, report);
       MeasureScaling(setup, isovalue, report);
+      onPartDone();
     }
   }
   if (arguments.Papers && setup.Image)
   {
     MakePaperTables(setup, report);
+    onPartDone();
   }
   if (arguments.Growth > 0)
   {
     MeasureGrowth(setup, arguments.Growth, report);
+    onPartDone();
   }
 }
 
@@ -259,31 +275,19 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
     ParseThreads(arguments.Threads), arguments.Repeats, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
-  DescribeMachine(command, report);
+  // A display may close itself when nobody has a window on it: this one stays.
+  const auto window =
+    OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
+  DescribeMachine(command, window.get(), report);
   setup.Rivals = ChooseRivals(arguments.Rivals, report);
-  // Now rather than at the end: what cannot be written, or measured.
-  for (const std::string& fileName : { arguments.Json, arguments.Markdown })
-  {
-    if (!fileName.empty())
-    {
-      WriteFile(fileName, {});
-    }
-  }
   if (!arguments.Input.empty())
   {
     setup.Image = ReadImage(arguments.Input);
     DescribeVolume(setup, arguments.Input, report);
   }
-  MeasureAll(arguments, setup, report);
-  if (!arguments.Json.empty())
-  {
-    WriteFile(arguments.Json, report.GetJson());
-  }
-  if (!arguments.Markdown.empty())
-  {
-    WriteFile(arguments.Markdown, report.GetMarkdown());
-  }
-  else
+  WriteReport(arguments, report); // What cannot be written is known now.
+  MeasureAll(arguments, setup, report, [&arguments, &report]() { WriteReport(arguments, report); });
+  if (arguments.Markdown.empty())
   {
     std::printf("%s", report.GetMarkdown().c_str());
   }
