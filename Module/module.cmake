@@ -16,7 +16,9 @@ set(classes
   Rendering/vtkIsosurfaceRayTraceMapper)
 
 set(private_classes
-  Rendering/vtkIsosurfaceRayTraceImageDisplay)
+  Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceScene
+  Rendering/vtkIsosurfaceRayTraceSource)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 

@@ -3,26 +3,18 @@
 #include "vtkIsosurfaceRayTraceMapper.h"
 
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
+#include "vtkIsosurfaceRayTraceScene.h"
+#include "vtkIsosurfaceRayTraceSource.h"
 
-#include "vtkCamera.h"
-#include "vtkCollectionRange.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -63,289 +55,14 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-template <typename T>
-constexpr vtkirt::ScalarType IntegerType()
-{
-  using vtkirt::ScalarType;
-  switch (sizeof(T))
-  {
-    case 1:
-      return std::is_signed_v<T> ? ScalarType::Int8 : ScalarType::UInt8;
-    case 2:
-      return std::is_signed_v<T> ? ScalarType::Int16 : ScalarType::UInt16;
-    case 4:
-      return std::is_signed_v<T> ? ScalarType::Int32 : ScalarType::UInt32;
-    default:
-      return std::is_signed_v<T> ? ScalarType::Int64 : ScalarType::UInt64;
-  }
-}
-
-/// The ray tracer's name for a scalar type of VTK; none for what is not a number.
-std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
-{
-  switch (vtkType)
-  {
-    case VTK_FLOAT:
-      return vtkirt::ScalarType::Float32;
-    case VTK_DOUBLE:
-      return vtkirt::ScalarType::Float64;
-    case VTK_CHAR:
-      return IntegerType<char>();
-    case VTK_SIGNED_CHAR:
-      return IntegerType<signed char>();
-    case VTK_UNSIGNED_CHAR:
-      return IntegerType<unsigned char>();
-    case VTK_SHORT:
-      return IntegerType<short>();
-    case VTK_UNSIGNED_SHORT:
-      return IntegerType<unsigned short>();
-    case VTK_INT:
-      return IntegerType<int>();
-    case VTK_UNSIGNED_INT:
-      return IntegerType<unsigned int>();
-    case VTK_LONG:
-      return IntegerType<long>();
-    case VTK_UNSIGNED_LONG:
-      return IntegerType<unsigned long>();
-    case VTK_LONG_LONG:
-      return IntegerType<long long>();
-    case VTK_UNSIGNED_LONG_LONG:
-      return IntegerType<unsigned long long>();
-    case VTK_ID_TYPE:
-      return IntegerType<vtkIdType>();
-    default:
-      return std::nullopt;
-  }
-}
-
-/// Where an image lies in the world, without the volume's own matrix.
-struct Geometry
-{
-  std::array<double, 3> Origin;
-  std::array<double, 3> Spacing;
-  std::array<double, 9> Direction;
-  std::array<int, 3> FirstIndex;
-
-  explicit Geometry(vtkImageData* image)
-  {
-    image->GetOrigin(this->Origin.data());
-    image->GetSpacing(this->Spacing.data());
-    std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction.begin());
-    const int* extent = image->GetExtent();
-    this->FirstIndex = { extent[0], extent[2], extent[4] };
-  }
-
-  bool operator==(const Geometry& other) const
-  {
-    return this->Origin == other.Origin && this->Spacing == other.Spacing &&
-      this->Direction == other.Direction && this->FirstIndex == other.FirstIndex;
-  }
-
-  /// From indices counted from the first sample to the coordinates of the image. The place of the
-  /// first sample is computed first: an extent far from zero costs no digits.
-  vtkirt::Matrix4 GetPhysicalFromIndex() const
-  {
-    vtkirt::Matrix4 matrix;
-    vtkImageData::ComputeIndexToPhysicalMatrix(
-      this->Origin.data(), this->Spacing.data(), this->Direction.data(), matrix.data());
-    const vtkirt::Vector3 first = vtkirt::TransformPoint(matrix,
-      { static_cast<double>(this->FirstIndex[0]), static_cast<double>(this->FirstIndex[1]),
-        static_cast<double>(this->FirstIndex[2]) });
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      matrix[4 * axis + 3] = first[axis];
-    }
-    return matrix;
-  }
-
-  bool IsUsable() const
-  {
-    const vtkirt::Matrix4 m = this->GetPhysicalFromIndex();
-    return std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }) &&
-      vtkMath::Determinant3x3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]) != 0.0;
-  }
-};
-
-/// The component whose isosurfaces are drawn, as in VTK's own isosurface blend mode.
-int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents)
-{
-  int chosen = 0;
-  for (int component = 1; component < numberOfComponents; ++component)
-  {
-    if (property->GetComponentWeight(component) > property->GetComponentWeight(chosen))
-    {
-      chosen = component;
-    }
-  }
-  return chosen;
-}
-
-/// The isovalues of the property whose surfaces can be seen at all, in ascending order.
-std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int component)
-{
-  vtkContourValues* contours = property->GetIsoSurfaceValues();
-  std::vector<double> isovalues(
-    contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
-  isovalues.erase(std::remove_if(isovalues.begin(), isovalues.end(),
-                    [](double isovalue) { return !std::isfinite(isovalue); }),
-    isovalues.end());
-  std::sort(isovalues.begin(), isovalues.end());
-  isovalues.erase(std::unique(isovalues.begin(), isovalues.end()), isovalues.end());
-  std::vector<vtkirt::Isosurface> surfaces;
-  for (const double isovalue : isovalues)
-  {
-    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
-    if (opacity > 0.0)
-    {
-      surfaces.push_back({ isovalue, std::min(opacity, 1.0) });
-    }
-  }
-  return surfaces;
-}
-
-vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
-{
-  vtkirt::Vector3 color;
-  if (property->GetColorChannels(component) == 1)
-  {
-    color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
-  }
-  else
-  {
-    property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
-  }
-  return color;
-}
-
-vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
-{
-  return { property->GetShade(component) != 0, property->GetAmbient(component),
-    property->GetDiffuse(component), property->GetSpecular(component),
-    property->GetSpecularPower(component) };
-}
-
-vtkirt::Light ConvertLight(vtkLight* light)
-{
-  using vtkirt::operator*;
-  using vtkirt::operator-;
-  vtkirt::Light result;
-  vtkirt::Vector3 focus;
-  light->GetTransformedPosition(result.Position.data());
-  light->GetTransformedFocalPoint(focus.data());
-  result.Direction = vtkirt::Normalized(result.Position - focus);
-  light->GetDiffuseColor(result.DiffuseColor.data());
-  light->GetSpecularColor(result.SpecularColor.data());
-  result.DiffuseColor = result.DiffuseColor * light->GetIntensity();
-  result.SpecularColor = result.SpecularColor * light->GetIntensity();
-  result.Positional = light->GetPositional() != 0;
-  result.ConeAngle = light->GetConeAngle();
-  result.Exponent = light->GetExponent();
-  light->GetAttenuationValues(result.Attenuation.data());
-  return result;
-}
-
-void AddLights(vtkRenderer* renderer, vtkirt::Scene& scene)
-{
-  scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
-  for (vtkLight* light : vtk::Range(renderer->GetLights()))
-  {
-    if (light->GetSwitch())
-    {
-      scene.Lights.push_back(ConvertLight(light));
-    }
-  }
-}
-
-vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const Geometry& geometry)
-{
-  const vtkirt::Matrix4 physicalFromIndex = geometry.GetPhysicalFromIndex();
-  vtkirt::Matrix4 worldFromIndex;
-  vtkMatrix4x4::Multiply4x4(
-    volume->GetMatrix()->GetData(), physicalFromIndex.data(), worldFromIndex.data());
-  return worldFromIndex;
-}
-
-vtkirt::Camera MakeCamera(
-  vtkRenderer* renderer, const vtkirt::Matrix4& worldFromIndex, int width, int height)
-{
-  vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  vtkirt::Matrix4 clipFromIndex;
-  vtkMatrix4x4::Multiply4x4(clipFromWorld->GetData(), worldFromIndex.data(), clipFromIndex.data());
-  vtkirt::Matrix4 indexFromClip;
-  vtkMatrix4x4::Invert(clipFromIndex.data(), indexFromClip.data());
-  return { clipFromIndex, indexFromClip, worldFromIndex, width, height };
-}
-
-/// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
-vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Index3& dimensions)
-{
-  const double width = camera.GetWidth();
-  const double height = camera.GetHeight();
-  double low[2] = { width, height };
-  double high[2] = { 0.0, 0.0 };
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double point[4] = { (corner & 1) * (dimensions[0] - 1.0),
-      (corner >> 1 & 1) * (dimensions[1] - 1.0), (corner >> 2) * (dimensions[2] - 1.0), 1.0 };
-    double clip[4];
-    vtkMatrix4x4::MultiplyPoint(camera.GetClipFromIndex().data(), point, clip);
-    if (!(clip[3] > 0.0))
-    {
-      return { 0, 0, camera.GetWidth(), camera.GetHeight() };
-    }
-    const double x = 0.5 * (clip[0] / clip[3] + 1.0) * width;
-    const double y = 0.5 * (clip[1] / clip[3] + 1.0) * height;
-    low[0] = std::min(low[0], x);
-    low[1] = std::min(low[1], y);
-    high[0] = std::max(high[0], x);
-    high[1] = std::max(high[1], y);
-  }
-  // One more pixel than needed, whatever rounding does.
-  const int left = static_cast<int>(std::clamp(std::floor(low[0]) - 1.0, 0.0, width));
-  const int bottom = static_cast<int>(std::clamp(std::floor(low[1]) - 1.0, 0.0, height));
-  const int right = static_cast<int>(std::clamp(std::ceil(high[0]) + 1.0, 0.0, width));
-  const int top = static_cast<int>(std::clamp(std::ceil(high[1]) + 1.0, 0.0, height));
-  return { left, bottom, std::max(0, right - left), std::max(0, top - bottom) };
-}
-
 }
 
 //------------------------------------------------------------------------------
 class vtkIsosurfaceRayTraceMapper::Internals
 {
 public:
-  /// The scalars a volume was built from, and how. While it is the same, so is the volume.
-  struct VolumeKey
-  {
-    vtkDataArray* Array;
-    vtkMTimeType ArrayTime;
-    const void* Buffer;
-    vtkirt::Index3 Dimensions;
-    int Component;
-    vtkirt::VolumeSettings Settings;
-
-    bool operator==(const VolumeKey& other) const
-    {
-      return this->Array == other.Array && this->ArrayTime == other.ArrayTime &&
-        this->Buffer == other.Buffer && this->Dimensions == other.Dimensions &&
-        this->Component == other.Component && this->Settings == other.Settings;
-    }
-  };
-
-  struct Input
-  {
-    vtkImageData* Image;
-    vtkDataArray* Scalars;
-    int Component;
-  };
-
-  /// What stands in the way of drawing; empty if nothing does.
-  static std::string FindProblem(vtkIsosurfaceRayTraceMapper* self);
-  static std::string FindProblem(vtkImageData* image, vtkDataArray* scalars, bool areCellScalars);
-
-  static vtkDataArray* GetScalars(
-    vtkIsosurfaceRayTraceMapper* self, vtkImageData* image, bool& areCellScalars);
+  /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
+  std::string SelectScalars(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property);
 
   /// Whether a message is new. Every cause is named once, not once per frame.
   bool IsNews(const std::string& message, std::string& last) const
@@ -355,26 +72,23 @@ public:
     return news;
   }
 
-  /// Makes sure that the volume is that of the input. Returns whether it had to be built.
-  bool UpdateVolume(const Input& input, const vtkirt::VolumeSettings& settings, int threads);
-
   /// The hits of rays given in the world, up to tEnd times their direction.
   vtkirt::RayHits Cast(const std::vector<vtkirt::Vector3>& origins,
     const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads);
-  vtkIdType GetCellId(const vtkirt::Hit& hit) const;
+  double GetIsovalue(const vtkirt::Hit& hit) const
+  {
+    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
   void WriteHits(const vtkirt::RayHits& hits, int normalMode, vtkPolyData* output) const;
 
-  std::unique_ptr<vtkirt::TracedVolume> Volume;
-  std::optional<VolumeKey> Key;
-  std::optional<Geometry> ImageGeometry;
-  vtkMTimeType ImageTime = 0;
-  /// A copy of scalars that are not plain arrays in memory.
-  vtkSmartPointer<vtkDataArray> PlainScalars;
+  vtkIsosurfaceRayTraceSource::Selection Scalars;
+  /// The component of the property that says what they look like.
+  int PropertyComponent = 0;
+  vtkIsosurfaceRayTraceSource Source;
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
-  int Component = 0;
   vtkirt::Matrix4 WorldFromIndex;
   vtkirt::Wanted Want;
 
@@ -382,145 +96,7 @@ public:
   std::vector<float> SceneDepths;
   vtkIsosurfaceRayTraceImageDisplay Display;
   std::string LastProblem;
-  std::string LastWarning;
-
-private:
-  vtkDataArray* GetPlainScalars(const Input& input, int& component);
 };
-
-//------------------------------------------------------------------------------
-vtkDataArray* vtkIsosurfaceRayTraceMapper::Internals::GetScalars(
-  vtkIsosurfaceRayTraceMapper* self, vtkImageData* image, bool& areCellScalars)
-{
-  int association = 0;
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
-    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
-  areCellScalars = association != 0;
-  return scalars;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMapper::Internals::FindProblem(vtkIsosurfaceRayTraceMapper* self)
-{
-  if (self->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
-  {
-    return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
-           "SetBlendModeToIsoSurface(), or use another volume mapper.";
-  }
-  auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
-  if (!image)
-  {
-    return "There is no input. Give a vtkImageData with SetInputData or SetInputConnection.";
-  }
-  int association = 0;
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
-    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
-  return FindProblem(image, scalars, association != 0);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMapper::Internals::FindProblem(
-  vtkImageData* image, vtkDataArray* scalars, bool areCellScalars)
-{
-  std::ostringstream problem;
-  const int* dimensions = image->GetDimensions();
-  if (!scalars)
-  {
-    problem
-      << "The input has no scalars of the kind asked for. Add point scalars to it, or name an "
-         "array with SetScalarModeToUsePointFieldData() and SelectScalarArray().";
-  }
-  else if (areCellScalars)
-  {
-    problem << "The scalars are those of cells. Make point scalars of them with "
-               "vtkCellDataToPointData.";
-  }
-  else if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < 2)
-  {
-    problem << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-            << " points. An isosurface needs at least 2 along each axis.";
-  }
-  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    problem << "The scalars have " << scalars->GetNumberOfTuples() << " tuples for "
-            << image->GetNumberOfPoints() << " points. Give one for every point.";
-  }
-  else if (scalars->GetDataType() != VTK_BIT && !FindScalarType(scalars->GetDataType()))
-  {
-    problem << "The scalars are of type " << scalars->GetDataTypeAsString()
-            << ", which is no number.";
-  }
-  else if (scalars->GetNumberOfComponents() > VTK_MAX_VRCOMP)
-  {
-    problem << "The scalars have " << scalars->GetNumberOfComponents() << " components, of which "
-            << VTK_MAX_VRCOMP
-            << " at most can be chosen from (vtkVolumeProperty::SetComponentWeight). Extract one "
-               "with vtkImageExtractComponents.";
-  }
-  else if (!Geometry(image).IsUsable())
-  {
-    problem << "The origin, spacing and direction of the input leave it without a finite volume. "
-               "Give finite numbers, a spacing other than 0 and a direction matrix of full rank.";
-  }
-  return problem.str();
-}
-
-//------------------------------------------------------------------------------
-vtkDataArray* vtkIsosurfaceRayTraceMapper::Internals::GetPlainScalars(
-  const Input& input, int& component)
-{
-  component = input.Component;
-  const bool isBits = input.Scalars->GetDataType() == VTK_BIT;
-  if (input.Scalars->HasStandardMemoryLayout() && !isBits)
-  {
-    this->PlainScalars = nullptr;
-    return input.Scalars;
-  }
-  this->PlainScalars.TakeReference(
-    vtkDataArray::CreateDataArray(isBits ? VTK_UNSIGNED_CHAR : input.Scalars->GetDataType()));
-  this->PlainScalars->SetNumberOfTuples(input.Scalars->GetNumberOfTuples());
-  this->PlainScalars->CopyComponent(0, input.Scalars, component);
-  component = 0;
-  return this->PlainScalars;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMapper::Internals::UpdateVolume(
-  const Input& input, const vtkirt::VolumeSettings& settings, int threads)
-{
-  VolumeKey key;
-  key.Array = input.Scalars;
-  key.ArrayTime = input.Scalars->GetMTime();
-  key.Buffer =
-    input.Scalars->HasStandardMemoryLayout() ? input.Scalars->GetVoidPointer(0) : nullptr;
-  std::copy_n(input.Image->GetDimensions(), 3, key.Dimensions.begin());
-  key.Component = input.Component;
-  key.Settings = settings;
-
-  // Those who write into the scalars often tell the image, not the array. So a change of the image
-  // counts as one of the scalars, unless its geometry has changed, which explains it.
-  const Geometry geometry(input.Image);
-  const bool imageChanged = input.Image->GetMTime() != this->ImageTime && this->ImageGeometry &&
-    *this->ImageGeometry == geometry;
-  this->ImageGeometry = geometry;
-  this->ImageTime = input.Image->GetMTime();
-  if (this->Volume && this->Key == key && !imageChanged)
-  {
-    return false;
-  }
-
-  this->Volume.reset(); // Its memory first.
-  int component = 0;
-  vtkDataArray* scalars = this->GetPlainScalars(input, component);
-  vtkirt::VolumeView view;
-  view.Type = *FindScalarType(scalars->GetDataType());
-  view.Samples = scalars->GetVoidPointer(component);
-  view.Stride = scalars->GetNumberOfComponents();
-  view.Dimensions = key.Dimensions;
-  this->Volume = vtkirt::TracedVolume::New(view, settings, threads);
-  this->Key = key;
-  return true;
-}
 
 //------------------------------------------------------------------------------
 vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
@@ -538,18 +114,10 @@ vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
     using vtkirt::operator-;
     rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
       vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd,
-      this->Volume->GetDimensions());
+      this->Source.GetVolume()->GetDimensions());
   }
-  this->Volume->Select(this->Want, threads);
-  return vtkirt::CastRays(*this->Volume, rays, threads);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMapper::Internals::GetCellId(const vtkirt::Hit& hit) const
-{
-  const vtkirt::Index3& dimensions = this->Volume->GetDimensions();
-  return static_cast<vtkIdType>(
-    vtkirt::Offset(hit.Cell, { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }));
+  this->Source.GetVolume()->Select(this->Want, threads);
+  return vtkirt::CastRays(*this->Source.GetVolume(), rays, threads);
 }
 
 //------------------------------------------------------------------------------
@@ -558,7 +126,7 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceMapper::Internals::GetNormal(
 {
   using vtkirt::operator*;
   const vtkirt::Vector3 gradient =
-    this->Volume->GetGradient(hit, static_cast<vtkirt::NormalMode>(normalMode));
+    this->Source.GetVolume()->GetGradient(hit, static_cast<vtkirt::NormalMode>(normalMode));
   return vtkirt::Normalized(vtkirt::GradientToWorld(this->WorldFromIndex, gradient)) * -1.0;
 }
 
@@ -602,9 +170,10 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteHits(
       points->SetPoint(row, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()).data());
       rayIds->SetValue(row, static_cast<vtkIdType>(ray));
       ts->SetValue(row, hit.T);
-      cellIds->SetValue(row, this->GetCellId(hit));
-      parametric->SetTypedTuple(row, hit.Parametric.data());
-      isovalues->SetValue(row, this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue);
+      vtkirt::Vector3 inCell;
+      cellIds->SetValue(row, this->Source.FindCell(hit, inCell));
+      parametric->SetTypedTuple(row, inCell.data());
+      isovalues->SetValue(row, this->GetIsovalue(hit));
       normals->SetTypedTuple(row, this->GetNormal(hit, normalMode).data());
     }
   }
@@ -674,28 +243,28 @@ void vtkIsosurfaceRayTraceMapper::SetTileSize(int width, int height)
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMacrocellMemory()
 {
-  const auto& volume = this->Internal->Volume;
+  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMacrocellMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetBrickMemory()
 {
-  const auto& volume = this->Internal->Volume;
+  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetBrickMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetNumberOfBricks()
 {
-  const auto& volume = this->Internal->Volume;
+  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetNumberOfBricks()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 {
-  const auto& volume = this->Internal->Volume;
+  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMaximumNumberOfBricks()) : 0;
 }
 
@@ -731,7 +300,6 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   {
     return;
   }
-  this->WarnOfWhatIsIgnored();
 
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   if (this->RenderFrame(renderer, volume))
@@ -739,24 +307,6 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
     this->TimeToDraw = SecondsSince(start);
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMapper::WarnOfWhatIsIgnored()
-{
-  std::string warning;
-  if (this->Cropping)
-  {
-    warning += "Cropping is on, but this mapper does not crop. Crop the input with vtkExtractVOI. ";
-  }
-  if (this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0)
-  {
-    warning += "There are clipping planes, but this mapper does not clip. ";
-  }
-  if (this->Internal->IsNews(warning, this->Internal->LastWarning))
-  {
-    vtkWarningMacro(<< warning);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -776,6 +326,48 @@ int vtkIsosurfaceRayTraceMapper::GetThreads()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property)
+{
+  if (self->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
+           "SetBlendModeToIsoSurface(), or use another volume mapper.";
+  }
+  auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
+  if (!image)
+  {
+    return "There is no input. Give a vtkImageData with SetInputData or SetInputConnection.";
+  }
+  int association = 0;
+  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(
+    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  this->Scalars.AreOfCells = association == 1;
+  this->PropertyComponent = 0;
+  if (self->VectorMode == DISABLED)
+  {
+    const int count = this->Scalars.Scalars ? this->Scalars.Scalars->GetNumberOfComponents() : 1;
+    if (count > VTK_MAX_VRCOMP)
+    {
+      return "The scalars have " + std::to_string(count) + " components, of which " +
+        std::to_string(VTK_MAX_VRCOMP) +
+        " at most can be chosen from by vtkVolumeProperty::SetComponentWeight. Call "
+        "SetVectorModeToComponent() and SetVectorComponent(), or SetVectorModeToMagnitude().";
+    }
+    this->PropertyComponent = vtkIsosurfaceRayTraceScene::ChooseComponent(property, count);
+    this->Scalars.Component = this->PropertyComponent;
+  }
+  else
+  {
+    this->Scalars.Component = self->VectorMode == MAGNITUDE
+      ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
+      : self->VectorComponent;
+  }
+  const std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(image, this->Scalars);
+  return problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : problem;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
 {
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -783,15 +375,11 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
     this->GetInputAlgorithm()->Update();
   }
   Internals& internal = *this->Internal;
-  if (this->ReportOnce(Internals::FindProblem(this)))
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (this->ReportOnce(internal.SelectScalars(this, property)))
   {
     return false;
   }
-  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  bool areCellScalars = false;
-  vtkDataArray* scalars = Internals::GetScalars(this, image, areCellScalars);
-  vtkVolumeProperty* property = volume->GetProperty();
-  internal.Component = ChooseComponent(property, scalars->GetNumberOfComponents());
 
   vtkirt::VolumeSettings settings;
   settings.MacrocellBranching.assign(
@@ -801,14 +389,19 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   settings.BrickGroupSize = this->BrickGroupSize;
 
   const Clock::time_point start = Clock::now();
-  if (internal.UpdateVolume({ image, scalars, internal.Component }, settings, this->GetThreads()))
+  if (internal.Source.Update(vtkImageData::SafeDownCast(this->GetDataSetInput()), internal.Scalars,
+        settings, this->GetThreads()))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
-  internal.WorldFromIndex = GetWorldFromIndex(volume, Geometry(image));
-  internal.Want.Surfaces = GetSurfaces(property, internal.Component);
+  internal.WorldFromIndex =
+    vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, internal.Source.GetPhysicalFromIndex());
+  internal.Want.Surfaces =
+    vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
+  internal.Want.Seen =
+    vtkIsosurfaceRayTraceScene::GetVisibility(this, internal.Source, internal.WorldFromIndex);
   internal.Want.MaximumMemory = this->MaximumBrickMemory > 0
     ? static_cast<std::size_t>(this->MaximumBrickMemory) << 20
     : std::numeric_limits<std::size_t>::max();
@@ -828,18 +421,21 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   scene.Want = internal.Want;
   for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
   {
-    scene.Colors.push_back(GetColor(property, internal.Component, surface.Isovalue));
+    scene.Colors.push_back(
+      vtkIsosurfaceRayTraceScene::GetColor(property, internal.PropertyComponent, surface.Isovalue));
   }
-  AddLights(renderer, scene);
-  scene.Look = GetMaterial(property, internal.Component);
+  vtkIsosurfaceRayTraceScene::AddLights(renderer, scene);
+  scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, internal.PropertyComponent);
 
   int width = 0;
   int height = 0;
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  scene.View = MakeCamera(renderer, internal.WorldFromIndex, width, height);
-  scene.Pixels = GetPixels(scene.View, internal.Volume->GetDimensions());
+  scene.View =
+    vtkIsosurfaceRayTraceScene::MakeCamera(renderer, internal.WorldFromIndex, width, height);
+  scene.Pixels =
+    vtkIsosurfaceRayTraceScene::GetPixels(scene.View, internal.Source.GetVolume()->GetDimensions());
   if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
@@ -862,8 +458,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   this->DisplayTime = SecondsSince(depthStart);
 
   vtkirt::FrameTimes times;
-  const bool complete = vtkirt::RenderTiles(scene, *internal.Volume, internal.Picture, times,
-    [this, window](double fraction) { return this->ReportProgress(window, fraction); });
+  const bool complete = vtkirt::RenderTiles(scene, *internal.Source.GetVolume(), internal.Picture,
+    times, [this, window](double fraction) { return this->ReportProgress(window, fraction); });
   this->BrickBuildTime = times.Bricks;
   this->TraceTime = times.Trace;
   this->ShadeTime = times.Shade;
@@ -901,9 +497,10 @@ int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const doub
   }
   const vtkirt::Hit& hit = hits.Hits.front();
   t = hit.T;
-  isovalue = internal.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
-  cellId = internal.GetCellId(hit);
-  std::copy_n(hit.Parametric.begin(), 3, pcoords);
+  isovalue = internal.GetIsovalue(hit);
+  vtkirt::Vector3 inCell;
+  cellId = internal.Source.FindCell(hit, inCell);
+  std::copy_n(inCell.begin(), 3, pcoords);
   const vtkirt::Vector3 point = vtkirt::TransformPoint(internal.WorldFromIndex, hit.GetPoint());
   std::copy_n(point.begin(), 3, x);
   const vtkirt::Vector3 outward = internal.GetNormal(hit, this->NormalMode);
@@ -961,6 +558,9 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfInterpolations: " << this->NumberOfInterpolations << "\n";
   const char* const layouts[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };
   os << indent << "BrickLayout: " << layouts[this->BrickLayout] << "\n";
+  const char* const vectorModes[] = { "Disabled", "Magnitude", "Component" };
+  os << indent << "VectorMode: " << vectorModes[this->VectorMode + 1] << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
   os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";

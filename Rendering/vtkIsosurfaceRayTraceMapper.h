@@ -27,16 +27,22 @@
  *
  * All scalar types are read without loss, with one exception: 64-bit integers are compared as
  * double, so values beyond 2^53 are rounded to the nearest double. A cell with a NaN or infinite
- * corner is empty. Of several components the one with the largest
- * vtkVolumeProperty::GetComponentWeight() is taken (the first of equals), out of at most four.
- * Only point scalars are traced; vtkCellDataToPointData makes them from cell scalars.
+ * corner is empty. Of several components one is taken, or their magnitude: see VectorMode. Which
+ * array is traced is set by ScalarMode and SelectScalarArray. The scalars of cells are samples at
+ * the centres of the cells, so that their surfaces end half a cell inside the border. Nothing is
+ * drawn in cells that are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are
+ * duplicates of those of another piece.
+ *
+ * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane stands
+ * across an axis of the image, at origin + spacing * index; it belongs to the region in the middle.
+ * There may be any number of clipping planes. Pictures, IntersectWithLine and CastRays are cut
+ * alike.
  *
  * The threads are OpenMP's, because tiles differ so much in cost that they must be handed out one
  * at a time (`schedule(dynamic)`), which vtkSMPTools does not promise. The picture is the same, bit
  * for bit, for any number of threads, any layout and any hierarchy.
  *
- * Not supported, and said so with a warning: Cropping and ClippingPlanes. Nothing is drawn while a
- * vtkHardwareSelector is at work.
+ * Nothing is drawn while a vtkHardwareSelector is at work.
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
@@ -136,6 +142,42 @@ public:
   vtkGetMacro(NormalMode, int);
   void SetNormalModeToInterpolantGradient() { this->SetNormalMode(INTERPOLANT_GRADIENT); }
   void SetNormalModeToCentralDifferences() { this->SetNormalMode(CENTRAL_DIFFERENCES); }
+  ///@}
+
+  /**
+   * Which of several components is traced.
+   */
+  enum VectorModes
+  {
+    /// The one with the largest vtkVolumeProperty::GetComponentWeight() (the first of equals), out
+    /// of at most four.
+    DISABLED = -1,
+    /// The length of the vector, of which a copy is made.
+    MAGNITUDE = 0,
+    /// VectorComponent.
+    COMPONENT = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get which of several components is traced, by the names of vtkSmartVolumeMapper. With
+   * MAGNITUDE and COMPONENT the transfer functions are those of component 0 of the property.
+   * Default: DISABLED.
+   */
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the component for COMPONENT, from 0; one that the scalars do not have is an error.
+   * Default: 0.
+   */
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
   ///@}
 
   /**
@@ -323,11 +365,12 @@ private:
   bool UpdateVolume(vtkVolume* volume);
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume);
   bool ReportProgress(vtkRenderWindow* window, double fraction);
-  void WarnOfWhatIsIgnored();
 
   int RootSolver = ROBUST;
   int NumberOfInterpolations = 3;
   int NormalMode = CENTRAL_DIFFERENCES;
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
   int BrickLayout = APRON_BRICKS;
   int BrickSize = 8;
   int BrickGroupSize = 4;

@@ -160,7 +160,7 @@ void BeamTracer::FollowPassages(const Beam& beam)
     }
     if (this->Source->Follow(ray, cells))
     {
-      this->Going.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
+      Remove(ray, this->Going);
     }
   }
   this->Passed.Count = 0;

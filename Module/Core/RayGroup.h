@@ -22,6 +22,11 @@ inline void Add(int ray, RaySet& set)
   set.Words[ray / 64] |= std::uint64_t{ 1 } << (ray % 64);
 }
 
+inline void Remove(int ray, RaySet& set)
+{
+  set.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
+}
+
 inline bool IsEmpty(const RaySet& set)
 {
   return (set.Words[0] | set.Words[1]) == 0;

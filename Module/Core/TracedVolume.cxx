@@ -157,8 +157,10 @@ void ForEachRoot(const CellCorners& difference, const CellSegment& segment, cons
 class RayProgress
 {
 public:
-  explicit RayProgress(const Wanted& wanted)
+  /// The dimensions are those of the volume, in samples.
+  RayProgress(const Wanted& wanted, const Index3& dimensions)
     : Want(&wanted)
+    , Dimensions(dimensions)
   {
   }
 
@@ -169,7 +171,12 @@ public:
   {
     for (const Root& root : roots.Get())
     {
-      hits.push_back(MakeHit(ray, cell, segment, root));
+      const Hit hit = MakeHit(ray, cell, segment, root);
+      if (!this->Want->Seen.IsConvex() && !this->Want->Seen.Shows(hit, this->Dimensions))
+      {
+        continue;
+      }
+      hits.push_back(hit);
       this->Transmittance *=
         1.0 - this->Want->Surfaces[static_cast<std::size_t>(root.Surface)].Opacity;
       if (this->Transmittance < NegligibleTransmittance)
@@ -182,6 +189,7 @@ public:
 
 private:
   const Wanted* Want;
+  Index3 Dimensions;
   double Transmittance = 1.0;
 };
 
@@ -296,6 +304,10 @@ public:
   void Trace(RayGroup& rays, RayHits& hits) override
   {
     hits.Clear();
+    for (const HalfSpace& half : this->Want.Seen.HalfSpaces)
+    {
+      CutRays(half, rays);
+    }
     if (this->Want.Solver == RootSolver::Fast)
     {
       this->TraceTogether(rays, hits);
@@ -430,15 +442,20 @@ private:
     roots.Clear();
     for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
     {
-      const bool opaque = this->Want.Surfaces[i].Opacity >= 1.0;
+      const bool isLast = this->Want.Surfaces[i].Opacity >= 1.0 && this->Want.Seen.IsConvex();
       roots.NextSurface();
       ForEachRoot(this->TakeOff(i, corners), segment, this->Want,
-        [&roots, i, opaque](double u, bool rising)
+        [&roots, i, isLast](double u, bool rising)
         {
           roots.Add({ u, static_cast<int>(i), rising });
-          return opaque;
+          return isLast;
         });
     }
+  }
+
+  RayProgress NewProgress() const
+  {
+    return RayProgress(this->Want, this->TheSamples.GetDimensions());
   }
 
   /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
@@ -458,7 +475,8 @@ private:
     BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
     BeamCells cells(*this, rays);
     const bool firstHits = this->Want.Solver == RootSolver::Robust &&
-      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0;
+      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0 &&
+      this->Want.Seen.IsConvex();
     if (!firstHits)
     {
       tracer.FollowRays(rays, cells);
@@ -487,7 +505,7 @@ private:
       : Volume(volume)
       , Rays(rays)
       , Reader(volume.Bricks)
-      , Progress(static_cast<std::size_t>(rays.Count), RayProgress(volume.Want))
+      , Progress(static_cast<std::size_t>(rays.Count), volume.NewProgress())
       , Hits(static_cast<std::size_t>(rays.Count))
     {
     }
@@ -609,7 +627,7 @@ private:
   {
     typename Layout::Reader reader(this->Bricks);
     CellRoots roots;
-    RayProgress progress(this->Want);
+    RayProgress progress = this->NewProgress();
     TraverseCells(ray, this->Active,
       [&](const Index3& cell)
       {
@@ -640,7 +658,7 @@ private:
         rays.push_back(GetRay(group, i));
         going.push_back(followers.size());
         followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
-          MacrocellWalk(rays.back(), this->Active), RayProgress(this->Want), {} });
+          MacrocellWalk(rays.back(), this->Active), this->NewProgress(), {} });
       }
     }
     std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));
@@ -713,8 +731,9 @@ private:
   void SolveCandidates(const std::vector<Candidate>& candidates,
     const std::vector<Follower>& followers, const Visit& visit) const
   {
-    const bool opaque = std::all_of(this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
-      [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+    const bool firstOnly = this->Want.Seen.IsConvex() &&
+      std::all_of(this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
+        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
     Fast::Batch batch = {};
     Fast::Roots solved;
     CellRoots roots;
@@ -726,7 +745,7 @@ private:
         const Candidate& candidate = candidates[first + lane];
         Load(candidate, followers[candidate.Follower].Segment, lane, batch);
       }
-      Fast::Solve(batch, opaque, solved);
+      Fast::Solve(batch, firstOnly, solved);
       for (std::size_t lane = 0; lane < lanes; ++lane)
       {
         const Candidate& candidate = candidates[first + lane];

@@ -8,6 +8,7 @@
 #include "InstructionSets.h"
 #include "Kernels.h"
 #include "Ray.h"
+#include "Visibility.h"
 #include "VolumeView.h"
 
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -70,11 +72,22 @@ struct Isosurface
 /// What to look for along rays, and how.
 struct Wanted
 {
+  Wanted() = default;
+  Wanted(std::vector<Isosurface> surfaces, RootSolver solver = RootSolver::Robust,
+    int interpolations = 3)
+    : Surfaces(std::move(surfaces))
+    , Solver(solver)
+    , Interpolations(interpolations)
+  {
+  }
+
   /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.
   int Interpolations = 3;
+  /// What of the surfaces is seen at all.
+  Visibility Seen;
   /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
   /// goes by itself, cell after cell; the hits are the same.
   const Kernels* BeamKernels = &GetBestKernels();
@@ -127,7 +140,7 @@ public:
 
   /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
   /// nothing of it is left to see. A ray that does not exist has no hits. Any number of threads may
-  /// trace at once; what a ray hits does not depend on the others.
+  /// trace at once; what a ray hits does not depend on the others. Rays are cut to what is seen.
   virtual void Trace(RayGroup& rays, RayHits& hits) = 0;
   /// The same for any number of rays.
   void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits);

@@ -6,6 +6,7 @@
 #include "MapperTesting.h"
 
 #include <vtkBitArray.h>
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkSOADataArrayTemplate.h>
 
@@ -150,6 +151,90 @@ void CheckNamedArray(Checks& check, const Picture& expected)
     "the difference with an array by name");
 }
 
+/// A component by its number, past the fourth too, and the length of a vector.
+void CheckVectors(Checks& check, const Picture& expected)
+{
+  const auto many = NewHills(VTK_SHORT, 7, 6);
+  Scene scene(NewImageOf(many));
+  scene.SetSurface(50.0, { 0.9, 0.8, 0.7 }, 1.0);
+  scene.Mapper->SetVectorModeToComponent();
+  scene.Mapper->SetVectorComponent(6);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference with a component by its number");
+  many->FillComponent(6, 0.0);
+  many->Modified();
+  check.That(GetDifference(RenderAndCapture(scene.Window), expected, 0) > 0.0, "it is read anew");
+
+  for (const int type : { VTK_SHORT, VTK_FLOAT, VTK_INT })
+  {
+    const auto vectors = NewHills(type, 3, 1);
+    const auto lengths = NewHills(type == VTK_INT ? VTK_DOUBLE : VTK_FLOAT);
+    for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+    {
+      const double* vector = vectors->GetTuple3(i);
+      lengths->SetComponent(i, 0, std::hypot(std::hypot(vector[0], vector[1]), vector[2]));
+    }
+    scene.Mapper->SetInputData(NewImageOf(vectors));
+    scene.Mapper->SetVectorModeToMagnitude();
+    check.Equal(GetDifference(RenderAndCapture(scene.Window), Draw(NewImageOf(lengths), 50.0), 0),
+      0.0, "the difference with the lengths of vectors");
+  }
+}
+
+/// The scalars of cells are samples at their centres; what is hit is a cell of the image.
+void CheckCells(Checks& check, const Picture& expected)
+{
+  const auto points = NewCube(Samples, Hills);
+  const double spacing = points->GetSpacing()[0];
+  vtkNew<vtkImageData> cells;
+  cells->SetDimensions(Samples + 1, Samples + 1, Samples + 1);
+  cells->SetSpacing(spacing, spacing, spacing);
+  cells->SetOrigin(-1.0 - 0.5 * spacing, -1.0 - 0.5 * spacing, -1.0 - 0.5 * spacing);
+  const auto hills = NewHills(VTK_DOUBLE);
+  hills->SetName("hills");
+  cells->GetCellData()->SetScalars(hills);
+  Scene scene(cells);
+  scene.SetSurface(50.0, { 0.9, 0.8, 0.7 }, 1.0);
+  scene.Renderer->GetActiveCamera()->DeepCopy(Scene(points).Renderer->GetActiveCamera());
+  const Picture byDefault = RenderAndCapture(scene.Window);
+  check.That(
+    GetDifference(byDefault, expected, 2) < 0.002, "cells look like points at their centres");
+  scene.Mapper->SetScalarModeToUseCellFieldData();
+  scene.Mapper->SelectScalarArray("hills");
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), byDefault, 0), 0.0,
+    "the difference with an array of cells by name");
+
+  int hits = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double x = -0.9 + 0.09 * (i % 20);
+    const double y = -0.9 + 0.09 * (i / 20);
+    const double p1[3] = { x, y, 3.0 };
+    const double p2[3] = { x + 0.1, y - 0.2, -3.0 };
+    double t;
+    double place[3];
+    double inCell[3];
+    vtkIdType cell;
+    double isovalue;
+    double normal[3];
+    if (scene.Mapper->IntersectWithLine(
+          scene.Volume, p1, p2, t, place, inCell, cell, isovalue, normal) == 0)
+    {
+      continue;
+    }
+    ++hits;
+    double bounds[6];
+    cells->GetCellBounds(cell, bounds);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      check.That(inCell[axis] >= 0.0 && inCell[axis] <= 1.0, "the coordinates are in the cell");
+      check.Near(bounds[2 * axis] + inCell[axis] * spacing, place[axis], 1e-12,
+        "cell and coordinates of a hit");
+    }
+  }
+  check.That(hits > 200, "most lines hit");
+}
+
 /// Where samples are no numbers there are holes, and nothing else is different.
 void CheckHoles(Checks& check)
 {
@@ -208,6 +293,8 @@ int TestIsosurfaceRayTraceMapperScalars(int argc, char* argv[])
   CheckBits(check);
   CheckComponents(check, expected);
   CheckNamedArray(check, expected);
+  CheckVectors(check, expected);
+  CheckCells(check, expected);
   CheckHoles(check);
   Scene scene(image);
   scene.SetSurface(50.0, { 0.9, 0.8, 0.7 }, 1.0);

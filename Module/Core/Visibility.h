@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Visibility_h
+#define Visibility_h
+
+#include "Hit.h"
+#include "RayGroup.h"
+#include "Vector.h"
+
+#include <array>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where Dot(Normal, point) + Offset >= 0.
+struct HalfSpace
+{
+  Vector3 Normal;
+  double Offset;
+};
+
+/// Two planes across each axis, the lower first, part space into 27 regions.
+struct CroppingRegions
+{
+  std::array<std::array<double, 2>, 3> Planes = {};
+  /// Bit i + 3 j + 9 k says whether region (i, j, k) is seen. Its border belongs to the one in the
+  /// middle.
+  unsigned int Seen = All;
+
+  static constexpr unsigned int All = 0x7ffffff;
+
+  bool Contain(const Vector3& point) const
+  {
+    int region = 0;
+    int stride = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int place =
+        point[axis] < this->Planes[axis][0] ? 0 : (point[axis] > this->Planes[axis][1] ? 2 : 1);
+      region += stride * place;
+      stride *= 3;
+    }
+    return (this->Seen >> region & 1U) != 0;
+  }
+};
+
+/// Which parts of a volume are seen, in index space. A surface that is cut off hides nothing.
+struct Visibility
+{
+  /// Rays are cut to what is in all of them.
+  std::vector<HalfSpace> HalfSpaces;
+  CroppingRegions Regions;
+  /// One for every cell, not zero where it is not seen; null if all are.
+  const unsigned char* HiddenCells = nullptr;
+
+  /// Whether every hit of a ray that is cut is seen.
+  bool IsConvex() const { return this->Regions.Seen == CroppingRegions::All && !this->HiddenCells; }
+
+  /// Whether a hit of a ray that is cut is seen, in a volume of so many samples.
+  bool Shows(const Hit& hit, const Index3& dimensions) const
+  {
+    const Index3 cells = { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 };
+    return this->Regions.Contain(hit.GetPoint()) &&
+      !(this->HiddenCells && this->HiddenCells[Offset(hit.Cell, cells)] != 0);
+  }
+};
+
+/// Cuts rays to a half-space. Those that have nothing there do not exist any more.
+inline void CutRays(const HalfSpace& half, RayGroup& rays)
+{
+  for (int i = 0; i < rays.Count; ++i)
+  {
+    if (!Has(rays.Exists, i))
+    {
+      continue;
+    }
+    const Vector3 origin = { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] };
+    const Vector3 direction = { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] };
+    const double height = Dot(half.Normal, origin) + half.Offset;
+    const double slope = Dot(half.Normal, direction);
+    const double crossing = -height / slope;
+    if (slope > 0.0)
+    {
+      rays.Begin[i] = std::max(rays.Begin[i], crossing);
+    }
+    else if (slope < 0.0)
+    {
+      rays.End[i] = std::min(rays.End[i], crossing);
+    }
+    const bool isOutside = slope == 0.0 && height < 0.0;
+    if (isOutside || !(rays.Begin[i] <= rays.End[i]))
+    {
+      Remove(i, rays.Exists);
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceScene.h"
+
+#include "vtkIsosurfaceRayTraceSource.h"
+
+#include "vtkCamera.h"
+#include "vtkCollectionRange.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace vtkIsosurfaceRayTraceScene
+{
+namespace
+{
+
+vtkirt::Light ConvertLight(vtkLight* light)
+{
+  using vtkirt::operator*;
+  using vtkirt::operator-;
+  vtkirt::Light result;
+  vtkirt::Vector3 focus;
+  light->GetTransformedPosition(result.Position.data());
+  light->GetTransformedFocalPoint(focus.data());
+  result.Direction = vtkirt::Normalized(result.Position - focus);
+  light->GetDiffuseColor(result.DiffuseColor.data());
+  light->GetSpecularColor(result.SpecularColor.data());
+  result.DiffuseColor = result.DiffuseColor * light->GetIntensity();
+  result.SpecularColor = result.SpecularColor * light->GetIntensity();
+  result.Positional = light->GetPositional() != 0;
+  result.ConeAngle = light->GetConeAngle();
+  result.Exponent = light->GetExponent();
+  light->GetAttenuationValues(result.Attenuation.data());
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/// The half-space that a clipping plane leaves.
+vtkirt::HalfSpace ToIndexSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFromIndex)
+{
+  using vtkirt::operator-;
+  vtkirt::Vector3 normal;
+  vtkirt::Vector3 origin;
+  plane->GetNormal(normal.data());
+  plane->GetOrigin(origin.data());
+  // Differences first: a volume far from the origin of the world loses nothing.
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromIndex, { 0.0, 0.0, 0.0 });
+  return { vtkirt::TransposeTransformDirection(worldFromIndex, normal),
+    vtkirt::Dot(normal, first - origin) };
+}
+
+//------------------------------------------------------------------------------
+/// The flags of the 27 regions with their order along an axis reversed.
+unsigned int Reverse(unsigned int regions, std::size_t axis)
+{
+  constexpr int strides[3] = { 1, 3, 9 };
+  unsigned int reversed = 0;
+  for (int region = 0; region < 27; ++region)
+  {
+    const int place = region / strides[axis] % 3;
+    const int other = region + (2 - 2 * place) * strides[axis];
+    reversed |= (regions >> region & 1U) << other;
+  }
+  return reversed;
+}
+
+//------------------------------------------------------------------------------
+void AddCropping(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceSource& source,
+  vtkirt::Visibility& visibility)
+{
+  const double* planes = mapper->GetCroppingRegionPlanes();
+  auto regions = static_cast<unsigned int>(mapper->GetCroppingRegionFlags());
+  std::array<std::array<double, 2>, 3> between;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    between[axis] = { source.GetIndex(axis, planes[2 * axis]),
+      source.GetIndex(axis, planes[2 * axis + 1]) };
+    // Spacing may be negative.
+    if (between[axis][0] > between[axis][1])
+    {
+      std::swap(between[axis][0], between[axis][1]);
+      regions = Reverse(regions, axis);
+    }
+  }
+  if (regions != VTK_CROP_SUBVOLUME)
+  {
+    visibility.Regions = { between, regions };
+    return;
+  }
+  // A box is cut out of the rays, which is faster than to look at every hit.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    vtkirt::Vector3 normal = { 0.0, 0.0, 0.0 };
+    normal[axis] = 1.0;
+    visibility.HalfSpaces.push_back({ normal, -between[axis][0] });
+    normal[axis] = -1.0;
+    visibility.HalfSpaces.push_back({ normal, between[axis][1] });
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents)
+{
+  int chosen = 0;
+  for (int component = 1; component < numberOfComponents; ++component)
+  {
+    if (property->GetComponentWeight(component) > property->GetComponentWeight(chosen))
+    {
+      chosen = component;
+    }
+  }
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int component)
+{
+  vtkContourValues* contours = property->GetIsoSurfaceValues();
+  std::vector<double> isovalues(
+    contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
+  isovalues.erase(std::remove_if(isovalues.begin(), isovalues.end(),
+                    [](double isovalue) { return !std::isfinite(isovalue); }),
+    isovalues.end());
+  std::sort(isovalues.begin(), isovalues.end());
+  isovalues.erase(std::unique(isovalues.begin(), isovalues.end()), isovalues.end());
+  std::vector<vtkirt::Isosurface> surfaces;
+  for (const double isovalue : isovalues)
+  {
+    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
+    if (opacity > 0.0)
+    {
+      surfaces.push_back({ isovalue, std::min(opacity, 1.0) });
+    }
+  }
+  return surfaces;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
+{
+  vtkirt::Vector3 color;
+  if (property->GetColorChannels(component) == 1)
+  {
+    color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
+  }
+  else
+  {
+    property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
+  }
+  return color;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
+{
+  return { property->GetShade(component) != 0, property->GetAmbient(component),
+    property->GetDiffuse(component), property->GetSpecular(component),
+    property->GetSpecularPower(component) };
+}
+
+//------------------------------------------------------------------------------
+void AddLights(vtkRenderer* renderer, vtkirt::Scene& scene)
+{
+  scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
+  for (vtkLight* light : vtk::Range(renderer->GetLights()))
+  {
+    if (light->GetSwitch())
+    {
+      scene.Lights.push_back(ConvertLight(light));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& physicalFromIndex)
+{
+  vtkirt::Matrix4 worldFromIndex;
+  vtkMatrix4x4::Multiply4x4(
+    volume->GetMatrix()->GetData(), physicalFromIndex.data(), worldFromIndex.data());
+  return worldFromIndex;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Camera MakeCamera(
+  vtkRenderer* renderer, const vtkirt::Matrix4& worldFromIndex, int width, int height)
+{
+  vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkirt::Matrix4 clipFromIndex;
+  vtkMatrix4x4::Multiply4x4(clipFromWorld->GetData(), worldFromIndex.data(), clipFromIndex.data());
+  vtkirt::Matrix4 indexFromClip;
+  vtkMatrix4x4::Invert(clipFromIndex.data(), indexFromClip.data());
+  return { clipFromIndex, indexFromClip, worldFromIndex, width, height };
+}
+
+//------------------------------------------------------------------------------
+vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Index3& dimensions)
+{
+  const double width = camera.GetWidth();
+  const double height = camera.GetHeight();
+  double low[2] = { width, height };
+  double high[2] = { 0.0, 0.0 };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { (corner & 1) * (dimensions[0] - 1.0),
+      (corner >> 1 & 1) * (dimensions[1] - 1.0), (corner >> 2) * (dimensions[2] - 1.0), 1.0 };
+    double clip[4];
+    vtkMatrix4x4::MultiplyPoint(camera.GetClipFromIndex().data(), point, clip);
+    if (!(clip[3] > 0.0))
+    {
+      return { 0, 0, camera.GetWidth(), camera.GetHeight() };
+    }
+    const double x = 0.5 * (clip[0] / clip[3] + 1.0) * width;
+    const double y = 0.5 * (clip[1] / clip[3] + 1.0) * height;
+    low[0] = std::min(low[0], x);
+    low[1] = std::min(low[1], y);
+    high[0] = std::max(high[0], x);
+    high[1] = std::max(high[1], y);
+  }
+  // One more pixel than needed, whatever rounding does.
+  const int left = static_cast<int>(std::clamp(std::floor(low[0]) - 1.0, 0.0, width));
+  const int bottom = static_cast<int>(std::clamp(std::floor(low[1]) - 1.0, 0.0, height));
+  const int right = static_cast<int>(std::clamp(std::ceil(high[0]) + 1.0, 0.0, width));
+  const int top = static_cast<int>(std::clamp(std::ceil(high[1]) + 1.0, 0.0, height));
+  return { left, bottom, std::max(0, right - left), std::max(0, top - bottom) };
+}
+
+//------------------------------------------------------------------------------
+std::string FindCroppingProblem(vtkVolumeMapper* mapper)
+{
+  const double* planes = mapper->GetCroppingRegionPlanes();
+  const bool isOrdered = planes[0] <= planes[1] && planes[2] <= planes[3] && planes[4] <= planes[5];
+  return mapper->GetCropping() == 0 || isOrdered
+    ? ""
+    : "Cropping is on, but a lower one of CroppingRegionPlanes (xmin, xmax, ymin, ymax, zmin, "
+      "zmax) "
+      "is greater than the upper one. Call SetCroppingRegionPlanes with planes in order.";
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Visibility GetVisibility(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceSource& source,
+  const vtkirt::Matrix4& worldFromIndex)
+{
+  vtkirt::Visibility visibility;
+  visibility.HiddenCells = source.GetHiddenCells();
+  if (mapper->GetCropping() != 0)
+  {
+    AddCropping(mapper, source, visibility);
+  }
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    for (vtkPlane* plane : vtk::Range(planes))
+    {
+      visibility.HalfSpaces.push_back(ToIndexSpace(plane, worldFromIndex));
+    }
+  }
+  return visibility;
+}
+
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What VTK says of a scene, in the words of the ray tracer.
+
+#ifndef vtkIsosurfaceRayTraceScene_h
+#define vtkIsosurfaceRayTraceScene_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Scene.h"
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkIsosurfaceRayTraceSource;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+class vtkVolumeProperty;
+
+namespace vtkIsosurfaceRayTraceScene
+{
+
+/// The component whose isosurfaces are drawn, as in VTK's own isosurface blend mode.
+int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents);
+
+/// The isovalues of the property whose surfaces can be seen at all, in ascending order.
+std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
+  vtkVolumeProperty* property, int component);
+
+vtkIsosurfaceRayTracing::Vector3 GetColor(
+  vtkVolumeProperty* property, int component, double isovalue);
+vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
+void AddLights(vtkRenderer* renderer, vtkIsosurfaceRayTracing::Scene& scene);
+
+vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
+  vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex);
+
+vtkIsosurfaceRayTracing::Camera MakeCamera(vtkRenderer* renderer,
+  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, int width, int height);
+
+/// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
+vtkIsosurfaceRayTracing::PixelRectangle GetPixels(
+  const vtkIsosurfaceRayTracing::Camera& camera, const vtkIsosurfaceRayTracing::Index3& dimensions);
+
+/// What is wrong with the cropping of a mapper; empty if nothing is.
+std::string FindCroppingProblem(vtkVolumeMapper* mapper);
+
+/// What the clipping planes and the cropping of a mapper, and blanking, leave of the volume.
+vtkIsosurfaceRayTracing::Visibility GetVisibility(vtkVolumeMapper* mapper,
+  const vtkIsosurfaceRayTraceSource& source,
+  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex);
+
+}
+
+VTK_ABI_NAMESPACE_END
+
+#endif
