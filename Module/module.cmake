@@ -13,6 +13,7 @@ list(TRANSFORM core_sources PREPEND "Module/Core/")
 
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
+  Rendering/vtkIsosurfacePicker
   Rendering/vtkIsosurfaceRayTraceMapper)
 
 set(private_classes

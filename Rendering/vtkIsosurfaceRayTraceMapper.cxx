@@ -6,12 +6,18 @@
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSource.h"
 
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -20,7 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -34,11 +40,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -55,12 +61,38 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// The place in the window of the lower left pixel of a scene.
+std::array<int, 2> GetOrigin(vtkRenderer* renderer, const vtkirt::Scene& scene)
+{
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  return { left + scene.Pixels.X, bottom + scene.Pixels.Y };
+}
+
+bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
+{
+  return x >= pixels.X && x < pixels.X + pixels.Width && y >= pixels.Y &&
+    y < pixels.Y + pixels.Height;
+}
+
 }
 
 //------------------------------------------------------------------------------
 class vtkIsosurfaceRayTraceMapper::Internals
 {
 public:
+  /// The aspect is width over height; the size is in pixels.
+  struct View
+  {
+    vtkCamera* Camera;
+    double Aspect;
+    int Width;
+    int Height;
+  };
+
   /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
   std::string SelectScalars(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property);
 
@@ -81,7 +113,26 @@ public:
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
+  /// All that is said of a hit.
+  void Describe(const vtkirt::Hit& hit, int normalMode, double x[3], double pcoords[3],
+    vtkIdType& cellId, double& isovalue, double normal[3]) const;
   void WriteHits(const vtkirt::RayHits& hits, int normalMode, vtkPolyData* output) const;
+
+  /// What is seen from where, but the lights.
+  vtkirt::Scene MakeScene(
+    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view) const;
+  /// The same for a renderer, with its lights.
+  vtkirt::Scene MakeScene(
+    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer) const;
+  /// Makes the picture. Returns false if it was given up.
+  bool Trace(vtkIsosurfaceRayTraceMapper* self, const vtkirt::Scene& scene,
+    const std::function<bool(double)>& keepGoing);
+  /// Turns the picture into that of the ids that a selector asks for.
+  void WriteIds(vtkHardwareSelector* selector, const vtkirt::Scene& scene);
+  vtkIdType GetId(vtkHardwareSelector* selector, const vtkirt::Hit& hit) const;
+  /// Writes the picture and what is known of its pixels.
+  void WriteImage(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
+    const vtkirt::Scene& scene, vtkImageData* output) const;
 
   vtkIsosurfaceRayTraceSource::Selection Scalars;
   /// The component of the property that says what they look like.
@@ -128,6 +179,20 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceMapper::Internals::GetNormal(
   const vtkirt::Vector3 gradient =
     this->Source.GetVolume()->GetGradient(hit, static_cast<vtkirt::NormalMode>(normalMode));
   return vtkirt::Normalized(vtkirt::GradientToWorld(this->WorldFromIndex, gradient)) * -1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, int normalMode,
+  double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]) const
+{
+  vtkirt::Vector3 inCell;
+  cellId = this->Source.FindCell(hit, inCell);
+  std::copy_n(inCell.begin(), 3, pcoords);
+  isovalue = this->GetIsovalue(hit);
+  const vtkirt::Vector3 point = vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint());
+  std::copy_n(point.begin(), 3, x);
+  const vtkirt::Vector3 outward = this->GetNormal(hit, normalMode);
+  std::copy_n(outward.begin(), 3, normal);
 }
 
 //------------------------------------------------------------------------------
@@ -283,11 +348,6 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   this->TraceTime = 0.0;
   this->ShadeTime = 0.0;
   this->DisplayTime = 0.0;
-  if (renderer->GetSelector())
-  {
-    // The window holds ids now, and not colours.
-    return;
-  }
   const Clock::time_point start = Clock::now();
   if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
@@ -409,33 +469,49 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume)
+vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view) const
 {
-  Internals& internal = *this->Internal;
-  vtkVolumeProperty* property = volume->GetProperty();
   vtkirt::Scene scene;
-  scene.Threads = this->GetThreads();
-  scene.TileWidth = this->TileSize[0];
-  scene.TileHeight = this->TileSize[1];
-  scene.Normals = static_cast<vtkirt::NormalMode>(this->NormalMode);
-  scene.Want = internal.Want;
+  scene.Threads = self->GetThreads();
+  scene.TileWidth = self->TileSize[0];
+  scene.TileHeight = self->TileSize[1];
+  scene.Normals = static_cast<vtkirt::NormalMode>(self->NormalMode);
+  scene.Want = this->Want;
   for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
   {
     scene.Colors.push_back(
-      vtkIsosurfaceRayTraceScene::GetColor(property, internal.PropertyComponent, surface.Isovalue));
+      vtkIsosurfaceRayTraceScene::GetColor(property, this->PropertyComponent, surface.Isovalue));
   }
-  vtkIsosurfaceRayTraceScene::AddLights(renderer, scene);
-  scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, internal.PropertyComponent);
+  scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, this->PropertyComponent);
+  scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
+    view.Camera, view.Aspect, this->WorldFromIndex, view.Width, view.Height);
+  scene.Pixels =
+    vtkIsosurfaceRayTraceScene::GetPixels(scene.View, this->Source.GetVolume()->GetDimensions());
+  return scene;
+}
 
+//------------------------------------------------------------------------------
+vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer) const
+{
   int width = 0;
   int height = 0;
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  scene.View =
-    vtkIsosurfaceRayTraceScene::MakeCamera(renderer, internal.WorldFromIndex, width, height);
-  scene.Pixels =
-    vtkIsosurfaceRayTraceScene::GetPixels(scene.View, internal.Source.GetVolume()->GetDimensions());
+  vtkirt::Scene scene = this->MakeScene(self, property,
+    { renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), width, height });
+  vtkIsosurfaceRayTraceScene::AddLights(renderer->GetLights(), nullptr, scene);
+  scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  Internals& internal = *this->Internal;
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer);
   if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
@@ -443,8 +519,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 
   const Clock::time_point depthStart = Clock::now();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  left += scene.Pixels.X;
-  bottom += scene.Pixels.Y;
+  const auto [left, bottom] = GetOrigin(renderer, scene);
   // With nothing drawn before, there is nothing to be hidden by.
   if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer())
   {
@@ -457,25 +532,100 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
   this->DisplayTime = SecondsSince(depthStart);
 
-  vtkirt::FrameTimes times;
-  const bool complete = vtkirt::RenderTiles(scene, *internal.Source.GetVolume(), internal.Picture,
-    times, [this, window](double fraction) { return this->ReportProgress(window, fraction); });
-  this->BrickBuildTime = times.Bricks;
-  this->TraceTime = times.Trace;
-  this->ShadeTime = times.Shade;
-  if (!complete)
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  scene.KeepHits = selector != nullptr;
+  if (!internal.Trace(this, scene,
+        [this, window](double fraction) { return this->ReportProgress(window, fraction); }))
   {
     return false;
   }
 
   const Clock::time_point displayStart = Clock::now();
-  const bool opaque = std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
+  bool opaque = std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
     [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
+  if (selector)
+  {
+    vtkImageData* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+    selector->BeginRenderProp();
+    selector->RenderCompositeIndex(1);
+    selector->UpdateMaximumCellId(image->GetNumberOfCells());
+    selector->UpdateMaximumPointId(image->GetNumberOfPoints());
+    internal.WriteIds(selector, scene);
+    opaque = true;
+  }
   internal.Display.Display(window,
     { left, bottom, scene.Pixels.Width, scene.Pixels.Height, internal.Picture.Colors.data(),
       internal.Picture.Depths.data(), opaque });
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
   this->DisplayTime += SecondsSince(displayStart);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::Internals::Trace(vtkIsosurfaceRayTraceMapper* self,
+  const vtkirt::Scene& scene, const std::function<bool(double)>& keepGoing)
+{
+  vtkirt::FrameTimes times;
+  const bool complete =
+    vtkirt::RenderTiles(scene, *this->Source.GetVolume(), this->Picture, times, keepGoing);
+  self->BrickBuildTime = times.Bricks;
+  self->TraceTime = times.Trace;
+  self->ShadeTime = times.Shade;
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
+  vtkHardwareSelector* selector, const vtkirt::Scene& scene)
+{
+  vtkirt::Frame& picture = this->Picture;
+  for (std::size_t pixel = 0; pixel < picture.Hits.size(); ++pixel)
+  {
+    const vtkirt::Hit& hit = picture.Hits[pixel];
+    std::uint8_t* color = &picture.Colors[4 * pixel];
+    std::fill_n(color, 4, std::uint8_t{ 0 });
+    picture.Depths[pixel] = vtkirt::Frame::NoSurface;
+    if (hit.Surface == vtkirt::Hit::NoSurface)
+    {
+      continue;
+    }
+    vtkIdType id = this->GetId(selector, hit);
+    for (int channel = 0; channel < 3; ++channel, id >>= 8)
+    {
+      color[channel] = static_cast<std::uint8_t>(id & 0xff);
+    }
+    color[3] = 255;
+    picture.Depths[pixel] =
+      static_cast<float>(std::clamp(scene.View.GetDepth(hit.GetPoint()), 0.0, 1.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::GetId(
+  vtkHardwareSelector* selector, const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+      return this->Source.FindPoint(hit);
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      return this->Source.FindPoint(hit) >> 24;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+      return this->Source.FindCell(hit, parametric);
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      return this->Source.FindCell(hit, parametric) >> 24;
+    default:
+      break;
+  }
+  // The other passes ask for the same id of all of the volume, as a colour.
+  const float* color = selector->GetPropColorValue();
+  const auto byte = [color](int channel)
+  { return static_cast<vtkIdType>(std::lround(255.0F * color[channel])); };
+  return byte(0) | byte(1) << 8 | byte(2) << 16;
 }
 
 //------------------------------------------------------------------------------
@@ -497,14 +647,7 @@ int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const doub
   }
   const vtkirt::Hit& hit = hits.Hits.front();
   t = hit.T;
-  isovalue = internal.GetIsovalue(hit);
-  vtkirt::Vector3 inCell;
-  cellId = internal.Source.FindCell(hit, inCell);
-  std::copy_n(inCell.begin(), 3, pcoords);
-  const vtkirt::Vector3 point = vtkirt::TransformPoint(internal.WorldFromIndex, hit.GetPoint());
-  std::copy_n(point.begin(), 3, x);
-  const vtkirt::Vector3 outward = internal.GetNormal(hit, this->NormalMode);
-  std::copy_n(outward.begin(), 3, normal);
+  internal.Describe(hit, this->NormalMode, x, pcoords, cellId, isovalue, normal);
   return 1;
 }
 
@@ -537,6 +680,132 @@ bool vtkIsosurfaceRayTraceMapper::CastRays(
     internal.Cast(from, along, std::numeric_limits<double>::infinity(), this->GetThreads());
   internal.WriteHits(hits, this->NormalMode, output);
   return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
+  int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
+{
+  if (!renderer || !volume || !this->UpdateVolume(volume))
+  {
+    return 0;
+  }
+  Internals& internal = *this->Internal;
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer);
+  const auto [left, bottom] = GetOrigin(renderer, scene);
+  const int pixelX = column - left + scene.Pixels.X;
+  const int pixelY = row - bottom + scene.Pixels.Y;
+  if (!Contains(scene.Pixels, pixelX, pixelY))
+  {
+    return 0;
+  }
+  scene.Pixels = { pixelX, pixelY, 1, 1 };
+  scene.KeepHits = true;
+  internal.Trace(this, scene, [](double) { return true; });
+  const vtkirt::Hit& hit = internal.Picture.Hits.front();
+  if (hit.Surface == vtkirt::Hit::NoSurface)
+  {
+    return 0;
+  }
+  internal.Describe(hit, this->NormalMode, x, pcoords, cellId, isovalue, normal);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+{
+  if (!volume || !camera || !output || width < 1 || height < 1)
+  {
+    vtkErrorMacro(
+      "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and an output.");
+    return false;
+  }
+  if (!this->UpdateVolume(volume))
+  {
+    return false;
+  }
+  Internals& internal = *this->Internal;
+  vtkirt::Scene scene = internal.MakeScene(
+    this, volume->GetProperty(), { camera, static_cast<double>(width) / height, width, height });
+  vtkNew<vtkLightCollection> headlight;
+  if (!lights)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    headlight->AddItem(light);
+  }
+  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, scene);
+  scene.KeepHits = true;
+  internal.Trace(this, scene,
+    [this](double fraction)
+    {
+      this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
+      return true;
+    });
+  output->Initialize();
+  output->SetDimensions(width, height, 1);
+  internal.WriteImage(this, volume->GetProperty(), scene, output);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMapper* self,
+  vtkVolumeProperty* property, const vtkirt::Scene& scene, vtkImageData* output) const
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto add = [count, output](
+                     vtkDataArray* array, const char* name, int components, double none)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+    array->Fill(none);
+    output->GetPointData()->AddArray(array);
+  };
+  vtkNew<vtkUnsignedCharArray> colors;
+  vtkNew<vtkFloatArray> depths;
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkIdTypeArray> cellIds;
+  vtkNew<vtkIntArray> isovalueIds;
+  add(colors, "Colors", 4, 0.0);
+  add(depths, "Depth", 1, 1.0);
+  add(normals, "Normals", 3, nan);
+  add(positions, "Position", 3, nan);
+  add(cellIds, "CellId", 1, -1.0);
+  add(isovalueIds, "IsovalueId", 1, -1.0);
+  output->GetPointData()->SetActiveScalars("Colors");
+
+  const vtkirt::PixelRectangle& pixels = scene.Pixels;
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
+      const vtkirt::Hit& hit = this->Picture.Hits[from];
+      if (hit.Surface == vtkirt::Hit::NoSurface)
+      {
+        continue;
+      }
+      const auto to = static_cast<vtkIdType>(vtkirt::Offset(
+        { pixels.X + x, pixels.Y + y, 0 }, { scene.View.GetWidth(), scene.View.GetHeight(), 1 }));
+      vtkirt::Vector3 position;
+      vtkirt::Vector3 parametric;
+      vtkirt::Vector3 normal;
+      vtkIdType cellId = -1;
+      double isovalue = 0.0;
+      this->Describe(
+        hit, self->NormalMode, position.data(), parametric.data(), cellId, isovalue, normal.data());
+      colors->SetTypedTuple(to, &this->Picture.Colors[4 * from]);
+      depths->SetValue(to, std::min(this->Picture.Depths[from], 1.0F));
+      normals->SetTypedTuple(to, normal.data());
+      positions->SetTypedTuple(to, position.data());
+      cellIds->SetValue(to, cellId);
+      isovalueIds->SetValue(to, vtkIsosurfaceRayTraceScene::FindIsovalue(property, isovalue));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,7 @@
  * at a time (`schedule(dynamic)`), which vtkSMPTools does not promise. The picture is the same, bit
  * for bit, for any number of threads, any layout and any hierarchy.
  *
- * Nothing is drawn while a vtkHardwareSelector is at work.
+ * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits.
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
@@ -63,7 +63,10 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkCamera;
 class vtkDataArray;
+class vtkImageData;
+class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
 class vtkRenderWindow;
@@ -333,6 +336,34 @@ public:
    */
   bool CastRays(
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
+
+  /**
+   * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
+   * the lower left: the nearest isosurface, to the very bits that are drawn. Other props are not
+   * asked. Needs no window to have been drawn. Returns 1 if there is a surface, else 0 and nothing
+   * is changed. What is found is described as by IntersectWithLine.
+   *
+   * @sa vtkIsosurfacePicker
+   */
+  int PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column, int row, double x[3],
+    double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Makes a picture without a window and without OpenGL: the same, pixel for pixel, as in a window
+   * of that size, of which the camera is that of the only renderer. The clipping range of the
+   * camera is taken as it is (vtkCamera::SetClippingRange). Headlights and lights of the camera
+   * follow it; without lights (null) there is one headlight, as in a new renderer.
+   *
+   * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
+   * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth
+   * (that of the nearest opaque surface in the depth buffer, from 0 to 1; 1 where there is none).
+   * Then, of the nearest surface, translucent or not: Normals (3, as IntersectWithLine has them),
+   * Position (3, in the world), CellId and IsovalueId (the number of the isovalue in
+   * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN and -1.
+   * Returns whether there is a picture; if not, the error says why.
+   */
+  bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
+    int height, vtkImageData* output);
 
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE

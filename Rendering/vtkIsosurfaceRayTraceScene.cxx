@@ -11,10 +11,10 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -156,6 +156,20 @@ std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int com
 }
 
 //------------------------------------------------------------------------------
+int FindIsovalue(vtkVolumeProperty* property, double isovalue)
+{
+  vtkContourValues* isovalues = property->GetIsoSurfaceValues();
+  for (int i = 0; i < isovalues->GetNumberOfContours(); ++i)
+  {
+    if (isovalues->GetValue(i) == isovalue)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
 vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
 {
   vtkirt::Vector3 color;
@@ -179,15 +193,26 @@ vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
 }
 
 //------------------------------------------------------------------------------
-void AddLights(vtkRenderer* renderer, vtkirt::Scene& scene)
+void AddLights(vtkLightCollection* lights, vtkCamera* followed, vtkirt::Scene& scene)
 {
-  scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
-  for (vtkLight* light : vtk::Range(renderer->GetLights()))
+  for (vtkLight* light : vtk::Range(lights))
   {
-    if (light->GetSwitch())
+    if (!light->GetSwitch())
     {
-      scene.Lights.push_back(ConvertLight(light));
+      continue;
     }
+    vtkNew<vtkLight> own;
+    own->DeepCopy(light);
+    if (followed && light->LightTypeIsHeadlight())
+    {
+      own->SetPosition(followed->GetPosition());
+      own->SetFocalPoint(followed->GetFocalPoint());
+    }
+    else if (followed && light->LightTypeIsCameraLight())
+    {
+      own->SetTransformMatrix(followed->GetCameraLightTransformMatrix());
+    }
+    scene.Lights.push_back(ConvertLight(own));
   }
 }
 
@@ -202,10 +227,9 @@ vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& phys
 
 //------------------------------------------------------------------------------
 vtkirt::Camera MakeCamera(
-  vtkRenderer* renderer, const vtkirt::Matrix4& worldFromIndex, int width, int height)
+  vtkCamera* camera, double aspect, const vtkirt::Matrix4& worldFromIndex, int width, int height)
 {
-  vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   vtkirt::Matrix4 clipFromIndex;
   vtkMatrix4x4::Multiply4x4(clipFromWorld->GetData(), worldFromIndex.data(), clipFromIndex.data());
   vtkirt::Matrix4 indexFromClip;

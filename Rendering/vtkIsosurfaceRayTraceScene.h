@@ -15,8 +15,9 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkCamera;
 class vtkIsosurfaceRayTraceSource;
-class vtkRenderer;
+class vtkLightCollection;
 class vtkVolume;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
@@ -31,15 +32,23 @@ int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents);
 std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
   vtkVolumeProperty* property, int component);
 
+/// The number of an isovalue among those of the property; -1 if it is not there.
+int FindIsovalue(vtkVolumeProperty* property, double isovalue);
+
 vtkIsosurfaceRayTracing::Vector3 GetColor(
   vtkVolumeProperty* property, int component, double isovalue);
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
-void AddLights(vtkRenderer* renderer, vtkIsosurfaceRayTracing::Scene& scene);
+
+/// Adds the lights that are on. With a camera, headlights and lights of the camera follow it, as a
+/// renderer makes them do before it draws.
+void AddLights(
+  vtkLightCollection* lights, vtkCamera* followed, vtkIsosurfaceRayTracing::Scene& scene);
 
 vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
   vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex);
 
-vtkIsosurfaceRayTracing::Camera MakeCamera(vtkRenderer* renderer,
+/// The aspect is that of the picture, width over height.
+vtkIsosurfaceRayTracing::Camera MakeCamera(vtkCamera* camera, double aspect,
   const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, int width, int height);
 
 /// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.

@@ -401,4 +401,16 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
   return static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
 }
 
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Index3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = hit.Cell[axis] + static_cast<int>(hit.Parametric[axis] + this->FirstSample + 0.5);
+  }
+  return static_cast<vtkIdType>(
+    vtkirt::Offset(point, { this->Cells[0] + 1, this->Cells[1] + 1, this->Cells[2] + 1 }));
+}
+
 VTK_ABI_NAMESPACE_END

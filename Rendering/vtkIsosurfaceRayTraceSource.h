@@ -71,6 +71,9 @@ public:
   vtkIdType FindCell(
     const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
+  /// The point of the image that is nearest to a hit.
+  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
+
 private:
   struct Geometry;
   struct Key;

@@ -15,12 +15,14 @@ struct Hit
   /// On the ray as it was given.
   double T;
   Index3 Cell;
-  /// Which of the wanted isosurfaces.
+  /// Which of the wanted isosurfaces; NoSurface where there is no hit.
   int Surface;
   /// The point in the cell's own coordinates, [0, 1]^3.
   Vector3 Parametric;
   /// Whether the ray goes in there: from below the isovalue to at or above it.
   bool Rising;
+
+  static constexpr int NoSurface = -1;
 
   Vector3 GetPoint() const
   {

@@ -127,6 +127,10 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
       const std::size_t first = hits.First[ray];
       CompositePixel(scene, hits.Hits.data() + first, colors.data() + first,
         hits.First[ray + 1] - first, &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      if (scene.KeepHits && hits.First[ray + 1] > first)
+      {
+        frame.Hits[pixel] = hits.Hits[first];
+      }
     }
   }
 }
@@ -168,6 +172,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   const std::size_t count = Count({ pixels.Width, pixels.Height, 1 });
   frame.Colors.resize(4 * count);
   frame.Depths.resize(count);
+  frame.Hits.assign(scene.KeepHits ? count : 0, Hit{ 0.0, {}, Hit::NoSurface, {}, false });
   volume.Select(scene.Want, scene.Threads);
 
   const Shader shader(scene, volume);

@@ -20,6 +20,8 @@ struct Frame
   std::vector<std::uint8_t> Colors;
   /// The depth of the nearest opaque surface, in [0, 1]; NoSurface where there is none.
   std::vector<float> Depths;
+  /// The nearest hit, if the scene wants it, whatever its opacity.
+  std::vector<Hit> Hits;
 
   static constexpr float NoSurface = 2.0F;
 };

@@ -65,6 +65,8 @@ struct Scene
   Material Look;
   std::vector<Light> Lights;
   bool TwoSidedLighting = true;
+  /// Whether the first hit of every pixel is wanted besides its colour.
+  bool KeepHits = false;
 
   /// What the image is worked through in, and by how many threads.
   int TileWidth = 16;

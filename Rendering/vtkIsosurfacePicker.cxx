@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfacePicker.h"
+
+#include "vtkIsosurfaceRayTraceMapper.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkTransform.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkIsosurfacePicker);
+
+//------------------------------------------------------------------------------
+vtkIsosurfacePicker::vtkIsosurfacePicker()
+{
+  this->Isovalue = std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfacePicker::~vtkIsosurfacePicker() = default;
+
+//------------------------------------------------------------------------------
+void vtkIsosurfacePicker::Initialize()
+{
+  this->Superclass::Initialize();
+  this->Isovalue = std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfacePicker::ResetPickInfo()
+{
+  this->Superclass::ResetPickInfo();
+  this->Isovalue = std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfacePicker::Pick(
+  double selectionX, double selectionY, double selectionZ, vtkRenderer* renderer)
+{
+  this->IsPixel = true;
+  this->Pixel[0] = static_cast<int>(std::floor(selectionX));
+  this->Pixel[1] = static_cast<int>(std::floor(selectionY));
+  const int picked = this->Superclass::Pick(selectionX, selectionY, selectionZ, renderer);
+  this->IsPixel = false;
+  return picked;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfacePicker::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  vtkAssemblyPath* path, vtkProp3D* prop, vtkAbstractMapper3D* mapper)
+{
+  const double before = this->GlobalTMin;
+  const double t = this->Superclass::IntersectWithLine(p1, p2, tol, path, prop, mapper);
+  if (t < before && std::isfinite(this->Isovalue) && this->Mapper == mapper)
+  {
+    // To the coordinates of the data and back again they would not be the same bits.
+    std::copy_n(this->SurfacePosition, 3, this->PickPosition);
+    std::copy_n(this->SurfaceNormal, 3, this->PickNormal);
+  }
+  return t;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const double p2[3],
+  double t1, double t2, vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
+{
+  auto* isosurfaces = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper);
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  if (!isosurfaces || !volume)
+  {
+    return this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper);
+  }
+  double position[3];
+  double parametric[3];
+  double normal[3];
+  double isovalue;
+  vtkIdType cell;
+  int isHit = 0;
+  if (this->IsPixel)
+  {
+    isHit = isosurfaces->PickPixel(this->Renderer, volume, this->Pixel[0], this->Pixel[1], position,
+      parametric, cell, isovalue, normal);
+  }
+  else
+  {
+    double from[3];
+    double to[3];
+    double t;
+    this->Transform->TransformPoint(p1, from);
+    this->Transform->TransformPoint(p2, to);
+    isHit = isosurfaces->IntersectWithLine(
+      volume, from, to, t, position, parametric, cell, isovalue, normal);
+  }
+  if (isHit == 0)
+  {
+    return VTK_DOUBLE_MAX;
+  }
+
+  double inData[3];
+  this->Transform->GetLinearInverse()->TransformPoint(position, inData);
+  double along[3];
+  double way[3];
+  vtkMath::Subtract(p2, p1, along);
+  vtkMath::Subtract(inData, p1, way);
+  const double t = vtkMath::Dot(way, along) / vtkMath::Dot(along, along);
+  if (!(t < this->GlobalTMin))
+  {
+    return t;
+  }
+  this->ResetPickInfo();
+  auto* image = vtkImageData::SafeDownCast(isosurfaces->GetDataSetInput());
+  this->Mapper = mapper;
+  this->DataSet = image;
+  this->Isovalue = isovalue;
+  std::copy_n(position, 3, this->SurfacePosition);
+  std::copy_n(normal, 3, this->SurfaceNormal);
+  std::copy_n(inData, 3, this->MapperPosition);
+  this->Transform->GetLinearInverse()->TransformNormal(normal, this->MapperNormal);
+  // From the cell of the image to the place among the points of its extent.
+  int extent[6];
+  image->GetExtent(extent);
+  const int* dimensions = image->GetDimensions();
+  const vtkIdType columns = dimensions[0] - 1;
+  const vtkIdType rows = dimensions[1] - 1;
+  const double place[3] = { extent[0] + cell % columns + parametric[0],
+    extent[2] + cell / columns % rows + parametric[1],
+    extent[4] + cell / columns / rows + parametric[2] };
+  this->SetImageDataPickInfo(place, extent);
+  this->CellId = cell;
+  std::copy_n(parametric, 3, this->PCoords);
+  return t;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfacePicker::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Isovalue: " << this->Isovalue << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIsosurfacePicker
+ * @brief   pick the isosurface that a vtkIsosurfaceRayTraceMapper draws
+ *
+ * VTK's own pickers take a volume for a cloud, and pick where its opacity passes a threshold. This
+ * one picks the isosurface: what Pick gives for a pixel of the window is, to the last bit, what the
+ * mapper draws there. Pick3DRay and Pick3DPoint give what vtkIsosurfaceRayTraceMapper's
+ * IntersectWithLine does. Clipping planes, cropping, the matrix of the volume and the choice of
+ * scalars count as they do in the picture.
+ *
+ * GetPickPosition and GetPickNormal are those of the surface (the normal on the side of smaller
+ * values, by the mapper's NormalMode), GetCellId, GetPCoords, GetCellIJK and GetPointId those of
+ * the image, and GetIsovalue says which surface it is. Other props are picked as by
+ * vtkVolumePicker; of all, the nearest is taken.
+ *
+ * @sa vtkIsosurfaceRayTraceMapper vtkVolumePicker vtkCellPicker
+ */
+
+#ifndef vtkIsosurfacePicker_h
+#define vtkIsosurfacePicker_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h" // for export macro
+#include "vtkVolumePicker.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfacePicker : public vtkVolumePicker
+{
+public:
+  static vtkIsosurfacePicker* New();
+  vtkTypeMacro(vtkIsosurfacePicker, vtkVolumePicker);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Get the isovalue of the surface that was picked; NaN if it was none.
+   */
+  vtkGetMacro(Isovalue, double);
+
+  using vtkVolumePicker::Pick;
+
+  /**
+   * Picks at a pixel of the window, counted from the lower left. Returns 1 if there was something.
+   */
+  int Pick(double selectionX, double selectionY, double selectionZ, vtkRenderer* renderer) override;
+
+protected:
+  vtkIsosurfacePicker();
+  ~vtkIsosurfacePicker() override;
+
+  void Initialize() override;
+  void ResetPickInfo() override;
+  double IntersectWithLine(const double p1[3], const double p2[3], double tol,
+    vtkAssemblyPath* path, vtkProp3D* prop, vtkAbstractMapper3D* mapper) override;
+  double IntersectVolumeWithLine(const double p1[3], const double p2[3], double t1, double t2,
+    vtkProp3D* prop, vtkAbstractVolumeMapper* mapper) override;
+
+private:
+  vtkIsosurfacePicker(const vtkIsosurfacePicker&) = delete;
+  void operator=(const vtkIsosurfacePicker&) = delete;
+
+  double Isovalue;
+  /// Of the surface found last, in the world.
+  double SurfacePosition[3];
+  double SurfaceNormal[3];
+  /// The pixel that is asked for, if it is one.
+  bool IsPixel = false;
+  int Pixel[2];
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

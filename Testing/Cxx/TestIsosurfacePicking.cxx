@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is picked and selected, and what a picture without a window says of its pixels, is what a
+// window shows.
+
+#include "MapperTesting.h"
+
+#include "vtkIsosurfacePicker.h"
+
+#include <vtkActor.h>
+#include <vtkCellPicker.h>
+#include <vtkDataObject.h>
+#include <vtkFloatArray.h>
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkMath.h>
+#include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProp3DCollection.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkSphereSource.h>
+#include <vtkWorldPointPicker.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <set>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+constexpr int Size = 120;
+
+/// What RenderToImage says.
+struct Image
+{
+  vtkNew<vtkImageData> Output;
+
+  template <typename Array>
+  Array* Get(const char* name)
+  {
+    return Array::SafeDownCast(this->Output->GetPointData()->GetArray(name));
+  }
+};
+
+/// A ball that is moved and turned, and cut by a plane.
+void Furnish(Scene& scene)
+{
+  scene.Volume->SetPosition(0.1, -0.2, 0.05);
+  scene.Volume->RotateX(30.0);
+  scene.Volume->SetScale(1.1, 0.9, 1.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.2, 0.3, -1.0);
+  plane->SetOrigin(0.0, 0.0, 0.3);
+  scene.Mapper->AddClippingPlane(plane);
+}
+
+/// Pictures without a window, made where there is no display, are those of a window.
+void CheckPictures(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  for (const bool isTranslucent : { false, true })
+  {
+    for (const bool isParallel : { false, true })
+    {
+      Scene scene(image, Size, Size);
+      Furnish(scene);
+      if (isTranslucent)
+      {
+        scene.SetSurface(0.0, { 0.9, 0.6, 0.3 }, 0.4);
+        scene.AddSurface(0.3, { 0.3, 0.6, 0.9 }, 1.0);
+      }
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetParallelProjection(isParallel ? 1 : 0);
+      for (const int type :
+        { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
+      {
+        vtkNew<vtkLight> light;
+        light->SetLightType(type);
+        light->SetIntensity(0.4);
+        light->SetPosition(0.3, 0.5 * type, 1.0);
+        scene.Renderer->AddLight(light);
+      }
+      const std::string display = vtksys::SystemTools::GetEnv("DISPLAY");
+      vtksys::SystemTools::UnPutEnv("DISPLAY");
+      Image without;
+      check.That(scene.Mapper->RenderToImage(
+                   scene.Volume, camera, scene.Renderer->GetLights(), Size, Size, without.Output),
+        "there is a picture without a display");
+      vtksys::SystemTools::PutEnv("DISPLAY=" + display);
+
+      scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+      const Picture window = RenderAndCapture(scene.Window);
+      auto* colors = without.Get<vtkUnsignedCharArray>("Colors");
+      check.That(colors == without.Output->GetPointData()->GetScalars(), "colours are the scalars");
+      Picture rgb;
+      for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+      {
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          rgb.push_back(colors->GetTypedComponent(i, channel));
+        }
+      }
+      check.That(GetDifference(window, Picture(window.size(), 0), 0) > 0.1, "something is drawn");
+      check.Equal(GetDifference(rgb, window, 0), 0.0, "the difference of a picture from a window");
+
+      const DepthPicture depths(scene.Window, scene.Renderer);
+      double worst = 0.0;
+      for (int i = 0; i < Size * Size; ++i)
+      {
+        worst = std::max(worst,
+          std::abs(depths.GetDepth(i % Size, i / Size) -
+            static_cast<double>(without.Get<vtkFloatArray>("Depth")->GetValue(i))));
+      }
+      check.Near(worst, 0.0, 1e-6, "the difference of the depths");
+    }
+  }
+  Scene scene(image);
+  Image output;
+  vtkNew<EventCounter> errors;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  check.That(!scene.Mapper->RenderToImage(scene.Volume, nullptr, nullptr, 9, 9, output.Output) &&
+      !scene.Mapper->RenderToImage(
+        scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, 0, 9, output.Output),
+    "no picture without a camera or without pixels");
+  check.Equal(errors->Count, 2, "the number of errors");
+  check.That(scene.Mapper->RenderToImage(
+               scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, 40, 30, output.Output),
+    "a picture without lights");
+  check.That(output.Get<vtkUnsignedCharArray>("Colors")->GetTypedComponent(40 * 15 + 20, 0) > 100,
+    "it has a headlight");
+}
+
+/// Every pixel of a window, picked: the position is that of the picture to the last bit, and what
+/// is said of it fits together.
+void CheckPicker(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  image->SetExtent(3, 35, -7, 25, 0, 32);
+  Scene scene(image, Size, Size);
+  Furnish(scene);
+  scene.SetSurface(0.0, { 0.9, 0.6, 0.3 }, 0.4);
+  scene.AddSurface(0.3, { 0.3, 0.6, 0.9 }, 1.0);
+  scene.LookFrom(1.0, -2.0, 0.8);
+  scene.Renderer->ResetCamera();
+  scene.Window->Render();
+  Image picture;
+  scene.Mapper->RenderToImage(scene.Volume, scene.Renderer->GetActiveCamera(),
+    scene.Renderer->GetLights(), Size, Size, picture.Output);
+  vtkNew<vtkIsosurfacePicker> picker;
+  int hits = 0;
+  int wrong = 0;
+  double worst = 0.0;
+  for (int i = 0; i < Size * Size; i += 7)
+  {
+    const int picked = picker->Pick(i % Size, i / Size, 0.0, scene.Renderer);
+    const vtkIdType cell = picture.Get<vtkIdTypeArray>("CellId")->GetValue(i);
+    const int surface = picture.Get<vtkIntArray>("IsovalueId")->GetValue(i);
+    if (cell < 0)
+    {
+      wrong += picked != 0 || std::isfinite(picker->GetIsovalue()) ? 1 : 0;
+      continue;
+    }
+    ++hits;
+    double position[3];
+    double normal[3];
+    picture.Get<vtkDoubleArray>("Position")->GetTypedTuple(i, position);
+    picture.Get<vtkDoubleArray>("Normals")->GetTypedTuple(i, normal);
+    const bool isSame = picked != 0 && picker->GetCellId() == cell &&
+      std::equal(position, position + 3, picker->GetPickPosition()) &&
+      std::equal(normal, normal + 3, picker->GetPickNormal()) &&
+      picker->GetIsovalue() == (surface == 0 ? 0.0 : 0.3) &&
+      picker->GetMapper() == scene.Mapper.Get() && picker->GetDataSet() == image &&
+      picker->GetProp3D() == scene.Volume.Get();
+    wrong += isSame ? 0 : 1;
+    // Cell, coordinates and structured place lead back to the position.
+    double bounds[6];
+    image->GetCellBounds(picker->GetCellId(), bounds);
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    const int* place = picker->GetCellIJK();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double* pcoords = picker->GetPCoords();
+      point[axis] = bounds[2 * axis] + pcoords[axis] * (bounds[2 * axis + 1] - bounds[2 * axis]);
+      const double structured =
+        image->GetOrigin()[axis] + image->GetSpacing()[axis] * (place[axis] + pcoords[axis]);
+      worst = std::max(worst, std::abs(structured - point[axis]));
+    }
+    scene.Volume->GetMatrix()->MultiplyPoint(point, point);
+    worst = std::max(worst, std::sqrt(vtkMath::Distance2BetweenPoints(point, position)));
+  }
+  check.That(hits > 150, std::to_string(hits) + " pixels are hit");
+  check.Equal(wrong, 0, "the number of pixels picked wrong");
+  check.Near(worst, 0.0, 1e-12, "cell and coordinates of what is picked");
+
+  // A ray of one's own is one of IntersectWithLine.
+  double from[3] = { 1.5, -3.0, 0.3 };
+  double towards[4] = { 0.0, 0.0, 0.0, 0.0 };
+  check.That(
+    picker->Pick3DRay(from, towards, scene.Renderer) == 0 || std::isfinite(picker->GetIsovalue()),
+    "a ray in space picks the isosurface or nothing");
+
+  // What stands before the surface is picked before it.
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.2);
+  source->SetCenter(0.5, -1.5, 0.4);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+  scene.Window->Render();
+  double display[3] = { 0.5, -1.5, 0.4 };
+  scene.Renderer->SetWorldPoint(display[0], display[1], display[2], 1.0);
+  scene.Renderer->WorldToDisplay();
+  scene.Renderer->GetDisplayPoint(display);
+  check.Equal(picker->Pick(display[0], display[1], 0.0, scene.Renderer), 1, "the sphere is picked");
+  check.That(picker->GetProp3D() == actor.Get() && !std::isfinite(picker->GetIsovalue()),
+    "and not the surface behind it");
+  source->SetCenter(0.0, 1.5, 0.0);
+  scene.Window->Render();
+  check.Equal(picker->Pick(Size / 2, Size / 2, 0.0, scene.Renderer), 1, "something is picked");
+  check.That(picker->GetProp3D() == scene.Volume.Get(), "it is not the sphere behind the surface");
+
+  // VTK's pickers that read the depth buffer find the surface too.
+  vtkNew<vtkWorldPointPicker> world;
+  world->Pick(Size / 2, Size / 2, 0.0, scene.Renderer);
+  check.That(std::isfinite(world->GetPickPosition()[0]), "vtkWorldPointPicker behaves");
+  vtkNew<vtkCellPicker> cells;
+  cells->Pick(Size / 2, Size / 2, 0.0, scene.Renderer);
+  check.That(std::isfinite(cells->GetPickPosition()[0]), "vtkCellPicker behaves");
+}
+
+/// The ids that are selected in the whole window, of a prop.
+std::set<vtkIdType> Select(Scene& scene, int association, vtkProp* prop)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(association);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
+    {
+      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    }
+  }
+  return ids;
+}
+
+std::set<vtkIdType> GetCells(Scene& scene)
+{
+  Image picture;
+  scene.Mapper->RenderToImage(
+    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+  auto* cells = picture.Get<vtkIdTypeArray>("CellId");
+  std::set<vtkIdType> ids(cells->GetPointer(0), cells->GetPointer(0) + Size * Size);
+  ids.erase(-1);
+  return ids;
+}
+
+void CheckSelector(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  Scene scene(image, Size, Size);
+  Furnish(scene);
+  const Picture before = RenderAndCapture(scene.Window);
+  const std::set<vtkIdType> expected = GetCells(scene);
+  check.That(expected.size() > 100, "hundreds of cells are seen");
+  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
+    "the cells selected are those seen");
+  const std::set<vtkIdType> points =
+    Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, scene.Volume);
+  int near = 0;
+  for (const vtkIdType point : points)
+  {
+    // No point that is nearest to the surface is a cell edge away from it.
+    const double value = image->GetPointData()->GetScalars()->GetTuple1(point);
+    near += std::abs(value) < 0.0625 ? 1 : 0;
+  }
+  check.That(points.size() > 100 && near == static_cast<int>(points.size()),
+    "the points selected are near the surface");
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), before, 0), 0.0,
+    "the difference after a selection");
+
+  // With an actor in the scene, each has its own.
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.3);
+  source->SetCenter(0.5, -1.2, 0.4);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+  scene.Window->Render();
+  const auto cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const std::set<vtkIdType> ofActor = Select(scene, cells, actor);
+  const std::set<vtkIdType> left = Select(scene, cells, scene.Volume);
+  check.That(!ofActor.empty() && *ofActor.rbegin() < 96, "the cells of the sphere are its own");
+  check.That(!left.empty() && left.size() < expected.size() &&
+      std::includes(expected.begin(), expected.end(), left.begin(), left.end()),
+    "the sphere hides some cells");
+}
+
+/// Ids beyond 24 bits.
+void CheckLargeIds(Checks& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(260, 260, 260);
+  image->SetSpacing(2.0 / 259, 2.0 / 259, 2.0 / 259);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(values, image->GetNumberOfPoints(), std::uint8_t{ 0 });
+  std::fill_n(values, 257 * 260 * 260, std::uint8_t{ 200 });
+  Scene scene(image, Size, Size);
+  scene.SetSurface(100.0, { 0.9, 0.8, 0.7 }, 1.0);
+  scene.LookFrom(0.3, -0.2, 2.0);
+  scene.Window->Render();
+  const std::set<vtkIdType> expected = GetCells(scene);
+  check.That(!expected.empty() && *expected.begin() > 1 << 24, "the ids are large");
+  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
+    "large ids are selected whole");
+}
+
+}
+
+int TestIsosurfacePicking(int, char*[])
+{
+  Checks check;
+  CheckPictures(check);
+  CheckPicker(check);
+  CheckSelector(check);
+  CheckLargeIds(check);
+  return check.Result();
+}
