@@ -17,6 +17,7 @@ set(classes
   Rendering/vtkIsosurfaceRayTraceMapper)
 
 set(private_classes
+  Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSource)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSource.h"
@@ -96,6 +97,9 @@ public:
   /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
   std::string SelectScalars(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property);
 
+  /// The same for the colours.
+  std::string SelectColors(vtkIsosurfaceRayTraceMapper* self);
+
   /// Whether a message is new. Every cause is named once, not once per frame.
   bool IsNews(const std::string& message, std::string& last) const
   {
@@ -120,10 +124,10 @@ public:
 
   /// What is seen from where, but the lights.
   vtkirt::Scene MakeScene(
-    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view) const;
+    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view);
   /// The same for a renderer, with its lights.
   vtkirt::Scene MakeScene(
-    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer) const;
+    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer);
   /// Makes the picture. Returns false if it was given up.
   bool Trace(vtkIsosurfaceRayTraceMapper* self, const vtkirt::Scene& scene,
     const std::function<bool(double)>& keepGoing);
@@ -138,6 +142,10 @@ public:
   /// The component of the property that says what they look like.
   int PropertyComponent = 0;
   vtkIsosurfaceRayTraceSource Source;
+  /// What surfaces are coloured by; the array is null if by their isovalues.
+  vtkImageData* ColorImage = nullptr;
+  vtkDataArray* ColorArray = nullptr;
+  std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
   vtkirt::Matrix4 WorldFromIndex;
@@ -252,16 +260,38 @@ vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
   : Internal(std::make_unique<Internals>())
 {
   this->BlendMode = vtkVolumeMapper::ISOSURFACE_BLEND;
+  this->SetNumberOfInputPorts(2);
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceMapper::~vtkIsosurfaceRayTraceMapper() = default;
 
 //------------------------------------------------------------------------------
-int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int, vtkInformation* info)
+int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetColorInputData(vtkImageData* image)
+{
+  this->SetInputDataInternal(1, image);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetColorArrayName(const char* name)
+{
+  const std::string newName = name ? name : "";
+  if (this->ColorArrayName != newName)
+  {
+    this->ColorArrayName = newName;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -423,16 +453,43 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : self->VectorComponent;
   }
-  const std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(image, this->Scalars);
-  return problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : problem;
+  std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(image, this->Scalars);
+  problem += problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : "";
+  problem += problem.empty() ? this->SelectColors(self) : "";
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMapper::Internals::SelectColors(vtkIsosurfaceRayTraceMapper* self)
+{
+  auto* second = vtkImageData::SafeDownCast(self->GetInputDataObject(1, 0));
+  this->ColorImage = second ? second : vtkImageData::SafeDownCast(self->GetDataSetInput());
+  this->ColorArray = nullptr;
+  if (!second && self->ColorArrayName.empty())
+  {
+    return "";
+  }
+  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(this->ColorImage, self->ColorArrayName);
+  if (this->ColorArray)
+  {
+    return "";
+  }
+  return "There are no point data " +
+    (self->ColorArrayName.empty() ? std::string("scalars")
+                                  : "named \"" + self->ColorArrayName + "\"") +
+    (second ? " in the second input" : " in the input") +
+    " to colour by. Give an array with a tuple for every point to SetColorArrayName.";
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
 {
-  if (this->GetNumberOfInputConnections(0) > 0)
+  for (int port = 0; port < 2; ++port)
   {
-    this->GetInputAlgorithm()->Update();
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      this->GetInputAlgorithm(port, 0)->Update();
+    }
   }
   Internals& internal = *this->Internal;
   vtkVolumeProperty* property = volume->GetProperty();
@@ -470,7 +527,7 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
 
 //------------------------------------------------------------------------------
 vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
-  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view) const
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view)
 {
   vtkirt::Scene scene;
   scene.Threads = self->GetThreads();
@@ -484,6 +541,13 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
       vtkIsosurfaceRayTraceScene::GetColor(property, this->PropertyComponent, surface.Isovalue));
   }
   scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, this->PropertyComponent);
+  scene.Shadows = self->Shadows;
+  if (this->ColorArray)
+  {
+    this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(this->ColorImage, this->ColorArray,
+      this->Source.GetPhysicalFromIndex(), property, this->PropertyComponent);
+    scene.ColorsOfHits = this->Colors.get();
+  }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
     view.Camera, view.Aspect, this->WorldFromIndex, view.Width, view.Height);
   scene.Pixels =
@@ -493,7 +557,7 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
 
 //------------------------------------------------------------------------------
 vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
-  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer) const
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer)
 {
   int width = 0;
   int height = 0;
@@ -830,6 +894,8 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const vectorModes[] = { "Disabled", "Magnitude", "Component" };
   os << indent << "VectorMode: " << vectorModes[this->VectorMode + 1] << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
   os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";

@@ -42,6 +42,9 @@
  * at a time (`schedule(dynamic)`), which vtkSMPTools does not promise. The picture is the same, bit
  * for bit, for any number of threads, any layout and any hierarchy.
  *
+ * The colour of a surface may come from another array or another image (ColorArrayName), and
+ * surfaces may cast shadows (Shadows).
+ *
  * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits.
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
@@ -181,6 +184,39 @@ public:
    */
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the name of a point array that colours the surfaces, in place of their isovalues: its
+   * value at a hit, interpolated trilinearly, is looked up in the colour transfer function of the
+   * property; an array of unsigned char with three or four components is a colour itself. It is an
+   * array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if there is
+   * one: an image of any resolution in the same coordinates, whose border goes on outside of it. An
+   * empty name takes the point scalars of the second input; without a second input, it colours by
+   * isovalue. Opacity is always that of the isovalue. Default: empty.
+   */
+  void SetColorArrayName(const char* name);
+  const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
+  ///@}
+
+  /**
+   * Set the second input (SetInputConnection(1, port) connects one): an image to colour the
+   * surfaces by, of any resolution, in the same coordinates. Outside of it its border goes on. Null
+   * takes it away. Default: none.
+   */
+  void SetColorInputData(vtkImageData* image);
+
+  ///@{
+  /**
+   * Set/Get whether the surfaces cast shadows on each other and on themselves, from every light
+   * that is on. A translucent surface lets through one minus its opacity. Other props neither cast
+   * nor receive these shadows. Shading must be on (vtkVolumeProperty::ShadeOn). Default: off, which
+   * costs nothing.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
   ///@}
 
   /**
@@ -402,6 +438,8 @@ private:
   int NormalMode = CENTRAL_DIFFERENCES;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  std::string ColorArrayName;
+  bool Shadows = false;
   int BrickLayout = APRON_BRICKS;
   int BrickSize = 8;
   int BrickGroupSize = 4;

@@ -38,6 +38,15 @@ struct Material
   double SpecularPower = 10.0;
 };
 
+/// Colours that differ from hit to hit.
+class HitColors
+{
+public:
+  virtual ~HitColors() = default;
+  /// The colour of a hit. Many threads ask at once.
+  virtual Vector3 Get(const Hit& hit) const = 0;
+};
+
 /// A rectangle of pixels, counted from the lower left of the viewport.
 struct PixelRectangle
 {
@@ -61,10 +70,14 @@ struct Scene
   Wanted Want;
   /// The colour of each surface.
   std::vector<Vector3> Colors;
+  /// If there is one, it says the colours instead.
+  const HitColors* ColorsOfHits = nullptr;
   NormalMode Normals = NormalMode::CentralDifferences;
   Material Look;
   std::vector<Light> Lights;
   bool TwoSidedLighting = true;
+  /// Whether the surfaces cast shadows on each other.
+  bool Shadows = false;
   /// Whether the first hit of every pixel is wanted besides its colour.
   bool KeepHits = false;
 

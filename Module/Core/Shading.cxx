@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -90,7 +91,7 @@ Vector3 GradientToWorld(const Matrix4& worldFromIndex, const Vector3& gradient)
 }
 
 //------------------------------------------------------------------------------
-Shader::Shader(const Scene& scene, const TracedVolume& volume)
+Shader::Shader(const Scene& scene, TracedVolume& volume)
   : TheScene(scene)
   , Volume(volume)
   , WorldFromGradient(GradientMatrix(scene.View.GetWorldFromIndex()))
@@ -115,8 +116,15 @@ Shader::Shader(const Scene& scene, const TracedVolume& volume)
 bool Shader::CanUseKernels() const
 {
   const Scene& scene = this->TheScene;
-  return scene.Want.BeamKernels && scene.Look.Shade && this->WholePower >= 0 &&
+  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && this->WholePower >= 0 &&
     this->DistantLights.size() == scene.Lights.size();
+}
+
+//------------------------------------------------------------------------------
+Vector3 Shader::GetColor(const Hit& hit) const
+{
+  return this->TheScene.ColorsOfHits ? this->TheScene.ColorsOfHits->Get(hit)
+                                     : this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
 }
 
 //------------------------------------------------------------------------------
@@ -124,6 +132,12 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
 {
   colors.resize(hits.Hits.size());
   const bool canUseKernels = this->CanUseKernels();
+  const std::size_t lights = this->TheScene.Lights.size();
+  std::vector<double> shares;
+  if (this->TheScene.Shadows && this->TheScene.Look.Shade)
+  {
+    shares = this->CastShadows(hits.Hits);
+  }
   ShadedHits some;
   some.Count = 0;
   std::size_t first = 0;
@@ -137,11 +151,11 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         rays.Direction[2][ray] };
       if (!canUseKernels)
       {
-        colors[i] = this->Shade(hit, direction);
+        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights]);
         continue;
       }
       const int place = some.Count++;
-      const Vector3& color = this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
+      const Vector3 color = this->GetColor(hit);
       for (std::size_t k = 0; k < 3; ++k)
       {
         some.Direction[k][place] = direction[k];
@@ -181,6 +195,100 @@ void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) con
 }
 
 //------------------------------------------------------------------------------
+/// How much of each light comes through to each hit: hit by hit, light by light.
+std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
+{
+  const std::size_t lights = this->TheScene.Lights.size();
+  std::vector<double> shares(hits.size() * lights, 1.0);
+  for (std::size_t first = 0; first < hits.size(); first += RayGroup::Capacity)
+  {
+    const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
+    for (std::size_t light = 0; light < lights; ++light)
+    {
+      double some[RayGroup::Capacity];
+      this->CastShadows(this->TheScene.Lights[light], &hits[first], static_cast<int>(count), some);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        shares[(first + i) * lights + light] = some[i];
+      }
+    }
+  }
+  return shares;
+}
+
+//------------------------------------------------------------------------------
+void Shader::CastShadows(const Light& light, const Hit* hits, int count, double* shares) const
+{
+  RayGroup rays;
+  rays.Count = 0;
+  rays.Exists = {};
+  bool goesInside[RayGroup::Capacity];
+  for (int i = 0; i < count; ++i)
+  {
+    shares[i] = 1.0;
+    const ShadowRay ray = this->MakeShadowRay(light, hits[i]);
+    const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
+    goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
+    AddRay(
+      ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions()), rays);
+  }
+  // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
+  // tells: a first crossing to the side that the ray is on already is none. Where the surface is
+  // opaque, the ray is sent on from there.
+  double step = 1e-13;
+  RayHits found;
+  for (int attempt = 0; attempt < 8 && !IsEmpty(rays.Exists); ++attempt, step *= 16.0)
+  {
+    this->Volume.Trace(rays, found);
+    RaySet again = {};
+    for (int i = 0; i < count; ++i)
+    {
+      std::size_t first = found.First[static_cast<std::size_t>(i)];
+      const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
+      const bool isOwn = first < last && found.Hits[first].Surface == hits[i].Surface &&
+        found.Hits[first].Rising == goesInside[i];
+      if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
+      {
+        const Ray ray = GetRay(rays, i);
+        rays.Begin[i] = found.Hits[first].T - ray.Base + step / Length(ray.Direction);
+        if (rays.Begin[i] < rays.End[i])
+        {
+          Add(i, again);
+        }
+        continue;
+      }
+      for (first += isOwn ? 1 : 0; first < last; ++first)
+      {
+        shares[i] *= 1.0 - this->GetOpacity(found.Hits[first]);
+      }
+    }
+    rays.Exists = again;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// From a hit to a light, in index space.
+Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) const
+{
+  const Matrix4& toWorld = this->TheScene.View.GetWorldFromIndex();
+  const Vector3 origin = hit.GetPoint();
+  const Vector3 toLight =
+    light.Positional ? light.Position - TransformPoint(toWorld, origin) : light.Direction;
+  // The gradient's matrix is the inverse of the transposed, up to a factor.
+  const Vector3 direction = TransposeTransformDirection(this->WorldFromGradient, toLight);
+  const double end = light.Positional
+    ? Length(toLight) / Length(TransformDirection(toWorld, direction))
+    : std::numeric_limits<double>::infinity();
+  return { origin, direction, end };
+}
+
+//------------------------------------------------------------------------------
+double Shader::GetOpacity(const Hit& hit) const
+{
+  return this->TheScene.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+}
+
+//------------------------------------------------------------------------------
 double Shader::Highlight(double cosine) const
 {
   if (this->WholePower < 0)
@@ -198,10 +306,10 @@ double Shader::Highlight(double cosine) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 Shader::Shade(const Hit& hit, const Vector3& direction) const
+Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* shares) const
 {
   const Scene& scene = this->TheScene;
-  const Vector3& color = scene.Colors[static_cast<std::size_t>(hit.Surface)];
+  const Vector3 color = this->GetColor(hit);
   const Material& look = scene.Look;
   if (!look.Shade)
   {
@@ -221,14 +329,16 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction) const
   const Vector3 point = TransformPoint(toWorld, hit.GetPoint());
   Vector3 diffuse = { 0.0, 0.0, 0.0 };
   Vector3 specular = { 0.0, 0.0, 0.0 };
-  for (const Light& light : scene.Lights)
+  for (std::size_t i = 0; i < scene.Lights.size(); ++i)
   {
-    const Illumination illumination = Illuminate(light, point);
+    const Light& light = scene.Lights[i];
+    Illumination illumination = Illuminate(light, point);
     const double cosine = Dot(normal, illumination.Direction);
     if (cosine <= 0.0)
     {
       continue;
     }
+    illumination.Strength *= shares ? shares[i] : 1.0;
     diffuse = diffuse + light.DiffuseColor * (cosine * illumination.Strength);
     const Vector3 mirrored = normal * (2.0 * cosine) - illumination.Direction;
     const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));

@@ -18,21 +18,34 @@ class Shader
 {
 public:
   /// The scene and the volume must outlive the shader.
-  Shader(const Scene& scene, const TracedVolume& volume);
+  Shader(const Scene& scene, TracedVolume& volume);
 
-  /// The colour of a hit of a ray with a direction in index space.
-  Vector3 Shade(const Hit& hit, const Vector3& direction) const;
+  /// The colour of a hit of a ray with a direction in index space. For each light, shares has how
+  /// much of it comes through to the hit; null where there are no shadows.
+  Vector3 Shade(const Hit& hit, const Vector3& direction, const double* shares = nullptr) const;
 
   /// The colours of the hits of a group of rays, the same but faster.
   void Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
 
 private:
+  struct ShadowRay
+  {
+    Vector3 Origin;
+    Vector3 Direction;
+    double End;
+  };
+
   bool CanUseKernels() const;
+  Vector3 GetColor(const Hit& hit) const;
   void ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const;
+  std::vector<double> CastShadows(const std::vector<Hit>& hits) const;
+  void CastShadows(const Light& light, const Hit* hits, int count, double* shares) const;
+  ShadowRay MakeShadowRay(const Light& light, const Hit& hit) const;
+  double GetOpacity(const Hit& hit) const;
   double Highlight(double cosine) const;
 
   const Scene& TheScene;
-  const TracedVolume& Volume;
+  TracedVolume& Volume;
   Matrix4 WorldFromGradient;
   /// The specular power, if it is a small whole number; else -1.
   int WholePower;
