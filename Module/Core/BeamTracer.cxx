@@ -6,6 +6,7 @@
 #include "BeamWalk.h"
 #include "RayGroup.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vtkIsosurfaceRayTracing
@@ -23,6 +24,21 @@ int FirstOf(const RaySet& set)
   return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
 }
 
+/// Whether any ray of a group goes along lattice planes.
+bool HasParallel(const RayGroup& group)
+{
+  for (int i = 0; i < group.Count; ++i)
+  {
+    if (Has(group.Exists, i) &&
+      (group.Direction[0][i] == 0.0 || group.Direction[1][i] == 0.0 ||
+        group.Direction[2][i] == 0.0))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -31,6 +47,7 @@ void BeamTracer::Trace(RayGroup& group, Cells& cells)
   this->Group = &group;
   this->Source = &cells;
   this->Found = {};
+  this->HasParallelRays = HasParallel(group);
   this->TraceSet(group.Exists, CountOf(group.Exists));
 }
 
@@ -143,8 +160,51 @@ void BeamTracer::AddCandidates(int axis, const int first[3], int entry, int slic
   }
 }
 
+/// Whether a ray along lattice planes does not pass a cell, but the one on the other side of such a
+/// plane, however near.
+bool BeamTracer::IsBeside(int candidate) const
+{
+  const int ray = this->Queue.Ray[candidate];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (this->Group->Direction[axis][ray] == 0.0)
+    {
+      const auto floor = static_cast<int>(std::floor(this->Group->Origin[axis][ray]));
+      if (this->Queue.Cell[axis][candidate] != std::min(floor, this->Dimensions[axis] - 2))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The kernels propose cells that a ray comes near to, and find out by the planes of a cell whether
+/// it passes there. Along an axis that it is parallel to there are none to tell.
+void BeamTracer::DropCandidatesBeside()
+{
+  int kept = 0;
+  for (int i = 0; i < this->Queue.Count; ++i)
+  {
+    if (!this->IsBeside(i))
+    {
+      this->Queue.Ray[kept] = this->Queue.Ray[i];
+      for (int* cells : this->Queue.Cell)
+      {
+        cells[kept] = cells[i];
+      }
+      ++kept;
+    }
+  }
+  this->Queue.Count = kept;
+}
+
 void BeamTracer::SolveQueue()
 {
+  if (this->HasParallelRays)
+  {
+    this->DropCandidatesBeside();
+  }
   if (this->Queue.Count == 0)
   {
     return;

@@ -38,9 +38,12 @@ public:
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) = 0;
   };
 
-  BeamTracer(const Kernels& kernels, const BlockTree& tree, const ScaledIsovalue& isovalue)
+  /// The dimensions are those of the volume, in samples.
+  BeamTracer(const Kernels& kernels, const BlockTree& tree, const Index3& dimensions,
+    const ScaledIsovalue& isovalue)
     : TheKernels(kernels)
     , Tree(tree)
+    , Dimensions(dimensions)
     , Isovalue(isovalue)
   {
   }
@@ -55,15 +58,19 @@ private:
   void VisitBlock(const Beam& beam, const Index3& block);
   void AddCandidates(int axis, const int first[3], int entry, int slice);
   void SolveQueue();
+  bool IsBeside(int candidate) const;
+  void DropCandidatesBeside();
   Index3 GetCell(int candidate) const;
   void Keep(int ray, const Hit& hit, const Place& begin);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
+  Index3 Dimensions;
   ScaledIsovalue Isovalue;
 
   RayGroup* Group = nullptr;
   Cells* Source = nullptr;
+  bool HasParallelRays = false;
   RaySet Going = {};
   RaySet Found = {};
   RaySet FoundInBlock = {};

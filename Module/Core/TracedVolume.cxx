@@ -407,8 +407,8 @@ private:
   void TraceBeams(RayGroup& rays, RayHits& hits)
   {
     BeamCells cells(*this, rays);
-    BeamTracer tracer(
-      *this->Want.BeamKernels, this->Tree, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
+    BeamTracer tracer(*this->Want.BeamKernels, this->Tree, this->TheSamples.GetDimensions(),
+      { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
     tracer.Trace(rays, cells);
     for (int i = 0; i < rays.Count; ++i)
     {
