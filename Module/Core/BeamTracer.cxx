@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -24,30 +25,32 @@ int FirstOf(const RaySet& set)
   return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
 }
 
-/// Whether any ray of a group goes along lattice planes.
-bool HasParallel(const RayGroup& group)
-{
-  for (int i = 0; i < group.Count; ++i)
-  {
-    if (Has(group.Exists, i) &&
-      (group.Direction[0][i] == 0.0 || group.Direction[1][i] == 0.0 ||
-        group.Direction[2][i] == 0.0))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 }
 
 //------------------------------------------------------------------------------
+const GroupHits& BeamTracer::FindFirstHits(
+  RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue)
+{
+  this->Isovalue = isovalue;
+  this->Queue.Count = 0;
+  this->Hits.Found = {};
+  this->Hits.Refined = {};
+  this->Hits.Rising = {};
+  this->Trace(group, cells);
+  this->TheKernels.Refine(group, this->Hits);
+  return this->Hits;
+}
+
+void BeamTracer::FollowRays(RayGroup& group, Cells& cells)
+{
+  this->Isovalue.reset();
+  this->Trace(group, cells);
+}
+
 void BeamTracer::Trace(RayGroup& group, Cells& cells)
 {
   this->Group = &group;
   this->Source = &cells;
-  this->Found = {};
-  this->HasParallelRays = HasParallel(group);
   this->TraceSet(group.Exists, CountOf(group.Exists));
 }
 
@@ -70,7 +73,9 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   }
   Beam beam;
   const bool isBeam = this->TheKernels.Align(*this->Group, rays, axis, beam);
-  if (count > 1 && (!isBeam || BeamWalk::IsTooWide(beam)))
+  // All passages of a slice must have room if rays are to be followed in order.
+  const int largestCount = this->Isovalue ? RayGroup::Capacity : Passages::RaysWithRoom;
+  if (count > 1 && (!isBeam || BeamWalk::IsTooWide(beam) || count > largestCount))
   {
     RaySet half = {};
     RaySet rest = rays;
@@ -85,12 +90,20 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
     return;
   }
   this->Going = rays;
+  this->Passed.Count = 0;
   BeamWalk(this->Tree, beam)
-    .ForEachSlice([this, &beam](const Index3& macrocell) { this->VisitBlock(beam, macrocell); },
-      [this]()
+    .ForEachSlice(
+      [this, &beam](const Index3* blocks, int blockCount)
       {
-        this->Going.Words[0] &= ~this->Found.Words[0];
-        this->Going.Words[1] &= ~this->Found.Words[1];
+        for (int i = 0; i < blockCount; ++i)
+        {
+          this->Source->Prefetch(blocks[i]);
+        }
+        for (int i = 0; i < blockCount; ++i)
+        {
+          this->VisitBlock(beam, blocks[i]);
+        }
+        this->EndSlice(beam);
         return IsEmpty(this->Going);
       });
 }
@@ -101,32 +114,100 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
   const BlockMask& mask = this->Source->GetMask(block, own);
   const int first[3] = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
     block[2] * BlockMask::Edge };
-  this->TheKernels.FindCells(
+  this->TheKernels.FindPassages(
     *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
+  if (this->Isovalue && this->Passed.Count >= Passages::Batch)
+  {
+    this->SolvePassages(beam);
+  }
+}
 
-  this->FoundInBlock = {};
-  // A ray needs the cells of a slice only if it hit nothing in the slices before.
+/// Does what is to be done for the rays in a slice of blocks.
+void BeamTracer::EndSlice(const Beam& beam)
+{
+  if (!this->Isovalue)
+  {
+    this->FollowPassages(beam);
+    return;
+  }
+  this->SolvePassages(beam);
+  this->Going.Words[0] &= ~this->Hits.Found.Words[0];
+  this->Going.Words[1] &= ~this->Hits.Found.Words[1];
+}
+
+/// Follows each ray through the cells of all its passages.
+void BeamTracer::FollowPassages(const Beam& beam)
+{
+  // The passages of a ray, each with the number of the next.
+  int first[RayGroup::Capacity];
+  int next[Passages::Capacity];
+  std::fill_n(first, RayGroup::Capacity, -1);
+  for (int i = 0; i < this->Passed.Count; ++i)
+  {
+    next[i] = std::exchange(first[this->Passed.Ray[i]], i);
+  }
+  std::vector<Index3> cells;
+  for (int ray = 0; ray < this->Group->Count; ++ray)
+  {
+    if (first[ray] < 0)
+    {
+      continue;
+    }
+    cells.clear();
+    for (int passage = first[ray]; passage >= 0; passage = next[passage])
+    {
+      this->AddCells(beam.Axis, passage, cells);
+    }
+    if (this->Source->Follow(ray, cells))
+    {
+      this->Going.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
+    }
+  }
+  this->Passed.Count = 0;
+}
+
+void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) const
+{
+  const int* first = this->Passed.First[passage];
+  for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
+  {
+    const int slice = __builtin_ctz(slices);
+    for (std::uint64_t bits = this->Passed.Cells[passage][slice]; bits != 0; bits &= bits - 1)
+    {
+      const int bit = __builtin_ctzll(bits);
+      Index3 cell = { first[0], first[1], first[2] };
+      cell[static_cast<std::size_t>(axis)] += slice;
+      cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
+      cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
+      cells.push_back(cell);
+    }
+  }
+}
+
+/// Finds the first hit of every passage. A ray needs the cells of a slice only if it hit nothing in
+/// the slices before. (Whether there is more to do for a ray is as good as random: counting is
+/// faster than branching.)
+void BeamTracer::SolvePassages(const Beam& beam)
+{
+  int waiting[Passages::Capacity];
   int left = this->Passed.Count;
-  int waiting[RayGroup::Capacity];
   for (int i = 0; i < left; ++i)
   {
     waiting[i] = i;
   }
   while (left > 0)
   {
-    this->Queue.Count = 0;
     int next = 0;
     for (int i = 0; i < left; ++i)
     {
-      const int entry = waiting[i];
-      unsigned int& slices = this->Passed.Slices[entry];
+      const int passage = waiting[i];
+      const unsigned int slices = this->Passed.Slices[passage];
       const int slice = beam.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
-      slices &= ~(1U << slice);
-      this->AddCandidates(beam.Axis, first, entry, slice);
-      if (slices != 0)
-      {
-        waiting[next++] = entry;
-      }
+      const unsigned int others = slices & ~(1U << slice);
+      this->Passed.Slices[passage] = others;
+      this->AddCandidates(beam.Axis, passage, slice);
+      waiting[next] = passage;
+      next += others != 0 ? 1 : 0;
       if (this->Queue.Count >= Candidates::Batch)
       {
         this->SolveQueue();
@@ -136,75 +217,45 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     left = 0;
     for (int i = 0; i < next; ++i)
     {
-      if (!Has(this->FoundInBlock, this->Passed.Ray[waiting[i]]))
-      {
-        waiting[left++] = waiting[i];
-      }
+      waiting[left] = waiting[i];
+      left += this->Passed.Hits[waiting[i]] ? 0 : 1;
     }
   }
+  this->Passed.Count = 0;
 }
 
-void BeamTracer::AddCandidates(int axis, const int first[3], int entry, int slice)
+void BeamTracer::AddCandidates(int axis, int passage, int slice)
 {
-  const int u = BlockMask::U[axis];
-  const int v = BlockMask::V[axis];
-  for (std::uint64_t cells = this->Passed.Cells[entry][slice]; cells != 0; cells &= cells - 1)
+  Candidates& queue = this->Queue;
+  const int* first = this->Passed.First[passage];
+  int* along = queue.Cell[axis];
+  int* acrossU = queue.Cell[BlockMask::U[axis]];
+  int* acrossV = queue.Cell[BlockMask::V[axis]];
+  const int firstU = first[BlockMask::U[axis]];
+  const int firstV = first[BlockMask::V[axis]];
+  const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
-    const int place = this->Queue.Count++;
-    Candidates& queue = this->Queue;
-    queue.Ray[place] = this->Passed.Ray[entry];
-    queue.Cell[axis][place] = first[axis] + slice;
-    queue.Cell[u][place] = first[u] + bit % 8;
-    queue.Cell[v][place] = first[v] + bit / 8;
-  }
-}
-
-/// Whether a ray along lattice planes does not pass a cell, but the one on the other side of such a
-/// plane, however near.
-bool BeamTracer::IsBeside(int candidate) const
-{
-  const int ray = this->Queue.Ray[candidate];
-  for (std::size_t axis = 0; axis < 3; ++axis)
+    queue.Passage[place] = passage;
+    queue.Ray[place] = this->Passed.Ray[passage];
+    along[place] = first[axis] + slice;
+    acrossU[place] = firstU + bit % 8;
+    acrossV[place] = firstV + bit / 8;
+  };
+  // Mostly there are one or two. Both are written, and then counted.
+  std::uint64_t cells = this->Passed.Cells[passage][slice];
+  put(queue.Count, cells);
+  cells &= cells - 1;
+  put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
+  queue.Count += cells != 0 ? 2 : 1;
+  for (cells &= cells - 1; cells != 0; cells &= cells - 1)
   {
-    if (this->Group->Direction[axis][ray] == 0.0)
-    {
-      const auto floor = static_cast<int>(std::floor(this->Group->Origin[axis][ray]));
-      if (this->Queue.Cell[axis][candidate] != std::min(floor, this->Dimensions[axis] - 2))
-      {
-        return true;
-      }
-    }
+    put(queue.Count++, cells);
   }
-  return false;
-}
-
-/// The kernels propose cells that a ray comes near to, and find out by the planes of a cell whether
-/// it passes there. Along an axis that it is parallel to there are none to tell.
-void BeamTracer::DropCandidatesBeside()
-{
-  int kept = 0;
-  for (int i = 0; i < this->Queue.Count; ++i)
-  {
-    if (!this->IsBeside(i))
-    {
-      this->Queue.Ray[kept] = this->Queue.Ray[i];
-      for (int* cells : this->Queue.Cell)
-      {
-        cells[kept] = cells[i];
-      }
-      ++kept;
-    }
-  }
-  this->Queue.Count = kept;
 }
 
 void BeamTracer::SolveQueue()
 {
-  if (this->HasParallelRays)
-  {
-    this->DropCandidatesBeside();
-  }
   if (this->Queue.Count == 0)
   {
     return;
@@ -214,48 +265,48 @@ void BeamTracer::SolveQueue()
     this->Queue.Ray[this->Queue.Count + i] = 0;
   }
   this->Source->LoadCorners(this->Queue);
-  this->TheKernels.FindFirstRoots(*this->Group, this->Queue, this->Isovalue, this->Roots);
-  for (int i = 0; i < this->Roots.Count; ++i)
+  this->TheKernels.FindHits(
+    *this->Group, this->Queue, *this->Isovalue, this->Hits, this->Passed, this->Extremes);
+  for (int i = 0; i < this->Extremes.Count; ++i)
   {
-    const int candidate = this->Roots.Candidate[i];
-    this->Keep(this->Queue.Ray[candidate],
-      { this->Roots.T[i], this->GetCell(candidate), 0,
-        { this->Roots.Parametric[0][i], this->Roots.Parametric[1][i],
-          this->Roots.Parametric[2][i] },
-        this->Roots.Rising[i] },
-      { this->Roots.Begin[i], static_cast<int>(this->Roots.BeginAxis[i]) });
-  }
-  for (int i = 0; i < this->Roots.ExtremeCount; ++i)
-  {
-    const int candidate = this->Roots.Extreme[i];
-    const int ray = this->Queue.Ray[candidate];
-    Hit hit;
-    Place begin;
-    if (this->Source->FindFirstHit(ray, this->GetCell(candidate), hit, begin))
-    {
-      this->Keep(ray, hit, begin);
-    }
+    this->KeepExtreme(this->Extremes.Numbers[i]);
   }
   this->Queue.Count = 0;
 }
 
-Index3 BeamTracer::GetCell(int candidate) const
+/// Solves a candidate that the kernels do not, and keeps its hit as they do.
+void BeamTracer::KeepExtreme(int candidate)
 {
-  return { this->Queue.Cell[0][candidate], this->Queue.Cell[1][candidate],
-    this->Queue.Cell[2][candidate] };
-}
-
-/// Keeps a hit unless the ray has one in a cell before.
-void BeamTracer::Keep(int ray, const Hit& hit, const Place& begin)
-{
-  Add(ray, this->FoundInBlock);
-  if (this->HasHit(ray) && !(begin < this->Begins[ray]))
+  const int ray = this->Queue.Ray[candidate];
+  Hit hit;
+  Place begin;
+  if (!this->Source->FindFirstHit(ray,
+        { this->Queue.Cell[0][candidate], this->Queue.Cell[1][candidate],
+          this->Queue.Cell[2][candidate] },
+        hit, begin))
   {
     return;
   }
-  Add(ray, this->Found);
-  this->Hits[ray] = hit;
-  this->Begins[ray] = begin;
+  this->Passed.Hits[this->Queue.Passage[candidate]] = true;
+  GroupHits& hits = this->Hits;
+  if (Has(hits.Found, ray) &&
+    !(begin < Place{ hits.Begin[ray], static_cast<int>(hits.BeginAxis[ray]) }))
+  {
+    return;
+  }
+  Add(ray, hits.Found);
+  Add(ray, hits.Refined);
+  hits.Begin[ray] = begin.T;
+  hits.BeginAxis[ray] = begin.Axis;
+  hits.T[ray] = hit.T;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    hits.Cell[axis][ray] = hit.Cell[axis];
+    hits.Parametric[axis][ray] = hit.Parametric[axis];
+  }
+  const std::uint64_t bit = std::uint64_t{ 1 } << (ray % 64);
+  std::uint64_t& rising = hits.Rising.Words[ray / 64];
+  rising = hit.Rising ? rising | bit : rising & ~bit;
 }
 
 }

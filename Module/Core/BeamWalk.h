@@ -47,10 +47,10 @@ public:
     return false;
   }
 
-  /// Calls visit(macrocell) for the macrocells of a slice, then endSlice(), until that returns
-  /// true.
-  template <typename Visit, typename EndSlice>
-  void ForEachSlice(const Visit& visit, const EndSlice& endSlice) const
+  /// Calls visit(macrocells, count) for the macrocells of every slice that has any, until visit
+  /// returns true.
+  template <typename Visit>
+  void ForEachSlice(const Visit& visit) const
   {
     const std::size_t top = this->Tree.GetLevels().size() - 1;
     const Index3& size = this->Tree.GetLevels()[top].Size;
@@ -64,8 +64,8 @@ public:
         all.Add(u, v);
       }
     }
-    this->ForEachMember(0, size[axis],
-      [&](int block) { return this->EnterBlocks(top, block, all, visit, endSlice); });
+    this->ForEachMember(
+      0, size[axis], [&](int block) { return this->EnterBlocks(top, block, all, visit); });
   }
 
 private:
@@ -99,18 +99,16 @@ private:
     return false;
   }
 
-  template <typename Visit, typename EndSlice>
-  bool EnterBlocks(std::size_t level, int block, const Members& blocks, const Visit& visit,
-    const EndSlice& endSlice) const
+  template <typename Visit>
+  bool EnterBlocks(std::size_t level, int block, const Members& blocks, const Visit& visit) const
   {
     return this->ForEachMember(block * BlockMask::Edge, BlockMask::Edge,
-      [&](int slice) { return this->EnterSlice(level, slice, blocks, visit, endSlice); });
+      [&](int slice) { return this->EnterSlice(level, slice, blocks, visit); });
   }
 
   /// Goes on with the members of blocks that are active and that the beam may pass in a slice.
-  template <typename Visit, typename EndSlice>
-  bool EnterSlice(std::size_t level, int slice, const Members& blocks, const Visit& visit,
-    const EndSlice& endSlice) const
+  template <typename Visit>
+  bool EnterSlice(std::size_t level, int slice, const Members& blocks, const Visit& visit) const
   {
     Members members;
     this->FindMembers(level, slice, blocks, members);
@@ -120,18 +118,17 @@ private:
     }
     if (level > 0)
     {
-      return this->EnterBlocks(level - 1, slice, members, visit, endSlice);
+      return this->EnterBlocks(level - 1, slice, members, visit);
     }
     const int axis = this->TheBeam.Axis;
+    Index3 macrocells[Members::Capacity];
     for (int i = 0; i < members.Count; ++i)
     {
-      Index3 macrocell;
-      macrocell[static_cast<std::size_t>(axis)] = slice;
-      macrocell[static_cast<std::size_t>(BlockMask::U[axis])] = members.U[i];
-      macrocell[static_cast<std::size_t>(BlockMask::V[axis])] = members.V[i];
-      visit(macrocell);
+      macrocells[i][static_cast<std::size_t>(axis)] = slice;
+      macrocells[i][static_cast<std::size_t>(BlockMask::U[axis])] = members.U[i];
+      macrocells[i][static_cast<std::size_t>(BlockMask::V[axis])] = members.V[i];
     }
-    return endSlice();
+    return visit(macrocells, members.Count);
   }
 
   void FindMembers(

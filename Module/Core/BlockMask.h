@@ -55,27 +55,30 @@ inline std::uint64_t TransposeBits(std::uint64_t w)
   return w ^ t ^ (t << 28);
 }
 
+/// One of three steps of a transposition: swaps the parts of words that lie Distance words and
+/// bytes apart.
+template <int Distance>
+inline void SwapBytes(std::uint64_t words[8], std::uint64_t mask)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    if ((i & Distance) == 0)
+    {
+      std::uint64_t& low = words[i];
+      std::uint64_t& high = words[i + Distance];
+      const std::uint64_t t = ((low >> (8 * Distance)) ^ high) & mask;
+      low ^= t << (8 * Distance);
+      high ^= t;
+    }
+  }
+}
+
 /// Transposes the 8 x 8 bytes of eight words: byte i of word j becomes byte j of word i.
 inline void TransposeBytes(std::uint64_t words[8])
 {
-  constexpr std::uint64_t masks[3] = { 0x00FF00FF00FF00FFU, 0x0000FFFF0000FFFFU,
-    0x00000000FFFFFFFFU };
-  for (int step = 0; step < 3; ++step)
-  {
-    const int distance = 1 << step;
-    const int shift = 8 * distance;
-    for (int i = 0; i < 8; ++i)
-    {
-      if ((i & distance) == 0)
-      {
-        std::uint64_t& low = words[i];
-        std::uint64_t& high = words[i + distance];
-        const std::uint64_t t = ((low >> shift) ^ high) & masks[step];
-        low ^= t << shift;
-        high ^= t;
-      }
-    }
-  }
+  SwapBytes<1>(words, 0x00FF00FF00FF00FFU);
+  SwapBytes<2>(words, 0x0000FFFF0000FFFFU);
+  SwapBytes<4>(words, 0x00000000FFFFFFFFU);
 }
 
 inline void BlockMask::CompleteSlices()

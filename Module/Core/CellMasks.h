@@ -4,15 +4,15 @@
 #ifndef CellMasks_h
 #define CellMasks_h
 
+#include "BlockCache.h"
 #include "BlockMask.h"
 #include "VolumeView.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
-#include <memory>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -32,71 +32,39 @@ public:
     , Blocks(BlocksCovering({ samples.GetDimensions()[0] - 1, samples.GetDimensions()[1] - 1,
                               samples.GetDimensions()[2] - 1 },
         BlockMask::Edge))
-    , States(Count(this->Blocks))
-    // Not touched before use: what no ray sees takes no memory.
-    , Masks(static_cast<BlockMask*>(::operator new(
-        this->States.size() * sizeof(BlockMask), std::align_val_t(alignof(BlockMask)))))
+    , Masks(Count(this->Blocks), sizeof(BlockMask))
   {
   }
+
+  void BeginFrame(std::size_t maximumMemory) { this->Masks.BeginFrame(maximumMemory); }
 
   /// Forgets all masks, and takes other isovalues from now on.
   void Select(const std::vector<double>& isovalues)
   {
     this->Isovalues = isovalues;
-    if (this->Made.exchange(0) > 0)
-    {
-      for (std::atomic<State>& state : this->States)
-      {
-        state.store(State::Missing, std::memory_order_relaxed);
-      }
-    }
+    this->Masks.Clear();
   }
 
-  /// The mask of a block: the one that is kept, or one made in the place given, when another thread
-  /// is about to make it. No thread ever waits.
+  void Prefetch(const Index3& block) const { this->Masks.Prefetch(Offset(block, this->Blocks)); }
+
+  /// The mask of a block: the one that is kept, or where it cannot be kept, one made in the place
+  /// given.
   const BlockMask& Get(const Index3& block, BlockMask& own)
   {
-    const std::size_t place = Offset(block, this->Blocks);
-    BlockMask& kept = this->Masks.get()[place];
-    State state = this->States[place].load(std::memory_order_acquire);
-    if (state == State::Ready)
+    const void* kept = this->Masks.Get(Offset(block, this->Blocks),
+      [this, &block](void* memory) { this->Make(block, *new (memory) BlockMask); });
+    if (kept)
     {
-      return kept;
-    }
-    if (state == State::Missing &&
-      this->States[place].compare_exchange_strong(state, State::BeingMade))
-    {
-      this->Make(block, kept);
-      this->States[place].store(State::Ready, std::memory_order_release);
-      this->Made.fetch_add(1, std::memory_order_relaxed);
-      return kept;
+      return *static_cast<const BlockMask*>(kept);
     }
     this->Make(block, own);
     return own;
   }
 
   /// In bytes.
-  std::size_t GetMemory() const
-  {
-    return this->Made.load() * sizeof(BlockMask) + this->States.size() * sizeof(State);
-  }
+  std::size_t GetMemory() const { return this->Masks.GetMemory(); }
 
 private:
-  enum class State : std::uint8_t
-  {
-    Missing,
-    BeingMade,
-    Ready
-  };
-
-  struct Free
-  {
-    void operator()(BlockMask* masks) const
-    {
-      ::operator delete(masks, std::align_val_t(alignof(BlockMask)));
-    }
-  };
-
   // 64-bit integers are traced as doubles, so they are compared as doubles.
   using Compared = std::conditional_t<sizeof(T) == 8, double, T>;
 
@@ -132,36 +100,92 @@ private:
     }
   };
 
+  // Tests of a sample, and of eight at once, whose answers are 0 or -1 each. (Vectors are passed by
+  // reference: without AVX there is no other agreed way to pass some of them.)
+  struct IsAtLeast
+  {
+    Compared Threshold;
+
+    bool operator()(Compared value) const { return value >= this->Threshold; }
+
+    template <typename Values, typename Answers>
+    void Test(const Values& values, Answers& answers) const
+    {
+      answers = __builtin_convertvector(values >= this->Threshold, Answers);
+    }
+  };
+
+  struct IsFinite
+  {
+    bool operator()(Compared value) const { return value - value == 0; }
+
+    template <typename Values, typename Answers>
+    void Test(const Values& values, Answers& answers) const
+    {
+      answers = __builtin_convertvector(values - values == 0, Answers);
+    }
+  };
+
+  /// One bit for each of a row of samples that passes a test: of nine, or of less at the border of
+  /// the volume.
+  template <typename Test>
+  static unsigned int TestRow(const T* row, std::ptrdiff_t stride, int count, const Test& test)
+  {
+    unsigned int bits = 0;
+    if constexpr (std::is_same_v<Compared, T> && sizeof(T) <= 4)
+    {
+      if (stride == 1 && count == BlockMask::Edge)
+      {
+        // GCC wants the attribute of a dependent type at the end of a typedef.
+        typedef T Vector __attribute__((vector_size(8 * sizeof(T)))); // NOLINT(modernize-use-using)
+        using Bytes = signed char __attribute__((vector_size(8)));
+        Vector values;
+        std::memcpy(&values, row, sizeof(values));
+        Bytes answers;
+        test.Test(values, answers);
+        unsigned char bytes[8];
+        std::memcpy(bytes, &answers, sizeof(bytes));
+        // The product gathers the lowest bits of the bytes in the highest byte.
+        bits = static_cast<unsigned int>(
+          (ToWord(bytes) & 0x0101010101010101U) * 0x0102040810204080U >> 56);
+        return bits | static_cast<unsigned int>(test(row[8])) << 8;
+      }
+    }
+    for (int x = 0; x <= count; ++x)
+    {
+      bits |= static_cast<unsigned int>(test(static_cast<Compared>(row[x * stride]))) << x;
+    }
+    return bits;
+  }
+
   /// For the cells of a plane of samples, whether any and whether all of the four samples around
   /// them pass a test.
   template <typename Test>
   static Corners JoinInPlane(
     const T* plane, const Index3& count, const Samples<T>& samples, const Test& test)
   {
-    const std::ptrdiff_t stride = samples.GetStride(0);
-    Corners low;
-    Corners high;
+    // A byte for every row.
+    unsigned char any[BlockMask::Edge + 1] = {};
+    unsigned char all[BlockMask::Edge + 1] = {};
     for (int y = 0; y <= count[1]; ++y)
     {
-      const T* row = plane + y * samples.GetStride(1);
-      std::uint64_t bits = 0;
-      for (int x = 0; x <= count[0]; ++x)
-      {
-        bits |= static_cast<std::uint64_t>(test(row[x * stride])) << x;
-      }
-      const Corners joined = { (bits | bits >> 1) & 0xFFU, bits & bits >> 1 };
-      if (y < count[1])
-      {
-        low.Any |= joined.Any << (8 * y);
-        low.All |= joined.All << (8 * y);
-      }
-      if (y > 0)
-      {
-        high.Any |= joined.Any << (8 * (y - 1));
-        high.All |= joined.All << (8 * (y - 1));
-      }
+      const unsigned int bits =
+        TestRow(plane + y * samples.GetStride(1), samples.GetStride(0), count[0], test);
+      any[y] = static_cast<unsigned char>(bits | bits >> 1);
+      all[y] = static_cast<unsigned char>(bits & bits >> 1);
     }
-    return low.Join(high);
+    return { ToWord(any) | ToWord(any + 1), ToWord(all) & ToWord(all + 1) };
+  }
+
+  /// Eight bytes as a word, the first one lowest.
+  static std::uint64_t ToWord(const unsigned char* bytes)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof(word));
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    word = __builtin_bswap64(word);
+#endif
+    return word;
   }
 
   void Make(const Index3& block, BlockMask& mask) const
@@ -197,20 +221,20 @@ private:
     {
       // What no value reaches, or all do, may not be a number of the type either.
       constexpr std::numeric_limits<Compared> limits;
-      if (!(isovalue > static_cast<double>(limits.lowest()) &&
-            isovalue <= static_cast<double>(limits.max())))
+      if (isovalue <= static_cast<double>(limits.lowest()) ||
+        isovalue > static_cast<double>(limits.max()))
       {
         continue;
       }
       const Compared threshold = GetThreshold(isovalue);
-      forEachSlice([threshold](T value) { return static_cast<Compared>(value) >= threshold; },
+      forEachSlice(IsAtLeast{ threshold },
         [cells](std::uint64_t& slice, const Corners& inside)
         { slice |= inside.Any & ~inside.All & cells; });
     }
     if constexpr (std::is_floating_point_v<T>)
     {
-      forEachSlice([](T value) { return std::isfinite(value); },
-        [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
+      forEachSlice(
+        IsFinite{}, [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
     }
     mask.CompleteSlices();
   }
@@ -218,9 +242,7 @@ private:
   Samples<T> TheSamples;
   Index3 Blocks;
   std::vector<double> Isovalues;
-  std::vector<std::atomic<State>> States;
-  std::unique_ptr<BlockMask, Free> Masks;
-  std::atomic<std::size_t> Made{ 0 };
+  BlockCache Masks;
 };
 
 }

@@ -35,12 +35,12 @@ struct RayGroup
   alignas(64) double Base[Capacity];
 
   // For the axis the rays were last aligned with, and the two axes across.
-  /// The coordinates across at plane 4 of the axis, from the middle of the first block.
-  alignas(64) double Center[2][Capacity];
+  /// The coordinates across at plane 0 of the axis.
+  alignas(64) double Offset[2][Capacity];
   /// How they change from plane to plane.
   alignas(64) double Slope[2][Capacity];
-  /// How far from the middle of a block a ray may pass its middle plane to meet it anywhere.
-  alignas(64) double Reach[2][Capacity];
+  /// Both slopes of a ray, side by side.
+  alignas(64) float Slopes[Capacity][2];
   /// The part of the ray in the volume, along the axis, and a little more.
   alignas(64) double Low[Capacity];
   alignas(64) double High[Capacity];
@@ -50,7 +50,6 @@ struct RayGroup
 struct PixelBlock
 {
   const double* IndexFromClip;
-  const double* WorldFromIndex;
   /// Of the viewport, in pixels.
   int Width;
   int Height;
@@ -79,24 +78,38 @@ struct Beam
   double Most[2][2];
 };
 
-/// The cells of a block that rays may pass, of those in its mask.
-struct BlockCells
+/// Where rays pass blocks of cells: for each passage the cells that the ray may pass there, of
+/// those in the mask of the block.
+struct Passages
 {
+  /// When there are so many, it is time to go through them...
+  static constexpr int Batch = 128;
+  /// ...for each ray of a group may add one before anybody asks.
+  static constexpr int Capacity = 1024;
+  /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
+  /// across). For so many rays, there is room without asking.
+  static constexpr int RaysWithRoom = Capacity / 16;
+
   int Count;
-  int Ray[RayGroup::Capacity];
-  /// The slices across the axis that have any.
-  unsigned int Slices[RayGroup::Capacity];
-  std::uint64_t Cells[RayGroup::Capacity][8];
+  int Ray[Capacity];
+  /// The first cell of the block.
+  int First[Capacity][3];
+  /// The slices across the axis that have cells left.
+  unsigned int Slices[Capacity];
+  std::uint64_t Cells[Capacity][8];
+  /// Whether the ray hit something there.
+  bool Hits[Capacity];
 };
 
 /// Pairs of a ray and a cell, to be solved.
 struct Candidates
 {
   static constexpr int Batch = 64;
-  /// A ray adds all its cells in a slice at once, which are not many.
+  /// A passage adds all its cells in a slice at once, which are not many.
   static constexpr int Capacity = Batch + 64;
 
   int Count;
+  int Passage[Capacity];
   int Ray[Capacity];
   int Cell[3][Capacity];
   alignas(64) double Corners[8][Capacity];
@@ -109,29 +122,87 @@ struct ScaledIsovalue
   double Scale;
 };
 
-/// The first roots of those of the candidates that have any.
-struct FirstRoots
+/// The first hits of the rays of a group. Where a ray meets the surface is known first by the cell,
+/// and refined to a place when nothing before it can come any more.
+struct GroupHits
+{
+  /// The rays that hit.
+  RaySet Found;
+  /// Those whose place is known.
+  RaySet Refined;
+
+  int Cell[3][RayGroup::Capacity];
+  /// The segment of the ray in the cell, as in CellSegment, and the cubic along it.
+  alignas(64) double Begin[RayGroup::Capacity];
+  alignas(64) double BeginAxis[RayGroup::Capacity];
+  alignas(64) double End[RayGroup::Capacity];
+  alignas(64) double Entry[3][RayGroup::Capacity];
+  alignas(64) double Exit[3][RayGroup::Capacity];
+  alignas(64) double Cubic[4][RayGroup::Capacity];
+
+  /// The place, as in Hit.
+  alignas(64) double T[RayGroup::Capacity];
+  alignas(64) double Parametric[3][RayGroup::Capacity];
+  RaySet Rising;
+};
+
+/// Candidates whose values are too large or too small for the arithmetic of the kernels.
+struct ExtremeCandidates
 {
   int Count;
-  int Candidate[Candidates::Capacity];
-  /// Where the ray enters the cell; equal places are ordered by their axis.
-  double Begin[Candidates::Capacity];
-  double BeginAxis[Candidates::Capacity];
-  double T[Candidates::Capacity];
-  double Parametric[3][Candidates::Capacity];
-  bool Rising[Candidates::Capacity];
+  int Numbers[Candidates::Capacity];
+};
 
-  /// Candidates whose values are too large or too small for the arithmetic of the kernel.
-  int ExtremeCount;
-  int Extreme[Candidates::Capacity];
+/// The differences between samples around hits, which make their gradients: see
+/// NormalMode::CentralDifferences.
+struct CornerDifferences
+{
+  int Count;
+  /// Along each axis, at each corner of the cell.
+  alignas(64) double Values[3][8][RayGroup::Capacity];
+  /// Where in the cell the hit is.
+  alignas(64) double Parametric[3][RayGroup::Capacity];
+};
+
+/// Hits to be shaded.
+struct ShadedHits
+{
+  int Count;
+  alignas(64) double Gradient[3][RayGroup::Capacity];
+  /// Of the ray, in index space.
+  alignas(64) double Direction[3][RayGroup::Capacity];
+  /// That of the surface first, then that of the hit.
+  alignas(64) double Color[3][RayGroup::Capacity];
+  /// Those whose vectors are too short or too long for the arithmetic of the kernel.
+  RaySet Extreme;
+};
+
+/// A light that is infinitely far; see Light.
+struct DistantLight
+{
+  double Direction[3];
+  double DiffuseColor[3];
+  double SpecularColor[3];
+};
+
+/// What the shading of all hits of a frame shares; see Shader.
+struct Phong
+{
+  const double* WorldFromIndex;
+  const double* WorldFromGradient;
+  bool TwoSidedLighting;
+  double Ambient;
+  double Diffuse;
+  double Specular;
+  int SpecularPower;
+  int LightCount;
+  const DistantLight* Lights;
 };
 
 /// The inner loops of ray tracing, compiled for one instruction set. All sets do the same
 /// operations in the same order, and give the same bits.
 struct Kernels
 {
-  const char* Name;
-
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayGroup& group);
@@ -140,15 +211,32 @@ struct Kernels
   /// if they do not all go the same way along it, or steeply away from it.
   bool (*Align)(RayGroup& group, const RaySet& rays, int axis, Beam& beam);
 
-  /// Finds the cells that rays of a beam may pass in a block with its first cell at first; slices
-  /// are those of its mask across the axis. It may find cells that a ray comes near to; it never
-  /// leaves out one that a ray passes.
-  void (*FindCells)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
-    const std::uint64_t slices[8], BlockCells& cells);
+  /// Adds the passages of rays of a beam through a block with its first cell at first; slices are
+  /// those of its mask across the axis. It may find cells that a ray comes near to; it never leaves
+  /// out one that a ray passes.
+  void (*FindPassages)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+    const std::uint64_t slices[8], Passages& passages);
 
-  /// Finds the first roots of candidates, exactly as Robust::ForEachRoot does.
-  void (*FindFirstRoots)(const RayGroup& group, const Candidates& candidates,
-    const ScaledIsovalue& isovalue, FirstRoots& roots);
+  /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and
+  /// tells the passages.
+  void (*FindHits)(const RayGroup& group, const Candidates& candidates,
+    const ScaledIsovalue& isovalue, GroupHits& hits, Passages& passages,
+    ExtremeCandidates& extremes);
+
+  /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
+  /// Robust::ForEachRoot does.
+  void (*Refine)(const RayGroup& group, GroupHits& hits);
+
+  /// Interpolates differences at the corners of cells, as Interpolate does.
+  void (*InterpolateDifferences)(
+    const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity]);
+
+  /// Shades hits, exactly as Shader::Shade does.
+  void (*Shade)(const Phong& phong, ShadedHits& hits);
+
+  /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
+  /// One for every ScalarType.
+  void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 };
 
 extern const Kernels BaselineKernels;

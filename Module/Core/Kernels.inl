@@ -38,6 +38,11 @@ LANES_INLINE unsigned int GetLanes(const RaySet& rays, int first)
     ((1U << LaneCount) - 1U);
 }
 
+LANES_INLINE int SmallerOf(int a, int b)
+{
+  return a < b ? a : b;
+}
+
 LANES_INLINE double SmallestOf(Doubles values)
 {
   double lanes[LaneCount];
@@ -69,6 +74,26 @@ LANES_INLINE Mask LanesOf(unsigned int bits)
 #endif
 }
 
+/// Stores pairs in single precision.
+LANES_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+#if defined(LANES_AVX512)
+  const __m512i places = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  _mm512_storeu_ps(pairs,
+    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), places,
+      _mm512_castps256_ps512(_mm512_cvtpd_ps(second.Value))));
+#else
+  double lanes[2][LaneCount];
+  Store(first, lanes[0]);
+  Store(second, lanes[1]);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
+    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
+  }
+#endif
+}
+
 //------------------------------------------------------------------------------
 /// Rays on their way to a group; see Ray.
 struct Rays
@@ -82,56 +107,31 @@ struct Rays
   Doubles End;
 };
 
-// The same as Length of Vector.h.
-LANES_INLINE Doubles Length(const Doubles a[3])
-{
-  const Doubles zero = Broadcast(0.0);
-  const Doubles size = Larger(Larger(Magnitude(a[0]), Magnitude(a[1])), Magnitude(a[2]));
-  const Doubles x = a[0] / size;
-  const Doubles y = a[1] / size;
-  const Doubles z = a[2] / size;
-  return Select(zero < size, size * SquareRoot(x * x + y * y + z * z), zero);
-}
-
 // The same as Camera::GetRay; the rays begin at zero.
 LANES_INLINE void MakeUnclippedRays(
   const PixelBlock& block, Doubles column, Doubles row, Doubles depth, Rays& rays)
 {
   const double* m = block.IndexFromClip;
-  const double* w = block.WorldFromIndex;
   const Doubles half = Broadcast(0.5);
   const Doubles one = Broadcast(1.0);
   const Doubles two = Broadcast(2.0);
-  const Doubles x = two * (column + half) / Broadcast(block.Width) - one;
-  const Doubles y = two * (row + half) / Broadcast(block.Height) - one;
+  const Doubles x = (column + half) * Broadcast(2.0 / block.Width) - one;
+  const Doubles y = (row + half) * Broadcast(2.0 / block.Height) - one;
   const auto transform = [m, x, y](int first)
   { return Broadcast(m[first]) * x + Broadcast(m[first + 1]) * y + Broadcast(m[first + 3]); };
   const Doubles wa = transform(12);
   const Doubles wb = Broadcast(m[14]);
-  Doubles a[3];
-  Doubles along[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    a[i] = transform(4 * i);
-    along[i] = Broadcast(m[4 * i + 2]) * wa - a[i] * wb;
-  }
-  Doubles world[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    world[i] = Broadcast(w[4 * i]) * along[0] + Broadcast(w[4 * i + 1]) * along[1] +
-      Broadcast(w[4 * i + 2]) * along[2];
-  }
-  const Doubles length = Length(world);
   const Doubles wNear = wa - wb;
-  const Doubles z = two * depth - one;
-  const Doubles end = (z + one) * length / ((wa + z * wb) * wNear);
   const Doubles inverseNear = one / wNear;
-  const Doubles inverseLength = one / length;
   for (int i = 0; i < 3; ++i)
   {
-    rays.Origin[i] = (a[i] - Broadcast(m[4 * i + 2])) * inverseNear;
-    rays.Direction[i] = along[i] * inverseLength;
+    const Doubles a = transform(4 * i);
+    const Doubles b = Broadcast(m[4 * i + 2]);
+    rays.Origin[i] = (a - b) * inverseNear;
+    rays.Direction[i] = b * wa - a * wb;
   }
+  const Doubles z = two * depth - one;
+  const Doubles end = (z + one) / ((wa + z * wb) * wNear);
   rays.Begin = Broadcast(0.0);
   rays.End = Select(Broadcast(0.0) <= end, end, Broadcast(Infinity));
 }
@@ -184,7 +184,13 @@ LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& bas
   }
   rays.Begin = begin - base;
   rays.End = end - base;
-  return exists & ClipToSlabs(rays, dimensions);
+  exists = exists & ClipToSlabs(rays, dimensions);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles cell = Smaller(Floor(rays.Origin[axis]), Broadcast(dimensions[axis] - 2));
+    rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+  }
+  return exists;
 }
 
 void MakeRays(const PixelBlock& block, RayGroup& group)
@@ -217,8 +223,8 @@ void MakeRays(const PixelBlock& block, RayGroup& group)
     Rays rays;
     MakeUnclippedRays(block, Load(&columns[i]), Load(&rows[i]), Load(&depths[i]), rays);
     Doubles base;
-    const Mask exists = ClipToVolume(rays, block.Dimensions, base) &
-      FirstLanes(count - i < LaneCount ? count - i : LaneCount);
+    const Mask exists =
+      ClipToVolume(rays, block.Dimensions, base) & FirstLanes(SmallerOf(count - i, LaneCount));
     group.Exists.Words[i >> 6] |= static_cast<std::uint64_t>(ToBits(exists)) << (i & 63);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -254,8 +260,12 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
     const Doubles direction = Load(&group.Direction[axis][i]);
     const Doubles origin = Load(&group.Origin[axis][i]);
     const Doubles inverse = Load(&group.Inverse[axis][i]);
-    up |= ToBits(mask & (zero < direction));
-    down |= ToBits(mask & (direction < zero));
+    const unsigned int upward = ToBits(zero < direction);
+    const unsigned int downward = ToBits(direction < zero);
+    up |= lanes & upward;
+    down |= lanes & downward;
+    // Along the axis it must move at all.
+    steep |= lanes & ~(upward | downward);
     const Doubles begin = origin + Load(&group.Begin[i]) * direction;
     const Doubles end = origin + Load(&group.End[i]) * direction;
     const Doubles lowest = Smaller(begin, end) - margin;
@@ -271,11 +281,9 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
       // Not less, so that what is no number counts as steep.
       steep |= lanes & ~ToBits(size <= Broadcast(LargestSlope));
       Store(slope, &group.Slope[j][i]);
-      Store(Load(&group.Origin[across[j]][i]) - origin * slope +
-          (Broadcast(4.0) * slope - Broadcast(4.0)),
-        &group.Center[j][i]);
-      Store(Broadcast(4.0 + Margin) + Broadcast(4.0) * size, &group.Reach[j][i]);
+      Store(Load(&group.Origin[across[j]][i]) - origin * slope, &group.Offset[j][i]);
     }
+    StorePairs(Load(&group.Slope[0][i]), Load(&group.Slope[1][i]), &group.Slopes[i]);
   }
   beam.Axis = axis;
   beam.IsUp = up != 0;
@@ -298,11 +306,10 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
       }
       const Mask mask = LanesOf(lanes);
       const Doubles slope = Load(&group.Slope[j][i]);
-      const Doubles center = Load(&group.Center[j][i]);
+      const Doubles offset = Load(&group.Offset[j][i]);
       for (int end = 0; end < 2; ++end)
       {
-        const Doubles plane = Broadcast((end == 0 ? beam.Low : beam.High) - 4.0);
-        const Doubles place = center + plane * slope + Broadcast(4.0);
+        const Doubles place = offset + Broadcast(end == 0 ? beam.Low : beam.High) * slope;
         least[end] = Select(mask, Smaller(least[end], place), least[end]);
         most[end] = Select(mask, Larger(most[end], place), most[end]);
       }
@@ -319,40 +326,40 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
 //------------------------------------------------------------------------------
 // The cells of one ray in a block: slice by slice the rectangle of cells between the places where
 // the ray meets the two planes of the slice. The ray is given by its places across the axis in the
-// middle of the block, and its slopes.
+// middle plane of the block, counted from the first cell, and its slopes.
 #if defined(LANES_AVX512)
+// All slices at once: in the lower half of a register for u, in the upper half for v.
 LANES_INLINE unsigned int FindCellsOfRay(
   const float middle[2], const float slope[2], __m512i slices, std::uint64_t cells[8])
 {
-  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
-  const __m256 margin = _mm256_set1_ps(static_cast<float>(Margin));
-  const __m256 four = _mm256_set1_ps(4.0F);
-  const __m256i zero = _mm256_setzero_si256();
-  const __m256i seven = _mm256_set1_epi32(7);
-  __m256i low[2];
-  __m256i high[2];
-  for (int j = 0; j < 2; ++j)
+  const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
+    2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m512i halves = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
+  const __m512 margin = _mm512_set1_ps(static_cast<float>(Margin));
+  const auto spread = [halves](const float pair[2])
   {
-    const __m256 slopes = _mm256_set1_ps(slope[j]);
-    const __m256 near =
-      _mm256_add_ps(_mm256_add_ps(_mm256_set1_ps(middle[j]), four), _mm256_mul_ps(planes, slopes));
-    const __m256 far = _mm256_add_ps(near, slopes);
-    const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margin);
-    const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margin);
-    low[j] = _mm256_max_epi32(_mm256_cvttps_epi32(least), zero);
-    high[j] =
-      _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
-  }
-  const __m256i byte = _mm256_set1_epi32(0xFF);
-  const __m256i columns = _mm256_and_si256(
-    _mm256_and_si256(_mm256_sllv_epi32(byte, low[0]), _mm256_srlv_epi32(byte, high[0])), byte);
-  const __m512i spread = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(columns),
+    return _mm512_permutexvar_ps(halves,
+      _mm512_castps128_ps512(_mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(pair))));
+  };
+  const __m512 slopes = spread(slope);
+  const __m512 near = _mm512_add_ps(spread(middle), _mm512_mul_ps(planes, slopes));
+  const __m512 far = _mm512_add_ps(near, slopes);
+  const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margin);
+  const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margin);
+  const __m512i seven = _mm512_set1_epi32(7);
+  const __m512i low = _mm512_max_epi32(_mm512_cvttps_epi32(least), _mm512_setzero_si512());
+  const __m512i high = _mm512_sub_epi32(seven,
+    _mm512_min_epi32(
+      _mm512_cvt_roundps_epi32(most, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC), seven));
+
+  const __m512i byte = _mm512_set1_epi32(0xFF);
+  const __m512i bits = _mm512_ternarylogic_epi32(
+    _mm512_sllv_epi32(byte, low), _mm512_srlv_epi32(byte, high), byte, 0x80);
+  const __m512i columns = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(_mm512_castsi512_si256(bits)),
     _mm512_set4_epi32(0x08080808, 0x08080808, 0x00000000, 0x00000000));
-  const __m512i ones = _mm512_set1_epi64(-1);
-  const __m512i from = _mm512_sllv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(low[1], 3)));
-  const __m512i to = _mm512_srlv_epi64(ones, _mm512_cvtepi32_epi64(_mm256_slli_epi32(high[1], 3)));
-  const __m512i found =
-    _mm512_and_epi64(_mm512_and_epi64(slices, spread), _mm512_and_epi64(from, to));
+  const __m128i rowBits = _mm256_cvtepi32_epi8(_mm512_extracti64x4_epi64(bits, 1));
+  const __mmask64 rows = static_cast<__mmask64>(_mm_cvtsi128_si64(rowBits));
+  const __m512i found = _mm512_maskz_mov_epi8(rows, _mm512_and_si512(slices, columns));
   _mm512_storeu_si512(cells, found);
   return _mm512_test_epi64_mask(found, found);
 }
@@ -363,45 +370,98 @@ LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slop
   unsigned int any = 0;
   for (int slice = 0; slice < 8; ++slice)
   {
+    cells[slice] = 0;
+    if (slices[slice] == 0)
+    {
+      continue;
+    }
     int low[2];
     int high[2];
     for (int j = 0; j < 2; ++j)
     {
-      const float near = middle[j] + 4.0F + static_cast<float>(slice - 4) * slope[j];
+      const float near = middle[j] + static_cast<float>(slice - 4) * slope[j];
       const float far = near + slope[j];
       const float least = (near < far ? near : far) - static_cast<float>(Margin);
       const float most = (near < far ? far : near) + static_cast<float>(Margin);
       low[j] = least > 0.0F ? static_cast<int>(least) : 0;
       high[j] = most < 0.0F ? -1 : (most < 8.0F ? static_cast<int>(most) : 7);
     }
-    cells[slice] = 0;
-    if (slices[slice] != 0 && low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
+    if (low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
     {
       const std::uint64_t columns = (0xFFU << low[0] & 0xFFU & 0xFFU >> (7 - high[0]));
       const std::uint64_t rows =
         (~std::uint64_t{ 0 } << (8 * low[1])) & (~std::uint64_t{ 0 } >> (8 * (7 - high[1])));
       cells[slice] = slices[slice] & rows & (columns * 0x0101010101010101U);
+      any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
     }
-    any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
   }
   return any;
 }
 #endif
 
-void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
-  const std::uint64_t slices[8], BlockCells& cells)
+/// The smallest box around the members of a block: along the axis, and the two across.
+struct Box
 {
-  const double plane = first[axis];
+  double Middle[3];
+  /// Half its size.
+  double Extent[3];
+};
+
+LANES_INLINE Box FindBox(const std::uint64_t slices[8])
+{
+  std::uint64_t any = 0;
+  unsigned int occupied = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    any |= slices[slice];
+    occupied |= static_cast<unsigned int>(slices[slice] != 0) << slice;
+  }
+  std::uint64_t columns = any | any >> 32;
+  columns |= columns >> 16;
+  columns = (columns | columns >> 8) & 0xFFU;
+  const int first[3] = { __builtin_ctz(occupied), __builtin_ctzll(columns),
+    __builtin_ctzll(any) / 8 };
+  const int last[3] = { 31 - __builtin_clz(occupied), 63 - __builtin_clzll(columns),
+    (63 - __builtin_clzll(any)) / 8 };
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.Middle[i] = 0.5 * (first[i] + last[i] + 1);
+    box.Extent[i] = 0.5 * (last[i] + 1 - first[i]) + Margin;
+  }
+  return box;
+}
+
+void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+  const std::uint64_t slices[8], Passages& passages)
+{
+  if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
+        slices[7]) == 0)
+  {
+    return;
+  }
+  const Box box = FindBox(slices);
+  const double plane = first[axis] + box.Middle[0];
+  const Doubles lowest = Broadcast(plane - box.Extent[0]);
+  const Doubles highest = Broadcast(plane + box.Extent[0]);
+  const Doubles extent = Broadcast(box.Extent[0]);
   const Doubles planes = Broadcast(plane);
-  const Doubles nextPlanes = Broadcast(plane + 8.0);
-  const Doubles firstU = Broadcast(first[AxisU[axis]]);
-  const Doubles firstV = Broadcast(first[AxisV[axis]]);
+  const Doubles middlePlanes = Broadcast(first[axis] + 4.0);
+  Doubles firstOf[2];
+  Doubles middle[2];
+  Doubles reach[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    firstOf[j] = Broadcast(first[j == 0 ? AxisU[axis] : AxisV[axis]]);
+    middle[j] = firstOf[j] + Broadcast(box.Middle[1 + j]);
+    reach[j] = Broadcast(box.Extent[1 + j]);
+  }
 #if defined(LANES_AVX512)
   const __m512i mask = _mm512_loadu_si512(slices);
 #else
   const std::uint64_t* mask = slices;
 #endif
-  int count = 0;
+  int count = passages.Count;
   for (int i = 0; i < group.Count; i += LaneCount)
   {
     const unsigned int lanes = GetLanes(rays, i);
@@ -409,48 +469,67 @@ void FindCells(const RayGroup& group, const RaySet& rays, int axis, const int fi
     {
       continue;
     }
-    const Doubles u = Load(&group.Center[0][i]) + planes * Load(&group.Slope[0][i]) - firstU;
-    const Doubles v = Load(&group.Center[1][i]) + planes * Load(&group.Slope[1][i]) - firstV;
+    const Doubles slopeU = Load(&group.Slope[0][i]);
+    const Doubles slopeV = Load(&group.Slope[1][i]);
+    const Doubles offsetU = Load(&group.Offset[0][i]);
+    const Doubles offsetV = Load(&group.Offset[1][i]);
+    const Doubles u = offsetU + planes * slopeU - middle[0];
+    const Doubles v = offsetV + planes * slopeV - middle[1];
     unsigned int meets = lanes &
-      ToBits((Magnitude(u) < Load(&group.Reach[0][i])) & (Magnitude(v) < Load(&group.Reach[1][i])) &
-        (Load(&group.Low[i]) < nextPlanes) & (planes < Load(&group.High[i])));
+      ToBits((Magnitude(u) < reach[0] + extent * Magnitude(slopeU)) &
+        (Magnitude(v) < reach[1] + extent * Magnitude(slopeV)) & (Load(&group.Low[i]) < highest) &
+        (lowest < Load(&group.High[i])));
     if (meets == 0)
     {
       continue;
     }
-    double middleU[LaneCount];
-    double middleV[LaneCount];
-    Store(u, middleU);
-    Store(v, middleV);
+    float middles[LaneCount][2];
+    StorePairs(offsetU + middlePlanes * slopeU - firstOf[0],
+      offsetV + middlePlanes * slopeV - firstOf[1], middles);
     while (meets != 0)
     {
       const int lane = __builtin_ctz(meets);
       meets &= meets - 1;
-      const float middle[2] = { static_cast<float>(middleU[lane]),
-        static_cast<float>(middleV[lane]) };
-      const float slope[2] = { static_cast<float>(group.Slope[0][i + lane]),
-        static_cast<float>(group.Slope[1][i + lane]) };
-      const unsigned int any = FindCellsOfRay(middle, slope, mask, cells.Cells[count]);
-      cells.Ray[count] = i + lane;
-      cells.Slices[count] = any;
+      const unsigned int any =
+        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, passages.Cells[count]);
+      passages.Ray[count] = i + lane;
+      passages.First[count][0] = first[0];
+      passages.First[count][1] = first[1];
+      passages.First[count][2] = first[2];
+      passages.Slices[count] = any;
+      passages.Hits[count] = false;
       count += any != 0 ? 1 : 0;
     }
   }
-  cells.Count = count;
+  passages.Count = count;
 }
 
 //------------------------------------------------------------------------------
-// The same as Difference of TracedVolume.cxx.
-LANES_INLINE Doubles Difference(Doubles value, const ScaledIsovalue& isovalue)
+// The same as Difference of TracedVolume.cxx, for the corners of cells.
+LANES_INLINE void FindDifferences(
+  const Candidates& candidates, int first, const ScaledIsovalue& isovalue, Doubles values[8])
 {
   constexpr double smallest = 0x1p-900;
-  const Doubles plain =
-    value * Broadcast(isovalue.Scale) - Broadcast(isovalue.Isovalue * isovalue.Scale);
-  const Mask large = Broadcast(smallest) <= Magnitude(plain);
+  const Doubles scaled = Broadcast(isovalue.Isovalue * isovalue.Scale);
+  Doubles least = Broadcast(Infinity);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    values[corner] = (isovalue.Scale == 1.0 ? value : value * Broadcast(isovalue.Scale)) - scaled;
+    least = Smaller(least, Magnitude(values[corner]));
+  }
+  if (!Any(least < Broadcast(smallest)))
+  {
+    return;
+  }
   const Doubles iso = Broadcast(isovalue.Isovalue);
-  const Doubles small = Select(
-    value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
-  return Select(large, plain, small);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    const Doubles sign = Select(
+      value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
+    values[corner] = Select(Magnitude(values[corner]) < Broadcast(smallest), sign, values[corner]);
+  }
 }
 
 /// The part of rays in cells, as CellSegment has it. Axes are 0.0, 1.0, 2.0; 3.0 where a ray begins
@@ -478,6 +557,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   Doubles entryAxis = zero;
   Doubles exit = Broadcast(Infinity);
   Doubles exitAxis = startAxis;
+  Mask staysOutside = FirstLanes(0);
   for (int axis = 0; axis < 3; ++axis)
   {
     origin[axis] = Gather(group.Origin[axis], rays);
@@ -488,6 +568,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
     const Doubles next = cell[axis] + one;
     const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
     const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
+    staysOutside = staysOutside | AndNot((inverse < cell[axis]) | (cell[axis] < inverse), moves);
     const Doubles axes = Broadcast(axis);
     const Mask later = moves & (entry <= in);
     entry = Select(later, in, entry);
@@ -508,12 +589,13 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   result.Exists =
     ((result.Begin < result.End) | ((result.Begin == result.End) & (result.BeginAxis < endAxis))) &
     (rayBegin < exit) & (entry < rayEnd);
+  result.Exists = AndNot(result.Exists, staysOutside);
   for (int axis = 0; axis < 3; ++axis)
   {
     const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
     const Doubles end = origin[axis] + result.End * direction[axis] - cell[axis];
-    const Doubles beginInside = Select(begin < zero, zero, Select(one < begin, one, begin));
-    const Doubles endInside = Select(end < zero, zero, Select(one < end, one, end));
+    const Doubles beginInside = Smaller(one, Larger(zero, begin));
+    const Doubles endInside = Smaller(one, Larger(zero, end));
     const Doubles axes = Broadcast(axis);
     result.Entry[axis] = Select(result.BeginAxis == axes, Select(up[axis], zero, one), beginInside);
     result.Exit[axis] = Select(endAxis == axes, Select(up[axis], one, zero), endInside);
@@ -609,61 +691,43 @@ LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
   return result;
 }
 
-// The same as Robust::RefineRoot.
-LANES_INLINE Doubles RefineRoots(const Doubles b[4], const Brackets& brackets)
+/// Keeps the hit of a ray in a cell, with a lane of the segments and cubics, unless the ray has one
+/// in a cell before.
+LANES_INLINE void Keep(const Candidates& candidates, int candidate,
+  const double (*lanes)[LaneCount], int lane, GroupHits& hits)
 {
-  constexpr double tolerance = 1e-10;
-  constexpr int newtonIterations = 40;
-  constexpr int maximumIterations = newtonIterations + 36;
-  const Doubles three = Broadcast(3.0);
-  const Doubles c1 = three * (b[1] - b[0]);
-  const Doubles c2 = three * ((b[2] - b[1]) - (b[1] - b[0]));
-  const Doubles c3 = (b[3] - b[0]) - three * (b[2] - b[1]);
-  const Doubles doubleC2 = Broadcast(2.0) * c2;
-  const Doubles tripleC3 = three * c3;
-  const Mask insideAtLow = IsInside(brackets.AtLow);
-  Doubles low = brackets.Low;
-  Doubles high = brackets.High;
-  Doubles u =
-    Smaller(high, low + (high - low) * (brackets.AtLow / (brackets.AtLow - brackets.AtHigh)));
-  Mask going = brackets.Exists;
-  for (int i = 0; i < maximumIterations && Any(going); ++i)
+  const int ray = candidates.Ray[candidate];
+  const std::uint64_t bit = std::uint64_t{ 1 } << (ray & 63);
+  const double begin = lanes[0][lane];
+  const double beginAxis = lanes[1][lane];
+  const bool hasOther = (hits.Found.Words[ray >> 6] & bit) != 0;
+  if (hasOther &&
+    !(begin < hits.Begin[ray] || (begin == hits.Begin[ray] && beginAxis < hits.BeginAxis[ray])))
   {
-    const Doubles f = ((c3 * u + c2) * u + c1) * u + b[0];
-    const Mask isBefore = IsInside(f) ^ insideAtLow;
-    low = Select(isBefore, low, u);
-    high = Select(isBefore, u, high);
-    const Doubles slope = (tripleC3 * u + doubleC2) * u + c1;
-    Doubles next = u - f / slope;
-    const Doubles half = low + Broadcast(0.5) * (high - low);
-    next = i < newtonIterations ? Select((low <= next) & (next <= high), next, half) : half;
-    const Mask done = Magnitude(next - u) <= Broadcast(tolerance);
-    u = Select(going, next, u);
-    going = AndNot(going, done);
+    return;
   }
-  return u;
+  hits.Found.Words[ray >> 6] |= bit;
+  hits.Refined.Words[ray >> 6] &= ~bit;
+  hits.Rising.Words[ray >> 6] &= ~bit;
+  hits.Begin[ray] = begin;
+  hits.BeginAxis[ray] = beginAxis;
+  hits.End[ray] = lanes[2][lane];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hits.Cell[axis][ray] = candidates.Cell[axis][candidate];
+    hits.Entry[axis][ray] = lanes[3 + axis][lane];
+    hits.Exit[axis][ray] = lanes[6 + axis][lane];
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    hits.Cubic[k][ray] = lanes[9 + k][lane];
+  }
 }
 
-/// What is known of candidates whose cubic may have a root.
-struct Undecided
+void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+  GroupHits& hits, Passages& passages, ExtremeCandidates& extremes)
 {
-  int Count;
-  int Candidate[Candidates::Capacity];
-  int Ray[Candidates::Capacity];
-  double Cubic[4][Candidates::Capacity];
-  double Begin[Candidates::Capacity];
-  double BeginAxis[Candidates::Capacity];
-  double End[Candidates::Capacity];
-  double Entry[3][Candidates::Capacity];
-  double Exit[3][Candidates::Capacity];
-};
-
-/// Finds the cubics of candidates, and lists those whose coefficients are not all on one side.
-LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candidates,
-  const ScaledIsovalue& isovalue, Undecided& undecided, FirstRoots& roots)
-{
-  undecided.Count = 0;
-  roots.ExtremeCount = 0;
+  extremes.Count = 0;
   for (int i = 0; i < candidates.Count; i += LaneCount)
   {
     Doubles cell[3];
@@ -673,107 +737,344 @@ LANES_INLINE void FindUndecided(const RayGroup& group, const Candidates& candida
     }
     const Segments segments = FindSegments(group, &candidates.Ray[i], cell);
     Doubles values[8];
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      values[corner] = Difference(Load(&candidates.Corners[corner][i]), isovalue);
-    }
+    FindDifferences(candidates, i, isovalue, values);
     Doubles b[4];
     FindCubics(values, segments.Entry, segments.Exit, b);
     const Mask inside = IsInside(b[0]);
-    const Mask existing = segments.Exists &
-      FirstLanes(candidates.Count - i < LaneCount ? candidates.Count - i : LaneCount);
-    const Mask mayHaveRoot = existing &
-      ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
+    const Mask exists = segments.Exists & FirstLanes(SmallerOf(candidates.Count - i, LaneCount));
+    const Mask mayHaveRoot =
+      exists & ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
     const Doubles size =
       Larger(Larger(Magnitude(b[0]), Magnitude(b[1])), Larger(Magnitude(b[2]), Magnitude(b[3])));
     const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
-    unsigned int extreme = ToBits(AndNot(mayHaveRoot, ordinary));
-    while (extreme != 0)
+    for (unsigned int left = ToBits(AndNot(mayHaveRoot, ordinary)); left != 0; left &= left - 1)
     {
-      roots.Extreme[roots.ExtremeCount++] = i + __builtin_ctz(extreme);
-      extreme &= extreme - 1;
+      extremes.Numbers[extremes.Count++] = i + __builtin_ctz(left);
+    }
+    // Most cubics with a root have ends on two sides; for the others, the extrema decide.
+    const Mask open = mayHaveRoot & ordinary;
+    Mask hasRoot = open & (IsInside(b[3]) ^ inside);
+    const Mask undecided = AndNot(open, hasRoot);
+    if (Any(undecided))
+    {
+      hasRoot = hasRoot | (undecided & FindFirstSignChange(b).Exists);
+    }
+    if (!Any(hasRoot))
+    {
+      continue;
+    }
+    double lanes[13][LaneCount];
+    Store(segments.Begin, lanes[0]);
+    Store(segments.BeginAxis, lanes[1]);
+    Store(segments.End, lanes[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(segments.Entry[axis], lanes[3 + axis]);
+      Store(segments.Exit[axis], lanes[6 + axis]);
     }
     for (int k = 0; k < 4; ++k)
     {
-      Store(b[k], &undecided.Cubic[k][i]);
+      Store(b[k], lanes[9 + k]);
     }
-    Store(segments.Begin, &undecided.Begin[i]);
-    Store(segments.BeginAxis, &undecided.BeginAxis[i]);
-    Store(segments.End, &undecided.End[i]);
-    for (int axis = 0; axis < 3; ++axis)
+    for (unsigned int left = ToBits(hasRoot); left != 0; left &= left - 1)
     {
-      Store(segments.Entry[axis], &undecided.Entry[axis][i]);
-      Store(segments.Exit[axis], &undecided.Exit[axis][i]);
-    }
-    unsigned int open = ToBits(mayHaveRoot & ordinary);
-    while (open != 0)
-    {
-      const int place = i + __builtin_ctz(open);
-      open &= open - 1;
-      undecided.Candidate[undecided.Count] = place;
-      undecided.Ray[undecided.Count++] = candidates.Ray[place];
+      const int lane = __builtin_ctz(left);
+      passages.Hits[candidates.Passage[i + lane]] = true;
+      Keep(candidates, i + lane, lanes, lane, hits);
     }
   }
 }
 
-void FindFirstRoots(const RayGroup& group, const Candidates& candidates,
-  const ScaledIsovalue& isovalue, FirstRoots& roots)
+//------------------------------------------------------------------------------
+// The same as Robust::RefineRoot, for two vectors at a time: each step waits for the one before,
+// and the other vector fills the wait.
+LANES_INLINE void RefineRoots(const Doubles (*b)[4], const Brackets* brackets, Doubles* u)
 {
-  Undecided undecided;
-  FindUndecided(group, candidates, isovalue, undecided, roots);
-  roots.Count = 0;
-  for (int i = 0; i < LaneCount; ++i)
+  constexpr double tolerance = 1e-10;
+  constexpr int newtonIterations = 40;
+  constexpr int maximumIterations = newtonIterations + 36;
+  const Doubles three = Broadcast(3.0);
+  Doubles c1[2];
+  Doubles c2[2];
+  Doubles c3[2];
+  Doubles low[2];
+  Doubles high[2];
+  Mask going[2];
+  for (int j = 0; j < 2; ++j)
   {
-    undecided.Candidate[undecided.Count + i] = 0;
-    undecided.Ray[undecided.Count + i] = 0;
+    c1[j] = three * (b[j][1] - b[j][0]);
+    c2[j] = three * ((b[j][2] - b[j][1]) - (b[j][1] - b[j][0]));
+    c3[j] = (b[j][3] - b[j][0]) - three * (b[j][2] - b[j][1]);
+    low[j] = brackets[j].Low;
+    high[j] = brackets[j].High;
+    u[j] = Smaller(high[j],
+      low[j] + (high[j] - low[j]) * (brackets[j].AtLow / (brackets[j].AtLow - brackets[j].AtHigh)));
+    going[j] = brackets[j].Exists;
   }
-  for (int i = 0; i < undecided.Count; i += LaneCount)
+  for (int i = 0; i < maximumIterations && Any(going[0] | going[1]); ++i)
   {
-    const int* places = &undecided.Candidate[i];
-    Doubles b[4];
-    for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 2; ++j)
     {
-      b[k] = Gather(undecided.Cubic[k], places);
-    }
-    Brackets brackets = FindFirstSignChange(b);
-    brackets.Exists = brackets.Exists &
-      FirstLanes(undecided.Count - i < LaneCount ? undecided.Count - i : LaneCount);
-    const unsigned int found = ToBits(brackets.Exists);
-    if (found == 0)
-    {
-      continue;
-    }
-    const Doubles u = RefineRoots(b, brackets);
-    const Doubles begin = Gather(undecided.Begin, places);
-    const Doubles end = Gather(undecided.End, places);
-    const Doubles t =
-      Gather(group.Base, &undecided.Ray[i]) + Smaller(begin + (end - begin) * u, end);
-    double lanes[6][LaneCount];
-    Store(begin, lanes[0]);
-    Store(Gather(undecided.BeginAxis, places), lanes[1]);
-    Store(t, lanes[2]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      Store(Lerp(Gather(undecided.Entry[axis], places), Gather(undecided.Exit[axis], places), u),
-        lanes[3 + axis]);
-    }
-    const unsigned int rising = ToBits(IsInside(brackets.AtHigh));
-    for (unsigned int left = found; left != 0; left &= left - 1)
-    {
-      const int lane = __builtin_ctz(left);
-      const int to = roots.Count++;
-      roots.Candidate[to] = places[lane];
-      roots.Begin[to] = lanes[0][lane];
-      roots.BeginAxis[to] = lanes[1][lane];
-      roots.T[to] = lanes[2][lane];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        roots.Parametric[axis][to] = lanes[3 + axis][lane];
-      }
-      roots.Rising[to] = (rising >> lane & 1U) != 0;
+      const Doubles f = ((c3[j] * u[j] + c2[j]) * u[j] + c1[j]) * u[j] + b[j][0];
+      const Mask isBeyond = IsInside(f) ^ IsInside(brackets[j].AtLow);
+      low[j] = Select(isBeyond, low[j], u[j]);
+      high[j] = Select(isBeyond, u[j], high[j]);
+      const Doubles slope = (three * c3[j] * u[j] + Broadcast(2.0) * c2[j]) * u[j] + c1[j];
+      Doubles next = u[j] - f / slope;
+      const Mask isBetween = (low[j] <= next) & (next <= high[j]);
+      const Doubles half = low[j] + Broadcast(0.5) * (high[j] - low[j]);
+      next = Select(i < newtonIterations ? isBetween : FirstLanes(0), next, half);
+      const Mask done = Magnitude(next - u[j]) <= Broadcast(tolerance);
+      u[j] = Select(going[j], next, u[j]);
+      going[j] = AndNot(going[j], done);
     }
   }
 }
+
+/// Refines the hits of two vectors of rays, where missing says so.
+LANES_INLINE void RefineVectors(
+  const RayGroup& group, const int first[2], const unsigned int missing[2], GroupHits& hits)
+{
+  Doubles b[2][4];
+  Brackets brackets[2];
+  Doubles u[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      b[j][k] = Load(&hits.Cubic[k][first[j]]);
+    }
+    brackets[j] = FindFirstSignChange(b[j]);
+    brackets[j].Exists = brackets[j].Exists & LanesOf(missing[j]);
+  }
+  RefineRoots(b, brackets, u);
+  for (int j = 0; j < 2; ++j)
+  {
+    const int i = first[j];
+    const Mask mask = LanesOf(missing[j]);
+    const Doubles begin = Load(&hits.Begin[i]);
+    const Doubles end = Load(&hits.End[i]);
+    const Doubles t = Load(&group.Base[i]) + Smaller(begin + (end - begin) * u[j], end);
+    Store(Select(mask, t, Load(&hits.T[i])), &hits.T[i]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Doubles place = Lerp(Load(&hits.Entry[axis][i]), Load(&hits.Exit[axis][i]), u[j]);
+      Store(Select(mask, place, Load(&hits.Parametric[axis][i])), &hits.Parametric[axis][i]);
+    }
+    const std::uint64_t rising = missing[j] & ToBits(IsInside(brackets[j].AtHigh));
+    hits.Rising.Words[i >> 6] |= rising << (i & 63);
+  }
+}
+
+void Refine(const RayGroup& group, GroupHits& hits)
+{
+  const RaySet rays = { { hits.Found.Words[0] & ~hits.Refined.Words[0],
+    hits.Found.Words[1] & ~hits.Refined.Words[1] } };
+  int count = 0;
+  int first[2];
+  unsigned int missing[2];
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes != 0)
+    {
+      first[count] = i;
+      missing[count++] = lanes;
+    }
+    if (count == 2)
+    {
+      RefineVectors(group, first, missing, hits);
+      count = 0;
+    }
+  }
+  if (count == 1)
+  {
+    first[1] = first[0];
+    missing[1] = 0;
+    RefineVectors(group, first, missing, hits);
+  }
+  hits.Refined = hits.Found;
+}
+
+//------------------------------------------------------------------------------
+void InterpolateDifferences(
+  const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity])
+{
+  for (int i = 0; i < differences.Count; i += LaneCount)
+  {
+    Doubles p[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = Load(&differences.Parametric[axis][i]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Doubles x[4];
+      for (int edge = 0; edge < 4; ++edge)
+      {
+        x[edge] = Lerp(Load(&differences.Values[axis][2 * edge][i]),
+          Load(&differences.Values[axis][2 * edge + 1][i]), p[0]);
+      }
+      Store(Lerp(Lerp(x[0], x[1], p[1]), Lerp(x[2], x[3], p[1]), p[2]), &gradient[axis][i]);
+    }
+  }
+}
+
+LANES_INLINE Doubles Dot(const Doubles a[3], const Doubles b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The same as Normalized of Vector.h, times a factor, where the square of the length is safe.
+/// Returns where it is.
+LANES_INLINE Mask Normalize(Doubles a[3], double factor)
+{
+  const Doubles square = Dot(a, a);
+  const Doubles inverse = Broadcast(1.0) / SquareRoot(square);
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = a[i] * inverse * Broadcast(factor);
+  }
+  return (Broadcast(1e-280) < square) & (square < Broadcast(1e280));
+}
+
+LANES_INLINE void Transform(const double* m, const Doubles from[3], Doubles to[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i] = Broadcast(m[4 * i]) * from[0] + Broadcast(m[4 * i + 1]) * from[1] +
+      Broadcast(m[4 * i + 2]) * from[2];
+  }
+}
+
+LANES_INLINE Doubles Power(Doubles base, int exponent)
+{
+  Doubles result = Broadcast(1.0);
+  Doubles square = base;
+  for (; exponent > 0; exponent /= 2)
+  {
+    result = exponent % 2 == 1 ? result * square : result;
+    square = square * square;
+  }
+  return result;
+}
+
+/// The light that is reflected, diffuse and specular.
+struct Reflections
+{
+  Doubles Diffuse[3];
+  Doubles Specular[3];
+};
+
+LANES_INLINE void AddReflections(const DistantLight& light, int power, const Doubles normal[3],
+  const Doubles toViewer[3], Reflections& reflections)
+{
+  const Doubles zero = Broadcast(0.0);
+  Doubles direction[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = Broadcast(light.Direction[i]);
+  }
+  const Doubles cosine = Dot(normal, direction);
+  const Mask isLit = zero < cosine;
+  Doubles mirrored[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    mirrored[i] = normal[i] * (Broadcast(2.0) * cosine) - direction[i];
+  }
+  const Doubles highlight = Power(Larger(zero, Dot(mirrored, toViewer)), power);
+  for (int i = 0; i < 3; ++i)
+  {
+    Doubles& diffuse = reflections.Diffuse[i];
+    Doubles& specular = reflections.Specular[i];
+    diffuse = Select(isLit, diffuse + Broadcast(light.DiffuseColor[i]) * cosine, diffuse);
+    specular = Select(isLit, specular + Broadcast(light.SpecularColor[i]) * highlight, specular);
+  }
+}
+
+void Shade(const Phong& phong, ShadedHits& hits)
+{
+  const Doubles zero = Broadcast(0.0);
+  hits.Extreme.Words[0] = 0;
+  hits.Extreme.Words[1] = 0;
+  for (int i = 0; i < hits.Count; i += LaneCount)
+  {
+    Doubles gradient[3];
+    Doubles direction[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] = Load(&hits.Gradient[axis][i]);
+      direction[axis] = Load(&hits.Direction[axis][i]);
+    }
+    Doubles toViewer[3];
+    Transform(phong.WorldFromIndex, direction, toViewer);
+    Mask safe = Normalize(toViewer, -1.0);
+    safe = safe & Normalize(gradient, 1.0);
+    Doubles normal[3];
+    Transform(phong.WorldFromGradient, gradient, normal);
+    safe = safe & Normalize(normal, -1.0);
+    const unsigned int extreme =
+      ToBits(AndNot(FirstLanes(SmallerOf(hits.Count - i, LaneCount)), safe));
+    hits.Extreme.Words[i >> 6] |= static_cast<std::uint64_t>(extreme) << (i & 63);
+    if (phong.TwoSidedLighting)
+    {
+      const Mask isBehind = Dot(normal, toViewer) < zero;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normal[axis] = Select(isBehind, normal[axis] * Broadcast(-1.0), normal[axis]);
+      }
+    }
+    Reflections reflections = { { zero, zero, zero }, { zero, zero, zero } };
+    for (int light = 0; light < phong.LightCount; ++light)
+    {
+      AddReflections(phong.Lights[light], phong.SpecularPower, normal, toViewer, reflections);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Doubles color = Load(&hits.Color[k][i]);
+      const Doubles shaded = color * Broadcast(phong.Ambient) +
+        color * reflections.Diffuse[k] * Broadcast(phong.Diffuse) +
+        reflections.Specular[k] * Broadcast(phong.Specular);
+      // An extreme hit keeps the colour of its surface.
+      Store(Select(LanesOf(extreme), color, shaded), &hits.Color[k][i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
+// and what is infinite lies beyond the largest numbers: neither is ever kept.
+template <typename T>
+void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
+{
+  const T* values = static_cast<const T*>(row);
+  T* lows = static_cast<T*>(low);
+  T* highs = static_cast<T*>(high);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const T value = values[i];
+    if constexpr (static_cast<T>(0.5) != 0)
+    {
+      constexpr T largest =
+        sizeof(T) == 4 ? static_cast<T>(__FLT_MAX__) : static_cast<T>(__DBL_MAX__);
+      lows[i] = (value < lows[i]) & (value >= -largest) ? value : lows[i];
+      highs[i] = (value > highs[i]) & (value <= largest) ? value : highs[i];
+    }
+    else
+    {
+      lows[i] = value < lows[i] ? value : lows[i];
+      highs[i] = value > highs[i] ? value : highs[i];
+    }
+  }
+}
+
+#define KERNELS(name)                                                                              \
+  const Kernels name = {                                                                           \
+    MakeRays, Align, FindPassages, FindHits, Refine, InterpolateDifferences, Shade,                \
+    { IncludeRow<std::int8_t>, IncludeRow<std::uint8_t>, IncludeRow<std::int16_t>,                 \
+      IncludeRow<std::uint16_t>, IncludeRow<std::int32_t>, IncludeRow<std::uint32_t>,              \
+      IncludeRow<std::int64_t>, IncludeRow<std::uint64_t>, IncludeRow<float>, IncludeRow<double> } \
+  }
 
 }
 }

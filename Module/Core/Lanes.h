@@ -111,6 +111,10 @@ LANES_INLINE Doubles Magnitude(Doubles a)
 {
   return { _mm512_abs_pd(a.Value) };
 }
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm512_floor_pd(a.Value) };
+}
 /// The first with the sign of the second.
 LANES_INLINE Doubles CopySign(Doubles a, Doubles b)
 {
@@ -129,6 +133,15 @@ LANES_INLINE Mask operator<=(Doubles a, Doubles b)
 LANES_INLINE Mask operator==(Doubles a, Doubles b)
 {
   return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_EQ_OQ) };
+}
+// As std::min and std::max choose, NaN and the signs of zeros included.
+LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
+{
+  return { _mm512_min_pd(b.Value, a.Value) };
+}
+LANES_INLINE Doubles Larger(Doubles a, Doubles b)
+{
+  return { _mm512_max_pd(b.Value, a.Value) };
 }
 LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
 {
@@ -219,6 +232,10 @@ LANES_INLINE Doubles SquareRoot(Doubles a)
 {
   return { _mm256_sqrt_pd(a.Value) };
 }
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm256_floor_pd(a.Value) };
+}
 LANES_INLINE Doubles Magnitude(Doubles a)
 {
   return { _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.Value) };
@@ -239,6 +256,14 @@ LANES_INLINE Mask operator<=(Doubles a, Doubles b)
 LANES_INLINE Mask operator==(Doubles a, Doubles b)
 {
   return { _mm256_cmp_pd(a.Value, b.Value, _CMP_EQ_OQ) };
+}
+LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
+{
+  return { _mm256_min_pd(b.Value, a.Value) };
+}
+LANES_INLINE Doubles Larger(Doubles a, Doubles b)
+{
+  return { _mm256_max_pd(b.Value, a.Value) };
 }
 LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
 {
@@ -334,6 +359,10 @@ LANES_INLINE Doubles SquareRoot(Doubles a)
 {
   return { DoubleVector{ __builtin_sqrt(a.Value[0]), __builtin_sqrt(a.Value[1]) } };
 }
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { DoubleVector{ __builtin_floor(a.Value[0]), __builtin_floor(a.Value[1]) } };
+}
 LANES_INLINE Doubles Magnitude(Doubles a)
 {
   return { DoubleVector{ __builtin_fabs(a.Value[0]), __builtin_fabs(a.Value[1]) } };
@@ -360,15 +389,6 @@ LANES_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
   return { reinterpret_cast<DoubleVector>((reinterpret_cast<MaskVector>(yes.Value) & mask.Value) |
     (reinterpret_cast<MaskVector>(no.Value) & ~mask.Value)) };
 }
-
-#endif
-
-LANES_INLINE bool Any(Mask mask)
-{
-  return ToBits(mask) != 0;
-}
-
-// As std::min and std::max choose, NaN included.
 LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
 {
   return Select(b < a, b, a);
@@ -376,6 +396,13 @@ LANES_INLINE Doubles Smaller(Doubles a, Doubles b)
 LANES_INLINE Doubles Larger(Doubles a, Doubles b)
 {
   return Select(a < b, b, a);
+}
+
+#endif
+
+LANES_INLINE bool Any(Mask mask)
+{
+  return ToBits(mask) != 0;
 }
 
 }

@@ -61,7 +61,6 @@ void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& 
   }
   PixelBlock block;
   block.IndexFromClip = scene.View.GetIndexFromClip().data();
-  block.WorldFromIndex = scene.View.GetWorldFromIndex().data();
   block.Width = scene.View.GetWidth();
   block.Height = scene.View.GetHeight();
   block.Column = scene.Pixels.X + pixels.X;
@@ -78,20 +77,25 @@ void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& 
 std::uint8_t ToByte(double value)
 {
   // What is no number, from a light without any attenuation on its own position, is black.
-  return static_cast<std::uint8_t>(std::lround(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0)));
+  return static_cast<std::uint8_t>(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0) + 0.5);
 }
 
 /// Composites the hits of one ray, front to back.
-void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first, const Hit* last,
-  const Vector3& direction, std::uint8_t rgba[4], float& depth)
+void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, std::size_t count,
+  std::uint8_t rgba[4], float& depth)
 {
+  depth = Frame::NoSurface;
+  std::fill_n(rgba, 4, std::uint8_t{ 0 });
+  if (count == 0)
+  {
+    return;
+  }
   Vector3 color = { 0.0, 0.0, 0.0 };
   double transmittance = 1.0;
-  depth = Frame::NoSurface;
-  for (const Hit* hit = first; hit != last; ++hit)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
-    Vector3 shaded = ShadeHit(scene, volume, *hit, direction);
+    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
+    Vector3 shaded = colors[i];
     for (double& channel : shaded)
     {
       channel = std::clamp(channel, 0.0, 1.0);
@@ -100,7 +104,7 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
     transmittance *= 1.0 - opacity;
     if (opacity >= 1.0)
     {
-      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hit->GetPoint()), 0.0, 1.0));
+      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hits[i].GetPoint()), 0.0, 1.0));
     }
   }
   rgba[0] = ToByte(color[0]);
@@ -109,20 +113,20 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
   rgba[3] = ToByte(1.0 - transmittance);
 }
 
-void ShadeBlock(const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels,
+void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, Frame& frame)
 {
-  int ray = 0;
+  std::vector<Vector3> colors;
+  shader.Shade(rays, hits, colors);
+  std::size_t ray = 0;
   for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
   {
     for (int x = pixels.X; x < pixels.X + pixels.Width; ++x, ++ray)
     {
       const std::size_t pixel = PixelOffset(scene, x, y);
-      const auto number = static_cast<std::size_t>(ray);
-      const Hit* first = hits.Hits.data();
-      ShadePixel(scene, volume, first + hits.First[number], first + hits.First[number + 1],
-        { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] },
-        &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      const std::size_t first = hits.First[ray];
+      CompositePixel(scene, hits.Hits.data() + first, colors.data() + first,
+        hits.First[ray + 1] - first, &frame.Colors[4 * pixel], frame.Depths[pixel]);
     }
   }
 }
@@ -166,6 +170,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   frame.Depths.resize(count);
   volume.Select(scene.Want, scene.Threads);
 
+  const Shader shader(scene, volume);
   const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
   const int tiles = tilesPerRow * ((pixels.Height + scene.TileHeight - 1) / scene.TileHeight);
   const double brickSecondsBefore = 1e-9 * static_cast<double>(volume.GetBrickNanoseconds());
@@ -194,7 +199,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
           const Clock::time_point begin = Clock::now();
           TraceBlock(scene, volume, block, rays, hits);
           const Clock::time_point traced = Clock::now();
-          ShadeBlock(scene, volume, block, rays, hits, frame);
+          ShadeBlock(scene, shader, block, rays, hits, frame);
           traceSeconds += Seconds(traced - begin);
           shadeSeconds += Seconds(Clock::now() - traced);
         });

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -77,6 +78,9 @@ struct Wanted
   /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
   /// goes by itself, cell after cell; the hits are the same.
   const Kernels* BeamKernels = &GetBestKernels();
+  /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
+  /// that were not used lately make room, and rays do without: the hits are the same.
+  std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
 };
 
 /// The hits of a number of rays: ray i has those from First[i] to First[i + 1], front to back.
@@ -130,6 +134,10 @@ public:
 
   /// The gradient of the samples at a hit, per cell edge along each axis.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
+
+  /// The same for up to as many hits as a group of rays has, with kernels.
+  virtual void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const = 0;
 
   virtual const Index3& GetDimensions() const = 0;
   /// In bytes.
