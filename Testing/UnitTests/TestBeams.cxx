@@ -181,17 +181,17 @@ constexpr NewRays AllKinds[] = { PinholeRays, ParallelRays, AxisParallelRays, La
   MixedRays, RaysInAllDirections, OneRay, EndlessRays };
 
 //------------------------------------------------------------------------------
-Wanted OpaqueSurface(double isovalue, const Kernels* kernels)
+Wanted OpaqueSurface(double isovalue)
 {
   Wanted wanted;
   wanted.Surfaces = { { isovalue, 1.0 } };
-  wanted.BeamKernels = kernels;
   return wanted;
 }
 
-RayHits TraceWith(TracedVolume& volume, const Rays& rays, double isovalue, const Kernels* kernels)
+RayHits TraceWith(TracedVolume& volume, const Rays& rays, Wanted wanted, const Kernels* kernels)
 {
-  volume.Select(OpaqueSurface(isovalue, kernels), 1);
+  wanted.BeamKernels = kernels;
+  volume.Select(wanted, 1);
   RayHits hits;
   volume.Trace(rays, hits);
   return hits;
@@ -232,23 +232,22 @@ public:
   BeamChecks(const BeamChecks&) = delete;
   BeamChecks& operator=(const BeamChecks&) = delete;
 
-  void Check(TracedVolume& volume, const vtkIsosurfaceRayTracing::Rays& rays, double isovalue)
+  void Check(TracedVolume& volume, const vtkIsosurfaceRayTracing::Rays& rays, const Wanted& wanted)
   {
-    const RayHits expected = TraceWith(volume, rays, isovalue, nullptr);
-    const RayHits found = TraceWith(volume, rays, isovalue, &this->TheKernels);
+    const RayHits expected = TraceWith(volume, rays, wanted, nullptr);
+    const RayHits found = TraceWith(volume, rays, wanted, &this->TheKernels);
     ASSERT_EQ(expected.First.size(), rays.size() + 1);
     ASSERT_EQ(found.First.size(), rays.size() + 1);
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       const std::size_t first = expected.First[i];
-      const std::size_t count = expected.First[i + 1] - first;
-      const std::size_t foundFirst = found.First[i];
-      ASSERT_EQ(found.First[i + 1] - foundFirst, count) << this->Describe(i, rays[i], isovalue);
-      if (count == 1)
+      ASSERT_EQ(found.First[i], first);
+      ASSERT_EQ(found.First[i + 1], expected.First[i + 1]) << this->Describe(i, rays[i], wanted);
+      for (std::size_t hit = first; hit < expected.First[i + 1]; ++hit)
       {
-        ASSERT_TRUE(AreSameBits(found.Hits[foundFirst], expected.Hits[first]))
-          << ToText(found.Hits[foundFirst]) << "should be " << ToText(expected.Hits[first])
-          << this->Describe(i, rays[i], isovalue);
+        ASSERT_TRUE(AreSameBits(found.Hits[hit], expected.Hits[hit]))
+          << ToText(found.Hits[hit]) << "should be " << ToText(expected.Hits[hit])
+          << this->Describe(i, rays[i], wanted);
       }
     }
     this->Rays += rays.size();
@@ -256,14 +255,14 @@ public:
   }
 
   /// All kinds of rays.
-  void CheckAll(RandomNumbers& random, TracedVolume& volume, double isovalue, int repeats)
+  void CheckAll(RandomNumbers& random, TracedVolume& volume, const Wanted& wanted, int repeats)
   {
     for (const NewRays newRays : AllKinds)
     {
       for (int i = 0; i < repeats; ++i)
       {
         ASSERT_NO_FATAL_FAILURE(
-          this->Check(volume, newRays(random, volume.GetDimensions()), isovalue));
+          this->Check(volume, newRays(random, volume.GetDimensions()), wanted));
       }
     }
   }
@@ -271,10 +270,12 @@ public:
   std::size_t GetNumberOfHits() const { return this->Hits; }
 
 private:
-  std::string Describe(std::size_t number, const std::optional<Ray>& ray, double isovalue) const
+  std::string Describe(
+    std::size_t number, const std::optional<Ray>& ray, const Wanted& wanted) const
   {
     std::ostringstream text;
-    text << this->What << ", isovalue " << isovalue << ", ray " << number;
+    text << this->What << ", solver " << static_cast<int>(wanted.Solver) << ", isovalue "
+         << wanted.Surfaces[0].Isovalue << " of " << wanted.Surfaces.size() << ", ray " << number;
     if (ray)
     {
       text << ": " << ToText(Line{ ray->Origin, ray->Direction }) << "t from " << ray->Begin
@@ -335,7 +336,7 @@ protected:
         const auto traced = TracedVolume::New(volume.View(), RandomSettings(random), 1);
         for (const double isovalue : { 50.0, 49.5, 77.3 })
         {
-          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, isovalue, 3));
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 3));
         }
       }
     }
@@ -373,11 +374,76 @@ TEST_P(Beams, HitWhatSingleRaysHitInAllLayouts)
     for (const int brickSize : { 1, 3, 8, 64 })
     {
       const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, brickSize, 2 }, 2);
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, 0.1, 5));
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, 1.45, 5));
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(0.1), 5));
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(1.45), 5));
     }
   }
   EXPECT_GT(checks.GetNumberOfHits(), 15000U);
+}
+
+//------------------------------------------------------------------------------
+constexpr RootSolver AllSolvers[] = { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
+  RootSolver::Marmitt, RootSolver::Linear };
+
+/// Translucent and opaque, one and several, also of isovalues that no sample of the type has.
+const std::vector<std::vector<Isosurface>> SetsOfSurfaces = { { { 49.5, 1.0 } }, { { 49.5, 0.5 } },
+  { { 49.5, 1e-9 } }, { { 20.0, 0.3 }, { 50.0, 1.0 } }, { { 20.0, 1.0 }, { 50.0, 0.3 } },
+  { { 20.0, 1.0 }, { 50.0, 1.0 } }, { { 20.0, 0.1 }, { 49.5, 0.2 }, { 50.0, 0.01 }, { 77.3, 0.9 } },
+  { { 1e9, 1.0 } }, { { 50.0, 1.0 }, { 1e9, 1.0 } }, { { -1e300, 0.5 }, { 50.0, 0.5 } },
+  { { -Infinity, 0.5 }, { 50.0, 0.5 }, { 32768.0, 0.5 }, { Infinity, 0.5 } },
+  { { 50.0, 0.5 }, { std::nan(""), 0.5 } } };
+
+template <typename T>
+void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
+{
+  for (const Index3& size : { Index3{ 10, 17, 18 }, { 33, 9, 26 } })
+  {
+    for (const int percent : { 1, 30 })
+    {
+      const auto volume = Islands<T>(random, size, percent);
+      const auto traced = TracedVolume::New(volume.View(), RandomSettings(random), 1);
+      for (const std::vector<Isosurface>& surfaces : SetsOfSurfaces)
+      {
+        for (const RootSolver solver : AllSolvers)
+        {
+          Wanted wanted;
+          wanted.Surfaces = surfaces;
+          wanted.Solver = solver;
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 2));
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
+{
+  RandomNumbers random(858);
+  BeamChecks checks("all solvers and surfaces", this->TheKernels);
+  ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<std::int16_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<float>(random, checks));
+  EXPECT_GT(checks.GetNumberOfHits(), 500000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
+{
+  RandomNumbers random(859);
+  BeamChecks checks("little memory", this->TheKernels);
+  const auto volume = Islands<std::uint8_t>(random, { 40, 33, 42 }, 5);
+  for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
+  {
+    const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, 1);
+    for (const std::size_t memory : { 0, 1000, 20000 })
+    {
+      Wanted wanted = OpaqueSurface(50.0);
+      wanted.MaximumMemory = memory;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
+      wanted.Surfaces[0].Opacity = 0.5;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 10000U);
 }
 
 //------------------------------------------------------------------------------
@@ -403,7 +469,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
       const Vector3 through = random.PointInBox({}, LastSample(size));
       rays.push_back(Clip({ through - direction * 40.0, direction }, size));
     }
-    ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, 50.0));
+    ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, OpaqueSurface(50.0)));
 
     Wanted all;
     all.Surfaces = { { 50.0, 1e-9 } };
@@ -447,7 +513,7 @@ TEST_P(Beams, PassOverSamplesThatAreNotFinite)
       value = random.Integer(0, 19) ? value : static_cast<float>(bad[random.Integer(0, 2)]);
     }
     const auto traced = TracedVolume::New(volume.View(), {}, 1);
-    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, 50.0, 2));
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(50.0), 2));
   }
   EXPECT_GT(checks.GetNumberOfHits(), 3000U);
 }
@@ -474,7 +540,7 @@ TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
     const auto traced = TracedVolume::New(volume.View(), {}, 1);
     for (const double isovalue : { 0.0, 1e-100, -1e100, 5e-324, 1e300 })
     {
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, isovalue, 1));
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 1));
     }
   }
   EXPECT_GT(checks.GetNumberOfHits(), 8000U);
@@ -490,8 +556,8 @@ TEST_P(Beams, FollowTheSurfaceLastSelected)
   BeamChecks checks("isovalue after isovalue", this->TheKernels);
   for (int i = 0; i < 40; ++i)
   {
-    ASSERT_NO_FATAL_FAILURE(
-      checks.CheckAll(random, *traced, i % 2 == 0 ? 0.3 : random.Uniform(-1.4, 1.4), 1));
+    const double isovalue = i % 2 == 0 ? 0.3 : random.Uniform(-1.4, 1.4);
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 1));
   }
   EXPECT_GT(checks.GetNumberOfHits(), 5000U);
 }
@@ -513,7 +579,9 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
   for (int repeat = 0; repeat < 3; ++repeat)
   {
     const auto traced = TracedVolume::New(volume.View(), {}, 2);
-    traced->Select(OpaqueSurface(0.2, &this->TheKernels), 2);
+    Wanted wanted = OpaqueSurface(0.2);
+    wanted.BeamKernels = &this->TheKernels;
+    traced->Select(wanted, 2);
     std::vector<RayHits> hits(groups.size());
 #pragma omp parallel for num_threads(2) schedule(dynamic)
     for (int i = 0; i < static_cast<int>(groups.size()); ++i)
@@ -523,7 +591,7 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
     }
     for (std::size_t i = 0; i < groups.size(); ++i)
     {
-      const RayHits expected = TraceWith(*alone, groups[i], 0.2, nullptr);
+      const RayHits expected = TraceWith(*alone, groups[i], OpaqueSurface(0.2), nullptr);
       ASSERT_EQ(hits[i].First, expected.First);
       ASSERT_TRUE(std::equal(hits[i].Hits.begin(), hits[i].Hits.end(), expected.Hits.begin(),
         [](const Hit& a, const Hit& b) { return AreSameBits(a, b); }));
@@ -556,22 +624,22 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
     traced->Trace({ Clip({ { 1.0, 2.0, 3.0 }, { slow, 0.5 * slow, 0.4 * slow } }, size) }, hits);
     return calls > 0;
   };
-  Wanted wanted = OpaqueSurface(0.2, &counting);
-  EXPECT_TRUE(useBeams(wanted, {}, 1.0));
+  Wanted wanted = OpaqueSurface(0.2);
+  wanted.BeamKernels = &counting;
   EXPECT_TRUE(useBeams(wanted, { { 8 }, BrickLayout::Unbricked, 8, 4 }, 1.0));
   EXPECT_FALSE(useBeams(wanted, { { 4, 4 }, BrickLayout::Apron, 8, 4 }, 1.0));
   EXPECT_FALSE(useBeams(wanted, { {}, BrickLayout::Apron, 8, 4 }, 1.0));
   EXPECT_FALSE(useBeams(wanted, {}, 1e-308));
-  wanted.Surfaces[0].Opacity = 0.5;
-  EXPECT_FALSE(useBeams(wanted, {}, 1.0));
-  wanted.Surfaces = { { 0.2, 1.0 }, { 0.3, 1.0 } };
-  EXPECT_FALSE(useBeams(wanted, {}, 1.0));
-  for (const RootSolver solver :
-    { RootSolver::Fast, RootSolver::Analytic, RootSolver::Marmitt, RootSolver::Linear })
+  for (const RootSolver solver : AllSolvers)
   {
-    wanted = OpaqueSurface(0.2, &counting);
     wanted.Solver = solver;
-    EXPECT_FALSE(useBeams(wanted, {}, 1.0));
+    for (const std::vector<Isosurface>& surfaces : std::vector<std::vector<Isosurface>>{
+           { { 0.2, 1.0 } }, { { 0.2, 0.5 } }, { { 0.2, 1.0 }, { 0.3, 1.0 } } })
+    {
+      wanted.Surfaces = surfaces;
+      // This one solves many rays together by itself.
+      EXPECT_EQ(useBeams(wanted, {}, 1.0), solver != RootSolver::Fast);
+    }
   }
 }
 

@@ -18,7 +18,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -118,34 +120,30 @@ Line LineAlong(RandomNumbers& random, LineKind kind, std::size_t axis, double si
   return line;
 }
 
-/// What a kernel found for the rays in a block, slice by slice.
-struct FoundCells
-{
-  int Ray;
-  std::uint64_t Slices[8];
-};
-
-std::vector<FoundCells> FindCells(const Kernels& kernels, const RayGroup& group, const RaySet& rays,
-  int axis, const Index3& block, const BlockMask& mask)
+/// Calls visit(passage) for every passage that a kernel finds in a block.
+template <typename Visit>
+void ForEachPassage(const Kernels& kernels, const RayGroup& group, const RaySet& rays, int axis,
+  const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
-  BlockCells cells;
-  kernels.FindCells(group, rays, axis, first, mask.Slices[axis], cells);
-  std::vector<FoundCells> found;
-  for (int i = 0; i < cells.Count; ++i)
+  // Others are there already, and stay.
+  passages.Count = 1;
+  passages.Ray[0] = -1;
+  kernels.FindPassages(group, rays, axis, first, mask.Slices[axis], passages);
+  ASSERT_EQ(passages.Ray[0], -1);
+  for (int i = 1; i < passages.Count; ++i)
   {
     unsigned int slices = 0;
-    FoundCells ofRay = { cells.Ray[i], {} };
     for (int slice = 0; slice < 8; ++slice)
     {
-      ofRay.Slices[slice] = cells.Cells[i][slice];
-      slices |= (ofRay.Slices[slice] != 0 ? 1U : 0U) << slice;
+      slices |= (passages.Cells[i][slice] != 0 ? 1U : 0U) << slice;
     }
-    EXPECT_EQ(cells.Slices[i], slices);
-    EXPECT_NE(slices, 0U);
-    found.push_back(ofRay);
+    ASSERT_EQ(passages.Slices[i], slices);
+    ASSERT_NE(slices, 0U);
+    ASSERT_TRUE(std::equal(first, first + 3, passages.First[i]));
+    ASSERT_FALSE(passages.Hits[i]);
+    visit(i);
   }
-  return found;
 }
 
 /// The cells of a volume in a block, or some of them.
@@ -196,13 +194,17 @@ public:
       {
         const BlockMask mask = MakeMask(random, block, dimensions, all);
         RaySet seen = {};
-        for (const FoundCells& found : FindCells(this->TheKernels, group, rays, axis, block, mask))
-        {
-          ASSERT_TRUE(Has(rays, found.Ray));
-          ASSERT_FALSE(Has(seen, found.Ray));
-          Add(found.Ray, seen);
-          this->Take(found, axis, block, mask, left[static_cast<std::size_t>(found.Ray)], all);
-        }
+        Passages passages;
+        ForEachPassage(this->TheKernels, group, rays, axis, block, mask, passages,
+          [&](int i)
+          {
+            const int ray = passages.Ray[i];
+            ASSERT_TRUE(Has(rays, ray));
+            ASSERT_FALSE(Has(seen, ray));
+            Add(ray, seen);
+            this->Take(
+              passages.Cells[i], axis, block, mask, left[static_cast<std::size_t>(ray)], all);
+          });
         // What is left must not have been asked for.
         for (const std::set<Index3>& cells : left)
         {
@@ -226,15 +228,15 @@ public:
   std::size_t GetNumberOfRays() const { return this->Rays; }
 
 private:
-  void Take(const FoundCells& found, int axis, const Index3& block, const BlockMask& mask,
+  void Take(const std::uint64_t cells[8], int axis, const Index3& block, const BlockMask& mask,
     std::set<Index3>& left, bool all)
   {
     for (int slice = 0; slice < 8; ++slice)
     {
-      ASSERT_EQ(found.Slices[slice] & ~mask.Slices[axis][slice], 0U);
+      ASSERT_EQ(cells[slice] & ~mask.Slices[axis][slice], 0U);
       for (int bit = 0; bit < 64; ++bit)
       {
-        if (found.Slices[slice] >> bit & 1)
+        if (cells[slice] >> bit & 1)
         {
           Index3 cell = { 8 * block[0], 8 * block[1], 8 * block[2] };
           cell[static_cast<std::size_t>(axis)] += slice;
@@ -272,11 +274,15 @@ TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
       const int count = random.Integer(1, i % 3 == 0 ? 128 : 20);
       for (int k = 0; k < count; ++k)
       {
-        const Line line = LineAlong(random, kind, static_cast<std::size_t>(axis), sign, dimensions);
+        // Beside the rays of the beam there may be any others in the group.
+        const bool isInBeam = random.Integer(0, 4) != 0;
+        const Line line = isInBeam
+          ? LineAlong(random, kind, static_cast<std::size_t>(axis), sign, dimensions)
+          : LatticeLine(random, dimensions);
         const double end = random.Integer(0, 4) ? Infinity : random.Uniform(0.0, 40.0);
         const auto ray = ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions);
         AddRay(ray, group);
-        if (ray && random.Integer(0, 4))
+        if (ray && isInBeam)
         {
           Add(k, rays);
         }
@@ -298,36 +304,27 @@ TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
 }
 
 //------------------------------------------------------------------------------
-/// A ray and a cell that it passes, or comes near to.
-struct RayAndCell
+/// A ray of a group, a cell that it passes or comes near to, and the values at its corners.
+struct Question
 {
-  Ray TheRay;
+  int Ray;
   Index3 Cell;
+  CellCorners Corners;
 };
 
-std::optional<RayAndCell> RandomRayAndCell(RandomNumbers& random)
+const Index3 Dimensions = { 9, 10, 8 };
+
+std::optional<Ray> RandomRay(RandomNumbers& random)
 {
-  const Index3 dimensions = { 9, 10, 8 };
   Line line =
-    random.Integer(0, 2) ? RandomLine(random, dimensions) : LatticeLine(random, dimensions);
+    random.Integer(0, 2) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);
   if (random.Integer(0, 9) == 0)
   {
     line.Origin = line.Origin - line.Direction * 1e9;
   }
   const double begin = random.Integer(0, 3) ? 0.0 : random.Uniform(0.0, 10.0);
   const double end = random.Integer(0, 3) ? Infinity : begin + random.Uniform(0.0, 10.0);
-  const auto ray = ClipToVolume(line.Origin, line.Direction, begin, end, dimensions);
-  if (!ray)
-  {
-    return std::nullopt;
-  }
-  const std::vector<Index3> cells = PassedCells(*ray, dimensions);
-  Index3 cell = cells[random.Bits() % cells.size()];
-  if (random.Integer(0, 4) == 0)
-  {
-    cell[random.Bits() % 3] += random.Integer(-1, 1);
-  }
-  return RayAndCell{ *ray, cell };
+  return ClipToVolume(line.Origin, line.Direction, begin, end, Dimensions);
 }
 
 /// Values of all kinds: smooth, rough, with ties and zeros, tangent, of any magnitude.
@@ -353,11 +350,36 @@ CellCorners RandomCorners(RandomNumbers& random)
   return corners;
 }
 
+/// Some equal to the isovalue, the others on both sides of it.
+CellCorners CornersAround(RandomNumbers& random, double isovalue)
+{
+  CellCorners corners;
+  for (double& value : corners)
+  {
+    value = random.Integer(0, 5) ? isovalue * random.Uniform(-1.0, 3.0) : isovalue;
+  }
+  return corners;
+}
+
+/// As TracedVolume takes off the isovalue: a difference that is not zero never vanishes.
+CellCorners Differences(const CellCorners& corners, const ScaledIsovalue& isovalue)
+{
+  CellCorners differences;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const double value = corners[corner];
+    const double plain = value * isovalue.Scale - isovalue.Isovalue * isovalue.Scale;
+    const double sign = (value > isovalue.Isovalue) - (value < isovalue.Isovalue);
+    differences[corner] = std::abs(plain) < SmallestDifference ? sign * SmallestDifference : plain;
+  }
+  return differences;
+}
+
+/// The first root in a cell.
 struct FirstRoot
 {
-  bool IsExtreme;
-  double Begin;
-  int BeginAxis;
+  Index3 Cell;
+  Place Begin;
   double T;
   Vector3 Parametric;
   bool Rising;
@@ -366,20 +388,20 @@ struct FirstRoot
 using MaybeRoot = std::optional<FirstRoot>;
 
 /// What the reference has to say.
-MaybeRoot ExpectRoot(const RayAndCell& pair, const CellCorners& difference)
+MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorners& differences)
 {
   CellSegment segment;
-  if (!SegmentInCell(pair.TheRay, pair.Cell, segment))
-  {
-    return std::nullopt;
-  }
   MaybeRoot root;
-  Robust::ForEachRoot(difference, segment,
+  if (!SegmentInCell(ray, cell, segment))
+  {
+    return root;
+  }
+  Robust::ForEachRoot(differences, segment,
     [&](double u, bool rising)
     {
       const double t = segment.Begin + (segment.End - segment.Begin) * u;
-      root = FirstRoot{ false, segment.Begin, segment.BeginAxis,
-        pair.TheRay.Base + std::min(t, segment.End), {}, rising };
+      root = FirstRoot{ cell, { segment.Begin, segment.BeginAxis },
+        ray.Base + std::min(t, segment.End), {}, rising };
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         root->Parametric[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
@@ -390,179 +412,190 @@ MaybeRoot ExpectRoot(const RayAndCell& pair, const CellCorners& difference)
 }
 
 /// The kernels may leave a cell to others only where a coefficient of its cubic is extreme.
-bool MayBeExtreme(const RayAndCell& pair, const CellCorners& difference)
+bool MayBeExtreme(const Ray& ray, const Index3& cell, const CellCorners& differences)
 {
   CellSegment segment;
-  SegmentInCell(pair.TheRay, pair.Cell, segment);
-  const BernsteinCubic cubic = CubicAlongSegment(difference, segment.Entry, segment.Exit);
+  SegmentInCell(ray, cell, segment);
   double size = 0.0;
-  for (const double coefficient : cubic)
+  for (const double coefficient : CubicAlongSegment(differences, segment.Entry, segment.Exit))
   {
     size = std::max(size, std::abs(coefficient));
   }
   return !(size >= 1e-100 && size <= 1e100);
 }
 
-/// The first root in each of some cells, by a kernel; each cell has a ray of its own.
-std::vector<MaybeRoot> FindFirstRoots(const Kernels& kernels, const std::vector<RayAndCell>& pairs,
-  const std::vector<CellCorners>& corners, const ScaledIsovalue& isovalue)
-{
-  RayGroup group = EmptyGroup();
-  Candidates candidates = {};
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    AddRay(pairs[i].TheRay, group);
-    candidates.Ray[i] = static_cast<int>(i);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      candidates.Cell[axis][i] = pairs[i].Cell[axis];
-    }
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      candidates.Corners[corner][i] = corners[i][corner];
-    }
-    ++candidates.Count;
-  }
-  FirstRoots roots;
-  kernels.FindFirstRoots(group, candidates, isovalue, roots);
-  std::vector<MaybeRoot> result(pairs.size());
-  for (int i = 0; i < roots.Count; ++i)
-  {
-    MaybeRoot& root = result.at(static_cast<std::size_t>(roots.Candidate[i]));
-    EXPECT_FALSE(root);
-    root = FirstRoot{ false, roots.Begin[i], static_cast<int>(roots.BeginAxis[i]), roots.T[i],
-      { roots.Parametric[0][i], roots.Parametric[1][i], roots.Parametric[2][i] }, roots.Rising[i] };
-  }
-  for (int i = 0; i < roots.ExtremeCount; ++i)
-  {
-    MaybeRoot& root = result.at(static_cast<std::size_t>(roots.Extreme[i]));
-    EXPECT_FALSE(root);
-    root = FirstRoot{ true, 0.0, 0, 0.0, {}, false };
-  }
-  return result;
-}
-
-/// Compares roots one by one, and counts.
-class RootChecks
+/// Asks a kernel about cells, and compares what it says of each cell and of each ray.
+class HitChecks
 {
 public:
-  ~RootChecks()
+  HitChecks(const Kernels& kernels, const ScaledIsovalue& isovalue)
+    : TheKernels(kernels)
+    , Isovalue(isovalue)
   {
-    std::cout << "[ tried    ] " << this->Roots << " roots, " << this->None << " cells without, "
-              << this->Extremes << " left to others\n";
   }
 
-  void Check(const MaybeRoot& found, const RayAndCell& pair, const CellCorners& difference)
+  ~HitChecks()
   {
-    const MaybeRoot expected = ExpectRoot(pair, difference);
-    if (found && found->IsExtreme)
+    std::cout << "[ tried    ] isovalue " << this->Isovalue.Isovalue << ": " << this->Roots
+              << " cells with a root, " << this->None << " without, " << this->Extremes
+              << " left to others; " << this->Hits << " rays that hit\n";
+  }
+
+  HitChecks(const HitChecks&) = delete;
+  HitChecks& operator=(const HitChecks&) = delete;
+
+  /// The questions may be as many as there are passages.
+  void Check(RandomNumbers& random, const RayGroup& group, const std::vector<Question>& questions)
+  {
+    GroupHits hits;
+    std::memset(&hits, 0xFF, sizeof(hits)); // all numbers are none
+    hits.Found = hits.Refined = hits.Rising = {};
+    std::vector<MaybeRoot> expected(RayGroup::Capacity);
+    for (std::size_t first = 0; first < questions.size();)
     {
-      ++this->Extremes;
-      ASSERT_TRUE(MayBeExtreme(pair, difference));
-      return;
+      // Any number of cells at once, so that all lanes come last.
+      const auto count = std::min<std::size_t>(
+        random.Integer(0, 3) ? random.Integer(1, 20) : random.Integer(64, Candidates::Batch + 16),
+        questions.size() - first);
+      ASSERT_NO_FATAL_FAILURE(this->CheckSome(group, &questions[first], count, hits, expected));
+      first += count;
     }
-    ASSERT_EQ(found.has_value(), expected.has_value());
-    if (!found)
-    {
-      ++this->None;
-      return;
-    }
-    ++this->Roots;
-    ASSERT_TRUE(AreSameBits(found->Begin, expected->Begin));
-    ASSERT_EQ(found->BeginAxis, expected->BeginAxis);
-    ASSERT_TRUE(AreSameBits(found->T, expected->T)) << found->T << " " << expected->T;
-    ASSERT_EQ(found->Rising, expected->Rising);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      ASSERT_TRUE(AreSameBits(found->Parametric[axis], expected->Parametric[axis]));
-    }
+    ASSERT_NO_FATAL_FAILURE(this->CheckRays(group, hits, expected));
   }
 
   std::size_t Roots = 0;
   std::size_t None = 0;
   std::size_t Extremes = 0;
+  std::size_t Hits = 0;
+
+private:
+  void CheckSome(const RayGroup& group, const Question* questions, std::size_t count,
+    GroupHits& hits, std::vector<MaybeRoot>& expected)
+  {
+    Candidates candidates = {};
+    Passages passages = {};
+    ExtremeCandidates extremes;
+    candidates.Count = static_cast<int>(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Each has a passage of its own, which tells whether there is a root.
+      candidates.Passage[i] = static_cast<int>(i);
+      candidates.Ray[i] = questions[i].Ray;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        candidates.Cell[axis][i] = questions[i].Cell[axis];
+      }
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        candidates.Corners[corner][i] = questions[i].Corners[corner];
+      }
+    }
+    this->TheKernels.FindHits(group, candidates, this->Isovalue, hits, passages, extremes);
+    const std::set<int> leftToOthers(extremes.Numbers, extremes.Numbers + extremes.Count);
+    ASSERT_EQ(leftToOthers.size(), static_cast<std::size_t>(extremes.Count));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Question& question = questions[i];
+      const Ray ray = GetRay(group, question.Ray);
+      const CellCorners differences = Differences(question.Corners, this->Isovalue);
+      if (leftToOthers.count(static_cast<int>(i)))
+      {
+        ++this->Extremes;
+        ASSERT_TRUE(MayBeExtreme(ray, question.Cell, differences));
+        ASSERT_FALSE(passages.Hits[i]);
+        continue;
+      }
+      const MaybeRoot root = ExpectRoot(ray, question.Cell, differences);
+      ASSERT_EQ(passages.Hits[i], root.has_value());
+      MaybeRoot& first = expected[static_cast<std::size_t>(question.Ray)];
+      first = root && (!first || root->Begin < first->Begin) ? root : first;
+      (root ? this->Roots : this->None) += 1;
+    }
+    ASSERT_EQ(std::count(passages.Hits + count, std::end(passages.Hits), true), 0);
+  }
+
+  void CheckRays(const RayGroup& group, GroupHits& hits, const std::vector<MaybeRoot>& expected)
+  {
+    // Some places are known already, and stay.
+    constexpr double known = -7.0;
+    for (int ray = 0; ray < group.Count; ray += 5)
+    {
+      if (Has(hits.Found, ray))
+      {
+        Add(ray, hits.Refined);
+        hits.T[ray] = known;
+      }
+    }
+    this->TheKernels.Refine(group, hits);
+    for (int ray = 0; ray < RayGroup::Capacity; ++ray)
+    {
+      const MaybeRoot& root = expected[static_cast<std::size_t>(ray)];
+      ASSERT_EQ(Has(hits.Found, ray), root.has_value());
+      ASSERT_EQ(Has(hits.Refined, ray), root.has_value());
+      if (!root)
+      {
+        continue;
+      }
+      ++this->Hits;
+      ASSERT_TRUE(AreSameBits(hits.Begin[ray], root->Begin.T));
+      ASSERT_EQ(hits.BeginAxis[ray], root->Begin.Axis);
+      const bool isKnown = ray % 5 == 0;
+      ASSERT_TRUE(AreSameBits(hits.T[ray], isKnown ? known : root->T)) << root->T;
+      ASSERT_EQ(Has(hits.Rising, ray), !isKnown && root->Rising);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_EQ(hits.Cell[axis][ray], root->Cell[axis]);
+        ASSERT_TRUE(isKnown || AreSameBits(hits.Parametric[axis][ray], root->Parametric[axis]));
+      }
+    }
+  }
+
+  const Kernels& TheKernels;
+  ScaledIsovalue Isovalue;
 };
 
-// Any number of cells, so that all lanes come last.
-TEST_P(CellKernels, FindTheFirstRootsOfTheRobustSolver)
+//------------------------------------------------------------------------------
+TEST_P(CellKernels, FindTheFirstHitsOfTheRobustSolver)
 {
   RandomNumbers random(842);
-  RootChecks checks;
-  for (int i = 0; i < 20000; ++i)
+  for (const ScaledIsovalue& isovalue : { ScaledIsovalue{ 0.0, 1.0 }, { 100.25, 1.0 },
+         { -3.0, 1.0 }, { 1e-300, 0x1p900 }, { 3e300, 0x1p-998 }, { 0x1p-905, 1.0 } })
   {
-    const int count = i % 20 == 0 ? Candidates::Batch : 1 + i % 17;
-    std::vector<RayAndCell> pairs;
-    std::vector<CellCorners> corners;
-    for (int k = 0; k < count; ++k)
+    const bool isZero = isovalue.Isovalue == 0.0;
+    HitChecks checks(this->TheKernels, isovalue);
+    for (int i = 0; i < (isZero ? 4000 : 150); ++i)
     {
-      if (const auto pair = RandomRayAndCell(random))
+      RayGroup group = EmptyGroup();
+      std::vector<Question> questions;
+      const int rays = random.Integer(1, RayGroup::Capacity);
+      const int cellsOfRay = random.Integer(1, 7);
+      for (int k = 0; k < rays; ++k)
       {
-        pairs.push_back(*pair);
-        corners.push_back(RandomCorners(random));
-      }
-    }
-    const std::vector<MaybeRoot> roots =
-      FindFirstRoots(this->TheKernels, pairs, corners, { 0.0, 1.0 });
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-    {
-      // Smaller differences than this are made larger before; see SmallestDifference.
-      CellCorners difference = corners[k];
-      for (double& value : difference)
-      {
-        const bool vanishes = std::abs(value) < SmallestDifference && value != 0.0;
-        value = vanishes ? std::copysign(SmallestDifference, value) : value;
-      }
-      ASSERT_NO_FATAL_FAILURE(checks.Check(roots[k], pairs[k], difference)) << i << ", " << k;
-    }
-  }
-  EXPECT_GT(checks.Roots, 20000U);
-  EXPECT_GT(checks.None, 30000U);
-  EXPECT_GT(checks.Extremes, 1000U);
-}
-
-//------------------------------------------------------------------------------
-TEST_P(CellKernels, TakeOffTheIsovalueAndScale)
-{
-  RandomNumbers random(843);
-  RootChecks checks;
-  for (const ScaledIsovalue& isovalue : { ScaledIsovalue{ 100.25, 1.0 }, { -3.0, 1.0 },
-         { 1e-300, 0x1p900 }, { 3e300, 0x1p-998 }, { 0x1p-905, 1.0 } })
-  {
-    for (int i = 0; i < 3000; ++i)
-    {
-      std::vector<RayAndCell> pairs;
-      std::vector<CellCorners> corners;
-      while (pairs.size() < 9)
-      {
-        if (const auto pair = RandomRayAndCell(random))
+        const auto ray = RandomRay(random);
+        AddRay(ray, group);
+        const std::vector<Index3> passed =
+          ray ? PassedCells(*ray, Dimensions) : std::vector<Index3>();
+        for (int n = 0; ray && n < cellsOfRay; ++n)
         {
-          pairs.push_back(*pair);
-          corners.emplace_back();
-          for (double& value : corners.back())
+          Index3 cell = passed[random.Bits() % passed.size()];
+          if (random.Integer(0, 4) == 0)
           {
-            value = random.Integer(0, 5) ? isovalue.Isovalue * random.Uniform(-1.0, 3.0)
-                                         : isovalue.Isovalue;
+            cell[random.Bits() % 3] += random.Integer(-1, 1);
           }
+          questions.push_back(
+            { k, cell, isZero ? RandomCorners(random) : CornersAround(random, isovalue.Isovalue) });
         }
       }
-      const std::vector<MaybeRoot> roots =
-        FindFirstRoots(this->TheKernels, pairs, corners, isovalue);
-      for (std::size_t k = 0; k < pairs.size(); ++k)
+      for (std::size_t k = questions.size(); k > 1; --k)
       {
-        CellCorners difference;
-        for (std::size_t corner = 0; corner < 8; ++corner)
-        {
-          const double value = corners[k][corner];
-          const double plain = value * isovalue.Scale - isovalue.Isovalue * isovalue.Scale;
-          const double sign = (value > isovalue.Isovalue) - (value < isovalue.Isovalue);
-          difference[corner] =
-            std::abs(plain) < SmallestDifference ? sign * SmallestDifference : plain;
-        }
-        ASSERT_NO_FATAL_FAILURE(checks.Check(roots[k], pairs[k], difference));
+        std::swap(questions[k - 1], questions[random.Bits() % k]);
       }
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, questions)) << i;
     }
+    EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 120000U : 5000U);
+    EXPECT_GT(checks.None, isZero ? 400000U : 15000U);
+    EXPECT_TRUE(!isZero || (checks.Hits > 80000U && checks.Extremes > 10000U));
   }
-  EXPECT_GT(checks.Roots, 20000U);
 }
 
 }

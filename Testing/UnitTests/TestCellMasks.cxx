@@ -209,6 +209,26 @@ TYPED_TEST(CellMasksOf, AreTheSameForAllThreads)
 }
 
 //------------------------------------------------------------------------------
+// Where there is no memory to keep them, they are made anew.
+TYPED_TEST(CellMasksOf, AreTheSameWithLittleMemory)
+{
+  using T = TypeParam;
+  RandomNumbers random(823);
+  const auto volume = NewVolume<T>(random, { 18, 26, 20 }, 1);
+  const std::vector<double> isovalues = { 1.0, 49.5 };
+  for (const std::size_t kept : { 0, 1, 7 })
+  {
+    CellMasks<T> masks{ Samples<T>(volume.View()) };
+    masks.BeginFrame(kept * sizeof(BlockMask));
+    masks.Select(isovalues);
+    MaskCounts counts;
+    ASSERT_NO_FATAL_FAILURE(CheckMasks(volume, isovalues, masks, counts));
+    ASSERT_NO_FATAL_FAILURE(CheckMasks(volume, isovalues, masks, counts));
+    EXPECT_LT(masks.GetMemory(), (kept + 3) * sizeof(BlockMask)); // of 36
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(CellMasks, TakeMemoryForTheBlocksThatAreAskedFor)
 {
   const auto volume = TestVolume<float>::Of(

@@ -119,9 +119,13 @@ View RandomView(RandomNumbers& random)
   block.Row = random.Integer(0, height - block.Rows);
   block.DepthStride = block.Columns + random.Integer(0, 5);
   view.Depths.resize(static_cast<std::size_t>(block.DepthStride * block.Rows));
+  constexpr std::numeric_limits<float> limits;
+  const float special[] = { 0.0F, 1.0F, limits.denorm_min(), limits.infinity(), limits.quiet_NaN(),
+    -limits.infinity() };
   for (float& depth : view.Depths)
   {
-    depth = random.Integer(0, 2) ? static_cast<float>(random.Uniform(0.0, 1.0)) : 1.0F;
+    depth = random.Integer(0, 2) ? static_cast<float>(random.Uniform(0.0, 1.0))
+                                 : special[random.Integer(0, 5)];
   }
   return view;
 }
@@ -153,7 +157,6 @@ TEST_P(RayKernels, MakeTheRaysOfTheCamera)
     View view = RandomView(random);
     PixelBlock& block = view.Block;
     block.IndexFromClip = view.TheCamera.GetIndexFromClip().data();
-    block.WorldFromIndex = view.TheCamera.GetWorldFromIndex().data();
     block.Depth = i % 2 == 0 ? view.Depths.data() : nullptr;
     block.Dimensions = view.Dimensions.data();
     RayGroup group;
