@@ -219,10 +219,10 @@ private:
     };
     for (const double isovalue : this->Isovalues)
     {
-      // What no value reaches, or all do, may not be a number of the type either.
+      // What no value reaches, or all do, may not be a number of the type either; nor is NaN.
       constexpr std::numeric_limits<Compared> limits;
-      if (isovalue <= static_cast<double>(limits.lowest()) ||
-        isovalue > static_cast<double>(limits.max()))
+      if (!(isovalue > static_cast<double>(limits.lowest()) &&
+            isovalue <= static_cast<double>(limits.max())))
       {
         continue;
       }

@@ -6,6 +6,7 @@
 
 #include "Oracle.h"
 #include "RandomNumbers.h"
+#include "TestLines.h"
 #include "TestVolume.h"
 #include "TracedVolume.h"
 
@@ -33,29 +34,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// So little that a ray goes through any number of such surfaces.
 constexpr double Glass = 1e-9;
 
-struct Line
-{
-  Vector3 Origin;
-  Vector3 Direction;
-};
-
-std::string ToText(const Line& line)
-{
-  std::ostringstream text;
-  text << std::hexfloat;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    text << line.Origin[i] << " + t * " << line.Direction[i] << "; ";
-  }
-  return text.str();
-}
-
-bool AreSame(const Hit& a, const Hit& b)
-{
-  return a.T == b.T && a.Cell == b.Cell && a.Surface == b.Surface && a.Parametric == b.Parametric &&
-    a.Rising == b.Rising;
-}
-
 bool AreSame(const std::vector<Hit>& a, const std::vector<Hit>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -77,30 +55,6 @@ std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Inf
   volume.Trace(
     { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions()) }, hits);
   return hits.Hits;
-}
-
-/// A line through a point of the volume, from without or from within.
-Line RandomLine(RandomNumbers& random, const Index3& dimensions)
-{
-  const Vector3 last = { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 };
-  const Vector3 through = random.PointInBox({ 0.0, 0.0, 0.0 }, last);
-  const Vector3 direction = random.Direction();
-  return { through - direction * (random.Integer(0, 3) * 20.0), direction };
-}
-
-/// A line along lattice planes, edges or diagonals, from a lattice point.
-Line LatticeLine(RandomNumbers& random, const Index3& dimensions)
-{
-  Line line = {};
-  while (Dot(line.Direction, line.Direction) == 0.0)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      line.Origin[axis] = random.Integer(-2, dimensions[axis] + 1);
-      line.Direction[axis] = random.Integer(-2, 2);
-    }
-  }
-  return line;
 }
 
 std::vector<double> Noise(std::uint64_t seed, std::size_t count, double low, double high)

@@ -1,0 +1,647 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What rays hit as beams, with the kernels of every instruction set, must be what each of them hits
+// by itself, cell after cell: the same to the last bit.
+
+#include "AllKernels.h"
+#include "RandomNumbers.h"
+#include "RayGroup.h"
+#include "TestLines.h"
+#include "TestVolume.h"
+#include "TracedVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+using Rays = std::vector<std::optional<Ray>>;
+
+//------------------------------------------------------------------------------
+// Rays of all kinds.
+
+Vector3 LastSample(const Index3& size)
+{
+  return { size[0] - 1.0, size[1] - 1.0, size[2] - 1.0 };
+}
+
+std::optional<Ray> Clip(const Line& line, const Index3& size, double tEnd = Infinity)
+{
+  return ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, size);
+}
+
+/// Through neighbouring pixels of a camera, which may be within the volume.
+Rays PinholeRays(RandomNumbers& random, const Index3& size)
+{
+  const Vector3 target = random.PointInBox({}, LastSample(size));
+  const double distances[] = { 0.0, random.Uniform(0.0, 10.0), 50.0, 1000.0, 1e7 };
+  const double distance = distances[random.Integer(0, 4)];
+  const Vector3 forward = random.Direction();
+  const Vector3 u =
+    Normalized({ forward[1] - forward[2], forward[2] - forward[0], forward[0] - forward[1] });
+  const Vector3 v = { forward[1] * u[2] - forward[2] * u[1], forward[2] * u[0] - forward[0] * u[2],
+    forward[0] * u[1] - forward[1] * u[0] };
+  const Vector3 eye = target - forward * distance;
+  const double pixel = random.Uniform(0.01, 1.0) / std::max(distance, 1.0);
+  const int columns = random.Integer(1, 16);
+  Rays rays;
+  const int count = columns * random.Integer(1, 8);
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 direction = forward + u * (pixel * (i % columns - 7.5)) +
+      v * (pixel * (i / columns - 3.5)); // NOLINT(bugprone-integer-division): a row
+    const double end = random.Integer(0, 9) ? Infinity : distance + random.Uniform(0.0, 20.0);
+    rays.push_back(Clip({ eye, Normalized(direction) }, size, end));
+  }
+  return rays;
+}
+
+Rays ParallelRays(RandomNumbers& random, const Index3& size)
+{
+  const Line middle = RandomLine(random, size);
+  const double width = random.Uniform(0.5, 40.0);
+  Rays rays;
+  const int count = random.Integer(1, 128);
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 off = random.PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
+    rays.push_back(Clip({ middle.Origin + off * width, middle.Direction }, size));
+  }
+  return rays;
+}
+
+/// Along an axis, in and beside lattice planes, also those of the border of the volume.
+Rays AxisParallelRays(RandomNumbers& random, const Index3& size)
+{
+  const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+  const double offsets[] = { 0.0, 1e-3, -1e-3, 1e-9, -1e-9, 1e-15, -1e-15, 0.5 };
+  Rays rays;
+  const int count = random.Integer(1, 128);
+  for (int i = 0; i < count; ++i)
+  {
+    Line line = {};
+    for (std::size_t across = 0; across < 3; ++across)
+    {
+      line.Origin[across] = random.Integer(0, size[across] - 1) + offsets[random.Integer(0, 7)];
+    }
+    line.Direction[axis] = 1.0;
+    if (i % 4 == 3)
+    {
+      line.Direction[(axis + 1) % 3] = random.Uniform(-1.0, 1.0); // in a plane
+    }
+    line.Origin = line.Origin - line.Direction * random.Uniform(0.0, 2.0 * size[axis]);
+    rays.push_back(Clip(line, size));
+  }
+  return rays;
+}
+
+Rays LatticeRays(RandomNumbers& random, const Index3& size)
+{
+  Rays rays;
+  const int count = random.Integer(1, 128);
+  for (int i = 0; i < count; ++i)
+  {
+    rays.push_back(Clip(LatticeLine(random, size), size));
+  }
+  return rays;
+}
+
+/// Rays that have nothing in common; some of them are missing.
+Rays MixedRays(RandomNumbers& random, const Index3& size)
+{
+  Rays rays;
+  const bool mostlyMissing = random.Integer(0, 3) == 0;
+  const int count = random.Integer(1, 300);
+  for (int i = 0; i < count; ++i)
+  {
+    const bool isMissing = random.Integer(0, 4) == 0 || (mostlyMissing && random.Integer(0, 9));
+    const double end = random.Integer(0, 3) ? Infinity : random.Uniform(0.0, 60.0);
+    rays.push_back(isMissing ? std::nullopt : Clip(RandomLine(random, size), size, end));
+  }
+  return rays;
+}
+
+/// From one point along axes and diagonals of faces and of the cube.
+Rays RaysInAllDirections(RandomNumbers& random, const Index3& size)
+{
+  Vector3 origin = random.PointInBox({}, LastSample(size));
+  if (random.Integer(0, 1))
+  {
+    origin = { std::floor(origin[0]), std::floor(origin[1]), std::floor(origin[2]) };
+  }
+  Rays rays;
+  ForEachPlace({ 3, 3, 3 },
+    [&](const Index3& i)
+    {
+      const Vector3 direction = { i[0] - 1.0, i[1] - 1.0, i[2] - 1.0 };
+      rays.push_back(Clip({ origin, direction }, size));
+      rays.push_back(Clip({ origin - direction * (1.0 + size[0]), direction }, size));
+    });
+  return rays; // with one that has no direction
+}
+
+Rays OneRay(RandomNumbers& random, const Index3& size)
+{
+  return { Clip(RandomLine(random, size), size) };
+}
+
+/// So slow that they end at no finite t, if they end at all.
+Rays EndlessRays(RandomNumbers& random, const Index3& size)
+{
+  Rays rays;
+  for (int i = 0; i < 20; ++i)
+  {
+    Line line = RandomLine(random, size);
+    line.Origin = random.PointInBox({}, LastSample(size));
+    line.Direction = line.Direction * (i % 3 == 0 ? 1e-308 : i % 3 == 1 ? 3e-308 : 1e-300);
+    rays.push_back(Clip(line, size));
+  }
+  return rays;
+}
+
+using NewRays = Rays (*)(RandomNumbers& random, const Index3& size);
+constexpr NewRays AllKinds[] = { PinholeRays, ParallelRays, AxisParallelRays, LatticeRays,
+  MixedRays, RaysInAllDirections, OneRay, EndlessRays };
+
+//------------------------------------------------------------------------------
+Wanted OpaqueSurface(double isovalue)
+{
+  Wanted wanted;
+  wanted.Surfaces = { { isovalue, 1.0 } };
+  return wanted;
+}
+
+RayHits TraceWith(TracedVolume& volume, const Rays& rays, Wanted wanted, const Kernels* kernels)
+{
+  wanted.BeamKernels = kernels;
+  volume.Select(wanted, 1);
+  RayHits hits;
+  volume.Trace(rays, hits);
+  return hits;
+}
+
+bool AreSameBits(const Hit& a, const Hit& b)
+{
+  return vtkIsosurfaceRayTracing::AreSameBits(a.T, b.T) && a.Cell == b.Cell &&
+    a.Surface == b.Surface && a.Rising == b.Rising &&
+    std::equal(a.Parametric.begin(), a.Parametric.end(), b.Parametric.begin(),
+      [](double x, double y) { return vtkIsosurfaceRayTracing::AreSameBits(x, y); });
+}
+
+std::string ToText(const Hit& hit)
+{
+  std::ostringstream text;
+  text << "t " << std::hexfloat << hit.T << " in cell " << hit.Cell[0] << ", " << hit.Cell[1]
+       << ", " << hit.Cell[2] << "; ";
+  return text.str();
+}
+
+/// Compares beams with single rays, and counts.
+class BeamChecks
+{
+public:
+  BeamChecks(std::string what, const Kernels& kernels)
+    : What(std::move(what))
+    , TheKernels(kernels)
+  {
+  }
+
+  ~BeamChecks()
+  {
+    std::cout << "[ tried    ] " << this->What << ": " << this->Rays << " rays, " << this->Hits
+              << " hits\n";
+  }
+
+  BeamChecks(const BeamChecks&) = delete;
+  BeamChecks& operator=(const BeamChecks&) = delete;
+
+  void Check(TracedVolume& volume, const vtkIsosurfaceRayTracing::Rays& rays, const Wanted& wanted)
+  {
+    const RayHits expected = TraceWith(volume, rays, wanted, nullptr);
+    const RayHits found = TraceWith(volume, rays, wanted, &this->TheKernels);
+    ASSERT_EQ(expected.First.size(), rays.size() + 1);
+    ASSERT_EQ(found.First.size(), rays.size() + 1);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      const std::size_t first = expected.First[i];
+      ASSERT_EQ(found.First[i], first);
+      ASSERT_EQ(found.First[i + 1], expected.First[i + 1]) << this->Describe(i, rays[i], wanted);
+      for (std::size_t hit = first; hit < expected.First[i + 1]; ++hit)
+      {
+        ASSERT_TRUE(AreSameBits(found.Hits[hit], expected.Hits[hit]))
+          << ToText(found.Hits[hit]) << "should be " << ToText(expected.Hits[hit])
+          << this->Describe(i, rays[i], wanted);
+      }
+    }
+    this->Rays += rays.size();
+    this->Hits += expected.Hits.size();
+  }
+
+  /// All kinds of rays.
+  void CheckAll(RandomNumbers& random, TracedVolume& volume, const Wanted& wanted, int repeats)
+  {
+    for (const NewRays newRays : AllKinds)
+    {
+      for (int i = 0; i < repeats; ++i)
+      {
+        ASSERT_NO_FATAL_FAILURE(
+          this->Check(volume, newRays(random, volume.GetDimensions()), wanted));
+      }
+    }
+  }
+
+  std::size_t GetNumberOfHits() const { return this->Hits; }
+
+private:
+  std::string Describe(
+    std::size_t number, const std::optional<Ray>& ray, const Wanted& wanted) const
+  {
+    std::ostringstream text;
+    text << this->What << ", solver " << static_cast<int>(wanted.Solver) << ", isovalue "
+         << wanted.Surfaces[0].Isovalue << " of " << wanted.Surfaces.size() << ", ray " << number;
+    if (ray)
+    {
+      text << ": " << ToText(Line{ ray->Origin, ray->Direction }) << "t from " << ray->Begin
+           << " to " << ray->End;
+    }
+    return text.str();
+  }
+
+  std::string What;
+  const Kernels& TheKernels;
+  std::size_t Rays = 0;
+  std::size_t Hits = 0;
+};
+
+//------------------------------------------------------------------------------
+// Volumes.
+
+/// Sizes at the seams of blocks, and of blocks of blocks.
+const std::vector<Index3> Sizes = { { 2, 2, 2 }, { 9, 9, 9 }, { 10, 17, 18 }, { 8, 25, 16 },
+  { 65, 34, 3 }, { 3, 66, 2 }, { 600, 3, 4 }, { 2, 530, 9 }, { 7, 2, 1030 } };
+
+/// Few samples inside, so that rays come far; or many; or with noise everywhere.
+template <typename T>
+TestVolume<T> Islands(RandomNumbers& random, const Index3& size, int percent, int stride = 1)
+{
+  std::vector<T> samples(Count(size));
+  for (T& sample : samples)
+  {
+    const bool isInside = random.Integer(1, 100) <= percent;
+    sample = static_cast<T>(isInside ? random.Integer(50, 100) : random.Integer(0, 49));
+  }
+  return TestVolume<T>(size, samples, stride);
+}
+
+VolumeSettings RandomSettings(RandomNumbers& random)
+{
+  const BrickLayout layouts[] = { BrickLayout::Unbricked, BrickLayout::Apron,
+    BrickLayout::TwoLevel };
+  const int sizes[] = { 8, 8, 1, 3, 5, 64 };
+  const std::vector<int> branchings[] = { { 8, 8 }, { 8 }, { 8, 2, 2 } };
+  return { branchings[random.Integer(0, 2)], layouts[random.Integer(0, 2)],
+    sizes[random.Integer(0, 5)], random.Integer(1, 4) };
+}
+
+class Beams : public WithKernels
+{
+protected:
+  template <typename T>
+  void CheckType(const std::string& what)
+  {
+    RandomNumbers random(8510 + static_cast<std::uint64_t>(ScalarTypeOf<T>()));
+    BeamChecks checks(what, this->TheKernels);
+    for (const Index3& size : Sizes)
+    {
+      for (const int percent : { 1, 50 })
+      {
+        const auto volume = Islands<T>(random, size, percent, random.Integer(1, 2));
+        const auto traced = TracedVolume::New(volume.View(), RandomSettings(random), 1);
+        for (const double isovalue : { 50.0, 49.5, 77.3 })
+        {
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 3));
+        }
+      }
+    }
+    EXPECT_GT(checks.GetNumberOfHits(), 10000U);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, Beams, AllKernels(), NameOfKernels);
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllTypes)
+{
+  this->CheckType<std::int8_t>("8 bits, signed");
+  this->CheckType<std::uint8_t>("8 bits");
+  this->CheckType<std::int16_t>("16 bits, signed");
+  this->CheckType<std::uint16_t>("16 bits");
+  this->CheckType<std::int32_t>("32 bits, signed");
+  this->CheckType<std::uint32_t>("32 bits");
+  this->CheckType<std::int64_t>("64 bits, signed");
+  this->CheckType<std::uint64_t>("64 bits");
+  this->CheckType<float>("float");
+  this->CheckType<double>("double");
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, HitWhatSingleRaysHitInAllLayouts)
+{
+  const Index3 size = { 35, 26, 42 };
+  const AnalyticFields::Gyroid tunnels = { 7.3 };
+  const auto volume = TestVolume<float>::Of(size, tunnels);
+  RandomNumbers random(852);
+  BeamChecks checks("gyroid", this->TheKernels);
+  for (const BrickLayout layout :
+    { BrickLayout::Unbricked, BrickLayout::Apron, BrickLayout::TwoLevel })
+  {
+    for (const int brickSize : { 1, 3, 8, 64 })
+    {
+      const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, brickSize, 2 }, 2);
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(0.1), 5));
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(1.45), 5));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 15000U);
+}
+
+//------------------------------------------------------------------------------
+constexpr RootSolver AllSolvers[] = { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
+  RootSolver::Marmitt, RootSolver::Linear };
+
+/// Translucent and opaque, one and several, also of isovalues that no sample of the type has.
+const std::vector<std::vector<Isosurface>> SetsOfSurfaces = { { { 49.5, 1.0 } }, { { 49.5, 0.5 } },
+  { { 49.5, 1e-9 } }, { { 20.0, 0.3 }, { 50.0, 1.0 } }, { { 20.0, 1.0 }, { 50.0, 0.3 } },
+  { { 20.0, 1.0 }, { 50.0, 1.0 } }, { { 20.0, 0.1 }, { 49.5, 0.2 }, { 50.0, 0.01 }, { 77.3, 0.9 } },
+  { { 1e9, 1.0 } }, { { 50.0, 1.0 }, { 1e9, 1.0 } }, { { -1e300, 0.5 }, { 50.0, 0.5 } },
+  { { -Infinity, 0.5 }, { 50.0, 0.5 }, { 32768.0, 0.5 }, { Infinity, 0.5 } },
+  { { 50.0, 0.5 }, { std::nan(""), 0.5 } } };
+
+template <typename T>
+void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
+{
+  for (const Index3& size : { Index3{ 10, 17, 18 }, { 33, 9, 26 } })
+  {
+    for (const int percent : { 1, 30 })
+    {
+      const auto volume = Islands<T>(random, size, percent);
+      const auto traced = TracedVolume::New(volume.View(), RandomSettings(random), 1);
+      for (const std::vector<Isosurface>& surfaces : SetsOfSurfaces)
+      {
+        for (const RootSolver solver : AllSolvers)
+        {
+          Wanted wanted;
+          wanted.Surfaces = surfaces;
+          wanted.Solver = solver;
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 2));
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
+{
+  RandomNumbers random(858);
+  BeamChecks checks("all solvers and surfaces", this->TheKernels);
+  ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<std::int16_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<float>(random, checks));
+  EXPECT_GT(checks.GetNumberOfHits(), 500000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
+{
+  RandomNumbers random(859);
+  BeamChecks checks("little memory", this->TheKernels);
+  const auto volume = Islands<std::uint8_t>(random, { 40, 33, 42 }, 5);
+  for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
+  {
+    const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, 1);
+    for (const std::size_t memory : { 0, 1000, 20000 })
+    {
+      Wanted wanted = OpaqueSurface(50.0);
+      wanted.MaximumMemory = memory;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
+      wanted.Surfaces[0].Opacity = 0.5;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 10000U);
+}
+
+//------------------------------------------------------------------------------
+// A ray may pass several blocks of one slice; the blocks of a slice come in no order.
+TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
+{
+  const Index3 size = { 34, 34, 34 };
+  RandomNumbers random(853);
+  BeamChecks checks("several blocks", this->TheKernels);
+  std::size_t several = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const auto volume = Islands<std::uint8_t>(random, size, 4);
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    Rays rays;
+    for (int k = 0; k < 128; ++k)
+    {
+      // Along one axis a little more than along the others: through many blocks of a slice.
+      const auto sign = [&random]() { return random.Integer(0, 1) ? 1.0 : -1.0; };
+      Vector3 direction = { random.Uniform(0.9, 1.0) * sign(), random.Uniform(0.9, 1.0) * sign(),
+        random.Uniform(0.9, 1.0) * sign() };
+      direction[static_cast<std::size_t>(i) % 3] = sign();
+      const Vector3 through = random.PointInBox({}, LastSample(size));
+      rays.push_back(Clip({ through - direction * 40.0, direction }, size));
+    }
+    ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, OpaqueSurface(50.0)));
+
+    Wanted all;
+    all.Surfaces = { { 50.0, 1e-9 } };
+    traced->Select(all, 1);
+    RayHits hits;
+    traced->Trace(rays, hits);
+    for (std::size_t ray = 0; ray < rays.size(); ++ray)
+    {
+      // Whether the first two blocks with hits lie in one slice across the axis.
+      const auto axis = static_cast<std::size_t>(i) % 3;
+      const auto blockOf = [&hits](std::size_t hit)
+      {
+        const Index3& cell = hits.Hits[hit].Cell;
+        return Index3{ cell[0] / 8, cell[1] / 8, cell[2] / 8 };
+      };
+      const std::size_t first = hits.First[ray];
+      std::size_t other = first;
+      while (other < hits.First[ray + 1] && blockOf(other) == blockOf(first))
+      {
+        ++other;
+      }
+      several +=
+        other < hits.First[ray + 1] && blockOf(other)[axis] == blockOf(first)[axis] ? 1 : 0;
+    }
+  }
+  std::cout << "[ tried    ] " << several << " rays with hits in several blocks of a slice\n";
+  EXPECT_GT(several, 500U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, PassOverSamplesThatAreNotFinite)
+{
+  RandomNumbers random(854);
+  BeamChecks checks("NaN and infinity", this->TheKernels);
+  for (int i = 0; i < 20; ++i)
+  {
+    auto volume = Islands<float>(random, { 19, 26, 17 }, 5);
+    for (float& value : volume.Values)
+    {
+      const double bad[] = { std::nan(""), Infinity, -Infinity };
+      value = random.Integer(0, 19) ? value : static_cast<float>(bad[random.Integer(0, 2)]);
+    }
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(50.0), 2));
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 3000U);
+}
+
+//------------------------------------------------------------------------------
+// The kernels leave cells with such values to others.
+TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
+{
+  RandomNumbers random(855);
+  BeamChecks checks("all magnitudes", this->TheKernels);
+  for (int i = 0; i < 30; ++i)
+  {
+    const double limits[][2] = { { -324.0, 308.0 }, { -324.0, -290.0 }, { -110.0, -90.0 },
+      { 90.0, 110.0 }, { 290.0, 308.0 } };
+    const auto& limit = limits[i % 5];
+    const Index3 size = { 19, 18, 20 };
+    std::vector<double> samples(Count(size));
+    for (double& sample : samples)
+    {
+      sample = random.WideMagnitude(limit[0], limit[1]);
+      sample = random.Integer(0, 29) ? -std::abs(sample) : sample;
+    }
+    const TestVolume<double> volume(size, samples);
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    for (const double isovalue : { 0.0, 1e-100, -1e100, 5e-324, 1e300 })
+    {
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 1));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 8000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, FollowTheSurfaceLastSelected)
+{
+  RandomNumbers random(856);
+  const AnalyticFields::Gyroid tunnels = { 7.3 };
+  const auto volume = TestVolume<float>::Of({ 30, 29, 28 }, tunnels);
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  BeamChecks checks("isovalue after isovalue", this->TheKernels);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double isovalue = i % 2 == 0 ? 0.3 : random.Uniform(-1.4, 1.4);
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 1));
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 5000U);
+}
+
+//------------------------------------------------------------------------------
+// Threads make masks and bricks while others read them.
+TEST_P(Beams, HitTheSameWithSeveralThreads)
+{
+  const AnalyticFields::Gyroid tunnels = { 9.3 };
+  const Index3 size = { 58, 57, 56 };
+  const auto volume = TestVolume<float>::Of(size, tunnels);
+  RandomNumbers random(857);
+  std::vector<Rays> groups;
+  for (int i = 0; i < 200; ++i)
+  {
+    groups.push_back(PinholeRays(random, size));
+  }
+  const auto alone = TracedVolume::New(volume.View(), {}, 1);
+  for (int repeat = 0; repeat < 3; ++repeat)
+  {
+    const auto traced = TracedVolume::New(volume.View(), {}, 2);
+    Wanted wanted = OpaqueSurface(0.2);
+    wanted.BeamKernels = &this->TheKernels;
+    traced->Select(wanted, 2);
+    std::vector<RayHits> hits(groups.size());
+#pragma omp parallel for num_threads(2) schedule(dynamic)
+    for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+    {
+      const auto group = static_cast<std::size_t>(i);
+      traced->Trace(groups[group], hits[group]);
+    }
+    for (std::size_t i = 0; i < groups.size(); ++i)
+    {
+      const RayHits expected = TraceWith(*alone, groups[i], OpaqueSurface(0.2), nullptr);
+      ASSERT_EQ(hits[i].First, expected.First);
+      ASSERT_TRUE(std::equal(hits[i].Hits.begin(), hits[i].Hits.end(), expected.Hits.begin(),
+        [](const Hit& a, const Hit& b) { return AreSameBits(a, b); }));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Without this test the others might compare single rays with single rays.
+TEST_P(Beams, AreUsedWhereTheyWillDo)
+{
+  static const Kernels* base;
+  static int calls;
+  base = &this->TheKernels;
+  Kernels counting = this->TheKernels;
+  counting.Align = [](RayGroup& group, const RaySet& rays, int axis, Beam& beam)
+  {
+    ++calls;
+    return base->Align(group, rays, axis, beam);
+  };
+  const Index3 size = { 17, 18, 19 };
+  const AnalyticFields::Gyroid tunnels = { 7.3 };
+  const auto volume = TestVolume<float>::Of(size, tunnels);
+  const auto useBeams = [&](const Wanted& wanted, const VolumeSettings& settings, double slow)
+  {
+    const auto traced = TracedVolume::New(volume.View(), settings, 1);
+    traced->Select(wanted, 1);
+    RayHits hits;
+    calls = 0;
+    traced->Trace({ Clip({ { 1.0, 2.0, 3.0 }, { slow, 0.5 * slow, 0.4 * slow } }, size) }, hits);
+    return calls > 0;
+  };
+  Wanted wanted = OpaqueSurface(0.2);
+  wanted.BeamKernels = &counting;
+  EXPECT_TRUE(useBeams(wanted, { { 8 }, BrickLayout::Unbricked, 8, 4 }, 1.0));
+  EXPECT_FALSE(useBeams(wanted, { { 4, 4 }, BrickLayout::Apron, 8, 4 }, 1.0));
+  EXPECT_FALSE(useBeams(wanted, { {}, BrickLayout::Apron, 8, 4 }, 1.0));
+  EXPECT_FALSE(useBeams(wanted, {}, 1e-308));
+  for (const RootSolver solver : AllSolvers)
+  {
+    wanted.Solver = solver;
+    for (const std::vector<Isosurface>& surfaces : std::vector<std::vector<Isosurface>>{
+           { { 0.2, 1.0 } }, { { 0.2, 0.5 } }, { { 0.2, 1.0 }, { 0.3, 1.0 } } })
+    {
+      wanted.Surfaces = surfaces;
+      // This one solves many rays together by itself.
+      EXPECT_EQ(useBeams(wanted, {}, 1.0), solver != RootSolver::Fast);
+    }
+  }
+}
+
+}
+}

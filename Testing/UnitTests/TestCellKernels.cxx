@@ -1,0 +1,602 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The cells that the kernels find for a ray must hold all it passes, as the walk from cell to cell
+// knows them; and the roots in cells must be those of the robust solver, to the last bit.
+
+#include "AllKernels.h"
+#include "BlockMask.h"
+#include "CellSegment.h"
+#include "CellTraversal.h"
+#include "RandomNumbers.h"
+#include "RayGroup.h"
+#include "RobustSolver.h"
+#include "TestLines.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+class CellKernels : public WithKernels
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
+
+std::vector<Index3> PassedCells(const Ray& ray, const Index3& dimensions)
+{
+  std::vector<Index3> cells;
+  TraverseCells(ray, ActiveMacrocells(MacrocellLattice(dimensions, {})),
+    [&cells](const Index3& cell)
+    {
+      cells.push_back(cell);
+      return false;
+    });
+  return cells;
+}
+
+RayGroup EmptyGroup()
+{
+  RayGroup group;
+  group.Count = 0;
+  group.Exists = {};
+  return group;
+}
+
+//------------------------------------------------------------------------------
+enum class LineKind
+{
+  Any,
+  AlongAxis,
+  BesidePlane,
+  InFace,
+  ThroughVertices,
+  Diagonal,
+  FromAfar
+};
+constexpr LineKind AllLineKinds[] = { LineKind::Any, LineKind::AlongAxis, LineKind::BesidePlane,
+  LineKind::InFace, LineKind::ThroughVertices, LineKind::Diagonal, LineKind::FromAfar };
+
+/// A line that goes up or down an axis, and not steeply away from it.
+Line LineAlong(RandomNumbers& random, LineKind kind, std::size_t axis, double sign, const Index3& n)
+{
+  Line line;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const bool isWhole = kind == LineKind::BesidePlane || kind == LineKind::ThroughVertices ||
+      kind == LineKind::Diagonal || (kind == LineKind::InFace && i != axis);
+    line.Origin[i] = isWhole ? random.Integer(0, n[i] - 1) : random.Uniform(0.0, n[i] - 1.0);
+    line.Direction[i] = random.Uniform(-1.9, 1.9);
+  }
+  const std::size_t u = (axis + 1) % 3;
+  const std::size_t v = (axis + 2) % 3;
+  line.Direction[axis] = 1.0;
+  const double tiny[] = { 1e-3, -1e-3, 1e-9, -1e-9, 1e-15, 0.0 };
+  switch (kind)
+  {
+    case LineKind::AlongAxis:
+      line.Direction[u] = line.Direction[v] = 0.0;
+      break;
+    case LineKind::BesidePlane:
+      line.Direction[u] = line.Direction[v] = 0.0;
+      line.Direction[random.Integer(0, 1) ? u : v] = tiny[random.Integer(0, 5)];
+      line.Origin[u] += tiny[random.Integer(0, 5)];
+      line.Origin[v] += tiny[random.Integer(0, 5)];
+      break;
+    case LineKind::InFace:
+      line.Direction[random.Integer(0, 1) ? u : v] = 0.0;
+      break;
+    case LineKind::ThroughVertices:
+      line.Direction[u] = 0.5 * random.Integer(-3, 3);
+      line.Direction[v] = 0.25 * random.Integer(-7, 7);
+      break;
+    case LineKind::Diagonal:
+      line.Direction[u] = random.Integer(0, 1) ? 1.0 : -1.0;
+      line.Direction[v] = random.Integer(0, 1) ? 1.0 : -1.0;
+      break;
+    default:
+      break;
+  }
+  line.Direction = line.Direction * (sign * random.Uniform(0.5, 2.0));
+  line.Origin = line.Origin - line.Direction * (kind == LineKind::FromAfar ? 1e6 : 5.0);
+  return line;
+}
+
+/// Calls visit(passage) for every passage that a kernel finds in a block.
+template <typename Visit>
+void ForEachPassage(const Kernels& kernels, const RayGroup& group, const RaySet& rays, int axis,
+  const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
+{
+  const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
+  // Others are there already, and stay.
+  passages.Count = 1;
+  passages.Ray[0] = -1;
+  kernels.FindPassages(group, rays, axis, first, mask.Slices[axis], passages);
+  ASSERT_EQ(passages.Ray[0], -1);
+  for (int i = 1; i < passages.Count; ++i)
+  {
+    unsigned int slices = 0;
+    for (int slice = 0; slice < 8; ++slice)
+    {
+      slices |= (passages.Cells[i][slice] != 0 ? 1U : 0U) << slice;
+    }
+    ASSERT_EQ(passages.Slices[i], slices);
+    ASSERT_NE(slices, 0U);
+    ASSERT_TRUE(std::equal(first, first + 3, passages.First[i]));
+    ASSERT_FALSE(passages.Hits[i]);
+    visit(i);
+  }
+}
+
+/// The cells of a volume in a block, or some of them.
+BlockMask MakeMask(RandomNumbers& random, const Index3& block, const Index3& dimensions, bool all)
+{
+  BlockMask mask = {};
+  ForEachPlace({ 8, 8, 8 },
+    [&](const Index3& i)
+    {
+      bool isIn = all || random.Integer(0, 2) == 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        isIn = isIn && 8 * block[axis] + i[axis] < dimensions[axis] - 1;
+      }
+      mask.Slices[2][i[2]] |= std::uint64_t{ isIn } << (i[0] + 8 * i[1]);
+    });
+  mask.CompleteSlices();
+  return mask;
+}
+
+/// Compares the cells found for a group in all blocks with those passed, and counts.
+class CellChecks
+{
+public:
+  explicit CellChecks(const Kernels& kernels)
+    : TheKernels(kernels)
+  {
+  }
+
+  void Check(RandomNumbers& random, RayGroup& group, const RaySet& rays, int axis,
+    const Index3& dimensions, bool all)
+  {
+    Beam beam;
+    ASSERT_TRUE(this->TheKernels.Align(group, rays, axis, beam));
+    std::vector<std::set<Index3>> left(RayGroup::Capacity);
+    for (int i = 0; i < group.Count; ++i)
+    {
+      if (Has(rays, i))
+      {
+        const std::vector<Index3> passed = PassedCells(GetRay(group, i), dimensions);
+        left[static_cast<std::size_t>(i)].insert(passed.begin(), passed.end());
+        this->Passed += all ? passed.size() : 0;
+        ++this->Rays;
+      }
+    }
+    ForEachPlace(BlocksCovering({ dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }, 8),
+      [&](const Index3& block)
+      {
+        const BlockMask mask = MakeMask(random, block, dimensions, all);
+        RaySet seen = {};
+        Passages passages;
+        ForEachPassage(this->TheKernels, group, rays, axis, block, mask, passages,
+          [&](int i)
+          {
+            const int ray = passages.Ray[i];
+            ASSERT_TRUE(Has(rays, ray));
+            ASSERT_FALSE(Has(seen, ray));
+            Add(ray, seen);
+            this->Take(
+              passages.Cells[i], axis, block, mask, left[static_cast<std::size_t>(ray)], all);
+          });
+        // What is left must not have been asked for.
+        for (const std::set<Index3>& cells : left)
+        {
+          for (const Index3& cell : cells)
+          {
+            const bool isHere =
+              cell[0] / 8 == block[0] && cell[1] / 8 == block[1] && cell[2] / 8 == block[2];
+            ASSERT_FALSE(isHere && mask.Has({ cell[0] % 8, cell[1] % 8, cell[2] % 8 }))
+              << "cell " << cell[0] << ", " << cell[1] << ", " << cell[2];
+          }
+        }
+      });
+  }
+
+  /// How many cells were found for one that is passed.
+  double GetExcess() const
+  {
+    return static_cast<double>(this->Found) / static_cast<double>(this->Passed);
+  }
+
+  std::size_t GetNumberOfRays() const { return this->Rays; }
+
+private:
+  void Take(const std::uint64_t cells[8], int axis, const Index3& block, const BlockMask& mask,
+    std::set<Index3>& left, bool all)
+  {
+    for (int slice = 0; slice < 8; ++slice)
+    {
+      ASSERT_EQ(cells[slice] & ~mask.Slices[axis][slice], 0U);
+      for (int bit = 0; bit < 64; ++bit)
+      {
+        if (cells[slice] >> bit & 1)
+        {
+          Index3 cell = { 8 * block[0], 8 * block[1], 8 * block[2] };
+          cell[static_cast<std::size_t>(axis)] += slice;
+          cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
+          cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
+          left.erase(cell);
+          this->Found += all ? 1 : 0;
+        }
+      }
+    }
+  }
+
+  const Kernels& TheKernels;
+  std::size_t Rays = 0;
+  std::size_t Passed = 0;
+  std::size_t Found = 0;
+};
+
+//------------------------------------------------------------------------------
+TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
+{
+  RandomNumbers random(841);
+  for (const LineKind kind : AllLineKinds)
+  {
+    CellChecks checks(this->TheKernels);
+    for (int i = 0; i < 150; ++i)
+    {
+      const int longest = i % 10 == 0 ? 200 : 26;
+      Index3 dimensions = { random.Integer(2, 26), random.Integer(2, 26), random.Integer(2, 26) };
+      const int axis = random.Integer(0, 2);
+      dimensions[static_cast<std::size_t>(axis)] = random.Integer(2, longest);
+      const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
+      RayGroup group = EmptyGroup();
+      RaySet rays = {};
+      const int count = random.Integer(1, i % 3 == 0 ? 128 : 20);
+      for (int k = 0; k < count; ++k)
+      {
+        // Beside the rays of the beam there may be any others in the group.
+        const bool isInBeam = random.Integer(0, 4) != 0;
+        const Line line = isInBeam
+          ? LineAlong(random, kind, static_cast<std::size_t>(axis), sign, dimensions)
+          : LatticeLine(random, dimensions);
+        const double end = random.Integer(0, 4) ? Infinity : random.Uniform(0.0, 40.0);
+        const auto ray = ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions);
+        AddRay(ray, group);
+        if (ray && isInBeam)
+        {
+          Add(k, rays);
+        }
+      }
+      if (!IsEmpty(rays))
+      {
+        ASSERT_NO_FATAL_FAILURE(
+          checks.Check(random, group, rays, axis, dimensions, random.Integer(0, 3) != 0));
+      }
+    }
+    std::cout << "[ tried    ] kind " << static_cast<int>(kind) << ": " << checks.GetNumberOfRays()
+              << " rays, " << checks.GetExcess() << " cells found for one that is passed\n";
+    EXPECT_GT(checks.GetNumberOfRays(), 500U);
+    // Through vertices and in faces, the cells on all sides are as near.
+    const bool isOnLattice = kind == LineKind::BesidePlane || kind == LineKind::InFace ||
+      kind == LineKind::ThroughVertices || kind == LineKind::Diagonal;
+    EXPECT_LT(checks.GetExcess(), isOnLattice ? 4.0 : 1.5);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A ray of a group, a cell that it passes or comes near to, and the values at its corners.
+struct Question
+{
+  int Ray;
+  Index3 Cell;
+  CellCorners Corners;
+};
+
+const Index3 Dimensions = { 9, 10, 8 };
+
+std::optional<Ray> RandomRay(RandomNumbers& random)
+{
+  Line line =
+    random.Integer(0, 2) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);
+  if (random.Integer(0, 9) == 0)
+  {
+    line.Origin = line.Origin - line.Direction * 1e9;
+  }
+  const double begin = random.Integer(0, 3) ? 0.0 : random.Uniform(0.0, 10.0);
+  const double end = random.Integer(0, 3) ? Infinity : begin + random.Uniform(0.0, 10.0);
+  return ClipToVolume(line.Origin, line.Direction, begin, end, Dimensions);
+}
+
+/// Values of all kinds: smooth, rough, with ties and zeros, tangent, of any magnitude.
+CellCorners RandomCorners(RandomNumbers& random)
+{
+  CellCorners corners;
+  const int kind = random.Integer(0, 8);
+  const double limits[][2] = { { -3.0, 3.0 }, { -320.0, 308.0 }, { -101.0, -99.0 }, { 99.0, 101.0 },
+    { -290.0, -260.0 } };
+  const auto& limit = limits[random.Integer(0, 4)];
+  const double middle = random.Uniform(0.0, 1.0);
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    // A parabola along x + y + z that all but touches zero.
+    const double off = static_cast<double>((i & 1) + (i >> 1 & 1) + (i >> 2)) / 3.0 - middle;
+    const double values[] = { random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0),
+      random.Uniform(-100.0, 3000.0), random.Integer(-1, 1) + 0.0, random.Integer(-3, 3) * 0.5,
+      off * off + random.Uniform(-1e-9, 1e-9), off + random.Uniform(-1e-6, 1e-6),
+      random.WideMagnitude(limit[0], limit[1]),
+      random.Integer(0, 3) ? -0.0 : random.Uniform(-1.0, 1.0) };
+    corners[i] = values[kind];
+  }
+  return corners;
+}
+
+/// Some equal to the isovalue, the others on both sides of it.
+CellCorners CornersAround(RandomNumbers& random, double isovalue)
+{
+  CellCorners corners;
+  for (double& value : corners)
+  {
+    value = random.Integer(0, 5) ? isovalue * random.Uniform(-1.0, 3.0) : isovalue;
+  }
+  return corners;
+}
+
+/// As TracedVolume takes off the isovalue: a difference that is not zero never vanishes.
+CellCorners Differences(const CellCorners& corners, const ScaledIsovalue& isovalue)
+{
+  CellCorners differences;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const double value = corners[corner];
+    const double plain = value * isovalue.Scale - isovalue.Isovalue * isovalue.Scale;
+    const double sign = (value > isovalue.Isovalue) - (value < isovalue.Isovalue);
+    differences[corner] = std::abs(plain) < SmallestDifference ? sign * SmallestDifference : plain;
+  }
+  return differences;
+}
+
+/// The first root in a cell.
+struct FirstRoot
+{
+  Index3 Cell;
+  Place Begin;
+  double T;
+  Vector3 Parametric;
+  bool Rising;
+};
+
+using MaybeRoot = std::optional<FirstRoot>;
+
+/// What the reference has to say.
+MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorners& differences)
+{
+  CellSegment segment;
+  MaybeRoot root;
+  if (!SegmentInCell(ray, cell, segment))
+  {
+    return root;
+  }
+  Robust::ForEachRoot(differences, segment,
+    [&](double u, bool rising)
+    {
+      const double t = segment.Begin + (segment.End - segment.Begin) * u;
+      root = FirstRoot{ cell, { segment.Begin, segment.BeginAxis },
+        ray.Base + std::min(t, segment.End), {}, rising };
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        root->Parametric[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
+      }
+      return true;
+    });
+  return root;
+}
+
+/// The kernels may leave a cell to others only where a coefficient of its cubic is extreme.
+bool MayBeExtreme(const Ray& ray, const Index3& cell, const CellCorners& differences)
+{
+  CellSegment segment;
+  SegmentInCell(ray, cell, segment);
+  double size = 0.0;
+  for (const double coefficient : CubicAlongSegment(differences, segment.Entry, segment.Exit))
+  {
+    size = std::max(size, std::abs(coefficient));
+  }
+  return !(size >= 1e-100 && size <= 1e100);
+}
+
+/// Asks a kernel about cells, and compares what it says of each cell and of each ray.
+class HitChecks
+{
+public:
+  HitChecks(const Kernels& kernels, const ScaledIsovalue& isovalue)
+    : TheKernels(kernels)
+    , Isovalue(isovalue)
+  {
+  }
+
+  ~HitChecks()
+  {
+    std::cout << "[ tried    ] isovalue " << this->Isovalue.Isovalue << ": " << this->Roots
+              << " cells with a root, " << this->None << " without, " << this->Extremes
+              << " left to others; " << this->Hits << " rays that hit\n";
+  }
+
+  HitChecks(const HitChecks&) = delete;
+  HitChecks& operator=(const HitChecks&) = delete;
+
+  /// The questions may be as many as there are passages.
+  void Check(RandomNumbers& random, const RayGroup& group, const std::vector<Question>& questions)
+  {
+    GroupHits hits;
+    std::memset(&hits, 0xFF, sizeof(hits)); // all numbers are none
+    hits.Found = hits.Refined = hits.Rising = {};
+    std::vector<MaybeRoot> expected(RayGroup::Capacity);
+    for (std::size_t first = 0; first < questions.size();)
+    {
+      // Any number of cells at once, so that all lanes come last.
+      const auto count = std::min<std::size_t>(
+        random.Integer(0, 3) ? random.Integer(1, 20) : random.Integer(64, Candidates::Batch + 16),
+        questions.size() - first);
+      ASSERT_NO_FATAL_FAILURE(this->CheckSome(group, &questions[first], count, hits, expected));
+      first += count;
+    }
+    ASSERT_NO_FATAL_FAILURE(this->CheckRays(group, hits, expected));
+  }
+
+  std::size_t Roots = 0;
+  std::size_t None = 0;
+  std::size_t Extremes = 0;
+  std::size_t Hits = 0;
+
+private:
+  void CheckSome(const RayGroup& group, const Question* questions, std::size_t count,
+    GroupHits& hits, std::vector<MaybeRoot>& expected)
+  {
+    Candidates candidates = {};
+    Passages passages = {};
+    ExtremeCandidates extremes;
+    candidates.Count = static_cast<int>(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Each has a passage of its own, which tells whether there is a root.
+      candidates.Passage[i] = static_cast<int>(i);
+      candidates.Ray[i] = questions[i].Ray;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        candidates.Cell[axis][i] = questions[i].Cell[axis];
+      }
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        candidates.Corners[corner][i] = questions[i].Corners[corner];
+      }
+    }
+    this->TheKernels.FindHits(group, candidates, this->Isovalue, hits, passages, extremes);
+    const std::set<int> leftToOthers(extremes.Numbers, extremes.Numbers + extremes.Count);
+    ASSERT_EQ(leftToOthers.size(), static_cast<std::size_t>(extremes.Count));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Question& question = questions[i];
+      const Ray ray = GetRay(group, question.Ray);
+      const CellCorners differences = Differences(question.Corners, this->Isovalue);
+      if (leftToOthers.count(static_cast<int>(i)))
+      {
+        ++this->Extremes;
+        ASSERT_TRUE(MayBeExtreme(ray, question.Cell, differences));
+        ASSERT_FALSE(passages.Hits[i]);
+        continue;
+      }
+      const MaybeRoot root = ExpectRoot(ray, question.Cell, differences);
+      ASSERT_EQ(passages.Hits[i], root.has_value());
+      MaybeRoot& first = expected[static_cast<std::size_t>(question.Ray)];
+      first = root && (!first || root->Begin < first->Begin) ? root : first;
+      (root ? this->Roots : this->None) += 1;
+    }
+    ASSERT_EQ(std::count(passages.Hits + count, std::end(passages.Hits), true), 0);
+  }
+
+  void CheckRays(const RayGroup& group, GroupHits& hits, const std::vector<MaybeRoot>& expected)
+  {
+    // Some places are known already, and stay.
+    constexpr double known = -7.0;
+    for (int ray = 0; ray < group.Count; ray += 5)
+    {
+      if (Has(hits.Found, ray))
+      {
+        Add(ray, hits.Refined);
+        hits.T[ray] = known;
+      }
+    }
+    this->TheKernels.Refine(group, hits);
+    for (int ray = 0; ray < RayGroup::Capacity; ++ray)
+    {
+      const MaybeRoot& root = expected[static_cast<std::size_t>(ray)];
+      ASSERT_EQ(Has(hits.Found, ray), root.has_value());
+      ASSERT_EQ(Has(hits.Refined, ray), root.has_value());
+      if (!root)
+      {
+        continue;
+      }
+      ++this->Hits;
+      ASSERT_TRUE(AreSameBits(hits.Begin[ray], root->Begin.T));
+      ASSERT_EQ(hits.BeginAxis[ray], root->Begin.Axis);
+      const bool isKnown = ray % 5 == 0;
+      ASSERT_TRUE(AreSameBits(hits.T[ray], isKnown ? known : root->T)) << root->T;
+      ASSERT_EQ(Has(hits.Rising, ray), !isKnown && root->Rising);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_EQ(hits.Cell[axis][ray], root->Cell[axis]);
+        ASSERT_TRUE(isKnown || AreSameBits(hits.Parametric[axis][ray], root->Parametric[axis]));
+      }
+    }
+  }
+
+  const Kernels& TheKernels;
+  ScaledIsovalue Isovalue;
+};
+
+//------------------------------------------------------------------------------
+TEST_P(CellKernels, FindTheFirstHitsOfTheRobustSolver)
+{
+  RandomNumbers random(842);
+  for (const ScaledIsovalue& isovalue : { ScaledIsovalue{ 0.0, 1.0 }, { 100.25, 1.0 },
+         { -3.0, 1.0 }, { 1e-300, 0x1p900 }, { 3e300, 0x1p-998 }, { 0x1p-905, 1.0 } })
+  {
+    const bool isZero = isovalue.Isovalue == 0.0;
+    HitChecks checks(this->TheKernels, isovalue);
+    for (int i = 0; i < (isZero ? 4000 : 150); ++i)
+    {
+      RayGroup group = EmptyGroup();
+      std::vector<Question> questions;
+      const int rays = random.Integer(1, RayGroup::Capacity);
+      const int cellsOfRay = random.Integer(1, 7);
+      for (int k = 0; k < rays; ++k)
+      {
+        const auto ray = RandomRay(random);
+        AddRay(ray, group);
+        const std::vector<Index3> passed =
+          ray ? PassedCells(*ray, Dimensions) : std::vector<Index3>();
+        for (int n = 0; ray && n < cellsOfRay; ++n)
+        {
+          Index3 cell = passed[random.Bits() % passed.size()];
+          if (random.Integer(0, 4) == 0)
+          {
+            cell[random.Bits() % 3] += random.Integer(-1, 1);
+          }
+          questions.push_back(
+            { k, cell, isZero ? RandomCorners(random) : CornersAround(random, isovalue.Isovalue) });
+        }
+      }
+      for (std::size_t k = questions.size(); k > 1; --k)
+      {
+        std::swap(questions[k - 1], questions[random.Bits() % k]);
+      }
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, questions)) << i;
+    }
+    EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 120000U : 5000U);
+    EXPECT_GT(checks.None, isZero ? 400000U : 15000U);
+    EXPECT_TRUE(!isZero || (checks.Hits > 80000U && checks.Extremes > 10000U));
+  }
+}
+
+}
+}

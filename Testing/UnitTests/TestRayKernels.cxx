@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The rays of all kernels must be those of a camera, to the last bit; the beams must hold the rays
+// they are made of, and not much more.
+
+#include "AllKernels.h"
+#include "BlockMask.h"
+#include "Camera.h"
+#include "Matrices.h"
+#include "RandomNumbers.h"
+#include "RayGroup.h"
+#include "TestLines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+class RayKernels : public WithKernels
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, RayKernels, AllKernels(), NameOfKernels);
+
+/// A camera, and a rectangle of its pixels with the depths of what is drawn there.
+struct View
+{
+  Camera TheCamera;
+  Index3 Dimensions;
+  PixelBlock Block;
+  std::vector<float> Depths;
+};
+
+/// Scaled, turned and sheared.
+Matrix4 RandomWorldFromIndex(RandomNumbers& random, bool isAligned)
+{
+  const double scale = std::pow(10.0, random.Integer(-3, 3));
+  Matrix4 matrix =
+    Scaling({ random.Uniform(0.1, 2.0) * scale, -random.Uniform(0.1, 2.0) * scale, scale });
+  if (!isAligned)
+  {
+    matrix[1] = random.Uniform(-0.5, 0.5) * scale;
+    matrix[6] = random.Uniform(-0.5, 0.5) * scale;
+    matrix = Multiply(Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0)), matrix);
+  }
+  return Multiply(Translation({ random.Uniform(-9.0, 9.0) * scale, 2.0, 3.0 }), matrix);
+}
+
+/// A perspective or a parallel projection that shows a thing of some size at a distance; straight
+/// on, or to the side.
+Matrix4 RandomProjection(RandomNumbers& random, double size, double distance)
+{
+  const double extent = size * random.Uniform(0.1, 1.0);
+  const double near = (size + distance) * random.Uniform(0.01, 0.5);
+  const double far = near + (size + distance) * random.Uniform(1.0, 9.0);
+  Matrix4 projection = random.Integer(0, 1) ? Perspective(near, far, extent / (size + distance))
+                                            : Orthographic(near, far, extent);
+  if (random.Integer(0, 2) == 0)
+  {
+    projection[2] = random.Uniform(-0.3, 0.3);
+    projection[6] = random.Uniform(-0.3, 0.3);
+  }
+  return projection;
+}
+
+View RandomView(RandomNumbers& random)
+{
+  View view;
+  const int longest = random.Integer(0, 1) ? 9 : 600;
+  for (int& dimension : view.Dimensions)
+  {
+    dimension = random.Integer(2, longest);
+  }
+  const bool isAligned = random.Integer(0, 2) == 0;
+  const Matrix4 worldFromIndex = RandomWorldFromIndex(random, isAligned);
+  const Vector3 last = { view.Dimensions[0] - 1.0, view.Dimensions[1] - 1.0,
+    view.Dimensions[2] - 1.0 };
+  const Vector3 center = TransformPoint(worldFromIndex, random.PointInBox({}, last));
+  const double size = Length(TransformDirection(worldFromIndex, last));
+  // From within, from outside, and from far away.
+  const double distances[] = { 0.0, random.Uniform(0.5, 3.0), random.Uniform(0.5, 3.0), 1e6 };
+  const double distance = size * distances[random.Integer(0, 3)];
+  const double turn = std::acos(0.0);
+  const Matrix4 rotation = isAligned
+    ? Rotation(turn * random.Integer(0, 1), turn * random.Integer(0, 1))
+    : Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0));
+  const Matrix4 viewFromWorld =
+    Multiply(Translation({ 0.0, 0.0, -distance }), Multiply(rotation, Translation(center * -1.0)));
+  const Matrix4 clipFromIndex =
+    Multiply(RandomProjection(random, size, distance), Multiply(viewFromWorld, worldFromIndex));
+  Matrix4 indexFromClip = Invert(clipFromIndex);
+  if (random.Integer(0, 19) == 0)
+  {
+    const double bad[] = { 0.0, Infinity, std::nan(""), 1e300, 1e-300 };
+    indexFromClip[random.Bits() % 16] = bad[random.Integer(0, 4)];
+  }
+  const int width = random.Integer(1, 300);
+  const int height = random.Integer(1, 300);
+  view.TheCamera = Camera(clipFromIndex, indexFromClip, worldFromIndex, width, height);
+  PixelBlock& block = view.Block;
+  block.Width = width;
+  block.Height = height;
+  block.Columns = random.Integer(1, std::min(width, random.Integer(0, 3) ? 19 : 128));
+  block.Rows = random.Integer(1, std::min(height, RayGroup::Capacity / block.Columns));
+  block.Column = random.Integer(0, width - block.Columns);
+  block.Row = random.Integer(0, height - block.Rows);
+  block.DepthStride = block.Columns + random.Integer(0, 5);
+  view.Depths.resize(static_cast<std::size_t>(block.DepthStride * block.Rows));
+  constexpr std::numeric_limits<float> limits;
+  const float special[] = { 0.0F, 1.0F, limits.denorm_min(), limits.infinity(), limits.quiet_NaN(),
+    -limits.infinity() };
+  for (float& depth : view.Depths)
+  {
+    depth = random.Integer(0, 2) ? static_cast<float>(random.Uniform(0.0, 1.0))
+                                 : special[random.Integer(0, 5)];
+  }
+  return view;
+}
+
+/// What must be equal in two rays, as bytes.
+std::array<double, 12> ValuesOf(const Ray& ray)
+{
+  return { ray.Origin[0], ray.Origin[1], ray.Origin[2], ray.Direction[0], ray.Direction[1],
+    ray.Direction[2], ray.Inverse[0], ray.Inverse[1], ray.Inverse[2], ray.Begin, ray.End,
+    ray.Base };
+}
+
+bool AreSame(const Ray& a, const Ray& b)
+{
+  const auto x = ValuesOf(a);
+  const auto y = ValuesOf(b);
+  return a.Step == b.Step && std::equal(x.begin(), x.end(), y.begin(), AreSameBits);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(RayKernels, MakeTheRaysOfTheCamera)
+{
+  RandomNumbers random(831);
+  std::size_t hits = 0;
+  std::size_t misses = 0;
+  std::size_t parallel = 0;
+  for (int i = 0; i < 5000; ++i)
+  {
+    View view = RandomView(random);
+    PixelBlock& block = view.Block;
+    block.IndexFromClip = view.TheCamera.GetIndexFromClip().data();
+    block.Depth = i % 2 == 0 ? view.Depths.data() : nullptr;
+    block.Dimensions = view.Dimensions.data();
+    RayGroup group;
+    std::memset(&group, 0xFF, sizeof(group)); // all numbers are none
+    this->TheKernels.MakeRays(block, group);
+    ASSERT_EQ(group.Count, block.Columns * block.Rows);
+    for (int k = 0; k < RayGroup::Capacity; ++k)
+    {
+      if (k >= group.Count)
+      {
+        ASSERT_FALSE(Has(group.Exists, k));
+        continue;
+      }
+      const int x = k % block.Columns;
+      const int y = k / block.Columns;
+      const float depth = block.Depth ? block.Depth[y * block.DepthStride + x] : 1.0F;
+      const Camera::PixelRay pixel =
+        view.TheCamera.GetRay(block.Column + x, block.Row + y, static_cast<double>(depth));
+      const auto expected =
+        ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, view.Dimensions);
+      ASSERT_EQ(Has(group.Exists, k), expected.has_value()) << "view " << i << ", ray " << k;
+      if (expected)
+      {
+        ASSERT_TRUE(AreSame(GetRay(group, k), *expected)) << "view " << i << ", ray " << k;
+        const auto& step = expected->Step;
+        parallel += std::count(step.begin(), step.end(), 0) > 0 ? 1 : 0;
+      }
+      (expected ? hits : misses) += 1;
+    }
+  }
+  std::cout << "[ tried    ] " << hits << " rays, " << parallel << " of them along lattice planes, "
+            << misses << " that miss\n";
+  EXPECT_GT(hits, 50000U);
+  EXPECT_GT(misses, 50000U);
+  EXPECT_GT(parallel, 5000U);
+}
+
+//------------------------------------------------------------------------------
+using LongPoint = std::array<long double, 3>;
+
+LongPoint PointOn(const Ray& ray, long double t)
+{
+  LongPoint point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = static_cast<long double>(ray.Origin[axis]) +
+      t * static_cast<long double>(ray.Direction[axis]);
+  }
+  return point;
+}
+
+/// Rays through one place with directions that differ as much as spread says.
+RayGroup MakeBundle(
+  RandomNumbers& random, const Index3& dimensions, double spread, std::vector<Line>& lines)
+{
+  RayGroup group;
+  group.Count = 0;
+  group.Exists = {};
+  lines.clear();
+  const Line middle = RandomLine(random, dimensions);
+  const int count = random.Integer(1, RayGroup::Capacity);
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 off = random.PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
+    Line line = middle;
+    line.Direction = (line.Direction + off * spread) * random.Uniform(0.5, 2.0);
+    if (random.Integer(0, 1))
+    {
+      line.Origin = line.Origin + off;
+    }
+    const double end = random.Integer(0, 3) == 0 ? random.Uniform(0.0, 40.0) : Infinity;
+    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions), group);
+    lines.push_back(line);
+  }
+  return group;
+}
+
+RaySet SomeOf(RandomNumbers& random, const RayGroup& group, int percent)
+{
+  RaySet set = {};
+  for (int i = 0; i < group.Count; ++i)
+  {
+    if (Has(group.Exists, i) && random.Integer(1, 100) <= percent)
+    {
+      Add(i, set);
+    }
+  }
+  return set;
+}
+
+/// Whether rays make a beam along an axis; undecided is set where rounding may have a say.
+bool MakeBeam(const RayGroup& group, const RaySet& rays, int axis, bool& undecided)
+{
+  bool up = false;
+  bool down = false;
+  bool steep = false;
+  undecided = false;
+  for (int i = 0; i < group.Count; ++i)
+  {
+    if (!Has(rays, i))
+    {
+      continue;
+    }
+    const long double along = group.Direction[axis][i];
+    up = up || along > 0.0L;
+    down = down || along < 0.0L;
+    for (int other = 0; other < 3; ++other)
+    {
+      const long double slope = std::abs(group.Direction[other][i] / along);
+      steep = steep || !(slope <= 2.0L);
+      undecided = undecided || std::abs(slope - 2.0L) < 1e-12L;
+    }
+  }
+  return up != down && !steep;
+}
+
+/// What a beam must hold, found ray by ray.
+struct Bounds
+{
+  long double Low = Infinity;
+  long double High = -Infinity;
+  long double Least[2][2] = { { Infinity, Infinity }, { Infinity, Infinity } };
+  long double Most[2][2] = { { -Infinity, -Infinity }, { -Infinity, -Infinity } };
+};
+
+class BeamChecks
+{
+public:
+  void Check(RandomNumbers& random, const RayGroup& group, const RaySet& rays, const Beam& beam)
+  {
+    ++this->Beams;
+    Bounds bounds;
+    for (int i = 0; i < group.Count; ++i)
+    {
+      if (Has(rays, i))
+      {
+        const Ray ray = GetRay(group, i);
+        ASSERT_EQ(beam.IsUp, ray.Direction[static_cast<std::size_t>(beam.Axis)] > 0.0);
+        ASSERT_NO_FATAL_FAILURE(this->CheckRay(random, ray, beam));
+        Include(ray, beam, bounds);
+      }
+    }
+    // What is not in the set does not count.
+    ASSERT_GT(beam.Low, bounds.Low - Slack);
+    ASSERT_LT(beam.High, bounds.High + Slack);
+    for (int j = 0; j < 2; ++j)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        ASSERT_GT(beam.Least[j][end], bounds.Least[j][end] - Slack);
+        ASSERT_LT(beam.Most[j][end], bounds.Most[j][end] + Slack);
+      }
+    }
+  }
+
+  std::size_t GetNumberOfBeams() const { return this->Beams; }
+
+private:
+  static constexpr long double Slack = 0.01L;
+
+  static std::size_t Across(const Beam& beam, int j)
+  {
+    return static_cast<std::size_t>(j == 0 ? BlockMask::U[beam.Axis] : BlockMask::V[beam.Axis]);
+  }
+
+  void CheckRay(RandomNumbers& random, const Ray& ray, const Beam& beam)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      const long double fraction = i < 2 ? i : random.Uniform(0.0, 1.0);
+      const LongPoint p = PointOn(ray, ray.Begin + fraction * (ray.End - ray.Begin));
+      const long double place = p[static_cast<std::size_t>(beam.Axis)];
+      ASSERT_LT(beam.Low, place);
+      ASSERT_GT(beam.High, place);
+      const long double way = (place - beam.Low) / (static_cast<long double>(beam.High) - beam.Low);
+      for (int j = 0; j < 2; ++j)
+      {
+        const long double least = beam.Least[j][0] + way * (beam.Least[j][1] - beam.Least[j][0]);
+        const long double most = beam.Most[j][0] + way * (beam.Most[j][1] - beam.Most[j][0]);
+        ASSERT_LT(least, p[Across(beam, j)]);
+        ASSERT_GT(most, p[Across(beam, j)]);
+      }
+    }
+  }
+
+  static void Include(const Ray& ray, const Beam& beam, Bounds& bounds)
+  {
+    const auto axis = static_cast<std::size_t>(beam.Axis);
+    for (const double t : { ray.Begin, ray.End })
+    {
+      const long double place = PointOn(ray, t)[axis];
+      bounds.Low = std::min(bounds.Low, place);
+      bounds.High = std::max(bounds.High, place);
+    }
+    for (int end = 0; end < 2; ++end)
+    {
+      const long double plane = end == 0 ? beam.Low : beam.High;
+      const LongPoint p =
+        PointOn(ray, (plane - ray.Origin[axis]) / static_cast<long double>(ray.Direction[axis]));
+      for (int j = 0; j < 2; ++j)
+      {
+        bounds.Least[j][end] = std::min(bounds.Least[j][end], p[Across(beam, j)]);
+        bounds.Most[j][end] = std::max(bounds.Most[j][end], p[Across(beam, j)]);
+      }
+    }
+  }
+
+  std::size_t Beams = 0;
+};
+
+TEST_P(RayKernels, AlignRaysToBeamsThatHoldThem)
+{
+  RandomNumbers random(832);
+  BeamChecks checks;
+  std::size_t refused = 0;
+  for (int i = 0; i < 6000; ++i)
+  {
+    const int longest = i % 5 == 0 ? 3000 : 40;
+    const Index3 dimensions = { random.Integer(2, longest), random.Integer(2, longest),
+      random.Integer(2, longest) };
+    std::vector<Line> lines;
+    const double spreads[] = { 0.0, 0.01, 0.1, 0.5, 3.0 };
+    RayGroup group = MakeBundle(random, dimensions, spreads[i % 5], lines);
+    const RaySet rays = SomeOf(random, group, i % 2 == 0 ? 100 : 30);
+    const int axis = random.Integer(0, 2);
+    bool undecided = false;
+    const bool expected = MakeBeam(group, rays, axis, undecided);
+    Beam beam = {};
+    const bool isBeam = this->TheKernels.Align(group, rays, axis, beam);
+    if (undecided)
+    {
+      continue;
+    }
+    ASSERT_EQ(isBeam, expected) << i;
+    refused += isBeam ? 0 : 1;
+    if (isBeam)
+    {
+      ASSERT_EQ(beam.Axis, axis);
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, rays, beam)) << i;
+    }
+  }
+  std::cout << "[ tried    ] " << checks.GetNumberOfBeams() << " beams, " << refused
+            << " sets of rays that are none\n";
+  EXPECT_GT(checks.GetNumberOfBeams(), 1000U);
+  EXPECT_GT(refused, 1000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(RayKernels, AlignNoRaysThatGoAcrossOrBothWaysOrSteeply)
+{
+  const Index3 dimensions = { 20, 20, 20 };
+  const auto areBeam = [&](const std::vector<Vector3>& directions)
+  {
+    RayGroup group;
+    group.Count = 0;
+    group.Exists = {};
+    for (const Vector3& direction : directions)
+    {
+      AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), group);
+    }
+    Beam beam;
+    return this->TheKernels.Align(group, group.Exists, 0, beam);
+  };
+  EXPECT_TRUE(areBeam({ { 1.0, 0.0, 0.0 } }));
+  EXPECT_TRUE(areBeam({ { -1.0, 1.9, -1.9 }, { -0.01, 0.0, 0.0 } }));
+  EXPECT_TRUE(areBeam({ { 1.0, 2.0, -2.0 } }));
+  EXPECT_FALSE(areBeam({ { 1.0, 2.01, 0.0 } }));
+  EXPECT_FALSE(areBeam({ { 1.0, 0.0, -2.01 } }));
+  EXPECT_FALSE(areBeam({ { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 } }));
+  EXPECT_FALSE(areBeam({ { 0.0, 1.0, 0.0 } }));
+  EXPECT_FALSE(areBeam({ { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 } }));
+  // One of another kind at any place of the group.
+  for (std::size_t place = 0; place < 19; ++place)
+  {
+    std::vector<Vector3> directions(19, Vector3{ 1.0, 0.1, 0.2 });
+    EXPECT_TRUE(areBeam(directions));
+    directions[place][0] = -1.0;
+    EXPECT_FALSE(areBeam(directions)) << place;
+    directions[place] = { 1.0, 0.0, 5.0 };
+    EXPECT_FALSE(areBeam(directions)) << place;
+  }
+}
+
+}
+}
