@@ -14,6 +14,13 @@ set(classes
   Rendering/vtkIsosurfaceRayTraceMapper)
 
 set(private_classes
+  Filters/vtkIsosurfaceComparisonErrors
+  Filters/vtkIsosurfaceComparisonMethods
+  Filters/vtkIsosurfaceComparisonPictures
+  Filters/vtkIsosurfaceComparisonRays
+  Filters/vtkIsosurfaceComparisonRow
+  Filters/vtkIsosurfaceComparisonTime
+  Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceImageDisplay)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
