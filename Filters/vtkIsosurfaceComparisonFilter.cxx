@@ -308,7 +308,7 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureRayTracing(Row& row)
     buildTimes.push_back(isosurface.Build());
     if (repeat == 0)
     {
-      this->Rays->CastRowByRow(isosurface);
+      this->Rays->CastInPortions(isosurface);
       row.PeakBytes = peak.GetBytes();
       row.Bytes = isosurface.Mapper->GetMacrocellMemory() + isosurface.Mapper->GetBrickMemory();
     }

@@ -125,19 +125,22 @@ bool PictureRays::FindHits(TracedIsosurface& isosurface, vtkPolyData* hits) cons
 }
 
 //------------------------------------------------------------------------------
-void PictureRays::CastRowByRow(TracedIsosurface& isosurface) const
+void PictureRays::CastInPortions(TracedIsosurface& isosurface) const
 {
+  constexpr vtkIdType portion = 4096;
   vtkNew<vtkPoints> origins;
   origins->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> directions;
   directions->SetNumberOfComponents(3);
   vtkNew<vtkPolyData> hits;
-  for (int row = 0; row < this->Height; ++row)
+  const vtkIdType count = this->Origins->GetNumberOfPoints();
+  for (vtkIdType first = 0; first < count; first += portion)
   {
-    const vtkIdType first = static_cast<vtkIdType>(row) * this->Width;
-    origins->SetNumberOfPoints(this->Width);
-    origins->InsertPoints(0, this->Width, first, this->Origins);
-    directions->InsertTuples(0, this->Width, first, this->Directions);
+    const vtkIdType size = std::min(portion, count - first);
+    origins->SetNumberOfPoints(size);
+    origins->InsertPoints(0, size, first, this->Origins);
+    directions->SetNumberOfTuples(size);
+    directions->InsertTuples(0, size, first, this->Directions);
     isosurface.Mapper->CastRays(isosurface.Volume, origins, directions, hits);
   }
 }

@@ -45,8 +45,8 @@ public:
   /// The hits of an isosurface as points with normals. Returns whether rays could be cast.
   bool FindHits(TracedIsosurface& isosurface, vtkPolyData* hits) const;
 
-  /// Does the work of a picture and keeps as little of it.
-  void CastRowByRow(TracedIsosurface& isosurface) const;
+  /// Does the work of a picture, and throws the hits away, so that they take little memory.
+  void CastInPortions(TracedIsosurface& isosurface) const;
 
   /// The distance from the near clipping plane to the far one along each ray, in the world.
   std::vector<double> GetLengths() const;
