@@ -1,8 +1,10 @@
 # The library, in the directory scope of vtk.module: by itself and inside a VTK tree alike.
 
 set(core_sources
+  BeamTracer.cxx
   CastRays.cxx
   FastSolver.cxx
+  InstructionSets.cxx
   Ray.cxx
   RenderTiles.cxx
   Shading.cxx
@@ -28,6 +30,23 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 # Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers and
 # instruction sets. Much of the core is in headers, so all who include them do the same.
 set(no_contraction "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>")
+
+# The inner loops, once for every instruction set; the program takes what the processor has. Only
+# these files may be compiled for more than the baseline. (GCC 12 takes the undefined registers of
+# its own intrinsics for variables that were forgotten: bug 105593.)
+set(kernels "Module/Core/Kernels")
+set(kernel_options
+  "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3>" "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno>"
+  "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
+list(APPEND core_sources "${kernels}Baseline.cxx")
+set_source_files_properties("${kernels}Baseline.cxx" PROPERTIES COMPILE_OPTIONS "${kernel_options}")
+if (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND core_sources "${kernels}Avx2.cxx" "${kernels}Avx512.cxx")
+  set_source_files_properties("${kernels}Avx2.cxx"
+    PROPERTIES COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma")
+  set_source_files_properties("${kernels}Avx512.cxx"
+    PROPERTIES COMPILE_OPTIONS "${kernel_options};-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl")
+endif ()
 
 # The core is compiled by itself, without VTK's include folder: a VTK header there does not compile.
 # The library and the unit tests take the same objects.

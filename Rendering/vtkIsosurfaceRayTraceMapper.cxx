@@ -809,6 +809,9 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   internal.Want.Surfaces = GetSurfaces(property, internal.Component);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
+  internal.Want.MaximumMemory = this->MaximumBrickMemory > 0
+    ? static_cast<std::size_t>(this->MaximumBrickMemory) << 20
+    : std::numeric_limits<std::size_t>::max();
   return true;
 }
 
@@ -960,6 +963,7 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BrickLayout: " << layouts[this->BrickLayout] << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
+  os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";
   os << indent << "NumberOfMacrocellLevels: " << this->NumberOfMacrocellLevels << "\n";
   os << indent << "MacrocellBranching:";
   for (int level = 0; level < this->NumberOfMacrocellLevels; ++level)

@@ -197,6 +197,17 @@ public:
 
   ///@{
   /**
+   * Set/Get the ceiling for the memory of bricks and of what is kept with them, in MiB; 0 sets
+   * none. When it is reached, rays read the array of the input instead, and the next frame begins
+   * by giving up the bricks that the last one did not use. The picture is always the same. It holds
+   * for APRON_BRICKS, the default layout. Range: 0 to 2^30. Default: 0.
+   */
+  vtkSetClampMacro(MaximumBrickMemory, int, 0, 1 << 30);
+  vtkGetMacro(MaximumBrickMemory, int);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the branching of a level: the edge of its macrocells, counted in macrocells of the
    * level below. Level 0 is the finest; its macrocells are made of cells. A level that does not
    * exist is an error. Range: 2 to 64. Default: 8 on every level, so with two levels macrocells of
@@ -209,7 +220,8 @@ public:
   ///@{
   /**
    * Set/Get the size in pixels of the tiles of the image that threads take one after the other.
-   * Range: 1 to 4096 each. Default: 32 x 4, as Parker et al.
+   * Range: 1 to 4096 each. Default: 16 x 16: rays are traced in groups of up to 128, and walk the
+   * faster the closer they are together. (Parker et al. took 32 x 4.)
    */
   void SetTileSize(int width, int height);
   void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }
@@ -319,9 +331,10 @@ private:
   int BrickLayout = APRON_BRICKS;
   int BrickSize = 8;
   int BrickGroupSize = 4;
+  int MaximumBrickMemory = 0;
   int NumberOfMacrocellLevels = 2;
   int MacrocellBranching[MaximumNumberOfMacrocellLevels] = { 8, 8, 8, 8, 8, 8, 8, 8 };
-  int TileSize[2] = { 32, 4 };
+  int TileSize[2] = { 16, 16 };
   int NumberOfThreads = 0;
 
   double MacrocellBuildTime = 0.0;

@@ -66,6 +66,20 @@ public:
     return (this->Bits[level][bit / 64] >> (bit % 64) & 1) != 0;
   }
 
+  /// The bits of the eight finest macrocells from first on along x, or of as many as there are.
+  std::uint64_t GetRow(const Index3& first) const
+  {
+    const Index3& size = this->Lattice.Levels[0].Size;
+    const std::size_t bit = Offset(first, size);
+    const std::size_t shift = bit % 64;
+    std::uint64_t row = this->Bits[0][bit / 64] >> shift;
+    if (shift > 56 && bit / 64 + 1 < this->Bits[0].size())
+    {
+      row |= this->Bits[0][bit / 64 + 1] << (64 - shift);
+    }
+    return row & ((1U << std::min(8, size[0] - first[0])) - 1U);
+  }
+
   /// Sets the bits of a level, in parallel, to what predicate says of each macrocell's number.
   template <typename Predicate>
   void Fill(std::size_t level, int threads, const Predicate& predicate)

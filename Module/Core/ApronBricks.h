@@ -4,14 +4,11 @@
 #ifndef ApronBricks_h
 #define ApronBricks_h
 
+#include "BlockCache.h"
 #include "BrickCounters.h"
 #include "Unbricked.h"
 
 #include <algorithm>
-#include <atomic>
-#include <memory>
-#include <new>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -33,20 +30,18 @@ public:
         BlocksCovering({ samples.GetDimensions()[0] - 1, samples.GetDimensions()[1] - 1,
                          samples.GetDimensions()[2] - 1 },
           size))
-    , Bricks(Count(this->BrickDimensions))
+    , Bricks(Count(this->BrickDimensions), GetSlotSize(size))
   {
   }
 
-  ~ApronBricks()
+  /// The size of a brick in bytes, in whole cache lines.
+  static std::size_t GetSlotSize(int size)
   {
-    for (auto& brick : this->Bricks)
-    {
-      delete[] brick.load(std::memory_order_relaxed);
-    }
+    const int edge = size + 1;
+    return (Count({ edge, edge, edge }) * sizeof(Value) + 63) / 64 * 64;
   }
 
-  ApronBricks(const ApronBricks&) = delete;
-  ApronBricks& operator=(const ApronBricks&) = delete;
+  void BeginFrame(std::size_t maximumMemory) { this->Bricks.BeginFrame(maximumMemory); }
 
   class Reader
   {
@@ -56,22 +51,23 @@ public:
     {
     }
 
+    /// Says that the cells of the brick of a cell are wanted soon.
+    void Prefetch(const Index3& cell) const
+    {
+      const int size = this->Layout.Size;
+      this->Layout.Bricks.Prefetch(
+        Offset({ cell[0] / size, cell[1] / size, cell[2] / size }, this->Layout.BrickDimensions));
+    }
+
     void Load(const Index3& cell, Value corners[8])
     {
-      if (!this->IsInBrick(cell))
-      {
-        this->MoveTo(cell);
-      }
-      if (!this->Brick)
+      const Value* low = this->Find(cell);
+      if (!low)
       {
         LoadCorners(this->Layout.TheSamples, cell, corners);
         return;
       }
       const std::size_t edge = this->Layout.Edge;
-      const Value* low = this->Brick + static_cast<std::size_t>(cell[0] - this->First[0]) +
-        edge *
-          (static_cast<std::size_t>(cell[1] - this->First[1]) +
-            edge * static_cast<std::size_t>(cell[2] - this->First[2]));
       const Value* high = low + edge * edge;
       corners[0] = low[0];
       corners[1] = low[1];
@@ -84,6 +80,24 @@ public:
     }
 
   private:
+    /// The first corner of a cell; null if its brick is not there.
+    const Value* Find(const Index3& cell)
+    {
+      if (!this->IsInBrick(cell))
+      {
+        this->MoveTo(cell);
+      }
+      if (!this->Brick)
+      {
+        return nullptr;
+      }
+      const std::size_t edge = this->Layout.Edge;
+      return this->Brick + static_cast<std::size_t>(cell[0] - this->First[0]) +
+        edge *
+        (static_cast<std::size_t>(cell[1] - this->First[1]) +
+          edge * static_cast<std::size_t>(cell[2] - this->First[2]));
+    }
+
     bool IsInBrick(const Index3& cell) const
     {
       const auto size = static_cast<unsigned int>(this->Layout.Size);
@@ -102,44 +116,27 @@ public:
     }
 
     ApronBricks& Layout;
-    /// Null before the first brick, and where memory ran out.
+    /// Null before the first brick, and where there is none.
     const Value* Brick = nullptr;
     Index3 First = { -(1 << 30), -(1 << 30), -(1 << 30) };
   };
 
   const BrickCounters& GetCounters() const { return this->Counters; }
-  std::size_t GetMaximumNumberOfBricks() const { return this->Bricks.size(); }
-
-  std::size_t GetMemory() const
-  {
-    return this->Counters.Bricks.load() * this->Edge * this->Edge * this->Edge * sizeof(Value) +
-      this->Bricks.size() * sizeof(std::atomic<Value*>);
-  }
+  std::size_t GetNumberOfBricks() const { return this->Bricks.GetNumberOfBlocks(); }
+  std::size_t GetMaximumNumberOfBricks() const { return this->Bricks.GetMaximumNumberOfBlocks(); }
+  std::size_t GetMemory() const { return this->Bricks.GetMemory(); }
 
 private:
-  /// The brick, made now if it is not there yet; null if there is no memory for it.
+  /// The brick, made now if it is not there yet; null if there is no room for it, or another thread
+  /// is about to make it.
   const Value* GetBrick(const Index3& index)
   {
-    std::atomic<Value*>& slot = this->Bricks[Offset(index, this->BrickDimensions)];
-    if (const Value* present = slot.load(std::memory_order_acquire))
-    {
-      return present;
-    }
-    // Two threads may make the same brick at once: one of them keeps it. No thread ever waits.
-    const BrickTimer timer(this->Counters);
-    std::unique_ptr<Value[]> made(new (std::nothrow) Value[this->Edge * this->Edge * this->Edge]);
-    if (!made)
-    {
-      return nullptr;
-    }
-    this->FillBrick(index, made.get());
-    Value* present = nullptr;
-    if (!slot.compare_exchange_strong(present, made.get(), std::memory_order_acq_rel))
-    {
-      return present;
-    }
-    this->Counters.Bricks.fetch_add(1, std::memory_order_relaxed);
-    return made.release();
+    return static_cast<const Value*>(this->Bricks.Get(Offset(index, this->BrickDimensions),
+      [this, &index](void* memory)
+      {
+        const BrickTimer timer(this->Counters);
+        this->FillBrick(index, static_cast<Value*>(memory));
+      }));
   }
 
   void FillBrick(const Index3& index, Value* brick) const
@@ -172,7 +169,7 @@ private:
   int Size;
   std::size_t Edge;
   Index3 BrickDimensions;
-  std::vector<std::atomic<Value*>> Bricks;
+  BlockCache Bricks;
   BrickCounters Counters;
 };
 

@@ -15,12 +15,11 @@ namespace vtkIsosurfaceRayTracing
 /// What a store of bricks has done so far, counted by all threads.
 struct BrickCounters
 {
-  std::atomic<std::size_t> Bricks{ 0 };
   /// The sum over all threads of the time spent making bricks.
   std::atomic<std::int64_t> Nanoseconds{ 0 };
 };
 
-/// Counts one brick, and the time from its construction to its destruction.
+/// Counts the time from its construction to its destruction.
 class BrickTimer
 {
 public:

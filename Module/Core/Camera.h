@@ -18,7 +18,8 @@ namespace vtkIsosurfaceRayTracing
 class Camera
 {
 public:
-  /// A ray through a pixel, in index space, with t in world units from the near plane.
+  /// A ray through a pixel, in index space, with t = 0 at the near plane. The direction has
+  /// whatever length the matrix gives it: nobody asks for the t of a pixel's hit.
   struct PixelRay
   {
     Vector3 Origin;
@@ -45,23 +46,20 @@ public:
   PixelRay GetRay(int column, int row, double depth) const
   {
     // The line through the pixel has homogeneous points a + z b, where z is the clip coordinate, -1
-    // at the near plane and 1 at the far plane. Its direction, b wa - a wb up to a positive factor,
-    // is found without going to the far plane, which may be very far.
+    // at the near plane and 1 at the far plane. Its direction, b wa - a wb, is found without going
+    // to the far plane, which may be very far.
     const Matrix4& m = this->IndexFromClip;
-    const double x = 2.0 * (column + 0.5) / this->Width - 1.0;
-    const double y = 2.0 * (row + 0.5) / this->Height - 1.0;
+    const double x = (column + 0.5) * (2.0 / this->Width) - 1.0;
+    const double y = (row + 0.5) * (2.0 / this->Height) - 1.0;
     const Vector3 a = { m[0] * x + m[1] * y + m[3], m[4] * x + m[5] * y + m[7],
       m[8] * x + m[9] * y + m[11] };
     const Vector3 b = { m[2], m[6], m[10] };
     const double wa = m[12] * x + m[13] * y + m[15];
     const double wb = m[14];
-    const Vector3 along = b * wa - a * wb;
-    const double length = Length(TransformDirection(this->WorldFromIndex, along));
-
     const double wNear = wa - wb;
     const double z = 2.0 * depth - 1.0;
-    const double end = (z + 1.0) * length / ((wa + z * wb) * wNear);
-    return { (a - b) * (1.0 / wNear), along * (1.0 / length),
+    const double end = (z + 1.0) / ((wa + z * wb) * wNear);
+    return { (a - b) * (1.0 / wNear), b * wa - a * wb,
       end >= 0.0 ? end : std::numeric_limits<double>::infinity() };
   }
 
@@ -75,6 +73,7 @@ public:
   }
 
   const Matrix4& GetClipFromIndex() const { return this->ClipFromIndex; }
+  const Matrix4& GetIndexFromClip() const { return this->IndexFromClip; }
   const Matrix4& GetWorldFromIndex() const { return this->WorldFromIndex; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }

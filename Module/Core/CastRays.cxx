@@ -25,15 +25,10 @@ RayHits CastRays(TracedVolume& volume, const std::vector<std::optional<Ray>>& ra
   }
 
   RayHits all;
-  all.First.assign(1, 0);
+  all.Clear();
   for (const RayHits& some : found)
   {
-    const std::size_t before = all.Hits.size();
-    all.Hits.insert(all.Hits.end(), some.Hits.begin(), some.Hits.end());
-    for (std::size_t ray = 1; ray < some.First.size(); ++ray)
-    {
-      all.First.push_back(before + some.First[ray]);
-    }
+    all.Append(some);
   }
   return all;
 }

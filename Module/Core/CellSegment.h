@@ -17,6 +17,8 @@ struct CellSegment
 {
   double Begin;
   double End;
+  /// The axis of the plane crossed at Begin; see Place.
+  int BeginAxis;
   Vector3 Entry;
   Vector3 Exit;
 };
@@ -30,15 +32,13 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    p[axis] = std::clamp(ray.Coordinate(axis, place.T) - cell[axis], 0.0, 1.0);
+    p[axis] = std::min(1.0, std::max(0.0, ray.Coordinate(axis, place.T) - cell[axis]));
   }
   return p;
 }
 
 /// The segment of a ray in a cell, computed from the planes of the cell alone. Returns false if the
 /// cell is not among those the ray passes. However the cell was found, the answer is the same.
-/// (Along an axis the ray is parallel to, whoever proposes a cell takes the one at the floor of the
-/// origin.)
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
   Place entry{ -std::numeric_limits<double>::infinity(), 0 };
@@ -47,6 +47,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   {
     if (ray.Step[axis] == 0)
     {
+      if (ray.Inverse[axis] != cell[axis])
+      {
+        return false;
+      }
       continue;
     }
     const bool up = ray.Step[axis] > 0;
@@ -67,6 +71,7 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   }
 
   segment.Begin = begin.T;
+  segment.BeginAxis = begin.Axis;
   segment.End = end.T;
   segment.Entry = PointInCell(ray, cell, begin);
   segment.Exit = PointInCell(ray, cell, end);

@@ -3,13 +3,13 @@
 
 #include "RenderTiles.h"
 
+#include "RayGroup.h"
 #include "Shading.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <optional>
 
 #include <omp.h>
 
@@ -25,56 +25,77 @@ double Seconds(Clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
-/// The rays of a tile and what they hit.
-struct TileRays
-{
-  std::vector<std::optional<Ray>> Rays;
-  std::vector<Vector3> Directions;
-  RayHits Hits;
-};
-
 /// The place of a pixel in the arrays of a frame.
 std::size_t PixelOffset(const Scene& scene, int x, int y)
 {
   return Offset({ x, y, 0 }, { scene.Pixels.Width, scene.Pixels.Height, 1 });
 }
 
-void TraceTile(const Scene& scene, TracedVolume& volume, const PixelRectangle& tile, TileRays& rays)
+/// Makes the rays of some pixels, one after the other.
+void MakeRays(
+  const Scene& scene, const PixelRectangle& pixels, const Index3& dimensions, RayGroup& rays)
 {
-  rays.Rays.clear();
-  rays.Directions.clear();
-  for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
+  rays.Count = 0;
+  rays.Exists = {};
+  for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
   {
-    for (int x = tile.X; x < tile.X + tile.Width; ++x)
+    for (int x = pixels.X; x < pixels.X + pixels.Width; ++x)
     {
       const float depth = scene.Depth ? scene.Depth[PixelOffset(scene, x, y)] : 1.0F;
       const Camera::PixelRay pixel =
         scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, static_cast<double>(depth));
-      rays.Rays.push_back(
-        ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, volume.GetDimensions()));
-      rays.Directions.push_back(pixel.Direction);
+      AddRay(ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, dimensions), rays);
     }
   }
-  volume.Trace(rays.Rays, rays.Hits);
+}
+
+/// Makes the rays of some pixels and finds what they hit.
+void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
+  RayGroup& rays, RayHits& hits)
+{
+  if (!scene.Want.BeamKernels)
+  {
+    MakeRays(scene, pixels, volume.GetDimensions(), rays);
+    volume.Trace(rays, hits);
+    return;
+  }
+  PixelBlock block;
+  block.IndexFromClip = scene.View.GetIndexFromClip().data();
+  block.Width = scene.View.GetWidth();
+  block.Height = scene.View.GetHeight();
+  block.Column = scene.Pixels.X + pixels.X;
+  block.Row = scene.Pixels.Y + pixels.Y;
+  block.Columns = pixels.Width;
+  block.Rows = pixels.Height;
+  block.Depth = scene.Depth ? scene.Depth + PixelOffset(scene, pixels.X, pixels.Y) : nullptr;
+  block.DepthStride = scene.Pixels.Width;
+  block.Dimensions = volume.GetDimensions().data();
+  scene.Want.BeamKernels->MakeRays(block, rays);
+  volume.Trace(rays, hits);
 }
 
 std::uint8_t ToByte(double value)
 {
   // What is no number, from a light without any attenuation on its own position, is black.
-  return static_cast<std::uint8_t>(std::lround(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0)));
+  return static_cast<std::uint8_t>(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0) + 0.5);
 }
 
 /// Composites the hits of one ray, front to back.
-void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first, const Hit* last,
-  const Vector3& direction, std::uint8_t rgba[4], float& depth)
+void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, std::size_t count,
+  std::uint8_t rgba[4], float& depth)
 {
+  depth = Frame::NoSurface;
+  std::fill_n(rgba, 4, std::uint8_t{ 0 });
+  if (count == 0)
+  {
+    return;
+  }
   Vector3 color = { 0.0, 0.0, 0.0 };
   double transmittance = 1.0;
-  depth = Frame::NoSurface;
-  for (const Hit* hit = first; hit != last; ++hit)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
-    Vector3 shaded = ShadeHit(scene, volume, *hit, direction);
+    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
+    Vector3 shaded = colors[i];
     for (double& channel : shaded)
     {
       channel = std::clamp(channel, 0.0, 1.0);
@@ -83,7 +104,7 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
     transmittance *= 1.0 - opacity;
     if (opacity >= 1.0)
     {
-      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hit->GetPoint()), 0.0, 1.0));
+      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hits[i].GetPoint()), 0.0, 1.0));
     }
   }
   rgba[0] = ToByte(color[0]);
@@ -92,18 +113,38 @@ void ShadePixel(const Scene& scene, const TracedVolume& volume, const Hit* first
   rgba[3] = ToByte(1.0 - transmittance);
 }
 
-void ShadeTile(const Scene& scene, const TracedVolume& volume, const PixelRectangle& tile,
-  const TileRays& rays, Frame& frame)
+void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
+  const RayGroup& rays, const RayHits& hits, Frame& frame)
 {
+  std::vector<Vector3> colors;
+  shader.Shade(rays, hits, colors);
   std::size_t ray = 0;
-  for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
+  for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
   {
-    for (int x = tile.X; x < tile.X + tile.Width; ++x, ++ray)
+    for (int x = pixels.X; x < pixels.X + pixels.Width; ++x, ++ray)
     {
       const std::size_t pixel = PixelOffset(scene, x, y);
-      const Hit* hits = rays.Hits.Hits.data();
-      ShadePixel(scene, volume, hits + rays.Hits.First[ray], hits + rays.Hits.First[ray + 1],
-        rays.Directions[ray], &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      const std::size_t first = hits.First[ray];
+      CompositePixel(scene, hits.Hits.data() + first, colors.data() + first,
+        hits.First[ray + 1] - first, &frame.Colors[4 * pixel], frame.Depths[pixel]);
+    }
+  }
+}
+
+/// Calls visit for the parts of a tile that make a group of rays each: as square as may be, since
+/// the rays of a group walk together.
+template <typename Visit>
+void ForEachBlock(const PixelRectangle& tile, const Visit& visit)
+{
+  constexpr int width = 16;
+  const int columns = std::min(width, tile.Width);
+  const int rows = RayGroup::Capacity / columns;
+  for (int y = 0; y < tile.Height; y += rows)
+  {
+    for (int x = 0; x < tile.Width; x += columns)
+    {
+      visit(PixelRectangle{ tile.X + x, tile.Y + y, std::min(columns, tile.Width - x),
+        std::min(rows, tile.Height - y) });
     }
   }
 }
@@ -129,6 +170,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   frame.Depths.resize(count);
   volume.Select(scene.Want, scene.Threads);
 
+  const Shader shader(scene, volume);
   const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
   const int tiles = tilesPerRow * ((pixels.Height + scene.TileHeight - 1) / scene.TileHeight);
   const double brickSecondsBefore = 1e-9 * static_cast<double>(volume.GetBrickNanoseconds());
@@ -140,7 +182,8 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
 
 #pragma omp parallel num_threads(scene.Threads) reduction(+ : traceSeconds, shadeSeconds)
   {
-    TileRays rays;
+    RayGroup rays;
+    RayHits hits;
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < tiles; ++i)
     {
@@ -150,12 +193,16 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
         continue;
       }
       const PixelRectangle tile = GetTile(scene, i, tilesPerRow);
-      const Clock::time_point begin = Clock::now();
-      TraceTile(scene, volume, tile, rays);
-      const Clock::time_point traced = Clock::now();
-      ShadeTile(scene, volume, tile, rays, frame);
-      traceSeconds += Seconds(traced - begin);
-      shadeSeconds += Seconds(Clock::now() - traced);
+      ForEachBlock(tile,
+        [&](const PixelRectangle& block)
+        {
+          const Clock::time_point begin = Clock::now();
+          TraceBlock(scene, volume, block, rays, hits);
+          const Clock::time_point traced = Clock::now();
+          ShadeBlock(scene, shader, block, rays, hits, frame);
+          traceSeconds += Seconds(traced - begin);
+          shadeSeconds += Seconds(Clock::now() - traced);
+        });
       const int finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
       if (omp_get_thread_num() == 0 && !keepGoing(static_cast<double>(finished) / tiles))
       {

@@ -67,8 +67,8 @@ struct Scene
   bool TwoSidedLighting = true;
 
   /// What the image is worked through in, and by how many threads.
-  int TileWidth = 32;
-  int TileHeight = 4;
+  int TileWidth = 16;
+  int TileHeight = 16;
   int Threads = 1;
 };
 

@@ -3,6 +3,8 @@
 
 #include "Shading.h"
 
+#include "RayGroup.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,7 @@ Vector3 Cross(const Vector3& a, const Vector3& b)
 }
 
 //------------------------------------------------------------------------------
-Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
+Matrix4 GradientMatrix(const Matrix4& m)
 {
   // The inverse transposed is the matrix of cofactors over the determinant; its rows are cross
   // products. Columns are scaled to one first, so that no spacing overflows.
@@ -70,18 +72,135 @@ Vector3 GradientToWorld(const Matrix4& m, const Vector3& gradient)
     Cross(axes[0], axes[1]) };
   const double sign = std::copysign(1.0, Dot(axes[0], cofactors[0]));
   const double shortest = std::min(std::min(lengths[0], lengths[1]), lengths[2]);
-  Vector3 normal = { 0.0, 0.0, 0.0 };
+  Matrix4 result = {};
   for (std::size_t i = 0; i < 3; ++i)
   {
-    normal = normal + cofactors[i] * (sign * gradient[i] * (shortest / lengths[i]));
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      result[4 * row + i] = cofactors[i][row] * (sign * (shortest / lengths[i]));
+    }
   }
-  return normal;
+  return result;
 }
 
 //------------------------------------------------------------------------------
-Vector3 ShadeHit(
-  const Scene& scene, const TracedVolume& volume, const Hit& hit, const Vector3& direction)
+Vector3 GradientToWorld(const Matrix4& worldFromIndex, const Vector3& gradient)
 {
+  return TransformDirection(GradientMatrix(worldFromIndex), gradient);
+}
+
+//------------------------------------------------------------------------------
+Shader::Shader(const Scene& scene, const TracedVolume& volume)
+  : TheScene(scene)
+  , Volume(volume)
+  , WorldFromGradient(GradientMatrix(scene.View.GetWorldFromIndex()))
+{
+  const double power = scene.Look.SpecularPower;
+  const bool isWhole = power >= 0.0 && power <= 128.0 && power == std::floor(power);
+  this->WholePower = isWhole ? static_cast<int>(power) : -1;
+  for (const Light& light : scene.Lights)
+  {
+    if (!light.Positional)
+    {
+      DistantLight distant;
+      std::copy(light.Direction.begin(), light.Direction.end(), distant.Direction);
+      std::copy(light.DiffuseColor.begin(), light.DiffuseColor.end(), distant.DiffuseColor);
+      std::copy(light.SpecularColor.begin(), light.SpecularColor.end(), distant.SpecularColor);
+      this->DistantLights.push_back(distant);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Shader::CanUseKernels() const
+{
+  const Scene& scene = this->TheScene;
+  return scene.Want.BeamKernels && scene.Look.Shade && this->WholePower >= 0 &&
+    this->DistantLights.size() == scene.Lights.size();
+}
+
+//------------------------------------------------------------------------------
+void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const
+{
+  colors.resize(hits.Hits.size());
+  const bool canUseKernels = this->CanUseKernels();
+  ShadedHits some;
+  some.Count = 0;
+  std::size_t first = 0;
+  for (int ray = 0; ray < rays.Count; ++ray)
+  {
+    const auto number = static_cast<std::size_t>(ray);
+    for (std::size_t i = hits.First[number]; i < hits.First[number + 1]; ++i)
+    {
+      const Hit& hit = hits.Hits[i];
+      const Vector3 direction = { rays.Direction[0][ray], rays.Direction[1][ray],
+        rays.Direction[2][ray] };
+      if (!canUseKernels)
+      {
+        colors[i] = this->Shade(hit, direction);
+        continue;
+      }
+      const int place = some.Count++;
+      const Vector3& color = this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        some.Direction[k][place] = direction[k];
+        some.Color[k][place] = color[k];
+      }
+      if (some.Count == RayGroup::Capacity)
+      {
+        this->ShadeSome(&hits.Hits[first], some, &colors[first]);
+        first = i + 1;
+        some.Count = 0;
+      }
+    }
+  }
+  if (some.Count > 0)
+  {
+    this->ShadeSome(&hits.Hits[first], some, &colors[first]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const
+{
+  const Scene& scene = this->TheScene;
+  const Kernels& kernels = *scene.Want.BeamKernels;
+  this->Volume.GetGradients(hits, shaded.Count, scene.Normals, kernels, shaded.Gradient);
+  const Phong phong = { scene.View.GetWorldFromIndex().data(), this->WorldFromGradient.data(),
+    scene.TwoSidedLighting, scene.Look.Ambient, scene.Look.Diffuse, scene.Look.Specular,
+    this->WholePower, static_cast<int>(this->DistantLights.size()), this->DistantLights.data() };
+  kernels.Shade(phong, shaded);
+  for (int i = 0; i < shaded.Count; ++i)
+  {
+    colors[i] = Has(shaded.Extreme, i)
+      ? this->Shade(
+          hits[i], { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] })
+      : Vector3{ shaded.Color[0][i], shaded.Color[1][i], shaded.Color[2][i] };
+  }
+}
+
+//------------------------------------------------------------------------------
+double Shader::Highlight(double cosine) const
+{
+  if (this->WholePower < 0)
+  {
+    return std::pow(cosine, this->TheScene.Look.SpecularPower);
+  }
+  double result = 1.0;
+  double square = cosine;
+  for (int power = this->WholePower; power > 0; power /= 2)
+  {
+    result *= power % 2 == 1 ? square : 1.0;
+    square *= square;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Vector3 Shader::Shade(const Hit& hit, const Vector3& direction) const
+{
+  const Scene& scene = this->TheScene;
   const Vector3& color = scene.Colors[static_cast<std::size_t>(hit.Surface)];
   const Material& look = scene.Look;
   if (!look.Shade)
@@ -91,8 +210,9 @@ Vector3 ShadeHit(
   const Matrix4& toWorld = scene.View.GetWorldFromIndex();
   const Vector3 toViewer = Normalized(TransformDirection(toWorld, direction)) * -1.0;
   // The outside of a surface is where values are smaller.
+  const Vector3 gradient = this->Volume.GetGradient(hit, scene.Normals);
   Vector3 normal =
-    Normalized(GradientToWorld(toWorld, Normalized(volume.GetGradient(hit, scene.Normals)))) * -1.0;
+    Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient))) * -1.0;
   if (scene.TwoSidedLighting && Dot(normal, toViewer) < 0.0)
   {
     normal = normal * -1.0;
@@ -111,9 +231,8 @@ Vector3 ShadeHit(
     }
     diffuse = diffuse + light.DiffuseColor * (cosine * illumination.Strength);
     const Vector3 mirrored = normal * (2.0 * cosine) - illumination.Direction;
-    const double highlight = std::max(0.0, Dot(mirrored, toViewer));
-    specular = specular +
-      light.SpecularColor * (std::pow(highlight, look.SpecularPower) * illumination.Strength);
+    const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));
+    specular = specular + light.SpecularColor * (highlight * illumination.Strength);
   }
   return color * look.Ambient + Product(color, diffuse) * look.Diffuse + specular * look.Specular;
 }

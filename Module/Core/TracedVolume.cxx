@@ -5,12 +5,17 @@
 
 #include "AnalyticSolver.h"
 #include "ApronBricks.h"
+#include "BeamTracer.h"
+#include "BlockTree.h"
+#include "CellMasks.h"
 #include "CellSegment.h"
 #include "CellTraversal.h"
 #include "FastSolver.h"
+#include "Kernels.h"
 #include "LinearSolver.h"
 #include "MacrocellHierarchy.h"
 #include "MarmittSolver.h"
+#include "RayGroup.h"
 #include "RobustSolver.h"
 #include "TrilinearCell.h"
 #include "TwoLevelBricks.h"
@@ -253,12 +258,14 @@ public:
     : TheSamples(samples)
     , Hierarchy(samples, branching, threads)
     , Active(this->Hierarchy.GetLattice())
+    , Masks(samples)
     , Bricks(samples, arguments...)
   {
   }
 
   void Select(const Wanted& wanted, int threads) override
   {
+    this->BeginFrame(wanted.MaximumMemory);
     const bool sameIsovalues = std::equal(wanted.Surfaces.begin(), wanted.Surfaces.end(),
       this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
       [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
@@ -277,24 +284,36 @@ public:
         GetScale(static_cast<double>(range.Min), static_cast<double>(range.Max), surface.Isovalue));
     }
     this->Active = this->Hierarchy.FindActive(isovalues, threads);
+    this->HasTree = !this->Active.GetLattice().Levels.empty() &&
+      this->Active.GetLattice().Levels[0].Edge == BlockMask::Edge;
+    if (this->HasTree)
+    {
+      this->Tree = BlockTree(this->Active, threads);
+      this->Masks.Select(isovalues);
+    }
   }
 
-  void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits) override
+  void Trace(RayGroup& rays, RayHits& hits) override
   {
+    hits.Clear();
     if (this->Want.Solver == RootSolver::Fast)
     {
       this->TraceTogether(rays, hits);
-      return;
     }
-    hits.Hits.clear();
-    hits.First.assign(1, 0);
-    for (const std::optional<Ray>& ray : rays)
+    else if (this->CanUseBeams(rays))
     {
-      if (ray)
+      this->TraceBeams(rays, hits);
+    }
+    else
+    {
+      for (int i = 0; i < rays.Count; ++i)
       {
-        this->TraceAlone(*ray, hits.Hits);
+        if (Has(rays.Exists, i))
+        {
+          this->TraceAlone(GetRay(rays, i), hits.Hits);
+        }
+        hits.First.push_back(hits.Hits.size());
       }
-      hits.First.push_back(hits.Hits.size());
     }
   }
 
@@ -316,10 +335,52 @@ public:
     return InterpolantGradient(corners, hit.Parametric);
   }
 
+  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const override
+  {
+    if (mode == NormalMode::CentralDifferences)
+    {
+      CornerDifferences differences;
+      differences.Count = count;
+      for (int i = 0; i < count; ++i)
+      {
+        this->Prefetch(hits[i].Cell);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        CellCorners corners[3];
+        this->GetDifferences(hits[i].Cell, corners);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          differences.Parametric[axis][i] = hits[i].Parametric[axis];
+          for (std::size_t corner = 0; corner < 8; ++corner)
+          {
+            differences.Values[axis][corner][i] = corners[axis][corner];
+          }
+        }
+      }
+      kernels.InterpolateDifferences(differences, gradients);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      if (mode != NormalMode::CentralDifferences || !std::isfinite(gradients[0][i]) ||
+        !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
+      {
+        const Vector3 gradient = this->GetGradient(hits[i], mode);
+        gradients[0][i] = gradient[0];
+        gradients[1][i] = gradient[1];
+        gradients[2][i] = gradient[2];
+      }
+    }
+  }
+
   const Index3& GetDimensions() const override { return this->TheSamples.GetDimensions(); }
   std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
-  std::size_t GetBrickMemory() const override { return this->Bricks.GetMemory(); }
-  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetCounters().Bricks; }
+  std::size_t GetBrickMemory() const override
+  {
+    return this->Bricks.GetMemory() + this->Masks.GetMemory();
+  }
+  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetNumberOfBricks(); }
   std::size_t GetMaximumNumberOfBricks() const override
   {
     return this->Bricks.GetMaximumNumberOfBricks();
@@ -330,6 +391,15 @@ public:
   }
 
 private:
+  /// Shares the memory a frame may take between bricks and masks, by what they take of one block.
+  void BeginFrame(std::size_t maximumMemory)
+  {
+    constexpr std::size_t brick = BlockMask::Edge * BlockMask::Edge * BlockMask::Edge * sizeof(T);
+    const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
+    this->Masks.BeginFrame(forMasks);
+    this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
   /// Looks at a cell of a ray. Returns whether the ray may hit a surface there; then the corners
   /// and the segment are those of the cell.
   bool Examine(typename Layout::Reader& reader, const Ray& ray, const Index3& cell,
@@ -371,6 +441,169 @@ private:
     }
   }
 
+  /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
+  bool CanUseBeams(const RayGroup& rays) const
+  {
+    bool isFinite = true;
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      isFinite = isFinite &&
+        (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
+    }
+    return isFinite && this->HasTree && this->Want.BeamKernels;
+  }
+
+  void TraceBeams(RayGroup& rays, RayHits& hits)
+  {
+    BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
+    BeamCells cells(*this, rays);
+    const bool firstHits = this->Want.Solver == RootSolver::Robust &&
+      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0;
+    if (!firstHits)
+    {
+      tracer.FollowRays(rays, cells);
+      cells.GetHits(hits);
+      return;
+    }
+    const GroupHits& found =
+      tracer.FindFirstHits(rays, cells, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(found.Found, i))
+      {
+        hits.Hits.push_back({ found.T[i], { found.Cell[0][i], found.Cell[1][i], found.Cell[2][i] },
+          0, { found.Parametric[0][i], found.Parametric[1][i], found.Parametric[2][i] },
+          Has(found.Rising, i) });
+      }
+      hits.First.push_back(hits.Hits.size());
+    }
+  }
+
+  /// The cells of the volume, for the beams of one thread.
+  class BeamCells final : public BeamTracer::Cells
+  {
+  public:
+    BeamCells(TypedVolume& volume, const RayGroup& rays)
+      : Volume(volume)
+      , Rays(rays)
+      , Reader(volume.Bricks)
+      , Progress(static_cast<std::size_t>(rays.Count), RayProgress(volume.Want))
+      , Hits(static_cast<std::size_t>(rays.Count))
+    {
+    }
+
+    void Prefetch(const Index3& block) override
+    {
+      this->Volume.Masks.Prefetch(block);
+      this->Reader.Prefetch(
+        { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge });
+    }
+
+    const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+    {
+      return this->Volume.Masks.Get(block, own);
+    }
+
+    bool Follow(int ray, const std::vector<Index3>& cells) override
+    {
+      const Ray& own = GetRay(this->Rays, ray);
+      this->Passed.clear();
+      for (const Index3& cell : cells)
+      {
+        CellSegment segment;
+        if (SegmentInCell(own, cell, segment))
+        {
+          this->Passed.push_back({ cell, segment });
+        }
+      }
+      std::sort(this->Passed.begin(), this->Passed.end(),
+        [](const PassedCell& a, const PassedCell& b)
+        {
+          return Place{ a.Segment.Begin, a.Segment.BeginAxis } <
+            Place{ b.Segment.Begin, b.Segment.BeginAxis };
+        });
+      const auto number = static_cast<std::size_t>(ray);
+      for (const PassedCell& passed : this->Passed)
+      {
+        typename Layout::Value corners[8];
+        this->Reader.Load(passed.Cell, corners);
+        this->Volume.FindRoots(corners, passed.Segment, this->Roots);
+        if (this->Progress[number].Pass(
+              own, passed.Cell, passed.Segment, this->Roots, this->Hits[number]))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    /// The hits of the rays that were followed.
+    void GetHits(RayHits& hits) const
+    {
+      for (const std::vector<Hit>& own : this->Hits)
+      {
+        hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
+        hits.First.push_back(hits.Hits.size());
+      }
+    }
+
+    void LoadCorners(Candidates& candidates) override
+    {
+      for (int i = 0; i < candidates.Count; ++i)
+      {
+        typename Layout::Value corners[8];
+        this->Reader.Load(
+          { candidates.Cell[0][i], candidates.Cell[1][i], candidates.Cell[2][i] }, corners);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          candidates.Corners[corner][i] = static_cast<double>(corners[corner]);
+        }
+      }
+    }
+
+    bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) override
+    {
+      return this->Volume.FindFirstHit(this->Reader, GetRay(this->Rays, ray), cell, hit, begin);
+    }
+
+  private:
+    struct PassedCell
+    {
+      Index3 Cell;
+      CellSegment Segment;
+    };
+
+    TypedVolume& Volume;
+    const RayGroup& Rays;
+    typename Layout::Reader Reader;
+    /// Of each ray that is followed.
+    std::vector<RayProgress> Progress;
+    std::vector<std::vector<Hit>> Hits;
+    std::vector<PassedCell> Passed;
+    CellRoots Roots;
+  };
+
+  /// The first hit of a ray in a cell, and where the ray enters the cell.
+  bool FindFirstHit(
+    typename Layout::Reader& reader, const Ray& ray, const Index3& cell, Hit& hit, Place& begin)
+  {
+    typename Layout::Value corners[8];
+    CellSegment segment;
+    CellRoots roots;
+    if (!this->Examine(reader, ray, cell, corners, segment))
+    {
+      return false;
+    }
+    this->FindRoots(corners, segment, roots);
+    if (roots.Get().empty())
+    {
+      return false;
+    }
+    hit = MakeHit(ray, cell, segment, roots.Get().front());
+    begin = { segment.Begin, segment.BeginAxis };
+    return true;
+  }
+
   /// Follows one ray to its end, solving cell by cell.
   void TraceAlone(const Ray& ray, std::vector<Hit>& hits)
   {
@@ -393,21 +626,24 @@ private:
 
   /// Follows rays side by side, each from one cell that it may hit to the next. The cells of all
   /// rays are solved together.
-  void TraceTogether(const std::vector<std::optional<Ray>>& rays, RayHits& result)
+  void TraceTogether(const RayGroup& group, RayHits& result)
   {
+    std::vector<Ray> rays;
     std::vector<Follower> followers;
     std::vector<std::size_t> going;
-    followers.reserve(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    rays.reserve(RayGroup::Capacity);
+    followers.reserve(RayGroup::Capacity);
+    for (int i = 0; i < group.Count; ++i)
     {
-      if (rays[i])
+      if (Has(group.Exists, i))
       {
+        rays.push_back(GetRay(group, i));
         going.push_back(followers.size());
-        followers.push_back(
-          { i, &*rays[i], MacrocellWalk(*rays[i], this->Active), RayProgress(this->Want), {} });
+        followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
+          MacrocellWalk(rays.back(), this->Active), RayProgress(this->Want), {} });
       }
     }
-    std::vector<std::vector<Hit>> hits(rays.size());
+    std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));
     std::vector<Candidate> candidates;
     while (!going.empty())
     {
@@ -429,8 +665,6 @@ private:
           }
         });
     }
-    result.Hits.clear();
-    result.First.assign(1, 0);
     for (const std::vector<Hit>& own : hits)
     {
       result.Hits.insert(result.Hits.end(), own.begin(), own.end());
@@ -530,33 +764,126 @@ private:
     return (high - low) / (next - previous);
   }
 
+  /// Central differences at the corners of a cell, interpolated.
   Vector3 GetSmoothGradient(const Hit& hit) const
   {
-    Vector3 gradient;
+    CellCorners differences[3];
+    this->GetDifferences(hit.Cell, differences);
+    return { Interpolate(differences[0], hit.Parametric),
+      Interpolate(differences[1], hit.Parametric), Interpolate(differences[2], hit.Parametric) };
+  }
+
+  /// The differences along each axis at the corners of a cell.
+  void GetDifferences(const Index3& cell, CellCorners differences[3]) const
+  {
+    if (this->IsInner(cell))
+    {
+      this->GetInnerDifferences(cell, differences);
+      return;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      CellCorners differences;
       for (int corner = 0; corner < 8; ++corner)
       {
-        differences[static_cast<std::size_t>(corner)] =
-          this->GetDifference({ hit.Cell[0] + (corner & 1), hit.Cell[1] + (corner >> 1 & 1),
-                                hit.Cell[2] + (corner >> 2) },
-            axis);
+        differences[axis][static_cast<std::size_t>(corner)] = this->GetDifference(
+          { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis);
       }
-      gradient[axis] = Interpolate(differences, hit.Parametric);
     }
-    return gradient;
+  }
+
+  /// Says that the differences of a cell are wanted soon.
+  void Prefetch(const Index3& cell) const
+  {
+    if (!this->IsInner(cell))
+    {
+      return;
+    }
+    const T* first = this->TheSamples.At(cell);
+    for (int z = -1; z < 3; ++z)
+    {
+      for (int y = -1; y < 3; ++y)
+      {
+        __builtin_prefetch(
+          first + y * this->TheSamples.GetStride(1) + z * this->TheSamples.GetStride(2));
+      }
+    }
+  }
+
+  /// Whether all corners of a cell have neighbours on both sides.
+  bool IsInner(const Index3& cell) const
+  {
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    return cell[0] > 0 && cell[1] > 0 && cell[2] > 0 && cell[0] < dimensions[0] - 2 &&
+      cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
+  }
+
+  /// The same as GetDifference at the corners of an inner cell, reading each sample once.
+  void GetInnerDifferences(const Index3& cell, CellCorners differences[3]) const
+  {
+    const T* first = this->TheSamples.At(cell);
+    const std::ptrdiff_t strideX = this->TheSamples.GetStride(0);
+    const std::ptrdiff_t strideY = this->TheSamples.GetStride(1);
+    const std::ptrdiff_t strideZ = this->TheSamples.GetStride(2);
+    const auto sample = [=](int x, int y, int z)
+    { return static_cast<double>(first[x * strideX + y * strideY + z * strideZ]); };
+    double corners[8];
+    for (int z = 0; z < 2; ++z)
+    {
+      for (int y = 0; y < 2; ++y)
+      {
+        const int row = 2 * y + 4 * z;
+        const auto place = static_cast<std::size_t>(row);
+        corners[row] = sample(0, y, z);
+        corners[row + 1] = sample(1, y, z);
+        differences[0][place] = (corners[row + 1] - sample(-1, y, z)) * 0.5;
+        differences[0][place + 1] = (sample(2, y, z) - corners[row]) * 0.5;
+      }
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int x = 0; x < 2; ++x)
+      {
+        const auto y = static_cast<std::size_t>(x + 4 * i);
+        differences[1][y] = (corners[y + 2] - sample(x, -1, i)) * 0.5;
+        differences[1][y + 2] = (sample(x, 2, i) - corners[y]) * 0.5;
+        const auto z = static_cast<std::size_t>(x + 2 * i);
+        differences[2][z] = (corners[z + 4] - sample(x, i, -1)) * 0.5;
+        differences[2][z + 4] = (sample(x, i, 2) - corners[z]) * 0.5;
+      }
+    }
   }
 
   Samples<T> TheSamples;
   MacrocellHierarchy<T> Hierarchy;
   ActiveMacrocells Active;
+  BlockTree Tree;
+  bool HasTree = false;
+  CellMasks<T> Masks;
   Layout Bricks;
   Wanted Want;
   /// For each surface, see GetScale.
   std::vector<double> Scales;
 };
 
+}
+
+//------------------------------------------------------------------------------
+void TracedVolume::Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits)
+{
+  hits.Clear();
+  RayHits some;
+  RayGroup group;
+  for (std::size_t first = 0; first < rays.size(); first += RayGroup::Capacity)
+  {
+    group.Count = 0;
+    group.Exists = {};
+    for (std::size_t i = first; i < std::min(first + RayGroup::Capacity, rays.size()); ++i)
+    {
+      AddRay(rays[i], group);
+    }
+    this->Trace(group, some);
+    hits.Append(some);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,11 +5,14 @@
 #define TracedVolume_h
 
 #include "Hit.h"
+#include "InstructionSets.h"
+#include "Kernels.h"
 #include "Ray.h"
 #include "VolumeView.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -72,6 +75,12 @@ struct Wanted
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.
   int Interpolations = 3;
+  /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
+  /// goes by itself, cell after cell; the hits are the same.
+  const Kernels* BeamKernels = &GetBestKernels();
+  /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
+  /// that were not used lately make room, and rays do without: the hits are the same.
+  std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
 };
 
 /// The hits of a number of rays: ray i has those from First[i] to First[i + 1], front to back.
@@ -79,6 +88,23 @@ struct RayHits
 {
   std::vector<Hit> Hits;
   std::vector<std::size_t> First;
+
+  void Clear()
+  {
+    this->Hits.clear();
+    this->First.assign(1, 0);
+  }
+
+  /// Adds those of further rays.
+  void Append(const RayHits& others)
+  {
+    const std::size_t before = this->Hits.size();
+    this->Hits.insert(this->Hits.end(), others.Hits.begin(), others.Hits.end());
+    for (std::size_t ray = 1; ray < others.First.size(); ++ray)
+    {
+      this->First.push_back(before + others.First[ray]);
+    }
+  }
 };
 
 /// A ray is followed no further once the surfaces it passed let through less than this: a quarter
@@ -100,12 +126,18 @@ public:
   virtual void Select(const Wanted& wanted, int threads) = 0;
 
   /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
-  /// nothing of it is left to see. A ray that is not there has no hits. Any number of threads may
+  /// nothing of it is left to see. A ray that does not exist has no hits. Any number of threads may
   /// trace at once; what a ray hits does not depend on the others.
-  virtual void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits) = 0;
+  virtual void Trace(RayGroup& rays, RayHits& hits) = 0;
+  /// The same for any number of rays.
+  void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits);
 
   /// The gradient of the samples at a hit, per cell edge along each axis.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
+
+  /// The same for up to as many hits as a group of rays has, with kernels.
+  virtual void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const = 0;
 
   virtual const Index3& GetDimensions() const = 0;
   /// In bytes.

@@ -64,6 +64,9 @@ public:
     this->Values.reset(new (std::nothrow) Value[groupStride]);
   }
 
+  /// Has no ceiling: the place of a sample is fixed.
+  void BeginFrame(std::size_t) {}
+
   class Reader
   {
   public:
@@ -71,6 +74,8 @@ public:
       : Layout(layout)
     {
     }
+
+    void Prefetch(const Index3&) {}
 
     void Load(const Index3& cell, Value corners[8])
     {
@@ -126,12 +131,13 @@ public:
   }
 
   const BrickCounters& GetCounters() const { return this->Counters; }
+  std::size_t GetNumberOfBricks() const { return this->NumberOfBricks.load(); }
   std::size_t GetMaximumNumberOfBricks() const { return this->States.size(); }
 
   std::size_t GetMemory() const
   {
     std::size_t memory =
-      this->Counters.Bricks.load() * Count({ this->Size, this->Size, this->Size }) * sizeof(Value);
+      this->NumberOfBricks.load() * Count({ this->Size, this->Size, this->Size }) * sizeof(Value);
     for (const auto& table : this->Address)
     {
       memory += table.size() * sizeof(std::size_t);
@@ -156,7 +162,7 @@ private:
     {
       const BrickTimer timer(this->Counters);
       this->FillBrick(index);
-      this->Counters.Bricks.fetch_add(1, std::memory_order_relaxed);
+      this->NumberOfBricks.fetch_add(1, std::memory_order_relaxed);
       state.store(Filled, std::memory_order_release);
       return;
     }
@@ -196,6 +202,7 @@ private:
   /// Null if there was no memory: then rays read the array of the user.
   std::unique_ptr<Value[]> Values;
   std::vector<std::atomic<unsigned char>> States;
+  std::atomic<std::size_t> NumberOfBricks{ 0 };
   BrickCounters Counters;
 };
 

@@ -37,6 +37,8 @@ public:
   {
   }
 
+  void BeginFrame(std::size_t) {}
+
   class Reader
   {
   public:
@@ -44,6 +46,8 @@ public:
       : Layout(layout)
     {
     }
+
+    void Prefetch(const Index3&) {}
 
     void Load(const Index3& cell, Value corners[8])
     {
@@ -55,6 +59,7 @@ public:
   };
 
   const BrickCounters& GetCounters() const { return this->Counters; }
+  std::size_t GetNumberOfBricks() const { return 0; }
   std::size_t GetMaximumNumberOfBricks() const { return 0; }
   std::size_t GetMemory() const { return 0; }
 

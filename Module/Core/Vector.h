@@ -39,9 +39,20 @@ inline double Dot(const Vector3& a, const Vector3& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// Whether the square of a length neither overflowed nor lost digits.
+inline bool IsSafeSquare(double square)
+{
+  return square > 1e-280 && square < 1e280;
+}
+
 /// The length of a vector, whose squares may overflow or vanish.
 inline double Length(const Vector3& a)
 {
+  const double square = Dot(a, a);
+  if (IsSafeSquare(square))
+  {
+    return std::sqrt(square);
+  }
   const double size = std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
   if (!(size > 0.0))
   {
@@ -54,6 +65,11 @@ inline double Length(const Vector3& a)
 /// The vector at length one; a zero vector stays zero.
 inline Vector3 Normalized(const Vector3& a)
 {
+  const double square = Dot(a, a);
+  if (IsSafeSquare(square))
+  {
+    return a * (1.0 / std::sqrt(square));
+  }
   const double size = std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
   if (!(size > 0.0))
   {

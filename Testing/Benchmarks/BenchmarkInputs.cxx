@@ -4,21 +4,17 @@
 #include "BenchmarkInputs.h"
 
 #include "AnalyticFields.h"
+#include "ReadImage.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkImageReader2.h>
-#include <vtkImageReader2Factory.h>
-#include <vtkNIFTIImageReader.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace Benchmark
 {
@@ -42,32 +38,6 @@ Input Sample(const std::string& name, int n, double isovalue, const Function& fu
     }
   }
   return input;
-}
-
-vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
-{
-  using vtksys::SystemTools;
-  const std::string name = SystemTools::LowerCase(fileName);
-  if (SystemTools::StringEndsWith(name, ".vti"))
-  {
-    auto reader = vtkSmartPointer<vtkXMLImageDataReader>::New();
-    reader->SetFileName(fileName.c_str());
-    return reader;
-  }
-  vtkSmartPointer<vtkImageReader2> reader;
-  if (SystemTools::StringEndsWith(name, ".nii") || SystemTools::StringEndsWith(name, ".nii.gz"))
-  {
-    reader = vtkSmartPointer<vtkNIFTIImageReader>::New();
-  }
-  else
-  {
-    reader.TakeReference(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
-  }
-  if (reader)
-  {
-    reader->SetFileName(fileName.c_str());
-  }
-  return reader;
 }
 
 /// A square of lines with so many on a side, that looks at the middle of the volume from an angle.
@@ -110,17 +80,11 @@ void AddSquare(const Input& input, double angle, int side, std::vector<Oracle::L
 //------------------------------------------------------------------------------
 Input MakeMarschnerLobb(int n)
 {
-  // From -1 to 1, with the parameters of the paper: An Evaluation of Reconstruction Filters for
-  // Volume Rendering, IEEE Visualization 1994.
   return Sample("Marschner-Lobb", n, 0.5,
-    [n](int i, int j, int k)
+    [n](int x, int y, int z)
     {
       const double scale = 2.0 / (n - 1);
-      const double x = i * scale - 1.0;
-      const double y = j * scale - 1.0;
-      const double z = k * scale - 1.0;
-      const double wave = std::cos(2.0 * Pi * 6.0 * std::cos(0.5 * Pi * std::hypot(x, y)));
-      return (1.0 - std::sin(0.5 * Pi * z) + 0.25 * (1.0 + wave)) / (2.0 * 1.25);
+      return AnalyticFields::MarschnerLobb()({ x * scale - 1.0, y * scale - 1.0, z * scale - 1.0 });
     });
 }
 
@@ -172,22 +136,8 @@ Input MakePlateaus(int n)
 //------------------------------------------------------------------------------
 Input ReadInput(const std::string& fileName, double isovalue)
 {
-  if (!vtksys::SystemTools::FileExists(fileName, true))
-  {
-    throw std::runtime_error("there is no file " + fileName);
-  }
-  const vtkSmartPointer<vtkAlgorithm> reader = NewReader(fileName);
-  if (!reader)
-  {
-    throw std::runtime_error("VTK has no image reader for " + fileName);
-  }
-  reader->Update();
-  auto* image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
-  if (!scalars || image->GetDataDimension() != 3)
-  {
-    throw std::runtime_error(fileName + " is not a volume with point scalars");
-  }
+  const vtkSmartPointer<vtkImageData> image = ReadImage(fileName);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   Input input{ vtksys::SystemTools::GetFilenameWithoutExtension(fileName), {}, isovalue };
   image->GetDimensions(input.Field.Dimensions.data());
   input.Field.Values.resize(static_cast<std::size_t>(scalars->GetNumberOfTuples()));

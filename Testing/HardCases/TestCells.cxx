@@ -362,7 +362,8 @@ CellCorners RandomBits(Dice& dice)
 
 CellSegment RandomSegment(Dice& dice)
 {
-  CellSegment segment{ 0.0, 1.0, dice.Point(0.0, 1.0), dice.Point(0.0, 1.0) };
+  CellSegment segment{ 0.0, 1.0, vtkIsosurfaceRayTracing::Place::StartAxis, dice.Point(0.0, 1.0),
+    dice.Point(0.0, 1.0) };
   segment.Entry[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
   segment.Exit[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
   return segment;

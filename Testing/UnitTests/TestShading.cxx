@@ -106,7 +106,7 @@ public:
     RayHits hits;
     this->Traced->Trace({ ray }, hits);
     EXPECT_EQ(hits.Hits.size(), 1U);
-    return ShadeHit(this->TheScene, *this->Traced, hits.Hits.at(0), direction);
+    return Shader(this->TheScene, *this->Traced).Shade(hits.Hits.at(0), direction);
   }
 
   TestVolume<double> Volume;

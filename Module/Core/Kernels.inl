@@ -1,0 +1,1080 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The kernels, included once for every instruction set. Nothing from another header of the core is
+// called here, and nothing of the standard library: the linker keeps one copy of a function that
+// several files compile, and might keep the one for a processor that is not there.
+
+#include "Kernels.h"
+#include "Lanes.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = __builtin_inf();
+/// By how much, in cells, a ray is taken to be thicker than it is: more than all rounding.
+constexpr double Margin = 0x1p-9;
+/// Across its axis a beam may go this much per cell along it.
+constexpr double LargestSlope = 2.0;
+
+constexpr int AxisU[3] = { 1, 0, 0 };
+constexpr int AxisV[3] = { 2, 2, 1 };
+
+LANES_INLINE Doubles Lerp(Doubles a, Doubles b, Doubles t)
+{
+  return (Broadcast(1.0) - t) * a + t * b;
+}
+
+LANES_INLINE Mask IsInside(Doubles valueMinusIsovalue)
+{
+  return Broadcast(0.0) <= valueMinusIsovalue;
+}
+
+LANES_INLINE unsigned int GetLanes(const RaySet& rays, int first)
+{
+  return static_cast<unsigned int>(rays.Words[first >> 6] >> (first & 63)) &
+    ((1U << LaneCount) - 1U);
+}
+
+LANES_INLINE int SmallerOf(int a, int b)
+{
+  return a < b ? a : b;
+}
+
+LANES_INLINE double SmallestOf(Doubles values)
+{
+  double lanes[LaneCount];
+  Store(values, lanes);
+  double result = lanes[0];
+  for (int lane = 1; lane < LaneCount; ++lane)
+  {
+    result = lanes[lane] < result ? lanes[lane] : result;
+  }
+  return result;
+}
+
+LANES_INLINE double LargestOf(Doubles values)
+{
+  return -SmallestOf(Broadcast(0.0) - values);
+}
+
+LANES_INLINE Mask LanesOf(unsigned int bits)
+{
+#if defined(LANES_AVX512)
+  return { static_cast<__mmask8>(bits) };
+#else
+  double lanes[LaneCount];
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    lanes[lane] = static_cast<double>(bits >> lane & 1U);
+  }
+  return Broadcast(0.0) < Load(lanes);
+#endif
+}
+
+/// Stores pairs in single precision.
+LANES_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+#if defined(LANES_AVX512)
+  const __m512i places = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  _mm512_storeu_ps(pairs,
+    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), places,
+      _mm512_castps256_ps512(_mm512_cvtpd_ps(second.Value))));
+#else
+  double lanes[2][LaneCount];
+  Store(first, lanes[0]);
+  Store(second, lanes[1]);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
+    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
+  }
+#endif
+}
+
+//------------------------------------------------------------------------------
+/// Rays on their way to a group; see Ray.
+struct Rays
+{
+  Doubles Origin[3];
+  Doubles Direction[3];
+  Doubles Inverse[3];
+  Mask Up[3];
+  Mask Parallel[3];
+  Doubles Begin;
+  Doubles End;
+};
+
+// The same as Camera::GetRay; the rays begin at zero.
+LANES_INLINE void MakeUnclippedRays(
+  const PixelBlock& block, Doubles column, Doubles row, Doubles depth, Rays& rays)
+{
+  const double* m = block.IndexFromClip;
+  const Doubles half = Broadcast(0.5);
+  const Doubles one = Broadcast(1.0);
+  const Doubles two = Broadcast(2.0);
+  const Doubles x = (column + half) * Broadcast(2.0 / block.Width) - one;
+  const Doubles y = (row + half) * Broadcast(2.0 / block.Height) - one;
+  const auto transform = [m, x, y](int first)
+  { return Broadcast(m[first]) * x + Broadcast(m[first + 1]) * y + Broadcast(m[first + 3]); };
+  const Doubles wa = transform(12);
+  const Doubles wb = Broadcast(m[14]);
+  const Doubles wNear = wa - wb;
+  const Doubles inverseNear = one / wNear;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Doubles a = transform(4 * i);
+    const Doubles b = Broadcast(m[4 * i + 2]);
+    rays.Origin[i] = (a - b) * inverseNear;
+    rays.Direction[i] = b * wa - a * wb;
+  }
+  const Doubles z = two * depth - one;
+  const Doubles end = (z + one) / ((wa + z * wb) * wNear);
+  rays.Begin = Broadcast(0.0);
+  rays.End = Select(Broadcast(0.0) <= end, end, Broadcast(Infinity));
+}
+
+// The same as ClipToSlabs of Ray.cxx.
+LANES_INLINE Mask ClipToSlabs(Rays& rays, const int dimensions[3])
+{
+  const Doubles zero = Broadcast(0.0);
+  Mask misses = FirstLanes(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles last = Broadcast(dimensions[axis] - 1);
+    const Doubles origin = rays.Origin[axis];
+    const Mask parallel = rays.Parallel[axis];
+    misses = misses | AndNot(parallel, (zero <= origin) & (origin <= last));
+    const Doubles in = (Select(rays.Up[axis], zero, last) - origin) * rays.Inverse[axis];
+    const Doubles out = (Select(rays.Up[axis], last, zero) - origin) * rays.Inverse[axis];
+    rays.Begin = Select(parallel, rays.Begin, Larger(rays.Begin, in));
+    rays.End = Select(parallel, rays.End, Smaller(rays.End, out));
+  }
+  return AndNot(rays.Begin <= rays.End, misses);
+}
+
+// The same as ClipToVolume of Ray.cxx.
+LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& base)
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles infinity = Broadcast(Infinity);
+  Mask isFinite = zero < infinity;
+  Mask isRay = FirstLanes(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isFinite = isFinite & (Magnitude(rays.Origin[axis]) < infinity) &
+      (Magnitude(rays.Direction[axis]) < infinity);
+    rays.Inverse[axis] = Broadcast(1.0) / rays.Direction[axis];
+    const Mask moves = Magnitude(rays.Inverse[axis]) < infinity;
+    rays.Parallel[axis] = AndNot(zero < infinity, moves);
+    rays.Up[axis] = zero < rays.Direction[axis];
+    rays.Direction[axis] = Select(moves, rays.Direction[axis], zero);
+    isRay = isRay | moves;
+  }
+  Mask exists = isFinite & isRay;
+  const Doubles begin = rays.Begin;
+  const Doubles end = rays.End;
+  exists = exists & ClipToSlabs(rays, dimensions);
+  base = rays.Begin;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    rays.Origin[axis] = FusedMultiplyAdd(base, rays.Direction[axis], rays.Origin[axis]);
+  }
+  rays.Begin = begin - base;
+  rays.End = end - base;
+  exists = exists & ClipToSlabs(rays, dimensions);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles cell = Smaller(Floor(rays.Origin[axis]), Broadcast(dimensions[axis] - 2));
+    rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+  }
+  return exists;
+}
+
+void MakeRays(const PixelBlock& block, RayGroup& group)
+{
+  double columns[RayGroup::Capacity + LaneCount];
+  double rows[RayGroup::Capacity + LaneCount];
+  double depths[RayGroup::Capacity + LaneCount];
+  int count = 0;
+  for (int y = 0; y < block.Rows; ++y)
+  {
+    for (int x = 0; x < block.Columns; ++x)
+    {
+      columns[count] = block.Column + x;
+      rows[count] = block.Row + y;
+      depths[count++] =
+        block.Depth ? static_cast<double>(block.Depth[y * block.DepthStride + x]) : 1.0;
+    }
+  }
+  group.Count = count;
+  group.Exists.Words[0] = 0;
+  group.Exists.Words[1] = 0;
+  for (int i = count; i < count + LaneCount; ++i)
+  {
+    columns[i] = columns[0];
+    rows[i] = rows[0];
+    depths[i] = depths[0];
+  }
+  for (int i = 0; i < count; i += LaneCount)
+  {
+    Rays rays;
+    MakeUnclippedRays(block, Load(&columns[i]), Load(&rows[i]), Load(&depths[i]), rays);
+    Doubles base;
+    const Mask exists =
+      ClipToVolume(rays, block.Dimensions, base) & FirstLanes(SmallerOf(count - i, LaneCount));
+    group.Exists.Words[i >> 6] |= static_cast<std::uint64_t>(ToBits(exists)) << (i & 63);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(rays.Origin[axis], &group.Origin[axis][i]);
+      Store(rays.Direction[axis], &group.Direction[axis][i]);
+      Store(rays.Inverse[axis], &group.Inverse[axis][i]);
+    }
+    Store(rays.Begin, &group.Begin[i]);
+    Store(rays.End, &group.End[i]);
+    Store(base, &group.Base[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
+{
+  const int across[2] = { AxisU[axis], AxisV[axis] };
+  const Doubles zero = Broadcast(0.0);
+  const Doubles margin = Broadcast(Margin);
+  Doubles low = Broadcast(Infinity);
+  Doubles high = Broadcast(-Infinity);
+  unsigned int up = 0;
+  unsigned int down = 0;
+  unsigned int steep = 0;
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes == 0)
+    {
+      continue;
+    }
+    const Mask mask = LanesOf(lanes);
+    const Doubles direction = Load(&group.Direction[axis][i]);
+    const Doubles origin = Load(&group.Origin[axis][i]);
+    const Doubles inverse = Load(&group.Inverse[axis][i]);
+    const unsigned int upward = ToBits(zero < direction);
+    const unsigned int downward = ToBits(direction < zero);
+    up |= lanes & upward;
+    down |= lanes & downward;
+    // Along the axis it must move at all.
+    steep |= lanes & ~(upward | downward);
+    const Doubles begin = origin + Load(&group.Begin[i]) * direction;
+    const Doubles end = origin + Load(&group.End[i]) * direction;
+    const Doubles lowest = Smaller(begin, end) - margin;
+    const Doubles highest = Larger(begin, end) + margin;
+    Store(lowest, &group.Low[i]);
+    Store(highest, &group.High[i]);
+    low = Select(mask, Smaller(low, lowest), low);
+    high = Select(mask, Larger(high, highest), high);
+    for (int j = 0; j < 2; ++j)
+    {
+      const Doubles slope = Load(&group.Direction[across[j]][i]) * inverse;
+      const Doubles size = Magnitude(slope);
+      // Not less, so that what is no number counts as steep.
+      steep |= lanes & ~ToBits(size <= Broadcast(LargestSlope));
+      Store(slope, &group.Slope[j][i]);
+      Store(Load(&group.Origin[across[j]][i]) - origin * slope, &group.Offset[j][i]);
+    }
+    StorePairs(Load(&group.Slope[0][i]), Load(&group.Slope[1][i]), &group.Slopes[i]);
+  }
+  beam.Axis = axis;
+  beam.IsUp = up != 0;
+  beam.Low = SmallestOf(low);
+  beam.High = LargestOf(high);
+  if ((up != 0) == (down != 0) || steep != 0)
+  {
+    return false;
+  }
+  for (int j = 0; j < 2; ++j)
+  {
+    Doubles least[2] = { Broadcast(Infinity), Broadcast(Infinity) };
+    Doubles most[2] = { Broadcast(-Infinity), Broadcast(-Infinity) };
+    for (int i = 0; i < group.Count; i += LaneCount)
+    {
+      const unsigned int lanes = GetLanes(rays, i);
+      if (lanes == 0)
+      {
+        continue;
+      }
+      const Mask mask = LanesOf(lanes);
+      const Doubles slope = Load(&group.Slope[j][i]);
+      const Doubles offset = Load(&group.Offset[j][i]);
+      for (int end = 0; end < 2; ++end)
+      {
+        const Doubles place = offset + Broadcast(end == 0 ? beam.Low : beam.High) * slope;
+        least[end] = Select(mask, Smaller(least[end], place), least[end]);
+        most[end] = Select(mask, Larger(most[end], place), most[end]);
+      }
+    }
+    for (int end = 0; end < 2; ++end)
+    {
+      beam.Least[j][end] = SmallestOf(least[end]) - Margin;
+      beam.Most[j][end] = LargestOf(most[end]) + Margin;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The cells of one ray in a block: slice by slice the rectangle of cells between the places where
+// the ray meets the two planes of the slice. The ray is given by its places across the axis in the
+// middle plane of the block, counted from the first cell, and its slopes.
+#if defined(LANES_AVX512)
+// All slices at once: in the lower half of a register for u, in the upper half for v.
+LANES_INLINE unsigned int FindCellsOfRay(
+  const float middle[2], const float slope[2], __m512i slices, std::uint64_t cells[8])
+{
+  const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
+    2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m512i halves = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
+  const __m512 margin = _mm512_set1_ps(static_cast<float>(Margin));
+  const auto spread = [halves](const float pair[2])
+  {
+    return _mm512_permutexvar_ps(halves,
+      _mm512_castps128_ps512(_mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(pair))));
+  };
+  const __m512 slopes = spread(slope);
+  const __m512 near = _mm512_add_ps(spread(middle), _mm512_mul_ps(planes, slopes));
+  const __m512 far = _mm512_add_ps(near, slopes);
+  const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margin);
+  const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margin);
+  const __m512i seven = _mm512_set1_epi32(7);
+  const __m512i low = _mm512_max_epi32(_mm512_cvttps_epi32(least), _mm512_setzero_si512());
+  const __m512i high = _mm512_sub_epi32(seven,
+    _mm512_min_epi32(
+      _mm512_cvt_roundps_epi32(most, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC), seven));
+
+  const __m512i byte = _mm512_set1_epi32(0xFF);
+  const __m512i bits = _mm512_ternarylogic_epi32(
+    _mm512_sllv_epi32(byte, low), _mm512_srlv_epi32(byte, high), byte, 0x80);
+  const __m512i columns = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(_mm512_castsi512_si256(bits)),
+    _mm512_set4_epi32(0x08080808, 0x08080808, 0x00000000, 0x00000000));
+  const __m128i rowBits = _mm256_cvtepi32_epi8(_mm512_extracti64x4_epi64(bits, 1));
+  const __mmask64 rows = static_cast<__mmask64>(_mm_cvtsi128_si64(rowBits));
+  const __m512i found = _mm512_maskz_mov_epi8(rows, _mm512_and_si512(slices, columns));
+  _mm512_storeu_si512(cells, found);
+  return _mm512_test_epi64_mask(found, found);
+}
+#else
+LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
+  const std::uint64_t slices[8], std::uint64_t cells[8])
+{
+  unsigned int any = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    cells[slice] = 0;
+    if (slices[slice] == 0)
+    {
+      continue;
+    }
+    int low[2];
+    int high[2];
+    for (int j = 0; j < 2; ++j)
+    {
+      const float near = middle[j] + static_cast<float>(slice - 4) * slope[j];
+      const float far = near + slope[j];
+      const float least = (near < far ? near : far) - static_cast<float>(Margin);
+      const float most = (near < far ? far : near) + static_cast<float>(Margin);
+      low[j] = least > 0.0F ? static_cast<int>(least) : 0;
+      high[j] = most < 0.0F ? -1 : (most < 8.0F ? static_cast<int>(most) : 7);
+    }
+    if (low[0] <= high[0] && low[1] <= high[1] && low[0] < 8 && low[1] < 8)
+    {
+      const std::uint64_t columns = (0xFFU << low[0] & 0xFFU & 0xFFU >> (7 - high[0]));
+      const std::uint64_t rows =
+        (~std::uint64_t{ 0 } << (8 * low[1])) & (~std::uint64_t{ 0 } >> (8 * (7 - high[1])));
+      cells[slice] = slices[slice] & rows & (columns * 0x0101010101010101U);
+      any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
+    }
+  }
+  return any;
+}
+#endif
+
+/// The smallest box around the members of a block: along the axis, and the two across.
+struct Box
+{
+  double Middle[3];
+  /// Half its size.
+  double Extent[3];
+};
+
+LANES_INLINE Box FindBox(const std::uint64_t slices[8])
+{
+  std::uint64_t any = 0;
+  unsigned int occupied = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    any |= slices[slice];
+    occupied |= static_cast<unsigned int>(slices[slice] != 0) << slice;
+  }
+  std::uint64_t columns = any | any >> 32;
+  columns |= columns >> 16;
+  columns = (columns | columns >> 8) & 0xFFU;
+  const int first[3] = { __builtin_ctz(occupied), __builtin_ctzll(columns),
+    __builtin_ctzll(any) / 8 };
+  const int last[3] = { 31 - __builtin_clz(occupied), 63 - __builtin_clzll(columns),
+    (63 - __builtin_clzll(any)) / 8 };
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.Middle[i] = 0.5 * (first[i] + last[i] + 1);
+    box.Extent[i] = 0.5 * (last[i] + 1 - first[i]) + Margin;
+  }
+  return box;
+}
+
+void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+  const std::uint64_t slices[8], Passages& passages)
+{
+  if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
+        slices[7]) == 0)
+  {
+    return;
+  }
+  const Box box = FindBox(slices);
+  const double plane = first[axis] + box.Middle[0];
+  const Doubles lowest = Broadcast(plane - box.Extent[0]);
+  const Doubles highest = Broadcast(plane + box.Extent[0]);
+  const Doubles extent = Broadcast(box.Extent[0]);
+  const Doubles planes = Broadcast(plane);
+  const Doubles middlePlanes = Broadcast(first[axis] + 4.0);
+  Doubles firstOf[2];
+  Doubles middle[2];
+  Doubles reach[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    firstOf[j] = Broadcast(first[j == 0 ? AxisU[axis] : AxisV[axis]]);
+    middle[j] = firstOf[j] + Broadcast(box.Middle[1 + j]);
+    reach[j] = Broadcast(box.Extent[1 + j]);
+  }
+#if defined(LANES_AVX512)
+  const __m512i mask = _mm512_loadu_si512(slices);
+#else
+  const std::uint64_t* mask = slices;
+#endif
+  int count = passages.Count;
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes == 0)
+    {
+      continue;
+    }
+    const Doubles slopeU = Load(&group.Slope[0][i]);
+    const Doubles slopeV = Load(&group.Slope[1][i]);
+    const Doubles offsetU = Load(&group.Offset[0][i]);
+    const Doubles offsetV = Load(&group.Offset[1][i]);
+    const Doubles u = offsetU + planes * slopeU - middle[0];
+    const Doubles v = offsetV + planes * slopeV - middle[1];
+    unsigned int meets = lanes &
+      ToBits((Magnitude(u) < reach[0] + extent * Magnitude(slopeU)) &
+        (Magnitude(v) < reach[1] + extent * Magnitude(slopeV)) & (Load(&group.Low[i]) < highest) &
+        (lowest < Load(&group.High[i])));
+    if (meets == 0)
+    {
+      continue;
+    }
+    float middles[LaneCount][2];
+    StorePairs(offsetU + middlePlanes * slopeU - firstOf[0],
+      offsetV + middlePlanes * slopeV - firstOf[1], middles);
+    while (meets != 0)
+    {
+      const int lane = __builtin_ctz(meets);
+      meets &= meets - 1;
+      const unsigned int any =
+        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, passages.Cells[count]);
+      passages.Ray[count] = i + lane;
+      passages.First[count][0] = first[0];
+      passages.First[count][1] = first[1];
+      passages.First[count][2] = first[2];
+      passages.Slices[count] = any;
+      passages.Hits[count] = false;
+      count += any != 0 ? 1 : 0;
+    }
+  }
+  passages.Count = count;
+}
+
+//------------------------------------------------------------------------------
+// The same as Difference of TracedVolume.cxx, for the corners of cells.
+LANES_INLINE void FindDifferences(
+  const Candidates& candidates, int first, const ScaledIsovalue& isovalue, Doubles values[8])
+{
+  constexpr double smallest = 0x1p-900;
+  const Doubles scaled = Broadcast(isovalue.Isovalue * isovalue.Scale);
+  Doubles least = Broadcast(Infinity);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    values[corner] = (isovalue.Scale == 1.0 ? value : value * Broadcast(isovalue.Scale)) - scaled;
+    least = Smaller(least, Magnitude(values[corner]));
+  }
+  if (!Any(least < Broadcast(smallest)))
+  {
+    return;
+  }
+  const Doubles iso = Broadcast(isovalue.Isovalue);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Doubles value = Load(&candidates.Corners[corner][first]);
+    const Doubles sign = Select(
+      value < iso, Broadcast(-smallest), Select(iso < value, Broadcast(smallest), Broadcast(0.0)));
+    values[corner] = Select(Magnitude(values[corner]) < Broadcast(smallest), sign, values[corner]);
+  }
+}
+
+/// The part of rays in cells, as CellSegment has it. Axes are 0.0, 1.0, 2.0; 3.0 where a ray begins
+/// or ends within the cell.
+struct Segments
+{
+  Mask Exists;
+  Doubles Begin;
+  Doubles BeginAxis;
+  Doubles End;
+  Doubles Entry[3];
+  Doubles Exit[3];
+};
+
+// The same as SegmentInCell of CellSegment.h, for rays whose Begin and End are finite.
+LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const Doubles cell[3])
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles one = Broadcast(1.0);
+  const Doubles startAxis = Broadcast(3.0);
+  Doubles origin[3];
+  Doubles direction[3];
+  Mask up[3];
+  Doubles entry = Broadcast(-Infinity);
+  Doubles entryAxis = zero;
+  Doubles exit = Broadcast(Infinity);
+  Doubles exitAxis = startAxis;
+  Mask staysOutside = FirstLanes(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = Gather(group.Origin[axis], rays);
+    direction[axis] = Gather(group.Direction[axis], rays);
+    const Doubles inverse = Gather(group.Inverse[axis], rays);
+    up[axis] = zero < direction[axis];
+    const Mask moves = up[axis] | (direction[axis] < zero);
+    const Doubles next = cell[axis] + one;
+    const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
+    const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
+    staysOutside = staysOutside | AndNot((inverse < cell[axis]) | (cell[axis] < inverse), moves);
+    const Doubles axes = Broadcast(axis);
+    const Mask later = moves & (entry <= in);
+    entry = Select(later, in, entry);
+    entryAxis = Select(later, axes, entryAxis);
+    const Mask sooner = moves & (out < exit);
+    exit = Select(sooner, out, exit);
+    exitAxis = Select(sooner, axes, exitAxis);
+  }
+  const Doubles rayBegin = Gather(group.Begin, rays);
+  const Doubles rayEnd = Gather(group.End, rays);
+  const Mask enters = rayBegin <= entry;
+  const Mask leaves = exit <= rayEnd;
+  Segments result;
+  result.Begin = Select(enters, entry, rayBegin);
+  result.BeginAxis = Select(enters, entryAxis, startAxis);
+  result.End = Select(leaves, exit, rayEnd);
+  const Doubles endAxis = Select(leaves, exitAxis, startAxis);
+  result.Exists =
+    ((result.Begin < result.End) | ((result.Begin == result.End) & (result.BeginAxis < endAxis))) &
+    (rayBegin < exit) & (entry < rayEnd);
+  result.Exists = AndNot(result.Exists, staysOutside);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
+    const Doubles end = origin[axis] + result.End * direction[axis] - cell[axis];
+    const Doubles beginInside = Smaller(one, Larger(zero, begin));
+    const Doubles endInside = Smaller(one, Larger(zero, end));
+    const Doubles axes = Broadcast(axis);
+    result.Entry[axis] = Select(result.BeginAxis == axes, Select(up[axis], zero, one), beginInside);
+    result.Exit[axis] = Select(endAxis == axes, Select(up[axis], one, zero), endInside);
+  }
+  return result;
+}
+
+// The same as CubicAlongSegment of TrilinearCell.h.
+LANES_INLINE void FindCubics(
+  const Doubles v[8], const Doubles p[3], const Doubles q[3], Doubles b[4])
+{
+  Doubles x[2][4];
+  for (int i = 0; i < 4; ++i)
+  {
+    x[0][i] = Lerp(v[2 * i], v[2 * i + 1], p[0]);
+    x[1][i] = Lerp(v[2 * i], v[2 * i + 1], q[0]);
+  }
+  Doubles xy[2][2][2];
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int z = 0; z < 2; ++z)
+    {
+      xy[i][0][z] = Lerp(x[i][2 * z], x[i][2 * z + 1], p[1]);
+      xy[i][1][z] = Lerp(x[i][2 * z], x[i][2 * z + 1], q[1]);
+    }
+  }
+  const auto blossom = [&xy, p, q](int fromX, int fromY, int fromZ)
+  { return Lerp(xy[fromX][fromY][0], xy[fromX][fromY][1], fromZ == 0 ? p[2] : q[2]); };
+  const Doubles once = blossom(1, 0, 0) + blossom(0, 1, 0) + blossom(0, 0, 1);
+  const Doubles twice = blossom(1, 1, 0) + blossom(1, 0, 1) + blossom(0, 1, 1);
+  const Doubles third = Broadcast(1.0 / 3.0);
+  b[0] = blossom(0, 0, 0);
+  b[1] = once * third;
+  b[2] = twice * third;
+  b[3] = blossom(1, 1, 1);
+}
+
+// The same as Robust::Evaluate.
+LANES_INLINE Doubles Evaluate(const Doubles b[4], Doubles u)
+{
+  const Doubles b01 = Lerp(b[0], b[1], u);
+  const Doubles b12 = Lerp(b[1], b[2], u);
+  const Doubles b23 = Lerp(b[2], b[3], u);
+  return Lerp(Lerp(b01, b12, u), Lerp(b12, b23, u), u);
+}
+
+/// A piece of the interval on which a cubic is monotone and changes its sign.
+struct Brackets
+{
+  Mask Exists;
+  Doubles Low;
+  Doubles High;
+  Doubles AtLow;
+  Doubles AtHigh;
+};
+
+// The same as Robust::Extrema and ForEachSignChange, up to the first change.
+LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles one = Broadcast(1.0);
+  const Doubles d0 = b[1] - b[0];
+  const Doubles d1 = b[2] - b[1];
+  const Doubles d2 = b[3] - b[2];
+  const Mask monotone =
+    ((zero <= d0) & (zero <= d1) & (zero <= d2)) | ((d0 <= zero) & (d1 <= zero) & (d2 <= zero));
+  const Doubles a = (d2 - d1) - (d1 - d0);
+  const Doubles h = d1 - d0;
+  const Doubles discriminant = h * h - a * d0;
+  const Mask turns = AndNot(zero < discriminant, monotone);
+
+  Brackets result = { FirstLanes(0), zero, one, b[0], b[3] };
+  if (Any(turns))
+  {
+    const Doubles w = zero - (h + CopySign(SquareRoot(Select(turns, discriminant, zero)), h));
+    const Doubles r0 = w / a;
+    const Doubles r1 = d0 / w;
+    for (int i = 0; i < 2; ++i)
+    {
+      const Doubles turn = i == 0 ? Smaller(r0, r1) : Larger(r0, r1);
+      const Mask isTurn = AndNot(turns & (zero < turn) & (turn < one), result.Exists);
+      const Doubles value = Evaluate(b, turn);
+      const Mask changes = isTurn & (IsInside(value) ^ IsInside(result.AtLow));
+      result.High = Select(changes, turn, result.High);
+      result.AtHigh = Select(changes, value, result.AtHigh);
+      result.Exists = result.Exists | changes;
+      const Mask passes = AndNot(isTurn, changes);
+      result.Low = Select(passes, turn, result.Low);
+      result.AtLow = Select(passes, value, result.AtLow);
+    }
+  }
+  result.Exists = result.Exists | (IsInside(result.AtHigh) ^ IsInside(result.AtLow));
+  return result;
+}
+
+/// Keeps the hit of a ray in a cell, with a lane of the segments and cubics, unless the ray has one
+/// in a cell before.
+LANES_INLINE void Keep(const Candidates& candidates, int candidate,
+  const double (*lanes)[LaneCount], int lane, GroupHits& hits)
+{
+  const int ray = candidates.Ray[candidate];
+  const std::uint64_t bit = std::uint64_t{ 1 } << (ray & 63);
+  const double begin = lanes[0][lane];
+  const double beginAxis = lanes[1][lane];
+  const bool hasOther = (hits.Found.Words[ray >> 6] & bit) != 0;
+  if (hasOther &&
+    !(begin < hits.Begin[ray] || (begin == hits.Begin[ray] && beginAxis < hits.BeginAxis[ray])))
+  {
+    return;
+  }
+  hits.Found.Words[ray >> 6] |= bit;
+  hits.Refined.Words[ray >> 6] &= ~bit;
+  hits.Rising.Words[ray >> 6] &= ~bit;
+  hits.Begin[ray] = begin;
+  hits.BeginAxis[ray] = beginAxis;
+  hits.End[ray] = lanes[2][lane];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hits.Cell[axis][ray] = candidates.Cell[axis][candidate];
+    hits.Entry[axis][ray] = lanes[3 + axis][lane];
+    hits.Exit[axis][ray] = lanes[6 + axis][lane];
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    hits.Cubic[k][ray] = lanes[9 + k][lane];
+  }
+}
+
+void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+  GroupHits& hits, Passages& passages, ExtremeCandidates& extremes)
+{
+  extremes.Count = 0;
+  for (int i = 0; i < candidates.Count; i += LaneCount)
+  {
+    Doubles cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = LoadIntegers(&candidates.Cell[axis][i]);
+    }
+    const Segments segments = FindSegments(group, &candidates.Ray[i], cell);
+    Doubles values[8];
+    FindDifferences(candidates, i, isovalue, values);
+    Doubles b[4];
+    FindCubics(values, segments.Entry, segments.Exit, b);
+    const Mask inside = IsInside(b[0]);
+    const Mask exists = segments.Exists & FirstLanes(SmallerOf(candidates.Count - i, LaneCount));
+    const Mask mayHaveRoot =
+      exists & ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
+    const Doubles size =
+      Larger(Larger(Magnitude(b[0]), Magnitude(b[1])), Larger(Magnitude(b[2]), Magnitude(b[3])));
+    const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
+    for (unsigned int left = ToBits(AndNot(mayHaveRoot, ordinary)); left != 0; left &= left - 1)
+    {
+      extremes.Numbers[extremes.Count++] = i + __builtin_ctz(left);
+    }
+    // Most cubics with a root have ends on two sides; for the others, the extrema decide.
+    const Mask open = mayHaveRoot & ordinary;
+    Mask hasRoot = open & (IsInside(b[3]) ^ inside);
+    const Mask undecided = AndNot(open, hasRoot);
+    if (Any(undecided))
+    {
+      hasRoot = hasRoot | (undecided & FindFirstSignChange(b).Exists);
+    }
+    if (!Any(hasRoot))
+    {
+      continue;
+    }
+    double lanes[13][LaneCount];
+    Store(segments.Begin, lanes[0]);
+    Store(segments.BeginAxis, lanes[1]);
+    Store(segments.End, lanes[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(segments.Entry[axis], lanes[3 + axis]);
+      Store(segments.Exit[axis], lanes[6 + axis]);
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      Store(b[k], lanes[9 + k]);
+    }
+    for (unsigned int left = ToBits(hasRoot); left != 0; left &= left - 1)
+    {
+      const int lane = __builtin_ctz(left);
+      passages.Hits[candidates.Passage[i + lane]] = true;
+      Keep(candidates, i + lane, lanes, lane, hits);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The same as Robust::RefineRoot, for two vectors at a time: each step waits for the one before,
+// and the other vector fills the wait.
+LANES_INLINE void RefineRoots(const Doubles (*b)[4], const Brackets* brackets, Doubles* u)
+{
+  constexpr double tolerance = 1e-10;
+  constexpr int newtonIterations = 40;
+  constexpr int maximumIterations = newtonIterations + 36;
+  const Doubles three = Broadcast(3.0);
+  Doubles c1[2];
+  Doubles c2[2];
+  Doubles c3[2];
+  Doubles low[2];
+  Doubles high[2];
+  Mask going[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    c1[j] = three * (b[j][1] - b[j][0]);
+    c2[j] = three * ((b[j][2] - b[j][1]) - (b[j][1] - b[j][0]));
+    c3[j] = (b[j][3] - b[j][0]) - three * (b[j][2] - b[j][1]);
+    low[j] = brackets[j].Low;
+    high[j] = brackets[j].High;
+    u[j] = Smaller(high[j],
+      low[j] + (high[j] - low[j]) * (brackets[j].AtLow / (brackets[j].AtLow - brackets[j].AtHigh)));
+    going[j] = brackets[j].Exists;
+  }
+  for (int i = 0; i < maximumIterations && Any(going[0] | going[1]); ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      const Doubles f = ((c3[j] * u[j] + c2[j]) * u[j] + c1[j]) * u[j] + b[j][0];
+      const Mask isBeyond = IsInside(f) ^ IsInside(brackets[j].AtLow);
+      low[j] = Select(isBeyond, low[j], u[j]);
+      high[j] = Select(isBeyond, u[j], high[j]);
+      const Doubles slope = (three * c3[j] * u[j] + Broadcast(2.0) * c2[j]) * u[j] + c1[j];
+      Doubles next = u[j] - f / slope;
+      const Mask isBetween = (low[j] <= next) & (next <= high[j]);
+      const Doubles half = low[j] + Broadcast(0.5) * (high[j] - low[j]);
+      next = Select(i < newtonIterations ? isBetween : FirstLanes(0), next, half);
+      const Mask done = Magnitude(next - u[j]) <= Broadcast(tolerance);
+      u[j] = Select(going[j], next, u[j]);
+      going[j] = AndNot(going[j], done);
+    }
+  }
+}
+
+/// Refines the hits of two vectors of rays, where missing says so.
+LANES_INLINE void RefineVectors(
+  const RayGroup& group, const int first[2], const unsigned int missing[2], GroupHits& hits)
+{
+  Doubles b[2][4];
+  Brackets brackets[2];
+  Doubles u[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      b[j][k] = Load(&hits.Cubic[k][first[j]]);
+    }
+    brackets[j] = FindFirstSignChange(b[j]);
+    brackets[j].Exists = brackets[j].Exists & LanesOf(missing[j]);
+  }
+  RefineRoots(b, brackets, u);
+  for (int j = 0; j < 2; ++j)
+  {
+    const int i = first[j];
+    const Mask mask = LanesOf(missing[j]);
+    const Doubles begin = Load(&hits.Begin[i]);
+    const Doubles end = Load(&hits.End[i]);
+    const Doubles t = Load(&group.Base[i]) + Smaller(begin + (end - begin) * u[j], end);
+    Store(Select(mask, t, Load(&hits.T[i])), &hits.T[i]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Doubles place = Lerp(Load(&hits.Entry[axis][i]), Load(&hits.Exit[axis][i]), u[j]);
+      Store(Select(mask, place, Load(&hits.Parametric[axis][i])), &hits.Parametric[axis][i]);
+    }
+    const std::uint64_t rising = missing[j] & ToBits(IsInside(brackets[j].AtHigh));
+    hits.Rising.Words[i >> 6] |= rising << (i & 63);
+  }
+}
+
+void Refine(const RayGroup& group, GroupHits& hits)
+{
+  const RaySet rays = { { hits.Found.Words[0] & ~hits.Refined.Words[0],
+    hits.Found.Words[1] & ~hits.Refined.Words[1] } };
+  int count = 0;
+  int first[2];
+  unsigned int missing[2];
+  for (int i = 0; i < group.Count; i += LaneCount)
+  {
+    const unsigned int lanes = GetLanes(rays, i);
+    if (lanes != 0)
+    {
+      first[count] = i;
+      missing[count++] = lanes;
+    }
+    if (count == 2)
+    {
+      RefineVectors(group, first, missing, hits);
+      count = 0;
+    }
+  }
+  if (count == 1)
+  {
+    first[1] = first[0];
+    missing[1] = 0;
+    RefineVectors(group, first, missing, hits);
+  }
+  hits.Refined = hits.Found;
+}
+
+//------------------------------------------------------------------------------
+void InterpolateDifferences(
+  const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity])
+{
+  for (int i = 0; i < differences.Count; i += LaneCount)
+  {
+    Doubles p[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = Load(&differences.Parametric[axis][i]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Doubles x[4];
+      for (int edge = 0; edge < 4; ++edge)
+      {
+        x[edge] = Lerp(Load(&differences.Values[axis][2 * edge][i]),
+          Load(&differences.Values[axis][2 * edge + 1][i]), p[0]);
+      }
+      Store(Lerp(Lerp(x[0], x[1], p[1]), Lerp(x[2], x[3], p[1]), p[2]), &gradient[axis][i]);
+    }
+  }
+}
+
+LANES_INLINE Doubles Dot(const Doubles a[3], const Doubles b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The same as Normalized of Vector.h, times a factor, where the square of the length is safe.
+/// Returns where it is.
+LANES_INLINE Mask Normalize(Doubles a[3], double factor)
+{
+  const Doubles square = Dot(a, a);
+  const Doubles inverse = Broadcast(1.0) / SquareRoot(square);
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = a[i] * inverse * Broadcast(factor);
+  }
+  return (Broadcast(1e-280) < square) & (square < Broadcast(1e280));
+}
+
+LANES_INLINE void Transform(const double* m, const Doubles from[3], Doubles to[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i] = Broadcast(m[4 * i]) * from[0] + Broadcast(m[4 * i + 1]) * from[1] +
+      Broadcast(m[4 * i + 2]) * from[2];
+  }
+}
+
+LANES_INLINE Doubles Power(Doubles base, int exponent)
+{
+  Doubles result = Broadcast(1.0);
+  Doubles square = base;
+  for (; exponent > 0; exponent /= 2)
+  {
+    result = exponent % 2 == 1 ? result * square : result;
+    square = square * square;
+  }
+  return result;
+}
+
+/// The light that is reflected, diffuse and specular.
+struct Reflections
+{
+  Doubles Diffuse[3];
+  Doubles Specular[3];
+};
+
+LANES_INLINE void AddReflections(const DistantLight& light, int power, const Doubles normal[3],
+  const Doubles toViewer[3], Reflections& reflections)
+{
+  const Doubles zero = Broadcast(0.0);
+  Doubles direction[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = Broadcast(light.Direction[i]);
+  }
+  const Doubles cosine = Dot(normal, direction);
+  const Mask isLit = zero < cosine;
+  Doubles mirrored[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    mirrored[i] = normal[i] * (Broadcast(2.0) * cosine) - direction[i];
+  }
+  const Doubles highlight = Power(Larger(zero, Dot(mirrored, toViewer)), power);
+  for (int i = 0; i < 3; ++i)
+  {
+    Doubles& diffuse = reflections.Diffuse[i];
+    Doubles& specular = reflections.Specular[i];
+    diffuse = Select(isLit, diffuse + Broadcast(light.DiffuseColor[i]) * cosine, diffuse);
+    specular = Select(isLit, specular + Broadcast(light.SpecularColor[i]) * highlight, specular);
+  }
+}
+
+void Shade(const Phong& phong, ShadedHits& hits)
+{
+  const Doubles zero = Broadcast(0.0);
+  hits.Extreme.Words[0] = 0;
+  hits.Extreme.Words[1] = 0;
+  for (int i = 0; i < hits.Count; i += LaneCount)
+  {
+    Doubles gradient[3];
+    Doubles direction[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] = Load(&hits.Gradient[axis][i]);
+      direction[axis] = Load(&hits.Direction[axis][i]);
+    }
+    Doubles toViewer[3];
+    Transform(phong.WorldFromIndex, direction, toViewer);
+    Mask safe = Normalize(toViewer, -1.0);
+    safe = safe & Normalize(gradient, 1.0);
+    Doubles normal[3];
+    Transform(phong.WorldFromGradient, gradient, normal);
+    safe = safe & Normalize(normal, -1.0);
+    const unsigned int extreme =
+      ToBits(AndNot(FirstLanes(SmallerOf(hits.Count - i, LaneCount)), safe));
+    hits.Extreme.Words[i >> 6] |= static_cast<std::uint64_t>(extreme) << (i & 63);
+    if (phong.TwoSidedLighting)
+    {
+      const Mask isBehind = Dot(normal, toViewer) < zero;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normal[axis] = Select(isBehind, normal[axis] * Broadcast(-1.0), normal[axis]);
+      }
+    }
+    Reflections reflections = { { zero, zero, zero }, { zero, zero, zero } };
+    for (int light = 0; light < phong.LightCount; ++light)
+    {
+      AddReflections(phong.Lights[light], phong.SpecularPower, normal, toViewer, reflections);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Doubles color = Load(&hits.Color[k][i]);
+      const Doubles shaded = color * Broadcast(phong.Ambient) +
+        color * reflections.Diffuse[k] * Broadcast(phong.Diffuse) +
+        reflections.Specular[k] * Broadcast(phong.Specular);
+      // An extreme hit keeps the colour of its surface.
+      Store(Select(LanesOf(extreme), color, shaded), &hits.Color[k][i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
+// and what is infinite lies beyond the largest numbers: neither is ever kept.
+template <typename T>
+void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
+{
+  const T* values = static_cast<const T*>(row);
+  T* lows = static_cast<T*>(low);
+  T* highs = static_cast<T*>(high);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const T value = values[i];
+    if constexpr (static_cast<T>(0.5) != 0)
+    {
+      constexpr T largest =
+        sizeof(T) == 4 ? static_cast<T>(__FLT_MAX__) : static_cast<T>(__DBL_MAX__);
+      lows[i] = (value < lows[i]) & (value >= -largest) ? value : lows[i];
+      highs[i] = (value > highs[i]) & (value <= largest) ? value : highs[i];
+    }
+    else
+    {
+      lows[i] = value < lows[i] ? value : lows[i];
+      highs[i] = value > highs[i] ? value : highs[i];
+    }
+  }
+}
+
+#define KERNELS(name)                                                                              \
+  const Kernels name = {                                                                           \
+    MakeRays, Align, FindPassages, FindHits, Refine, InterpolateDifferences, Shade,                \
+    { IncludeRow<std::int8_t>, IncludeRow<std::uint8_t>, IncludeRow<std::int16_t>,                 \
+      IncludeRow<std::uint16_t>, IncludeRow<std::int32_t>, IncludeRow<std::uint32_t>,              \
+      IncludeRow<std::int64_t>, IncludeRow<std::uint64_t>, IncludeRow<float>, IncludeRow<double> } \
+  }
+
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Contestant_h
+#define Contestant_h
+
+#include "Views.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Benchmark
+{
+
+constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+/// The seconds that a picture took; NotMeasured where there is no such thing.
+struct FrameTimes
+{
+  /// Up to the finished frame in the window.
+  double Whole = NotMeasured;
+  /// Making the rays and finding what they hit first.
+  double Trace = NotMeasured;
+
+  /// By which contestants are compared: what they have in common with us.
+  double GetCommon(const FrameTimes& other) const
+  {
+    return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;
+  }
+};
+
+/// A way to show an isosurface of a volume.
+class Contestant
+{
+public:
+  virtual ~Contestant() = default;
+
+  virtual std::string GetName() const = 0;
+  /// Does all that a new isovalue asks for, up to the first picture; returns the seconds.
+  virtual double Begin(double isovalue, const View& view) = 0;
+  /// Draws one more picture of the isosurface begun with.
+  virtual FrameTimes Draw(const View& view, int threads) = 0;
+  /// Whether Draw is of use: some make triangles and no pictures.
+  virtual bool Draws() const { return true; }
+  /// Whether the threads of Draw can be chosen.
+  virtual bool HasThreads() const { return false; }
+  /// Numbers about the last Begin, with their names.
+  virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
+  /// The share of the pixels of the last picture that show the surface.
+  virtual double GetHitShare() { return NotMeasured; }
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef EmbreeTriangles_h
+#define EmbreeTriangles_h
+
+#include "Views.h"
+
+#include <memory>
+#include <string>
+
+class vtkPolyData;
+
+namespace Benchmark
+{
+
+/// Triangles in Embree, traced in coherent packets of sixteen rays.
+class EmbreeTriangles
+{
+public:
+  /// Builds the hierarchy, on so many threads.
+  EmbreeTriangles(vtkPolyData* triangles, int threads);
+  ~EmbreeTriangles();
+
+  /// Finds the first hits of the rays of a part of a picture, and returns how many hit. The rays
+  /// are made on the way, as a tracer makes them.
+  int Trace(const PictureRays& rays, const PixelRectangle& pixels, int threads);
+
+  static std::string GetVersion();
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

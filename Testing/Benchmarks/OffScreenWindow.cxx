@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OffScreenWindow.h"
+
+#include "Samples.h"
+
+#include <vtkProp.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace Benchmark
+{
+
+//------------------------------------------------------------------------------
+OffScreenWindow::OffScreenWindow(int size)
+{
+  this->Window->SetOffScreenRendering(true);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(size, size);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.0, 0.0, 1.0);
+  this->Window->Render(); // What OpenGL does once is not measured.
+}
+
+//------------------------------------------------------------------------------
+OffScreenWindow::~OffScreenWindow() = default;
+
+//------------------------------------------------------------------------------
+bool OffScreenWindow::IsPossible()
+{
+  vtkNew<vtkRenderWindow> window;
+  return !window->IsA("vtkXOpenGLRenderWindow") || std::getenv("DISPLAY") != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void OffScreenWindow::Show(vtkProp* prop)
+{
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddViewProp(prop);
+}
+
+//------------------------------------------------------------------------------
+double OffScreenWindow::Draw(const View& view)
+{
+  view.Apply(this->Renderer->GetActiveCamera());
+  this->Renderer->ResetCameraClippingRange();
+  return Measure(
+    [this]()
+    {
+      this->Window->Render();
+      this->Window->WaitForCompletion();
+    });
+}
+
+//------------------------------------------------------------------------------
+double OffScreenWindow::GetShareDrawn()
+{
+  const int* size = this->Window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  vtkIdType drawn = 0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  {
+    // No surface is blue.
+    drawn += pixels->GetValue(3 * i + 2) < 255 || pixels->GetValue(3 * i) > 0 ? 1 : 0;
+  }
+  return static_cast<double>(drawn) / static_cast<double>(pixels->GetNumberOfTuples());
+}
+
+//------------------------------------------------------------------------------
+std::string OffScreenWindow::GetDriver()
+{
+  const std::string title = "OpenGL renderer string:";
+  std::istringstream capabilities(this->Window->ReportCapabilities());
+  std::string line;
+  while (std::getline(capabilities, line))
+  {
+    if (line.compare(0, title.size(), title) == 0)
+    {
+      return line.substr(line.find_first_not_of(' ', title.size()));
+    }
+  }
+  return "unknown";
+}
+
+}

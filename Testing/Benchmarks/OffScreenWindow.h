@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef OffScreenWindow_h
+#define OffScreenWindow_h
+
+#include "Views.h"
+
+#include <vtkNew.h>
+
+#include <string>
+
+class vtkProp;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace Benchmark
+{
+
+/// A square render window that nobody sees, with a light at the eye before a blue background.
+class OffScreenWindow
+{
+public:
+  explicit OffScreenWindow(int size);
+  ~OffScreenWindow();
+  OffScreenWindow(const OffScreenWindow&) = delete;
+  OffScreenWindow& operator=(const OffScreenWindow&) = delete;
+
+  /// Whether windows can be had; VTK itself would end the program where there is no display.
+  static bool IsPossible();
+
+  /// Shows this and nothing else.
+  void Show(vtkProp* prop);
+  /// Seconds until the frame is finished.
+  double Draw(const View& view);
+  /// The share of its pixels that show something.
+  double GetShareDrawn();
+  /// Who draws, in the words of OpenGL.
+  std::string GetDriver();
+
+private:
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+}
+
+#endif

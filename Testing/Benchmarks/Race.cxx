@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Race.h"
+
+#include "Rivals.h"
+#include "TracedIsosurface.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#ifdef __unix__
+#include <sys/resource.h>
+#endif
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace Benchmark
+{
+namespace
+{
+
+constexpr double Mebi = 1024.0 * 1024.0;
+
+double GetResidentMebibytes()
+{
+  vtksys::SystemInformation system;
+  return static_cast<double>(system.GetProcMemoryUsed()) / 1024.0;
+}
+
+double GetPeakMebibytes()
+{
+#ifdef __unix__
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+#else
+  return NotMeasured;
+#endif
+}
+
+/// The pictures of one contestant with a number of threads: of every round and view, in order.
+struct Course
+{
+  Contestant* Runner;
+  int Threads;
+  std::vector<FrameTimes> Frames;
+  double Seconds = 0.0;
+};
+
+class Race
+{
+public:
+  Race(const Setup& setup, double isovalue, Report& report);
+  void MeasureMemory();
+  void BeginAll();
+  void DrawAll();
+
+private:
+  std::string GetTitle(const std::string& what) const
+  {
+    return "Isovalue " + ToText(this->Isovalue) + ": " + what;
+  }
+  std::string GetTableName(const std::string& what) const
+  {
+    return what + " " + ToText(this->Isovalue);
+  }
+  void DrawRound(std::vector<Course>& courses, bool isFirst) const;
+  void ReportPictures(const std::vector<Course>& courses);
+  void ReportPictureGoals(const std::vector<Course>& courses);
+
+  const Setup& Settings;
+  double Isovalue;
+  Report& Out;
+  std::vector<View> Orbit;
+  TracedIsosurface Ours;
+  std::vector<std::unique_ptr<Contestant>> Rivals;
+};
+
+//------------------------------------------------------------------------------
+Race::Race(const Setup& setup, double isovalue, Report& report)
+  : Settings(setup)
+  , Isovalue(isovalue)
+  , Out(report)
+  , Orbit(setup.GetOrbit())
+  , Ours(setup.Image, setup.Size, setup.GetMostThreads())
+{
+  for (const std::string& name : setup.Rivals)
+  {
+    this->Rivals.push_back(NewRival(name, setup.Image, setup.Size, setup.GetMostThreads()));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Ours alone, before the others need memory.
+void Race::MeasureMemory()
+{
+  Say(this->GetTitle("memory"));
+  const double before = GetResidentMebibytes();
+  this->Ours.Forget();
+  this->Ours.SetIsovalue(this->Isovalue);
+  for (const View& view : this->Orbit)
+  {
+    this->Ours.Draw(view, this->Settings.GetMostThreads());
+  }
+  vtkIsosurfaceRayTraceMapper* mapper = this->Ours.GetMapper();
+  const double data = this->Settings.GetDataBytes();
+  const auto macrocells = static_cast<double>(mapper->GetMacrocellMemory());
+  const auto bricks = static_cast<double>(mapper->GetBrickMemory());
+  const auto exist = static_cast<double>(mapper->GetNumberOfBricks());
+  const auto all = static_cast<double>(mapper->GetMaximumNumberOfBricks());
+  this->Out.Tables.push_back({ this->GetTableName("memory"), this->GetTitle("memory"),
+    "After the pictures of the orbit. Peak: of the whole program up to here, the volume and how it "
+    "was read included.",
+    { "what", "MiB", "% of the data" },
+    { { "data", data / Mebi, 100.0 },
+      { "macrocells", macrocells / Mebi, 100.0 * macrocells / data },
+      { ToText(exist) + " of " + ToText(all) + " bricks", bricks / Mebi, 100.0 * bricks / data },
+      { "growth of the program", GetResidentMebibytes() - before,
+        100.0 * Mebi * (GetResidentMebibytes() - before) / data },
+      { "peak of the program", GetPeakMebibytes(), 100.0 * Mebi * GetPeakMebibytes() / data } } });
+  this->Out.Goals.push_back(
+    { 4, this->GetTitle("macrocells, % of the data"), 100.0 * macrocells / data, true, 0.5 });
+}
+
+//------------------------------------------------------------------------------
+void Race::BeginAll()
+{
+  const auto count = this->Rivals.size();
+  Samples ours;
+  std::vector<Samples> theirs(count);
+  std::vector<Samples> ratios(count);
+  for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
+  {
+    Say(this->GetTitle("a new isovalue, turn ") + std::to_string(repeat + 1) + " of " +
+      std::to_string(this->Settings.Repeats));
+    const double our = this->Ours.Begin(this->Isovalue, this->Orbit.front());
+    ours.Add(our);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (!IsEnough(theirs[i], this->Settings.Repeats))
+      {
+        Say("  " + this->Rivals[i]->GetName());
+        const double their = this->Rivals[i]->Begin(this->Isovalue, this->Orbit.front());
+        theirs[i].Add(their);
+        ratios[i].Add(their / our);
+      }
+    }
+  }
+
+  Table table{ this->GetTableName("new isovalue"),
+    this->GetTitle("from a new isovalue to a picture"),
+    "All that must be made anew, up to the first finished picture (flying-edges and "
+    "marching-cubes: "
+    "up to the triangles). This mapper has drawn another isovalue before; triangles have no "
+    "normals.",
+    { "who", "s", "times this mapper's", "details" }, {} };
+  table.Rows.push_back({ this->Ours.GetName(), ours, 1.0, std::monostate() });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::string details;
+    for (const auto& detail : this->Rivals[i]->GetDetails())
+    {
+      details += (details.empty() ? "" : ", ") + detail.first + ": " + ToText(detail.second);
+    }
+    table.Rows.push_back({ this->Rivals[i]->GetName(), theirs[i], ratios[i], details });
+    if (this->Rivals[i]->GetName() == "polygons")
+    {
+      this->Out.Goals.push_back({ 2,
+        this->GetTitle("a new isovalue, flying edges and drawing polygons against this mapper"),
+        ratios[i].GetMedian(), false, this->Settings.IsLarge() ? 100.0 : 20.0 });
+    }
+  }
+  this->Out.Tables.push_back(table);
+}
+
+//------------------------------------------------------------------------------
+void Race::DrawRound(std::vector<Course>& courses, bool isFirst) const
+{
+  constexpr double patience = 30.0;
+  for (const View& view : this->Orbit)
+  {
+    for (Course& course : courses)
+    {
+      // Who is slow has one round.
+      if (isFirst || course.Seconds < patience)
+      {
+        const FrameTimes times = course.Runner->Draw(view, course.Threads);
+        course.Frames.push_back(times);
+        course.Seconds += std::isnan(times.Whole) ? times.Trace : times.Whole;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Race::DrawAll()
+{
+  std::vector<Course> courses;
+  for (const int threads : this->Settings.Threads)
+  {
+    courses.push_back({ &this->Ours, threads, {} });
+    for (const auto& rival : this->Rivals)
+    {
+      if (rival->Draws() && (rival->HasThreads() || threads == this->Settings.GetMostThreads()))
+      {
+        courses.push_back({ rival.get(), threads, {} });
+      }
+    }
+  }
+  for (const View& view : this->Orbit)
+  {
+    this->Ours.Draw(view, this->Settings.GetMostThreads()); // Makes the bricks.
+  }
+  for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
+  {
+    Say(this->GetTitle("pictures, turn ") + std::to_string(repeat + 1) + " of " +
+      std::to_string(this->Settings.Repeats));
+    this->DrawRound(courses, repeat == 0);
+  }
+  this->ReportPictures(courses);
+  this->ReportPictureGoals(courses);
+}
+
+//------------------------------------------------------------------------------
+// The ratios of measurements that followed each other: theirs to ours.
+Samples GetRatios(const Course& theirs, const Course& ours)
+{
+  Samples ratios;
+  for (std::size_t i = 0; i < std::min(theirs.Frames.size(), ours.Frames.size()); ++i)
+  {
+    ratios.Add(
+      theirs.Frames[i].GetCommon(ours.Frames[i]) / ours.Frames[i].GetCommon(theirs.Frames[i]));
+  }
+  return ratios;
+}
+
+const Course& FindOurs(const std::vector<Course>& courses, const Contestant& ours, int threads)
+{
+  return *std::find_if(courses.begin(), courses.end(),
+    [&ours, threads](const Course& course)
+    { return course.Runner == &ours && course.Threads == threads; });
+}
+
+//------------------------------------------------------------------------------
+void Race::ReportPictures(const std::vector<Course>& courses)
+{
+  Table table{ this->GetTableName("pictures"),
+    this->GetTitle("pictures from " + std::to_string(this->Settings.Views) + " sides, " +
+      this->Settings.GetPictureSize()),
+    "Trace: making the rays and finding their first hits. Frame: all of it, up to the finished "
+    "picture in the window. The ratio is that of the traces where both have one. Rays: per pixel "
+    "of the picture. In brackets: of all sides and turns. Pixels hit: in the last picture.",
+    { "who", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
+      "pixels hit, %" },
+    {} };
+  for (const Course& course : courses)
+  {
+    Samples trace;
+    Samples whole;
+    for (const FrameTimes& times : course.Frames)
+    {
+      if (!std::isnan(times.Trace))
+      {
+        trace.Add(1e3 * times.Trace);
+      }
+      if (!std::isnan(times.Whole))
+      {
+        whole.Add(1e3 * times.Whole);
+      }
+    }
+    const double nanoseconds = 1e6 / this->Settings.Size / this->Settings.Size;
+    // The share of the last picture, which is the same for all.
+    const double share = 100.0 * course.Runner->GetHitShare();
+    table.Rows.push_back({ course.Runner->GetName(), static_cast<double>(course.Threads), trace,
+      trace.IsEmpty() ? Cell() : Cell(trace.GetMedian() * nanoseconds), whole,
+      GetRatios(course, FindOurs(courses, this->Ours, course.Threads)), share });
+  }
+  this->Out.Tables.push_back(table);
+}
+
+//------------------------------------------------------------------------------
+void Race::ReportPictureGoals(const std::vector<Course>& courses)
+{
+  for (const Course& course : courses)
+  {
+    const std::string onThreads = " on " + std::to_string(course.Threads) + " threads";
+    const Course& ours = FindOurs(courses, this->Ours, course.Threads);
+    if (course.Runner->GetName() == "embree")
+    {
+      this->Out.Goals.push_back(
+        { 1, this->GetTitle("trace, this mapper against Embree" + onThreads),
+          GetRatios(ours, course).GetMedian(), true, this->Settings.IsLarge() ? 0.5 : 0.7 });
+    }
+    if (&course == &ours && course.Threads > 1 && this->Settings.Threads.front() == 1)
+    {
+      this->Out.Goals.push_back({ 6, this->GetTitle("speed-up of the trace" + onThreads),
+        GetRatios(FindOurs(courses, this->Ours, 1), ours).GetMedian(), false,
+        0.975 * course.Threads });
+    }
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+void RunRace(const Setup& setup, double isovalue, Report& report)
+{
+  Race race(setup, isovalue, report);
+  race.MeasureMemory();
+  race.BeginAll();
+  race.DrawAll();
+}
+
+}

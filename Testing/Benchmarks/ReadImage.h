@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ReadImage_h
+#define ReadImage_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkImageData;
+
+namespace Benchmark
+{
+
+/// The volume in a file (or in a folder of DICOM slices), by the reader of VTK that its name or its
+/// beginning asks for. It has three dimensions and point scalars. Throws std::runtime_error.
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName);
+
+}
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Rivals.h"
+
+#ifdef BENCHMARK_HAS_EMBREE
+#include "EmbreeTriangles.h"
+#endif
+#include "OffScreenWindow.h"
+#include "Samples.h"
+#include "TracedIsosurface.h"
+
+#include <vtkActor.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkImageData.h>
+#include <vtkMarchingCubes.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+
+namespace Benchmark
+{
+namespace
+{
+
+using Details = std::vector<std::pair<std::string, double>>;
+
+/// Triangles and nothing else: no normals, no gradients, no scalars.
+template <typename Filter>
+vtkSmartPointer<vtkPolyData> Extract(vtkImageData* image, double isovalue)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  filter->SetValue(0, isovalue);
+  filter->ComputeNormalsOff();
+  filter->ComputeGradientsOff();
+  filter->ComputeScalarsOff();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+template <typename Filter>
+class Extraction : public Contestant
+{
+public:
+  Extraction(std::string name, vtkImageData* image)
+    : Name(std::move(name))
+    , Image(image)
+  {
+  }
+
+  std::string GetName() const override { return this->Name; }
+  bool Draws() const override { return false; }
+  FrameTimes Draw(const View&, int) override { return {}; }
+  Details GetDetails() const override { return { { "triangles", this->Triangles } }; }
+
+  double Begin(double isovalue, const View&) override
+  {
+    vtkSmartPointer<vtkPolyData> mesh;
+    const double seconds = Measure([&]() { mesh = Extract<Filter>(this->Image, isovalue); });
+    this->Triangles = static_cast<double>(mesh->GetNumberOfCells());
+    return seconds;
+  }
+
+private:
+  std::string Name;
+  vtkImageData* Image;
+  double Triangles = 0.0;
+};
+
+//------------------------------------------------------------------------------
+class Polygons : public Contestant
+{
+public:
+  Polygons(vtkImageData* image, int size)
+    : Image(image)
+    , Window(size)
+  {
+  }
+
+  std::string GetName() const override { return "polygons"; }
+  Details GetDetails() const override { return this->Steps; }
+
+  double Begin(double isovalue, const View& view) override
+  {
+    vtkSmartPointer<vtkPolyData> mesh;
+    const double extraction =
+      Measure([&]() { mesh = Extract<vtkFlyingEdges3D>(this->Image, isovalue); });
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Window.Show(actor);
+    const double first = this->Window.Draw(view);
+    this->Steps = { { "extraction, s", extraction }, { "first frame, s", first } };
+    return extraction + first;
+  }
+
+  FrameTimes Draw(const View& view, int) override
+  {
+    return { this->Window.Draw(view), NotMeasured };
+  }
+
+  double GetHitShare() override { return this->Window.GetShareDrawn(); }
+
+private:
+  vtkImageData* Image;
+  OffScreenWindow Window;
+  Details Steps;
+};
+
+//------------------------------------------------------------------------------
+class VolumePictures : public Contestant
+{
+public:
+  VolumePictures(std::string name, vtkImageData* image, vtkVolumeMapper* mapper, int size)
+    : Name(std::move(name))
+    , Window(size)
+  {
+    mapper->SetInputDataObject(image);
+    this->Volume->SetMapper(mapper);
+    this->Window.Show(this->Volume);
+  }
+
+  std::string GetName() const override { return this->Name; }
+  double Begin(double isovalue, const View& view) override
+  {
+    this->Volume->SetProperty(NewSurfaceProperty(isovalue));
+    return this->Window.Draw(view);
+  }
+
+  FrameTimes Draw(const View& view, int) override
+  {
+    return { this->Window.Draw(view), NotMeasured };
+  }
+
+  double GetHitShare() override { return this->Window.GetShareDrawn(); }
+
+private:
+  std::string Name;
+  OffScreenWindow Window;
+  vtkNew<vtkVolume> Volume;
+};
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Contestant> NewFixedPoint(vtkImageData* image, int size, int threads)
+{
+  const double* spacing = image->GetSpacing();
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetNumberOfThreads(threads);
+  // A sample for every cell and a ray for every pixel: what a picture like ours asks for.
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(static_cast<float>(*std::min_element(spacing, spacing + 3)));
+  mapper->SetImageSampleDistance(1.0F);
+  return std::make_unique<VolumePictures>("fixed-point", image, mapper, size);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Contestant> NewGpu(vtkImageData* image, int size)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetBlendModeToIsoSurface();
+  return std::make_unique<VolumePictures>("gpu", image, mapper, size);
+}
+
+#ifdef BENCHMARK_HAS_EMBREE
+//------------------------------------------------------------------------------
+class EmbreePictures : public Contestant
+{
+public:
+  EmbreePictures(vtkImageData* image, int size, int threads)
+    : Image(image)
+    , Size(size)
+    , Threads(threads)
+  {
+    image->GetBounds(this->Box.data());
+  }
+
+  std::string GetName() const override { return "embree"; }
+  bool HasThreads() const override { return true; }
+  Details GetDetails() const override { return this->Steps; }
+
+  double Begin(double isovalue, const View& view) override
+  {
+    vtkSmartPointer<vtkPolyData> mesh;
+    const double extraction =
+      Measure([&]() { mesh = Extract<vtkFlyingEdges3D>(this->Image, isovalue); });
+    const double build = Measure(
+      [&]()
+      {
+        this->Triangles.reset();
+        this->Triangles = std::make_unique<EmbreeTriangles>(mesh, this->Threads);
+      });
+    const double first = this->Draw(view, this->Threads).Trace;
+    this->Steps = { { "extraction, s", extraction }, { "build, s", build } };
+    return extraction + build + first;
+  }
+
+  FrameTimes Draw(const View& view, int threads) override
+  {
+    const PictureRays rays(view, this->Size);
+    const PixelRectangle pixels = rays.GetPixels(this->Box);
+    const double seconds =
+      Measure([&]() { this->Hits = this->Triangles->Trace(rays, pixels, threads); });
+    return { NotMeasured, seconds };
+  }
+
+  double GetHitShare() override { return 1.0 * this->Hits / this->Size / this->Size; }
+
+private:
+  vtkImageData* Image;
+  int Size;
+  int Threads;
+  int Hits = 0;
+  Bounds Box;
+  std::unique_ptr<EmbreeTriangles> Triangles;
+  Details Steps;
+};
+#endif
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetRivalNames()
+{
+  return { "flying-edges", "marching-cubes", "polygons", "embree", "fixed-point", "gpu" };
+}
+
+//------------------------------------------------------------------------------
+std::string GetAbsence(const std::string& rival)
+{
+  if (rival == "embree")
+  {
+#ifdef BENCHMARK_HAS_EMBREE
+    return {};
+#else
+    return "it was not found when this was built (Debian: libembree-dev)";
+#endif
+  }
+  const bool needsWindow = rival == "polygons" || rival == "fixed-point" || rival == "gpu";
+  return needsWindow && !OffScreenWindow::IsPossible()
+    ? "there is no display (xvfb-run -a gives one)"
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Contestant> NewRival(
+  const std::string& name, vtkImageData* image, int size, int threads)
+{
+  if (name == "flying-edges")
+  {
+    return std::make_unique<Extraction<vtkFlyingEdges3D>>(name, image);
+  }
+  if (name == "marching-cubes")
+  {
+    return std::make_unique<Extraction<vtkMarchingCubes>>(name, image);
+  }
+  if (name == "polygons")
+  {
+    return std::make_unique<Polygons>(image, size);
+  }
+  if (name == "fixed-point")
+  {
+    return NewFixedPoint(image, size, threads);
+  }
+#ifdef BENCHMARK_HAS_EMBREE
+  if (name == "embree")
+  {
+    return std::make_unique<EmbreePictures>(image, size, threads);
+  }
+#endif
+  return NewGpu(image, size);
+}
+
+}

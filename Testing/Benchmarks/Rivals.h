@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Rivals_h
+#define Rivals_h
+
+#include "Contestant.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace Benchmark
+{
+
+/// flying-edges, marching-cubes, polygons, embree, fixed-point, gpu.
+std::vector<std::string> GetRivalNames();
+
+/// Why there is no such rival here, and how to get it; empty if there is.
+std::string GetAbsence(const std::string& rival);
+
+/// The rival of a name, which must not be absent. Pictures are size x size pixels, taken with at
+/// most so many threads.
+std::unique_ptr<Contestant> NewRival(
+  const std::string& name, vtkImageData* image, int size, int threads);
+
+}
+
+#endif

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How fast this mapper is, beside triangles and other mappers: see --help. What needs a window
+// needs a display too; xvfb-run gives one.
+
+#ifdef BENCHMARK_HAS_EMBREE
+#include "EmbreeTriangles.h"
+#endif
+#include "GoalMeasurements.h"
+#include "Growth.h"
+#include "OffScreenWindow.h"
+#include "PaperTables.h"
+#include "Race.h"
+#include "ReadImage.h"
+#include "Report.h"
+#include "Rivals.h"
+
+#include <vtkSMPTools.h>
+#include <vtkVersion.h>
+#include <vtksys/CommandLineArguments.hxx>
+#include <vtksys/SystemInformation.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+using namespace Benchmark;
+
+struct Arguments
+{
+  std::string Input;
+  std::vector<double> Isovalues;
+  int Size = 512;
+  int Views = 8;
+  int Repeats = 5;
+  std::string Threads;
+  std::string Rivals = "flying-edges,marching-cubes,polygons,embree,fixed-point,gpu";
+  bool Goals = false;
+  bool Papers = false;
+  int Growth = 0;
+  std::string Json;
+  std::string Markdown;
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+bool ParseArguments(int argc, char* argv[], Arguments& arguments)
+{
+  using Parser = vtksys::CommandLineArguments;
+  Parser parser;
+  parser.Initialize(argc, argv);
+  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices.");
+  parser.AddArgument("--isovalue", Parser::SPACE_ARGUMENT, &arguments.Isovalues,
+    "An isovalue; may be given several times.");
+  parser.AddArgument("--size", Parser::SPACE_ARGUMENT, &arguments.Size,
+    "The edge of the pictures in pixels. Default: 512.");
+  parser.AddArgument("--views", Parser::SPACE_ARGUMENT, &arguments.Views,
+    "From how many sides pictures are taken. Default: 8.");
+  parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
+    "How often times are taken, where that does not take too long. Default: 5.");
+  parser.AddArgument("--threads", Parser::SPACE_ARGUMENT, &arguments.Threads,
+    "Numbers of threads, such as 1,2. Default: 1 and all of the machine.");
+  parser.AddArgument("--rivals", Parser::SPACE_ARGUMENT, &arguments.Rivals,
+    "Some of flying-edges,marching-cubes,polygons,embree,fixed-point,gpu, or none. Default: all.");
+  parser.AddBooleanArgument("--goals", &arguments.Goals,
+    "Measure cold start, whole frames at 1024 x 1024 and simulated scaling too.");
+  parser.AddBooleanArgument("--papers", &arguments.Papers,
+    "Make the tables of the papers of 1998 and 2001 too, with other hierarchies and bricks.");
+  parser.AddArgument("--growth", Parser::SPACE_ARGUMENT, &arguments.Growth,
+    "Measure growth with the edge of the volume too, from 64 to this; needs no --input.");
+  parser.AddArgument(
+    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "A file for the results as JSON.");
+  parser.AddArgument("--markdown", Parser::SPACE_ARGUMENT, &arguments.Markdown,
+    "A file for the results as Markdown. Default: they are printed.");
+  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
+  const bool parsed = parser.Parse() != 0;
+  const bool complete = arguments.Input.empty() == arguments.Isovalues.empty() &&
+    (!arguments.Input.empty() || arguments.Growth > 0);
+  const bool sensible = arguments.Size >= 16 && arguments.Size <= 16384 && arguments.Views >= 1 &&
+    arguments.Repeats >= 1 && (arguments.Growth == 0 || arguments.Growth >= 128);
+  if (arguments.Help || !parsed || !complete || !sensible)
+  {
+    std::fprintf(arguments.Help ? stdout : stderr,
+      "Usage: vtkIsosurfaceBenchmark --input FILE --isovalue V [options]\n"
+      "       vtkIsosurfaceBenchmark --growth 1024 [options]\n%s"
+      "Size: 16 to 16384. Growth: 128 or more.\n",
+      parser.GetHelp());
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> ParseThreads(const std::string& text)
+{
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<int> threads;
+  for (const std::string& number : vtksys::SystemTools::SplitString(text, ','))
+  {
+    const int count = std::atoi(number.c_str());
+    if (count < 1 || count > 1024)
+    {
+      throw std::runtime_error("--threads " + text + ": give numbers from 1 to 1024, such as 1,2");
+    }
+    threads.push_back(count);
+  }
+  if (text.empty())
+  {
+    threads = { 1, all };
+  }
+  std::sort(threads.begin(), threads.end());
+  threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
+  return threads;
+}
+
+//------------------------------------------------------------------------------
+// Those rivals that are not absent; says of the others why.
+std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
+{
+  const std::vector<std::string> known = GetRivalNames();
+  std::vector<std::string> chosen;
+  for (const std::string& name : vtksys::SystemTools::SplitString(text, ','))
+  {
+    if (text == "none")
+    {
+      break;
+    }
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      throw std::runtime_error("--rivals " + text + ": there is no rival \"" + name +
+        "\"; there are flying-edges, marching-cubes, polygons, embree, fixed-point, gpu, or none");
+    }
+    const std::string absence = GetAbsence(name);
+    if (absence.empty())
+    {
+      chosen.push_back(name);
+    }
+    else
+    {
+      report.Circumstances.emplace_back("absent", name + ", because " + absence);
+      Say(name + " is absent, because " + absence);
+    }
+  }
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
+void DescribeMachine(
+  const std::vector<std::string>& command, OffScreenWindow* window, Report& report)
+{
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  const std::time_t now = std::time(nullptr);
+  char date[32];
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+  std::string line;
+  for (const std::string& word : command)
+  {
+    line += (line.empty() ? "" : " ") + word;
+  }
+  report.Circumstances.emplace_back("date", date);
+  report.Circumstances.emplace_back("command", "`" + line + "`");
+  report.Circumstances.emplace_back("machine",
+    std::string(system.GetModelName()) + ", " +
+      std::to_string(std::thread::hardware_concurrency()) + " logical processors");
+  report.Circumstances.emplace_back("load of the machine before",
+    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)");
+  report.Circumstances.emplace_back("compiler", __VERSION__);
+  report.Circumstances.emplace_back("VTK",
+    std::string(vtkVersion::GetVTKVersion()) +
+      ", threads of its filters: " + vtkSMPTools::GetBackend());
+#ifdef BENCHMARK_HAS_EMBREE
+  report.Circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
+#endif
+  report.Circumstances.emplace_back("OpenGL",
+    window
+      ? window->GetDriver()
+      : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 "
+        "is not measured");
+}
+
+//------------------------------------------------------------------------------
+void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
+{
+  const int* n = setup.Image->GetDimensions();
+  const double* range = setup.Image->GetScalarRange();
+  report.Circumstances.emplace_back("volume",
+    vtksys::SystemTools::GetFilenameName(file) + ", " + std::to_string(n[0]) + " x " +
+      std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
+      setup.Image->GetScalarTypeAsString() + " from " + ToText(range[0]) + " to " +
+      ToText(range[1]));
+  for (const double isovalue : setup.Isovalues)
+  {
+    if (!(isovalue > range[0] && isovalue <= range[1]))
+    {
+      throw std::runtime_error("--isovalue " + ToText(isovalue) + ": " + file +
+        " has values from " + ToText(range[0]) + " to " + ToText(range[1]) +
+        ", so there is no surface");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteFile(const std::string& fileName, const std::string& text)
+{
+  std::ofstream out(fileName);
+  out << text;
+  if (!out.flush())
+  {
+    throw std::runtime_error(fileName + " cannot be written");
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteReport(const Arguments& arguments, const Report& report)
+{
+  if (!arguments.Json.empty())
+  {
+    WriteFile(arguments.Json, report.GetJson());
+  }
+  if (!arguments.Markdown.empty())
+  {
+    WriteFile(arguments.Markdown, report.GetMarkdown());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Calls back after every part, so that hours of work are not lost.
+void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report,
+  const std::function<void()>& onPartDone)
+{
+  for (const double isovalue : setup.Isovalues)
+  {
+    RunRace(setup, isovalue, report);
+    onPartDone();
+    if (arguments.Goals)
+    {
+      MeasureColdStart(setup, isovalue, report);
+      MeasureWholeFrame(setup, isovalue, report);
+      MeasureScaling(setup, isovalue, report);
+      onPartDone();
+    }
+  }
+  if (arguments.Papers && setup.Image)
+  {
+    MakePaperTables(setup, report);
+    onPartDone();
+  }
+  if (arguments.Growth > 0)
+  {
+    MeasureGrowth(setup, arguments.Growth, report);
+    onPartDone();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Run(const Arguments& arguments, const std::vector<std::string>& command)
+{
+  Report report;
+  Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
+    ParseThreads(arguments.Threads), arguments.Repeats, {} };
+  vtkSMPTools::Initialize(setup.GetMostThreads());
+  // A display may close itself when nobody has a window on it: this one stays.
+  const auto window =
+    OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
+  DescribeMachine(command, window.get(), report);
+  setup.Rivals = ChooseRivals(arguments.Rivals, report);
+  if (!arguments.Input.empty())
+  {
+    setup.Image = ReadImage(arguments.Input);
+    DescribeVolume(setup, arguments.Input, report);
+  }
+  WriteReport(arguments, report); // What cannot be written is known now.
+  MeasureAll(arguments, setup, report, [&arguments, &report]() { WriteReport(arguments, report); });
+  if (arguments.Markdown.empty())
+  {
+    std::printf("%s", report.GetMarkdown().c_str());
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  Arguments arguments;
+  if (!ParseArguments(argc, argv, arguments))
+  {
+    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  try
+  {
+    Run(arguments, { argv, argv + argc });
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}

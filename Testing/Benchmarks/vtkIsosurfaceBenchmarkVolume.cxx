@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Writes a large volume to measure on, slab by slab: see --help.
+
+#include "AnalyticFieldSource.h"
+#include "ReadImage.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkImageInterpolator.h>
+#include <vtkImageResize.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtksys/CommandLineArguments.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Dimensions = std::array<int, 3>;
+
+struct Arguments
+{
+  std::string Input;
+  std::string Field;
+  std::string Dimensions;
+  std::string Output;
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+bool ParseArguments(int argc, char* argv[], Arguments& arguments)
+{
+  using Parser = vtksys::CommandLineArguments;
+  Parser parser;
+  parser.Initialize(argc, argv);
+  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+    "A volume to resample with cubic interpolation: .vti, .nii, .mhd or any other image that VTK "
+    "reads, or a folder of DICOM slices. The type of its samples is kept.");
+  parser.AddArgument("--field", Parser::SPACE_ARGUMENT, &arguments.Field,
+    "Instead, a field to sample: gyroid, marschner-lobb or sphere. 16 bit, isovalue 0.");
+  parser.AddArgument("--dimensions", Parser::SPACE_ARGUMENT, &arguments.Dimensions,
+    "The number of samples: N for a cube or X,Y,Z. The Visible Woman has 512,512,1734.");
+  parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
+    "The .mhd file to write; its samples go into a .raw file beside it.");
+  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
+  const bool parsed = parser.Parse() != 0;
+  const bool complete = arguments.Input.empty() != arguments.Field.empty() &&
+    !arguments.Dimensions.empty() && !arguments.Output.empty();
+  if (arguments.Help || !parsed || !complete)
+  {
+    std::fprintf(arguments.Help ? stdout : stderr,
+      "Usage: vtkIsosurfaceBenchmarkVolume (--input FILE | --field NAME) --dimensions N "
+      "--output FILE.mhd\n%s",
+      parser.GetHelp());
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+Dimensions ParseDimensions(const std::string& text)
+{
+  Dimensions dimensions = { 0, 0, 0 };
+  char rest = 0;
+  int* n = dimensions.data();
+  const int numbers = std::sscanf(text.c_str(), "%d,%d,%d%c", n, n + 1, n + 2, &rest);
+  if (numbers == 1 && text.find(',') == std::string::npos)
+  {
+    dimensions[1] = dimensions[2] = dimensions[0];
+  }
+  const auto isUsable = [](int count) { return count >= 2 && count <= 16384; };
+  if ((numbers != 1 && numbers != 3) || !std::all_of(n, n + 3, isUsable))
+  {
+    throw std::runtime_error(
+      "--dimensions " + text + ": give N or X,Y,Z, each from 2 to 16384 samples");
+  }
+  return dimensions;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageAlgorithm> NewSource(
+  const Arguments& arguments, const Dimensions& dimensions)
+{
+  if (arguments.Input.empty())
+  {
+    auto source = vtkSmartPointer<Benchmark::AnalyticFieldSource>::New();
+    source->SetField(arguments.Field);
+    source->SetDimensions(dimensions);
+    return source;
+  }
+  vtkNew<vtkImageInterpolator> cubic;
+  cubic->SetInterpolationModeToCubic();
+  auto resize = vtkSmartPointer<vtkImageResize>::New();
+  resize->SetInputData(Benchmark::ReadImage(arguments.Input));
+  resize->SetInterpolator(cubic);
+  resize->SetOutputDimensions(dimensions.data());
+  return resize;
+}
+
+//------------------------------------------------------------------------------
+const char* GetElementType(int vtkType)
+{
+  static const std::map<int, const char*> types = { { VTK_CHAR, "MET_CHAR" },
+    { VTK_SIGNED_CHAR, "MET_CHAR" }, { VTK_UNSIGNED_CHAR, "MET_UCHAR" }, { VTK_SHORT, "MET_SHORT" },
+    { VTK_UNSIGNED_SHORT, "MET_USHORT" }, { VTK_INT, "MET_INT" }, { VTK_UNSIGNED_INT, "MET_UINT" },
+    { VTK_FLOAT, "MET_FLOAT" }, { VTK_DOUBLE, "MET_DOUBLE" } };
+  const auto found = types.find(vtkType);
+  if (found == types.end())
+  {
+    throw std::runtime_error(
+      std::string("MetaImage has no samples of type ") + vtkImageScalarTypeNameMacro(vtkType));
+  }
+  return found->second;
+}
+
+//------------------------------------------------------------------------------
+// The type of MetaImage: its own names, and numbers as they are in memory here.
+void WriteHeader(const std::string& fileName, const std::string& rawName, vtkImageData* slab,
+  const Dimensions& dimensions)
+{
+  const double* spacing = slab->GetSpacing();
+  const double* origin = slab->GetOrigin();
+  const double* direction = slab->GetDirectionMatrix()->GetData();
+  std::ofstream out(fileName);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
+#ifdef VTK_WORDS_BIGENDIAN
+      << "True"
+#else
+      << "False"
+#endif
+      << "\nTransformMatrix =";
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      out << " " << direction[3 * row + column];
+    }
+  }
+  out << "\nOffset = " << origin[0] << " " << origin[1] << " " << origin[2]
+      << "\nElementSpacing = " << spacing[0] << " " << spacing[1] << " " << spacing[2]
+      << "\nDimSize = " << dimensions[0] << " " << dimensions[1] << " " << dimensions[2]
+      << "\nElementNumberOfChannels = " << slab->GetNumberOfScalarComponents()
+      << "\nElementType = " << GetElementType(slab->GetScalarType())
+      << "\nElementDataFile = " << vtksys::SystemTools::GetFilenameName(rawName) << "\n";
+  if (!out.flush())
+  {
+    throw std::runtime_error(fileName + " cannot be written");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckSpace(const std::string& fileName, std::uintmax_t bytes)
+{
+  const std::filesystem::path folder = std::filesystem::absolute(fileName).parent_path();
+  std::error_code error;
+  const std::uintmax_t available = std::filesystem::space(folder, error).available;
+  if (!error && available < bytes)
+  {
+    throw std::runtime_error(folder.string() + " has " + std::to_string(available >> 20U) +
+      " MiB free, the volume needs " + std::to_string(bytes >> 20U) + " MiB");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Makes the volume a slab at a time, so that no more is in memory, and writes the header last:
+// there is none as long as samples are missing.
+void WriteVolume(vtkImageAlgorithm* source, const Dimensions& dimensions,
+  const std::string& headerName, const std::string& rawName, std::ofstream& raw)
+{
+  constexpr int samplesInSlab = 1 << 24;
+  const int thickness = std::max(1, samplesInSlab / dimensions[0] / dimensions[1]);
+  double range[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
+  for (int z = 0; z < dimensions[2]; z += thickness)
+  {
+    const int last = std::min(z + thickness, dimensions[2]) - 1;
+    const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, z, last };
+    source->UpdateExtent(extent);
+    vtkDataArray* samples = source->GetOutput()->GetPointData()->GetScalars();
+    const std::streamsize bytes =
+      static_cast<std::streamsize>(samples->GetDataSize()) * samples->GetDataTypeSize();
+    if (z == 0)
+    {
+      CheckSpace(rawName, static_cast<std::uintmax_t>(bytes / (last + 1) * dimensions[2]));
+    }
+    if (!raw.write(static_cast<const char*>(samples->GetVoidPointer(0)), bytes).flush())
+    {
+      throw std::runtime_error(rawName + " cannot be written any further: is the disk full?");
+    }
+    range[0] = std::min(range[0], samples->GetRange(0)[0]);
+    range[1] = std::max(range[1], samples->GetRange(0)[1]);
+    std::fprintf(stderr, "%d of %d slices\n", last + 1, dimensions[2]);
+  }
+  WriteHeader(headerName, rawName, source->GetOutput(), dimensions);
+  std::printf("%s: %d x %d x %d samples from %g to %g\n", headerName.c_str(), dimensions[0],
+    dimensions[1], dimensions[2], range[0], range[1]);
+}
+
+//------------------------------------------------------------------------------
+void Run(const Arguments& arguments)
+{
+  const Dimensions dimensions = ParseDimensions(arguments.Dimensions);
+  if (vtksys::SystemTools::GetFilenameLastExtension(arguments.Output) != ".mhd")
+  {
+    throw std::runtime_error("--output " + arguments.Output + ": the name must end in .mhd");
+  }
+  const std::string rawName = arguments.Output.substr(0, arguments.Output.size() - 3) + "raw";
+  if (vtksys::SystemTools::SameFile(arguments.Input, arguments.Output))
+  {
+    throw std::runtime_error("--output " + arguments.Output + " is the input: give another name");
+  }
+  const vtkSmartPointer<vtkImageAlgorithm> source = NewSource(arguments, dimensions);
+  std::ofstream raw(rawName, std::ios::binary);
+  if (!raw)
+  {
+    throw std::runtime_error(rawName + " cannot be written: does its folder exist?");
+  }
+  try
+  {
+    WriteVolume(source, dimensions, arguments.Output, rawName, raw);
+  }
+  catch (...)
+  {
+    std::remove(rawName.c_str());
+    throw;
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  Arguments arguments;
+  if (!ParseArguments(argc, argv, arguments))
+  {
+    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  try
+  {
+    Run(arguments);
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}
