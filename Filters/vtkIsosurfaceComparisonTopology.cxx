@@ -247,7 +247,7 @@ void JoinAcrossFaces(const Corners& corners, Sets<8>& sets)
         const double d = corners[diagonals[1 - i][1]];
         const bool isCrossed = IsInside(a) && IsInside(b) && !IsInside(c) && !IsInside(d);
         // The value at the saddle is (a b - c d) / (a + b - c - d), whose divisor is positive.
-        if (isCrossed && a * b <= c * d)
+        if (isCrossed && a * b >= c * d)
         {
           sets.Join(diagonals[i][0], diagonals[i][1]);
         }
