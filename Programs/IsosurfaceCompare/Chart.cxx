@@ -16,12 +16,14 @@
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Compare
 {
@@ -89,6 +91,20 @@ void SetAxis(vtkAxis* axis, const std::string& title, const Range& range)
   const double low = std::floor(std::log10(range.Low) + 1e-6);
   const double high = std::max(low + 1.0, std::ceil(std::log10(range.High) - 1e-6));
   axis->SetUnscaledRange(std::pow(10.0, low), std::pow(10.0, high));
+  // VTK labels more of them than there is room for.
+  vtkNew<vtkDoubleArray> ticks;
+  vtkNew<vtkStringArray> labels;
+  for (double decade = low; decade <= high; ++decade)
+  {
+    for (int digit = 1; digit <= (decade < high ? 9 : 1); ++digit)
+    {
+      std::ostringstream label;
+      label << std::pow(10.0, decade);
+      ticks->InsertNextValue(decade + std::log10(digit));
+      labels->InsertNextValue(digit == 1 ? label.str() : "");
+    }
+  }
+  axis->SetCustomTickPositions(ticks, labels);
   axis->GetTitleProperties()->SetFontSize(16);
   axis->GetLabelProperties()->SetFontSize(14);
 }

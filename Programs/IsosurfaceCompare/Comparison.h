@@ -24,7 +24,7 @@ struct Comparison
 {
   std::string Command;
   std::string Input;
-  /// The processor and its threads, the compiler, VTK.
+  /// The processor and its threads, VTK, how much else it had to do.
   std::string Machine;
   int Repeats;
   vtkSmartPointer<vtkImageData> Volume;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace Compare
@@ -58,14 +59,15 @@ Verdict Judge(const Costs& triangles, const Costs& rays)
 //------------------------------------------------------------------------------
 std::string Describe(const Verdict& verdict)
 {
+  const double whole = std::isnan(verdict.Pictures) ? 0.0 : std::floor(verdict.Pictures);
   const std::string pictures =
-    std::isnan(verdict.Pictures) ? "" : std::to_string(std::llround(std::floor(verdict.Pictures)));
+    std::to_string(std::llround(whole)) + (whole == 1.0 ? " picture" : " pictures");
   switch (verdict.Kind)
   {
     case Verdict::RaysUpTo:
-      return "rays up to " + pictures + " pictures, triangles beyond";
+      return "rays up to " + pictures + ", triangles beyond";
     case Verdict::TrianglesUpTo:
-      return "triangles up to " + pictures + " pictures, rays beyond";
+      return "triangles up to " + pictures + ", rays beyond";
     case Verdict::AlwaysRays:
       return "rays, for any number of pictures";
     default:
@@ -90,6 +92,8 @@ std::vector<Crossover> MeasureCrossover(
       continue;
     }
     const vtkSmartPointer<vtkImageData> image = Resize(volume, factor);
+    const int* size = image->GetDimensions();
+    std::fprintf(stderr, "as %d x %d x %d samples\n", size[0], size[1], size[2]);
     vtkNew<vtkIsosurfaceComparisonFilter> comparison;
     comparison->SetInputData(image);
     comparison->SetValue(0, isovalue);

@@ -61,8 +61,8 @@ struct Crossover
 
 /// Measures vtkFlyingEdges3D against vtkIsosurfaceRayTraceMapper for a volume as it is, and shrunk
 /// to an eighth and enlarged to twice its size along each axis by steps of the root of 2, as far as
-/// that leaves 8 samples along each axis and not more than 1e8 in all. From the smallest on. Needs
-/// a display.
+/// that leaves 8 samples along each axis and not more than 1e8 in all. From the smallest on. Tells
+/// stderr where it is. Needs a display.
 std::vector<Crossover> MeasureCrossover(
   vtkImageData* volume, double isovalue, int repeats, vtkCamera* camera);
 

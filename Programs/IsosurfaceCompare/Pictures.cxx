@@ -122,12 +122,22 @@ std::string DrawErrors(vtkPolyData* mesh, vtkIdType vertices, vtkCamera* camera)
   vtkNew<vtkPolyData> coloured;
   coloured->CopyStructure(mesh);
   coloured->GetCellData()->SetScalars(distances);
-  vtkNew<vtkLookupTable> colors;
+  // The darker and redder the farther.
+  vtkNew<vtkColorTransferFunction> ramp;
+  ramp->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  ramp->AddRGBPoint(1.0, 1.0, 0.85, 0.45);
+  ramp->AddRGBPoint(2.0, 0.9, 0.35, 0.1);
+  ramp->AddRGBPoint(3.0, 0.45, 0.0, 0.15);
+  vtkNew<vtkLookupTable> colors; // The scalar bar knows no other logarithms.
   colors->SetScaleToLog10();
   colors->SetTableRange(1e-3, 1.0);
-  colors->SetHueRange(0.6, 0.0);
-  colors->SetValueRange(0.9, 1.0);
-  colors->Build();
+  constexpr int shades = 256;
+  colors->SetNumberOfTableValues(shades);
+  for (int i = 0; i < shades; ++i)
+  {
+    const double* color = ramp->GetColor(3.0 * i / (shades - 1));
+    colors->SetTableValue(i, color[0], color[1], color[2]);
+  }
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(coloured);
   mapper->SetLookupTable(colors);
@@ -142,8 +152,8 @@ std::string DrawErrors(vtkPolyData* mesh, vtkIdType vertices, vtkCamera* camera)
   bar->UnconstrainedFontSizeOn();
   bar->GetLabelTextProperty()->SetFontSize(12);
   bar->GetTitleTextProperty()->SetFontSize(13);
-  bar->SetPosition(0.88, 0.05);
-  bar->SetWidth(0.1);
+  bar->SetPosition(0.02, 0.05);
+  bar->SetWidth(0.12);
   bar->SetHeight(0.4);
   Studio studio(camera);
   studio.Renderer->AddViewProp(bar);
