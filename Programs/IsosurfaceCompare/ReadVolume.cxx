@@ -3,13 +3,17 @@
 
 #include "ReadVolume.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
 #include <vtkImageReader2Factory.h>
 #include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <cstdio>
 #include <stdexcept>
 
 namespace Compare
@@ -19,12 +23,27 @@ namespace
 
 using vtksys::SystemTools;
 
+/// Many readers say that something is wrong and read on; half a volume is none.
+void CountError(vtkObject*, unsigned long, void* count, void* text)
+{
+  ++*static_cast<int*>(count);
+  std::fprintf(stderr, "%s", static_cast<const char*>(text));
+}
+
 template <typename ReaderT>
 vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& fileName)
 {
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(CountError);
+  observer->SetClientData(&errors);
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  // It would repeat with many words that the reader failed.
+  vtkNew<vtkCallbackCommand> silence;
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->SetFileName(fileName.c_str());
   reader->Update();
-  if (reader->GetOutput()->GetNumberOfPoints() == 0)
+  if (errors > 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
   {
     throw std::runtime_error(
       fileName + " cannot be read (" + reader->GetClassName() + " was tried)");

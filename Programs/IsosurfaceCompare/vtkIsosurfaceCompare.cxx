@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
 #include <vtkVersion.h>
@@ -26,6 +27,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -67,7 +71,28 @@ struct Arguments
 };
 
 //------------------------------------------------------------------------------
-bool ParseArguments(int argc, char* argv[], Arguments& arguments)
+double ToNumber(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0')
+  {
+    throw std::runtime_error(text + " is not a number; see --help");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+/// Stops the parser at an argument that it does not know.
+int KeepUnknown(const char* argument, void* unknown)
+{
+  *static_cast<std::string*>(unknown) = argument;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+/// Throws std::runtime_error if they are of no use; shows the help if it is asked for.
+Arguments ParseArguments(int argc, char* argv[])
 {
   std::string methods = "Which methods, one or several of:";
   for (const MethodSwitch& method : Methods)
@@ -76,16 +101,22 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   }
   methods += ". Default: all.";
 
+  Arguments arguments;
+  std::vector<std::string> isovalues;
+  std::string repeats;
   using Parser = vtksys::CommandLineArguments;
   Parser parser;
   parser.Initialize(argc, argv);
+  std::string unknown;
+  parser.SetClientData(&unknown);
+  parser.SetUnknownArgumentCallback(KeepUnknown);
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
-  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &arguments.Isovalues,
+  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &isovalues,
     "One or several isovalues, separated by blanks.");
   parser.AddArgument("--methods", Parser::MULTI_ARGUMENT, &arguments.Methods, methods.c_str());
-  parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
-    "How often times are taken; the median counts. Default: 3.");
+  parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &repeats,
+    "How often times are taken, 1 to 1000; the median counts. Default: 3.");
   parser.AddArgument(
     "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "The file to write the table to, as JSON.");
   parser.AddArgument(
@@ -94,17 +125,36 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "The folder to write report.html to: tables, plots and pictures in one file.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool isParsed = parser.Parse() != 0;
-  if (arguments.Help || !isParsed || arguments.Input.empty() || arguments.Isovalues.empty() ||
-    arguments.Repeats < 1)
+  if (arguments.Help)
   {
-    std::fprintf(arguments.Help ? stdout : stderr,
-      "Compares ways to an isosurface: time, memory, accuracy. Usage:\n\n"
-      "  vtkIsosurfaceCompare --input FILE --isovalue VALUE... [options]\n\n"
-      "Times of pictures, and the plots of a report, need a display: xvfb-run gives one.\n%s",
+    std::printf("Compares ways to an isosurface: time, memory, accuracy. Usage:\n\n"
+                "  vtkIsosurfaceCompare --input FILE --isovalue VALUE... [options]\n\n"
+                "Times of pictures, and the plots of a report, need a display: xvfb-run gives "
+                "one.\n%s",
       parser.GetHelp());
-    return false;
+    return arguments;
   }
-  return true;
+
+  if (!isParsed)
+  {
+    throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
+                                             : "what is " + unknown + "? See --help");
+  }
+  if (arguments.Input.empty() || isovalues.empty())
+  {
+    throw std::runtime_error("--input and --isovalue are needed; see --help");
+  }
+  std::transform(
+    isovalues.begin(), isovalues.end(), std::back_inserter(arguments.Isovalues), ToNumber);
+  if (!repeats.empty())
+  {
+    arguments.Repeats = static_cast<int>(ToNumber(repeats));
+  }
+  if (arguments.Repeats < 1 || arguments.Repeats > 1000)
+  {
+    throw std::runtime_error("--repeats takes a number from 1 to 1000, not " + repeats);
+  }
+  return arguments;
 }
 
 //------------------------------------------------------------------------------
@@ -131,9 +181,12 @@ std::string DescribeMachine()
 {
   vtksys::SystemInformation system;
   system.RunCPUCheck();
+  std::ostringstream load;
+  load << std::setprecision(2) << system.GetLoadAverage();
   return std::string(system.GetModelName()) + ", " +
     std::to_string(std::thread::hardware_concurrency()) + " threads, VTK " +
-    vtkVersion::GetVTKVersion();
+    vtkVersion::GetVTKVersion() + " with " + vtkSMPTools::GetBackend() + ", load " + load.str() +
+    " at the beginning";
 }
 
 //------------------------------------------------------------------------------
@@ -177,7 +230,6 @@ Comparison Run(const Arguments& arguments, const std::string& command)
     Filter::WhyNoPictures().empty();
   if (!arguments.Report.empty() && hasPictures)
   {
-    std::fprintf(stderr, "Other sizes of the volume...\n");
     comparison.Crossovers = MeasureCrossover(
       comparison.Volume, arguments.Isovalues.front(), arguments.Repeats, comparison.Camera);
   }
@@ -207,11 +259,6 @@ void Print(vtkTable* table)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   std::string command = "vtkIsosurfaceCompare";
   for (int i = 1; i < argc; ++i)
   {
@@ -219,6 +266,11 @@ int main(int argc, char* argv[])
   }
   try
   {
+    const Arguments arguments = ParseArguments(argc, argv);
+    if (arguments.Help)
+    {
+      return EXIT_SUCCESS;
+    }
     const Comparison comparison = Run(arguments, command);
     Print(comparison.Table);
     if (!arguments.Csv.empty())

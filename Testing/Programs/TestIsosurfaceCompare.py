@@ -20,7 +20,7 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import VTK_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
@@ -89,6 +89,23 @@ def read_png(data):
     return width, height, len(reds)
 
 
+def judge(triangles, rays):
+    """In words, who takes less time for how many pictures of an isovalue; by trying them all."""
+
+    def winner(pictures):
+        costs = [side["first"] + (pictures - 1) * side["next"] for side in (triangles, rays)]
+        return "triangles" if costs[0] < costs[1] else "rays"
+
+    first, last = winner(1), winner(10**9)
+    if first == last:
+        return f"{first}, for any number of pictures"
+    few, many = 1, 10**9
+    while many - few > 1:
+        middle = (few + many) // 2
+        few, many = (middle, many) if winner(middle) == first else (few, middle)
+    return f"{first} up to {few} picture{'s' if few > 1 else ''}, {last} beyond"
+
+
 class TestIsosurfaceCompare(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -141,7 +158,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
     def test_report(self):
         result = self.run_program(
             "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges", "ray-tracing",
-            "--report", self.folder / "new" / "folder",
+            "--report", self.folder / "new" / "folder", "--json", self.folder / "report.json",
         )  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stderr)
         page = Page(self.folder / "new" / "folder" / "report.html")
@@ -149,6 +166,15 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(page.open_tags, [])
         self.assertIn("vtkFlyingEdges3D", page.texts)
         self.assertNotIn("vtkMarchingCubes", page.texts)
+        self.assertTrue(any("A new isovalue is seen after" in text for text in page.texts))
+        crossovers = json.loads((self.folder / "report.json").read_text())["crossovers"]
+        self.assertIn([20, 20, 20], [crossover["dimensions"] for crossover in crossovers])
+        for crossover in crossovers:
+            triangles, rays = crossover["triangles"], crossover["rays"]
+            free = {"first": triangles["first"] - triangles["next"], "next": 0.0}
+            self.assertEqual(crossover["verdict"], judge(triangles, rays))
+            self.assertEqual(crossover["verdictIfDrawingWereFree"], judge(free, rays))
+            self.assertIn(crossover["verdict"], page.texts)
         # The pictures of two surfaces and their middle, the difference and the error; the charts of
         # totals, costs, the crossover and the distances.
         sizes = [read_png(picture) for picture in page.pictures]
@@ -193,13 +219,40 @@ class TestIsosurfaceCompare(unittest.TestCase):
         page = Page(self.folder / "none" / "report.html")
         self.assertTrue(any("no point scalars" in text for text in page.texts))
 
+    def test_formats(self):
+        for writer, name in ((vtkMetaImageWriter(), "ball.mha"), (vtkNIFTIImageWriter(), "ball.nii")):
+            writer.SetInputData(new_ball())
+            writer.SetFileName(str(self.folder / name))
+            writer.Write()
+        counts = []
+        for name in ("ball.vti", "ball.mha", "ball.nii"):
+            result = self.run_program(
+                "--input", self.folder / name, "--isovalue", 60, "--methods", "marching-cubes",
+                "--json", self.folder / "format.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 0, result.stderr)
+            table = json.loads((self.folder / "format.json").read_text())
+            counts.append(table["rows"][0]["Triangles"])
+        self.assertGreater(counts[0], 1000)
+        self.assertEqual(counts, [counts[0]] * 3)
+
+        whole = (self.folder / "ball.nii").read_bytes()
+        (self.folder / "half.nii").write_bytes(whole[: len(whole) // 2])
+        result = self.run_program("--input", self.folder / "half.nii", "--isovalue", 60)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("half.nii cannot be read", result.stderr)
+
     def test_errors(self):
         text = self.folder / "text.txt"
         text.write_text("This is not a volume.\n", encoding="utf-8")
         for arguments, words in (
             (("--input", self.folder / "absent.vti", "--isovalue", 1), "there is no file"),
             (("--input", text, "--isovalue", 1), "no image reader"),
-            (("--input", self.ball), "Usage"),
+            (("--input", self.ball), "--isovalue are needed"),
+            (("--isovalue", 60, "--input"), "lacks its value"),
+            (("--input", self.ball, "--isovalue", "bone"), "bone is not a number"),
+            (("--inptu", self.ball, "--isovalue", 60), "what is --inptu"),
+            (("--input", self.ball, "--isovalue", 60, "--repeats", 0), "from 1 to 1000"),
             (("--input", self.ball, "--isovalue", 1, "--methods", "magic"), "no method magic"),
             (
                 ("--input", self.ball, "--isovalue", 60, "--methods", "flying-edges",
@@ -210,6 +263,9 @@ class TestIsosurfaceCompare(unittest.TestCase):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)
             self.assertIn(words, result.stderr)
+        help_text = self.run_program("--help")
+        self.assertEqual(help_text.returncode, 0)
+        self.assertIn("--isovalue VALUE", help_text.stdout)
 
     def test_example(self):
         writer = vtkMetaImageWriter()
