@@ -341,6 +341,45 @@ SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, d
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> FiniteTriangles(vtkPolyData* mesh, const double place[3])
+{
+  std::vector<bool> isFinite(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    const bool isPlace =
+      std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+    points->SetPoint(i, isPlace ? point : place);
+    isFinite[static_cast<std::size_t>(i)] = isPlace;
+  }
+  if (std::all_of(isFinite.begin(), isFinite.end(), [](bool is) { return is; }))
+  {
+    return mesh;
+  }
+  vtkNew<vtkCellArray> triangles;
+  const auto iterator = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    if (std::all_of(ids, ids + size,
+          [&isFinite](vtkIdType i) { return isFinite[static_cast<std::size_t>(i)]; }))
+    {
+      triangles->InsertNextCell(size, ids);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  return result;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> CutAtCentroids(vtkPolyData* mesh)
 {
   const vtkIdType vertices = mesh->GetNumberOfPoints();

@@ -40,6 +40,11 @@ struct SurfaceErrors
 SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, double isovalue,
   vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted);
 
+/// The triangles whose vertices are all finite: beside samples that are not, VTK makes others. The
+/// vertices keep their numbers; those that are not finite are moved to a place that is, and no
+/// triangle has them.
+vtkSmartPointer<vtkPolyData> FiniteTriangles(vtkPolyData* mesh, const double place[3]);
+
 /// The mesh with each triangle cut in three at its centroid: its vertices are on edges of cells,
 /// where linear interpolation is exact, so that the error is inside. First come the points of the
 /// mesh, then a centroid for each triangle.

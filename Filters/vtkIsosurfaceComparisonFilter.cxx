@@ -179,9 +179,10 @@ private:
   bool MeasureTriangles(const ExtractionMethod& method, Row& row);
   bool MeasureRayTracing(Row& row);
   bool MeasurePictures(const std::function<std::unique_ptr<Drawing>()>& newDrawing, Row& row);
-  bool MeasureAccuracyOfTriangles(vtkPolyData* mesh, Row& row);
+  bool MeasureAccuracyOfTriangles(vtkPolyData* extracted, Row& row);
   bool MeasureAccuracyOfHits(Row& row);
 
+  std::string WhyNoSurface(double isovalue) const;
   bool FinishStep();
   bool IsOutputRow() const { return this->NumberOfRows == this->Self->OutputRow; }
 
@@ -202,6 +203,24 @@ private:
   int Step = 0;
   int NumberOfSteps = 0;
 };
+
+//------------------------------------------------------------------------------
+// Empty if there may be one.
+std::string vtkIsosurfaceComparisonFilter::Comparison::WhyNoSurface(double isovalue) const
+{
+  if (this->Range[0] > this->Range[1])
+  {
+    return "No surface: none of the scalars is a number.";
+  }
+  if (!(isovalue >= this->Range[0] && isovalue <= this->Range[1]))
+  {
+    std::ostringstream note;
+    note << "No surface: the scalars are from " << this->Range[0] << " to " << this->Range[1]
+         << ".";
+    return note.str();
+  }
+  return "";
+}
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceComparisonFilter::Comparison::FinishStep()
@@ -233,13 +252,7 @@ void vtkIsosurfaceComparisonFilter::Comparison::Run(
     {
       Row row;
       row.Isovalue = isovalue;
-      if (!(isovalue >= this->Range[0] && isovalue <= this->Range[1]))
-      {
-        std::ostringstream note;
-        note << "No surface: the scalars are from " << this->Range[0] << " to " << this->Range[1]
-             << ".";
-        row.AddNote(note.str());
-      }
+      row.AddNote(this->WhyNoSurface(isovalue));
       row.AddNote(this->WhyNoPictures);
       const bool isFinished = method < static_cast<int>(methods.size())
         ? this->MeasureTriangles(*methods[method], row)
@@ -290,6 +303,10 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
   row.BuildTime = Median(buildTimes);
   row.ExtractionTime = Median(extractionTimes);
   CountMesh(mesh, row);
+  if (row.Triangles == 0 && this->WhyNoSurface(row.Isovalue).empty())
+  {
+    row.AddNote("No triangles: the filter finds no surface at this isovalue.");
+  }
   return this->MeasurePictures(
            [this, &method]() { return NewTriangles(method, this->Image); }, row) &&
     this->MeasureAccuracyOfTriangles(mesh, row);
@@ -340,10 +357,18 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasurePictures(
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
-  vtkPolyData* mesh, Row& row)
+  vtkPolyData* extracted, Row& row)
 {
   if (this->Self->Accuracy)
   {
+    const vtkSmartPointer<vtkPolyData> mesh = FiniteTriangles(extracted, this->Image->GetCenter());
+    const vtkIdType left = extracted->GetNumberOfPolys() - mesh->GetNumberOfPolys();
+    if (left > 0)
+    {
+      row.AddNote(std::to_string(left) +
+        " triangles have vertices that are not finite, beside samples that are not: they have no "
+        "accuracy.");
+    }
     const vtkSmartPointer<vtkPolyData> cut = CutAtCentroids(mesh);
     const SurfaceErrors errors = MeasureErrors(this->Image, this->Reference, row.Isovalue,
       cut->GetPoints(), NormalsOfCentroids(mesh), [this]() { return this->Self->IsAborted(); });
@@ -377,6 +402,10 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfHits(Row& row)
         hits->GetPointData()->GetNormals(), [this]() { return this->Self->IsAborted(); });
     Summarize(errors, 0, row);
     row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
+    if (row.CoveredPixels == 0.0 && this->WhyNoSurface(row.Isovalue).empty())
+    {
+      row.AddNote("No ray of the picture hits a surface.");
+    }
     if (this->IsOutputRow())
     {
       this->Mesh->SetPoints(hits->GetPoints());

@@ -20,7 +20,7 @@
  * | ExtractionTime         | from there to the triangles, without normals                        |
  * | FirstPictureTime       | from the image in memory to a picture in an open window             |
  * | NextPictureTime        | the next picture, from another side                                 |
- * | NewIsovaluePictureTime | the first picture of another isovalue                               |
+ * | NewIsovaluePictureTime | the first picture of another isovalue, 1/1000 of the range away     |
  * | Triangles, Points      | of the mesh                                                         |
  * | Bytes                  | what is kept: coordinates and triangles; macrocells and bricks      |
  * | PeakBytes              | how far the memory of the process rises, see below                  |
@@ -68,8 +68,11 @@
  * the world; NaN where one is missing) and Coverage (0: neither is there, 1: both, 2: the
  * isosurface alone, 3: the mesh alone).
  *
- * An isovalue that the data does not reach has rows with no triangles. Point scalars of one
- * component are needed: the active ones, or those chosen with SetInputArrayToProcess. Without
+ * Triangles with vertices that are not finite, as VTK makes them beside samples that are not, are
+ * counted, have no accuracy, and are not in output 1; the note says how many.
+ *
+ * An isovalue that the data does not reach has rows with no triangles, and a note. Point scalars of
+ * one component are needed: the active ones, or those chosen with SetInputArrayToProcess. Without
  * them, or if the data has no cells, there is an error, and rows that say so; without isovalues
  * or methods, a warning and a table without rows.
  *

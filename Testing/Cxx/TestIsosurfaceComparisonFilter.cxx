@@ -285,6 +285,18 @@ void TestOneCell()
 }
 
 //------------------------------------------------------------------------------
+// All rows must hold the words.
+void CheckNotes(vtkTable* table, const std::string& words)
+{
+  CheckEqual(table->GetNumberOfRows(), 6, "number of rows with notes");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::string note = table->GetValueByName(row, "Note").ToString();
+    Check(note.find(words) != std::string::npos, "no note about \"" + words + "\" but: " + note);
+  }
+}
+
+//------------------------------------------------------------------------------
 // What the data does not reach has a row, with nothing in it.
 void TestIsovalueOutOfRange(vtkImageData* image, double isovalue)
 {
@@ -302,11 +314,62 @@ void TestIsovalueOutOfRange(vtkImageData* image, double isovalue)
     CheckEqual(table->GetValueByName(row, "Points").ToInt(), 0, "points out of range");
     Check(std::isnan(table->GetValueByName(row, "MaximumDistance").ToDouble()),
       "there is a distance without a surface");
-    const std::string note = table->GetValueByName(row, "Note").ToString();
-    Check(note.find("No surface") != std::string::npos, "the note does not say why: " + note);
   }
+  CheckNotes(table, "No surface");
   CheckEqual(comparison->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::POINT), 0,
     "points of the mesh out of range");
+}
+
+//------------------------------------------------------------------------------
+// Samples that are no numbers, as simulations have where nothing is: all finite triangles, and only
+// they, are measured.
+void TestNotFinite()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto half = NewImage(VTK_DOUBLE, 9,
+    [](int x, int y, int z) { return x < 5 ? std::hypot(x - 4, y - 4, z - 4) : nan; });
+  vtkNew<vtkIsosurfaceComparisonFilter> comparison;
+  comparison->SetInputData(half);
+  comparison->SetValue(0, 3.1);
+  comparison->SetNumberOfRepeats(1);
+  comparison->SetImageSize(16, 16);
+  comparison->Update();
+  vtkTable* table = comparison->GetOutput();
+  const auto mesh = Extract<vtkFlyingEdges3D>(half, 3.1);
+  CheckCounts(table, 0, mesh);
+  Check(table->GetValueByName(0, "MaximumDistanceInCells").ToDouble() < 1.0, "a finite distance");
+  CheckEqual(table->GetValueByName(0, "LostPoints").ToInt(), 0, "lost points beside no numbers");
+  const std::string note = table->GetValueByName(0, "Note").ToString();
+  auto* measured = vtkPolyData::SafeDownCast(comparison->GetOutputDataObject(1));
+  const vtkIdType left = mesh->GetNumberOfPolys() - measured->GetNumberOfPolys() / 3;
+  Check(left > 0 && measured->GetNumberOfPolys() > 0, "triangles of both kinds were tried");
+  CheckEqual(note.find(std::to_string(left) + " triangles"), 0u, "the note of them");
+
+  const auto nothing = NewImage(VTK_FLOAT, 5, [](int, int, int) { return nan; });
+  comparison->SetInputData(nothing);
+  comparison->Update();
+  CheckNotes(comparison->GetOutput(), "none of the scalars is a number");
+}
+
+//------------------------------------------------------------------------------
+// An isovalue within the range has no surface where all samples have that value.
+void TestEmptySurface()
+{
+  vtkNew<vtkIsosurfaceComparisonFilter> comparison;
+  comparison->SetInputData(NewImage(VTK_SHORT, 5, [](int, int, int) { return 2.0; }));
+  comparison->SetValue(0, 2.0);
+  comparison->SetNumberOfRepeats(1);
+  comparison->SetImageSize(16, 16);
+  comparison->Update();
+  vtkTable* table = comparison->GetOutput();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::string words = row < 4 ? "finds no surface"
+      : row == 4                      ? "vtkSpanSpace"
+                                      : "No ray of the picture";
+    const std::string note = table->GetValueByName(row, "Note").ToString();
+    Check(note.find(words) != std::string::npos, "no note about \"" + words + "\" but: " + note);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -364,12 +427,7 @@ void TestError(vtkImageData* image, const std::string& words)
   Check(said.find(words) != std::string::npos, "no error about \"" + words + "\" but: " + said);
   Check(said.find("ERROR:") == said.rfind("ERROR:"), "there are several errors: " + said);
   CheckColumns(comparison->GetOutput());
-  CheckEqual(comparison->GetOutput()->GetNumberOfRows(), 6, "number of rows after an error");
-  for (vtkIdType row = 0; row < comparison->GetOutput()->GetNumberOfRows(); ++row)
-  {
-    const std::string note = comparison->GetOutput()->GetValueByName(row, "Note").ToString();
-    Check(note.find(words) != std::string::npos, "no note about \"" + words + "\" but: " + note);
-  }
+  CheckNotes(comparison->GetOutput(), words);
 }
 
 //------------------------------------------------------------------------------
@@ -577,6 +635,8 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   }
   TestIsovalueOutOfRange(NewImage(VTK_FLOAT, 5, [](int, int, int) { return 1.0; }), 2.0);
   TestIsovalueAtEndOfRange();
+  TestEmptySurface();
+  TestNotFinite();
   TestChosenArray();
   TestErrors();
   TestNothingToMeasure();
