@@ -3,142 +3,45 @@
 
 #include "vtkIsosurfaceComparisonFilter.h"
 
+#include "vtkIsosurfaceComparisonErrors.h"
+#include "vtkIsosurfaceComparisonMethods.h"
+#include "vtkIsosurfaceComparisonPictures.h"
+#include "vtkIsosurfaceComparisonRays.h"
+#include "vtkIsosurfaceComparisonRow.h"
+#include "vtkIsosurfaceComparisonTime.h"
+#include "vtkIsosurfaceComparisonTopology.h"
+
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlyingEdges3D.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMarchingCubes.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <memory>
+#include <sstream>
 #include <vector>
+
+using namespace vtkIsosurfaceComparison;
 
 namespace
 {
 
-// One way to make a mesh. Setting the filter up is not part of the time, Update() is.
-struct Method
-{
-  const char* Name;
-  vtkSmartPointer<vtkPolyDataAlgorithm> (*NewExtraction)(vtkImageData* image, double isovalue);
-};
-
-// One row of the table.
-struct Measurement
-{
-  std::vector<double> Times; // seconds, one per repeat
-  vtkIdType Triangles = 0;
-  vtkIdType Points = 0;
-  vtkIdType Memory = 0;
-};
-
-// The columns of the table; they are there even when no row is.
-struct Columns
-{
-  explicit Columns(vtkTable* table)
-  {
-    this->Add(table, this->Method, "Method");
-    this->Add(table, this->Isovalue, "Isovalue");
-    this->Add(table, this->Time, "Time");
-    this->Add(table, this->MinimumTime, "MinimumTime");
-    this->Add(table, this->Triangles, "Triangles");
-    this->Add(table, this->Points, "Points");
-    this->Add(table, this->Memory, "Memory");
-  }
-
-  void Add(vtkTable* table, vtkAbstractArray* column, const char* name)
-  {
-    column->SetName(name);
-    table->AddColumn(column);
-  }
-
-  void InsertNextRow(const char* method, double isovalue, const Measurement& measurement);
-
-  vtkNew<vtkStringArray> Method;
-  vtkNew<vtkDoubleArray> Isovalue;
-  vtkNew<vtkDoubleArray> Time;
-  vtkNew<vtkDoubleArray> MinimumTime;
-  vtkNew<vtkIdTypeArray> Triangles;
-  vtkNew<vtkIdTypeArray> Points;
-  vtkNew<vtkIdTypeArray> Memory;
-};
-
-//------------------------------------------------------------------------------
-template <typename FilterT>
-vtkSmartPointer<vtkPolyDataAlgorithm> NewExtraction(vtkImageData* image, double isovalue)
-{
-  auto filter = vtkSmartPointer<FilterT>::New();
-  filter->SetInputData(image);
-  filter->SetValue(0, isovalue);
-  filter->ComputeNormalsOff();
-  filter->ComputeGradientsOff();
-  filter->ComputeScalarsOff();
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-double TimeOfUpdate(vtkAlgorithm* extraction)
-{
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  extraction->Update();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-//------------------------------------------------------------------------------
-// What the values take. vtkPolyData::GetActualMemorySize counts in kibibytes and spare capacity.
-vtkIdType BytesOf(vtkDataArray* array)
-{
-  return array ? array->GetNumberOfValues() * array->GetDataTypeSize() : 0;
-}
-
-//------------------------------------------------------------------------------
-void MeasureMesh(vtkPolyData* mesh, Measurement& measurement)
-{
-  vtkPoints* points = mesh->GetPoints();
-  vtkCellArray* triangles = mesh->GetPolys();
-  measurement.Triangles = mesh->GetNumberOfPolys();
-  measurement.Points = mesh->GetNumberOfPoints();
-  measurement.Memory = points ? BytesOf(points->GetData()) : 0;
-  if (measurement.Triangles > 0)
-  {
-    measurement.Memory +=
-      BytesOf(triangles->GetOffsetsArray()) + BytesOf(triangles->GetConnectivityArray());
-  }
-}
-
-//------------------------------------------------------------------------------
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-//------------------------------------------------------------------------------
-void Columns::InsertNextRow(const char* method, double isovalue, const Measurement& measurement)
-{
-  this->Method->InsertNextValue(method);
-  this->Isovalue->InsertNextValue(isovalue);
-  this->Time->InsertNextValue(Median(measurement.Times));
-  this->MinimumTime->InsertNextValue(
-    *std::min_element(measurement.Times.begin(), measurement.Times.end()));
-  this->Triangles->InsertNextValue(measurement.Triangles);
-  this->Points->InsertNextValue(measurement.Points);
-  this->Memory->InsertNextValue(measurement.Memory);
-}
+constexpr const char* RayTracingName = "vtkIsosurfaceRayTraceMapper";
 
 //------------------------------------------------------------------------------
 // What is wrong with the input and how to mend it, or nullptr if it can be contoured.
@@ -166,6 +69,19 @@ const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
     return "The number of scalars is not the number of points: the array must hold one value for "
            "every point of the image; vtkCellDataToPointData makes such an array from cell data.";
   }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    return "The scalars are bits, of which VTK's contour filters make nothing: vtkImageCast makes "
+           "numbers of them.";
+  }
+  const double* matrix = image->GetIndexToPhysicalMatrix()->GetData();
+  const bool isFinite =
+    std::all_of(matrix, matrix + 16, [](double element) { return std::isfinite(element); });
+  if (!isFinite || image->GetIndexToPhysicalMatrix()->Determinant() == 0.0)
+  {
+    return "The origin, spacing and direction of the image leave it without a finite volume: they "
+           "must be finite, the spacing not 0 and the direction matrix of full rank.";
+  }
   return nullptr;
 }
 
@@ -179,6 +95,44 @@ vtkSmartPointer<vtkImageData> ImageOfScalars(vtkImageData* image, vtkDataArray* 
   return result;
 }
 
+//------------------------------------------------------------------------------
+// What the values take. vtkPolyData::GetActualMemorySize counts in kibibytes and spare capacity.
+vtkIdType BytesOf(vtkDataArray* array)
+{
+  return array ? array->GetNumberOfValues() * array->GetDataTypeSize() : 0;
+}
+
+//------------------------------------------------------------------------------
+void CountMesh(vtkPolyData* mesh, Row& row)
+{
+  vtkPoints* points = mesh->GetPoints();
+  vtkCellArray* triangles = mesh->GetPolys();
+  row.Triangles = mesh->GetNumberOfPolys();
+  row.Points = mesh->GetNumberOfPoints();
+  row.Bytes = points ? BytesOf(points->GetData()) : 0;
+  if (row.Triangles > 0)
+  {
+    row.Bytes += BytesOf(triangles->GetOffsetsArray()) + BytesOf(triangles->GetConnectivityArray());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> NewArray(const std::vector<double>& values, const char* name)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+//------------------------------------------------------------------------------
+void AddErrors(const SurfaceErrors& errors, vtkPolyData* mesh)
+{
+  mesh->GetPointData()->SetScalars(NewArray(errors.Cells, "DistanceInCells"));
+  mesh->GetPointData()->AddArray(NewArray(errors.World, "Distance"));
+}
+
 } // anonymous namespace
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -186,14 +140,338 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkIsosurfaceComparisonFilter);
 
 //------------------------------------------------------------------------------
+// One execution of the filter: what its measurements share.
+class vtkIsosurfaceComparisonFilter::Comparison
+{
+public:
+  Comparison(vtkIsosurfaceComparisonFilter* self, vtkImageData* image, vtkPolyData* mesh,
+    vtkImageData* difference)
+    : Self(self)
+    , Image(image)
+    , Mesh(mesh)
+    , Difference(difference)
+    , Reference(image)
+  {
+    if (self->Camera)
+    {
+      this->Camera->DeepCopy(self->Camera);
+      IncludeWhole(image, this->Camera);
+    }
+    else
+    {
+      vtkIsosurfaceComparisonFilter::LookAt(image, this->Camera);
+    }
+    const int* size = self->ImageSize;
+    this->Rays = std::make_unique<PictureRays>(this->Camera, size[0], size[1]);
+    image->GetPointData()->GetScalars()->GetRange(this->Range, 0);
+    this->WhyNoPictures = self->Pictures ? vtkIsosurfaceComparisonFilter::WhyNoPictures() : "";
+    if (self->Pictures && this->WhyNoPictures.empty())
+    {
+      this->Window = std::make_unique<PictureWindow>(this->Camera, size[0], size[1]);
+    }
+  }
+
+  // Fills the table; returns early when aborted.
+  void Run(const std::vector<const ExtractionMethod*>& methods, vtkTable* table);
+
+private:
+  // These return false when aborted: the row is not finished.
+  bool MeasureTriangles(const ExtractionMethod& method, Row& row);
+  bool MeasureRayTracing(Row& row);
+  bool MeasurePictures(const std::function<std::unique_ptr<Drawing>()>& newDrawing, Row& row);
+  bool MeasureAccuracyOfTriangles(vtkPolyData* extracted, Row& row);
+  bool MeasureAccuracyOfHits(Row& row);
+
+  std::string WhyNoSurface(double isovalue) const;
+  bool FinishStep();
+  bool IsOutputRow() const { return this->NumberOfRows == this->Self->OutputRow; }
+
+  vtkIsosurfaceComparisonFilter* Self;
+  vtkImageData* Image;
+  vtkPolyData* Mesh;
+  vtkImageData* Difference;
+  TracedIsosurface Reference;
+  vtkNew<vtkCamera> Camera;
+  std::unique_ptr<PictureRays> Rays;
+  std::unique_ptr<PictureWindow> Window;
+  std::string WhyNoPictures;
+  double Range[2];
+
+  // Where the rays of the picture hit the isosurface of the present isovalue.
+  std::vector<double> ReferenceTs;
+  int NumberOfRows = 0;
+  int Step = 0;
+  int NumberOfSteps = 0;
+};
+
+//------------------------------------------------------------------------------
+// Empty if there may be one.
+std::string vtkIsosurfaceComparisonFilter::Comparison::WhyNoSurface(double isovalue) const
+{
+  if (this->Range[0] > this->Range[1])
+  {
+    return "No surface: none of the scalars is a number.";
+  }
+  if (!(isovalue >= this->Range[0] && isovalue <= this->Range[1]))
+  {
+    std::ostringstream note;
+    note << "No surface: the scalars are from " << this->Range[0] << " to " << this->Range[1]
+         << ".";
+    return note.str();
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::FinishStep()
+{
+  // A measurement during which nobody asked to abort is whole, even if they do so when they hear of
+  // it.
+  const bool isWhole = !this->Self->IsAborted();
+  this->Self->UpdateProgress(static_cast<double>(++this->Step) / this->NumberOfSteps);
+  return isWhole;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceComparisonFilter::Comparison::Run(
+  const std::vector<const ExtractionMethod*>& methods, vtkTable* table)
+{
+  const int rowsOfIsovalue = static_cast<int>(methods.size()) + (this->Self->RayTracing ? 1 : 0);
+  // For each row the repeats, the pictures and the accuracy.
+  this->NumberOfSteps =
+    this->Self->GetNumberOfContours() * rowsOfIsovalue * (this->Self->NumberOfRepeats + 2);
+  for (int i = 0; i < this->Self->GetNumberOfContours(); ++i)
+  {
+    const double isovalue = this->Self->GetValue(i);
+    this->Reference.SetIsovalue(isovalue);
+    if (this->Self->Accuracy)
+    {
+      this->ReferenceTs = this->Rays->CastAt(this->Reference);
+    }
+    for (int method = 0; method < rowsOfIsovalue && !this->Self->IsAborted(); ++method)
+    {
+      Row row;
+      row.Isovalue = isovalue;
+      row.AddNote(this->WhyNoSurface(isovalue));
+      row.AddNote(this->WhyNoPictures);
+      const bool isFinished = method < static_cast<int>(methods.size())
+        ? this->MeasureTriangles(*methods[method], row)
+        : this->MeasureRayTracing(row);
+      if (!isFinished)
+      {
+        return;
+      }
+      AddRow(table, row);
+      ++this->NumberOfRows;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
+  const ExtractionMethod& method, Row& row)
+{
+  row.Method = method.Name;
+  if (method.NeedsIsovalueInRange &&
+    !(row.Isovalue > this->Range[0] && row.Isovalue < this->Range[1]))
+  {
+    row.AddNote("Not measured: vtkSpanSpace reads beyond its arrays unless the isovalue is between "
+                "the smallest and the largest scalar.");
+    this->Step += this->Self->NumberOfRepeats + 1;
+    return this->FinishStep();
+  }
+  std::vector<double> buildTimes;
+  std::vector<double> extractionTimes;
+  vtkSmartPointer<vtkPolyData> mesh;
+  for (int repeat = 0; repeat < this->Self->NumberOfRepeats; ++repeat)
+  {
+    mesh = nullptr;
+    const MemoryPeak peak;
+    const auto extraction = method.New(this->Image, false);
+    extraction->SetIsovalue(row.Isovalue);
+    buildTimes.push_back(extraction->Build());
+    const Stopwatch watch;
+    extraction->GetFilter()->Update();
+    extractionTimes.push_back(watch.GetSeconds());
+    row.PeakBytes = repeat == 0 ? peak.GetBytes() : row.PeakBytes;
+    mesh = extraction->GetFilter()->GetOutput();
+    if (!this->FinishStep())
+    {
+      return false;
+    }
+  }
+  row.BuildTime = Median(buildTimes);
+  row.ExtractionTime = Median(extractionTimes);
+  CountMesh(mesh, row);
+  if (row.Triangles == 0 && this->WhyNoSurface(row.Isovalue).empty())
+  {
+    row.AddNote("No triangles: the filter finds no surface at this isovalue.");
+  }
+  return this->MeasurePictures(
+           [this, &method]() { return NewTriangles(method, this->Image); }, row) &&
+    this->MeasureAccuracyOfTriangles(mesh, row);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasureRayTracing(Row& row)
+{
+  row.Method = RayTracingName;
+  std::vector<double> buildTimes;
+  for (int repeat = 0; repeat < this->Self->NumberOfRepeats; ++repeat)
+  {
+    const MemoryPeak peak;
+    TracedIsosurface isosurface(this->Image);
+    isosurface.SetIsovalue(row.Isovalue);
+    buildTimes.push_back(isosurface.Build());
+    if (repeat == 0)
+    {
+      this->Rays->CastInPortions(isosurface);
+      row.PeakBytes = peak.GetBytes();
+      row.Bytes = isosurface.Mapper->GetMacrocellMemory() + isosurface.Mapper->GetBrickMemory();
+    }
+    if (!this->FinishStep())
+    {
+      return false;
+    }
+  }
+  row.BuildTime = Median(buildTimes);
+  return this->MeasurePictures([this]() { return NewTracedIsosurface(this->Image); }, row) &&
+    this->MeasureAccuracyOfHits(row);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasurePictures(
+  const std::function<std::unique_ptr<Drawing>()>& newDrawing, Row& row)
+{
+  if (this->Window)
+  {
+    const double middle = 0.5 * (this->Range[0] + this->Range[1]);
+    const double nudge = 1e-3 * (this->Range[1] - this->Range[0]);
+    const double other = row.Isovalue + (row.Isovalue < middle ? nudge : -nudge);
+    this->Window->Measure(
+      newDrawing, row.Isovalue, other, this->Self->NumberOfRepeats,
+      [this]() { return this->Self->IsAborted(); }, row);
+  }
+  return this->FinishStep();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
+  vtkPolyData* extracted, Row& row)
+{
+  if (this->Self->Accuracy)
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = FiniteTriangles(extracted, this->Image->GetCenter());
+    const vtkIdType left = extracted->GetNumberOfPolys() - mesh->GetNumberOfPolys();
+    if (left > 0)
+    {
+      row.AddNote(std::to_string(left) +
+        " triangles have vertices that are not finite, beside samples that are not: they have no "
+        "accuracy.");
+    }
+    const vtkSmartPointer<vtkPolyData> cut = CutAtCentroids(mesh);
+    const SurfaceErrors errors = MeasureErrors(this->Image, this->Reference, row.Isovalue,
+      cut->GetPoints(), NormalsOfCentroids(mesh), [this]() { return this->Self->IsAborted(); });
+    Summarize(errors, static_cast<std::size_t>(mesh->GetNumberOfPoints()), row);
+
+    const std::vector<double> ts = this->Rays->CastAt(mesh);
+    row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
+    row.DifferentPixels = CountDifferentPixels(this->ReferenceTs, ts);
+
+    const TopologyCount topology = CompareTopology(this->Image, row.Isovalue, mesh);
+    row.AmbiguousCells = static_cast<double>(topology.AmbiguousCells);
+    row.TopologyDifferences = static_cast<double>(topology.Differences);
+    if (this->IsOutputRow())
+    {
+      this->Mesh->ShallowCopy(cut);
+      AddErrors(errors, this->Mesh);
+      WriteDifference(*this->Rays, this->ReferenceTs, ts, this->Difference);
+    }
+  }
+  return this->FinishStep();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfHits(Row& row)
+{
+  vtkNew<vtkPolyData> hits;
+  if (this->Self->Accuracy && this->Rays->FindHits(this->Reference, hits))
+  {
+    const SurfaceErrors errors =
+      MeasureErrors(this->Image, this->Reference, row.Isovalue, hits->GetPoints(),
+        hits->GetPointData()->GetNormals(), [this]() { return this->Self->IsAborted(); });
+    Summarize(errors, 0, row);
+    row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
+    if (row.CoveredPixels == 0.0 && this->WhyNoSurface(row.Isovalue).empty())
+    {
+      row.AddNote("No ray of the picture hits a surface.");
+    }
+    if (this->IsOutputRow())
+    {
+      this->Mesh->SetPoints(hits->GetPoints());
+      vtkNew<vtkCellArray> vertices;
+      for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
+      {
+        vertices->InsertNextCell({ i });
+      }
+      this->Mesh->SetVerts(vertices);
+      AddErrors(errors, this->Mesh);
+      WriteDifference(*this->Rays, this->ReferenceTs, this->ReferenceTs, this->Difference);
+    }
+  }
+  return this->FinishStep();
+}
+
+//------------------------------------------------------------------------------
 vtkIsosurfaceComparisonFilter::vtkIsosurfaceComparisonFilter()
 {
+  this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceComparisonFilter::~vtkIsosurfaceComparisonFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceComparisonFilter::LookAt(vtkImageData* image, vtkCamera* camera)
+{
+  vtkIsosurfaceComparison::LookAt(image, camera);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceComparisonFilter::WhyNoPictures()
+{
+  return vtkIsosurfaceComparison::WhyNoPictures();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceComparisonFilter::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkIsosurfaceComparisonFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceComparisonFilter::SetImageSize(int width, int height)
+{
+  const int clamped[2] = { std::clamp(width, 1, 16384), std::clamp(height, 1, 16384) };
+  if (this->ImageSize[0] != clamped[0] || this->ImageSize[1] != clamped[1])
+  {
+    this->ImageSize[0] = clamped[0];
+    this->ImageSize[1] = clamped[1];
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceComparisonFilter::SetValue(int i, double value)
@@ -247,7 +525,8 @@ void vtkIsosurfaceComparisonFilter::GenerateValues(
 //------------------------------------------------------------------------------
 vtkMTimeType vtkIsosurfaceComparisonFilter::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+  return std::max({ this->Superclass::GetMTime(), this->ContourValues->GetMTime(),
+    this->Camera ? this->Camera->GetMTime() : 0 });
 }
 
 //------------------------------------------------------------------------------
@@ -255,6 +534,38 @@ int vtkIsosurfaceComparisonFilter::FillInputPortInformation(
   int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceComparisonFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* const types[] = { "vtkTable", "vtkPolyData", "vtkImageData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceComparisonFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(2);
+  const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceComparisonFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  // The whole volume, whatever part of the picture is asked for.
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
   return 1;
 }
 
@@ -273,57 +584,56 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
-  vtkTable* output = vtkTable::GetData(outputVector);
-  Columns columns(output);
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  AddColumns(table);
+
+  std::vector<const ExtractionMethod*> methods;
+  const auto choose = [&methods](bool isChosen, const ExtractionMethod& method)
+  {
+    if (isChosen)
+    {
+      methods.push_back(&method);
+    }
+  };
+  choose(this->FlyingEdges, vtkIsosurfaceComparison::FlyingEdges);
+  choose(this->MarchingCubes, vtkIsosurfaceComparison::MarchingCubes);
+  choose(this->SynchronizedTemplates, vtkIsosurfaceComparison::SynchronizedTemplates);
+  choose(this->ContourFilter, vtkIsosurfaceComparison::ContourFilter);
+  choose(this->SpanSpace, vtkIsosurfaceComparison::SpanSpace);
+  if (this->GetNumberOfContours() == 0 || (methods.empty() && !this->RayTracing))
+  {
+    vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue and switch a "
+                    "method on, as with FlyingEdgesOn.");
+    return 1;
+  }
 
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputVector);
   if (const char* complaint = Complaint(input, scalars))
   {
     vtkErrorMacro(<< complaint);
-    return 1;
-  }
-
-  std::vector<Method> methods;
-  if (this->FlyingEdges)
-  {
-    methods.push_back({ "vtkFlyingEdges3D", NewExtraction<vtkFlyingEdges3D> });
-  }
-  if (this->MarchingCubes)
-  {
-    methods.push_back({ "vtkMarchingCubes", NewExtraction<vtkMarchingCubes> });
-  }
-  const int numberOfIsovalues = this->GetNumberOfContours();
-  const double numberOfSteps =
-    static_cast<double>(numberOfIsovalues) * methods.size() * this->NumberOfRepeats;
-  if (numberOfSteps == 0.0)
-  {
-    vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue and switch a "
-                    "method on with FlyingEdgesOn or MarchingCubesOn.");
+    for (int i = 0; i < this->GetNumberOfContours(); ++i)
+    {
+      Row row;
+      row.Isovalue = this->GetValue(i);
+      row.Note = complaint;
+      for (const ExtractionMethod* method : methods)
+      {
+        row.Method = method->Name;
+        AddRow(table, row);
+      }
+      if (this->RayTracing)
+      {
+        row.Method = RayTracingName;
+        AddRow(table, row);
+      }
+    }
     return 1;
   }
 
   const vtkSmartPointer<vtkImageData> image = ImageOfScalars(input, scalars);
-  int step = 0;
-  for (int i = 0; i < numberOfIsovalues; ++i)
-  {
-    const double isovalue = this->GetValue(i);
-    for (const Method& method : methods)
-    {
-      Measurement measurement;
-      for (int repeat = 0; repeat < this->NumberOfRepeats; ++repeat)
-      {
-        if (this->IsAborted())
-        {
-          return 1;
-        }
-        const auto extraction = method.NewExtraction(image, isovalue);
-        measurement.Times.push_back(TimeOfUpdate(extraction));
-        MeasureMesh(extraction->GetOutput(), measurement);
-        this->UpdateProgress(++step / numberOfSteps);
-      }
-      columns.InsertNextRow(method.Name, isovalue, measurement);
-    }
-  }
+  Comparison comparison(
+    this, image, vtkPolyData::GetData(outputVector, 1), vtkImageData::GetData(outputVector, 2));
+  comparison.Run(methods, table);
   return 1;
 }
 
@@ -331,9 +641,24 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
 void vtkIsosurfaceComparisonFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FlyingEdges: " << (this->FlyingEdges ? "On" : "Off") << "\n";
-  os << indent << "MarchingCubes: " << (this->MarchingCubes ? "On" : "Off") << "\n";
+  const auto print = [&os, indent](const char* name, bool value)
+  { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
+  print("FlyingEdges", this->FlyingEdges);
+  print("MarchingCubes", this->MarchingCubes);
+  print("SynchronizedTemplates", this->SynchronizedTemplates);
+  print("ContourFilter", this->ContourFilter);
+  print("SpanSpace", this->SpanSpace);
+  print("RayTracing", this->RayTracing);
+  print("Pictures", this->Pictures);
+  print("Accuracy", this->Accuracy);
   os << indent << "NumberOfRepeats: " << this->NumberOfRepeats << "\n";
+  os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
+  os << indent << "OutputRow: " << this->OutputRow << "\n";
+  os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
+  if (this->Camera)
+  {
+    this->Camera->PrintSelf(os, indent.GetNextIndent());
+  }
   os << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());
 }

@@ -17,6 +17,13 @@ set(classes
   Rendering/vtkIsosurfaceRayTraceMapper)
 
 set(private_classes
+  Filters/vtkIsosurfaceComparisonErrors
+  Filters/vtkIsosurfaceComparisonMethods
+  Filters/vtkIsosurfaceComparisonPictures
+  Filters/vtkIsosurfaceComparisonRays
+  Filters/vtkIsosurfaceComparisonRow
+  Filters/vtkIsosurfaceComparisonTime
+  Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene

@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compare ways to an isosurface: compare_isosurfaces.py VOLUME.mhd ISOVALUE"""
+
+import sys
+
+from vtkmodules.vtkIOImage import vtkImageReader2Factory
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for the times of pictures
+from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
+
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
+reader = vtkImageReader2Factory.CreateImageReader2(sys.argv[1])
+if reader is None:
+    sys.exit(f"VTK has no image reader for {sys.argv[1]}")
+reader.SetFileName(sys.argv[1])
+
+comparison = vtkIsosurfaceComparisonFilter()
+comparison.SetInputConnection(reader.GetOutputPort())
+comparison.SetValue(0, float(sys.argv[2]))
+comparison.Update()
+table = comparison.GetOutput()
+for column in range(table.GetNumberOfColumns()):
+    values = (table.GetValue(row, column).ToString() for row in range(table.GetNumberOfRows()))
+    print(f"{table.GetColumnName(column):>24}", *(f"{value[:18]:>18}" for value in values))
+# Output 1 is the mesh with its distance from the isosurface, output 2 the picture of the difference.

@@ -1,0 +1,461 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkIsosurfaceComparisonErrors.h"
+
+#include "vtkIsosurfaceComparisonMethods.h"
+#include "vtkIsosurfaceComparisonRow.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTriangle.h"
+#include "vtkVolume.h"
+#include "vtkVoxel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace vtkIsosurfaceComparison
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+/// Lines begin this far before the point, in cells: a point on the isosurface must not lie at the
+/// very beginning, where rounding decides whether the surface is crossed.
+constexpr double StepBack = 1e-6;
+
+/// A point of the volume in its cell, with the values at the corners: (x, y, z) is x + 2 y + 4 z.
+struct Place
+{
+  int Cell[3];
+  double Parametric[3];
+  double Corners[8];
+};
+
+/// The trilinear interpolant of an image, by VTK's own cell.
+class Interpolant
+{
+public:
+  explicit Interpolant(vtkImageData* image)
+    : Image(image)
+    , Scalars(image->GetPointData()->GetScalars())
+    , IndexFromWorld(image->GetPhysicalToIndexMatrix())
+  {
+  }
+
+  /// In cells: the length of a vector given in the world.
+  double LengthInCells(const Vector& v) const
+  {
+    Vector cells;
+    for (int i = 0; i < 3; ++i)
+    {
+      cells[i] = 0.0;
+      for (int j = 0; j < 3; ++j)
+      {
+        cells[i] += this->IndexFromWorld->GetElement(i, j) * v[j];
+      }
+    }
+    return vtkMath::Norm(cells.data());
+  }
+
+  /// Finds the place of a point. One that rounding has put outside is moved to the border.
+  Place Locate(Vector& point) const;
+
+  double GetValue(const Place& place) const;
+  /// In the world.
+  Vector GetGradient(const Place& place) const;
+
+  bool IsSample(const int ijk[3]) const;
+  double GetSample(int ijk[3]) const;
+  Vector GetPoint(const Vector& index) const;
+
+private:
+  vtkImageData* Image;
+  vtkDataArray* Scalars;
+  vtkMatrix4x4* IndexFromWorld;
+};
+
+//------------------------------------------------------------------------------
+Place Interpolant::Locate(Vector& point) const
+{
+  const int* extent = this->Image->GetExtent();
+  Place place;
+  double index[3];
+  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index);
+  bool isMoved = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = extent[2 * i];
+    const double high = extent[2 * i + 1];
+    isMoved = isMoved || index[i] < low || index[i] > high;
+    index[i] = std::clamp(index[i], low, high);
+    place.Cell[i] = std::min(static_cast<int>(std::floor(index[i])), extent[2 * i + 1] - 1);
+    place.Parametric[i] = index[i] - place.Cell[i];
+  }
+  if (isMoved)
+  {
+    this->Image->TransformContinuousIndexToPhysicalPoint(index, point.data());
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    int ijk[3] = { place.Cell[0] + (corner & 1), place.Cell[1] + (corner >> 1 & 1),
+      place.Cell[2] + (corner >> 2) };
+    place.Corners[corner] = this->GetSample(ijk);
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+double Interpolant::GetValue(const Place& place) const
+{
+  double weights[8];
+  vtkVoxel::InterpolationFunctions(place.Parametric, weights);
+  return std::inner_product(weights, weights + 8, place.Corners, 0.0);
+}
+
+//------------------------------------------------------------------------------
+Vector Interpolant::GetGradient(const Place& place) const
+{
+  double derivatives[24];
+  vtkVoxel::InterpolationDerivs(place.Parametric, derivatives);
+  Vector gradient = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* weights = derivatives + 8 * axis;
+    const double perCell = std::inner_product(weights, weights + 8, place.Corners, 0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      gradient[i] += this->IndexFromWorld->GetElement(axis, i) * perCell;
+    }
+  }
+  return gradient;
+}
+
+//------------------------------------------------------------------------------
+bool Interpolant::IsSample(const int ijk[3]) const
+{
+  const int* extent = this->Image->GetExtent();
+  return ijk[0] >= extent[0] && ijk[0] <= extent[1] && ijk[1] >= extent[2] && ijk[1] <= extent[3] &&
+    ijk[2] >= extent[4] && ijk[2] <= extent[5];
+}
+
+//------------------------------------------------------------------------------
+double Interpolant::GetSample(int ijk[3]) const
+{
+  return this->Scalars->GetComponent(this->Image->ComputePointId(ijk), 0);
+}
+
+//------------------------------------------------------------------------------
+Vector Interpolant::GetPoint(const Vector& index) const
+{
+  Vector point;
+  this->Image->TransformContinuousIndexToPhysicalPoint(index.data(), point.data());
+  return point;
+}
+
+//------------------------------------------------------------------------------
+/// Lines that begin a little before points of a surface and are measured in cells from there.
+struct Lines
+{
+  vtkNew<vtkPoints> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+  /// Of which point a line is, and how long its direction is in the world.
+  std::vector<std::size_t> PointIds;
+  std::vector<double> Scales;
+
+  Lines()
+  {
+    this->Origins->SetDataTypeToDouble();
+    this->Directions->SetNumberOfComponents(3);
+  }
+
+  /// The direction is one cell long.
+  void Add(std::size_t pointId, const Vector& point, const Vector& direction)
+  {
+    this->Origins->InsertNextPoint(point[0] - StepBack * direction[0],
+      point[1] - StepBack * direction[1], point[2] - StepBack * direction[2]);
+    this->Directions->InsertNextTuple(direction.data());
+    this->PointIds.push_back(pointId);
+    this->Scales.push_back(vtkMath::Norm(direction.data()));
+  }
+};
+
+//------------------------------------------------------------------------------
+double AngleBetweenLines(const double a[3], const double b[3])
+{
+  // vtkMath::AngleBetweenVectors is 0 for a vector of length 0.
+  if (vtkMath::Norm(a) == 0.0 || vtkMath::Norm(b) == 0.0)
+  {
+    return NotMeasured;
+  }
+  const double angle = vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(a, b));
+  return std::min(angle, 180.0 - angle);
+}
+
+//------------------------------------------------------------------------------
+void CastLines(
+  TracedIsosurface& isosurface, const Lines& lines, vtkDataArray* normals, SurfaceErrors& errors)
+{
+  vtkNew<vtkPolyData> hits;
+  if (!isosurface.Mapper->CastRays(isosurface.Volume, lines.Origins, lines.Directions, hits))
+  {
+    return;
+  }
+  auto* rays = vtkIdTypeArray::SafeDownCast(hits->GetPointData()->GetArray("RayId"));
+  vtkDataArray* ts = hits->GetPointData()->GetArray("T");
+  vtkDataArray* hitNormals = hits->GetPointData()->GetArray("Normals");
+  for (vtkIdType hit = 0; hit < hits->GetNumberOfPoints(); ++hit)
+  {
+    const auto line = static_cast<std::size_t>(rays->GetValue(hit));
+    const std::size_t point = lines.PointIds[line];
+    double normal[3];
+    double hitNormal[3];
+    normals->GetTuple(static_cast<vtkIdType>(point), normal);
+    hitNormals->GetTuple(hit, hitNormal);
+    errors.Cells[point] = std::abs(ts->GetComponent(hit, 0) - StepBack);
+    errors.World[point] = errors.Cells[point] * lines.Scales[line];
+    errors.Angles[point] = AngleBetweenLines(normal, hitNormal);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Keeps the nearest crossing of the edges that end at a corner of the cell, if it is nearer than
+/// what was found. (Not those of the cell alone: rounding may have put a point at a corner into a
+/// neighbour of the cell it belongs to.)
+void TryEdges(const Interpolant& interpolant, const Place& place, const Vector& point,
+  double isovalue, const double normal[3], std::size_t number, SurfaceErrors& errors)
+{
+  for (int edge = 0; edge < 48; ++edge)
+  {
+    const int corner = edge % 8;
+    const int axis = edge / 16;
+    const int step = (edge / 8) % 2 == 0 ? 1 : -1;
+    int sample[3] = { place.Cell[0] + (corner & 1), place.Cell[1] + (corner >> 1 & 1),
+      place.Cell[2] + (corner >> 2) };
+    Vector index = { static_cast<double>(sample[0]), static_cast<double>(sample[1]),
+      static_cast<double>(sample[2]) };
+    sample[axis] += step;
+    if (!interpolant.IsSample(sample))
+    {
+      continue;
+    }
+    const double begin = place.Corners[corner] - isovalue;
+    const double end = interpolant.GetSample(sample) - isovalue;
+    if ((begin >= 0.0) == (end >= 0.0) || !std::isfinite(begin - end))
+    {
+      continue;
+    }
+    index[axis] += step * begin / (begin - end);
+    Vector there = interpolant.GetPoint(index);
+    const double world = std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), there.data()));
+    if (!(errors.World[number] <= world))
+    {
+      errors.World[number] = world;
+      errors.Cells[number] = interpolant.LengthInCells(
+        { there[0] - point[0], there[1] - point[1], there[2] - point[2] });
+      errors.Angles[number] =
+        AngleBetweenLines(normal, interpolant.GetGradient(interpolant.Locate(there)).data());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double Quantile(const std::vector<double>& sorted, double share)
+{
+  if (sorted.empty())
+  {
+    return NotMeasured;
+  }
+  const auto last = static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> SortedNumbers(const std::vector<double>& values, std::size_t first)
+{
+  std::vector<double> numbers;
+  std::copy_if(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(),
+    std::back_inserter(numbers), [](double value) { return !std::isnan(value); });
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+}
+
+//------------------------------------------------------------------------------
+SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, double isovalue,
+  vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted)
+{
+  constexpr std::size_t portion = 1 << 16;
+  const Interpolant interpolant(image);
+  const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
+  SurfaceErrors errors;
+  errors.Cells.assign(count, NotMeasured);
+  errors.World.assign(count, NotMeasured);
+  errors.Angles.assign(count, NotMeasured);
+  isosurface.Mapper->SetNormalModeToInterpolantGradient();
+  for (std::size_t first = 0; first < count && !isAborted(); first += portion)
+  {
+    const std::size_t last = std::min(count, first + portion);
+    std::vector<Vector> inside(last - first);
+    Lines lines;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      Vector& point = inside[i - first];
+      points->GetPoint(static_cast<vtkIdType>(i), point.data());
+      const Place place = interpolant.Locate(point);
+      const Vector gradient = interpolant.GetGradient(place);
+      const double cells = interpolant.LengthInCells(gradient);
+      if (cells > 0.0 && std::isfinite(cells))
+      {
+        const double scale = (interpolant.GetValue(place) < isovalue ? 1.0 : -1.0) / cells;
+        lines.Add(i, point, { scale * gradient[0], scale * gradient[1], scale * gradient[2] });
+      }
+    }
+    CastLines(isosurface, lines, normals, errors);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      Vector& point = inside[i - first];
+      const Place place = interpolant.Locate(point);
+      double normal[3];
+      normals->GetTuple(static_cast<vtkIdType>(i), normal);
+      TryEdges(interpolant, place, point, isovalue, normal, i, errors);
+    }
+  }
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> FiniteTriangles(vtkPolyData* mesh, const double place[3])
+{
+  std::vector<bool> isFinite(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    const bool isPlace =
+      std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+    points->SetPoint(i, isPlace ? point : place);
+    isFinite[static_cast<std::size_t>(i)] = isPlace;
+  }
+  if (std::all_of(isFinite.begin(), isFinite.end(), [](bool is) { return is; }))
+  {
+    return mesh;
+  }
+  vtkNew<vtkCellArray> triangles;
+  const auto iterator = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    if (std::all_of(ids, ids + size,
+          [&isFinite](vtkIdType i) { return isFinite[static_cast<std::size_t>(i)]; }))
+    {
+      triangles->InsertNextCell(size, ids);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> CutAtCentroids(vtkPolyData* mesh)
+{
+  const vtkIdType vertices = mesh->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(vertices + mesh->GetNumberOfPolys());
+  for (vtkIdType i = 0; i < vertices; ++i)
+  {
+    points->SetPoint(i, mesh->GetPoint(i));
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(3 * mesh->GetNumberOfPolys(), 9 * mesh->GetNumberOfPolys());
+  vtkIdType centroid = vertices;
+  const auto iterator = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    double corners[3][3];
+    double middle[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh->GetPoint(ids[i], corners[i]);
+    }
+    vtkTriangle::TriangleCenter(corners[0], corners[1], corners[2], middle);
+    points->SetPoint(centroid, middle);
+    for (int i = 0; i < 3; ++i)
+    {
+      triangles->InsertNextCell({ ids[i], ids[(i + 1) % 3], centroid });
+    }
+    ++centroid;
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> NormalsOfCentroids(vtkPolyData* mesh)
+{
+  auto normals = vtkSmartPointer<vtkDoubleArray>::New();
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(mesh->GetNumberOfPoints() + mesh->GetNumberOfPolys());
+  normals->Fill(0.0);
+  vtkIdType centroid = mesh->GetNumberOfPoints();
+  const auto iterator = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    double normal[3];
+    vtkTriangle::ComputeNormal(mesh->GetPoints(), 3, ids, normal);
+    normals->SetTuple(centroid++, normal);
+  }
+  return normals;
+}
+
+//------------------------------------------------------------------------------
+void Summarize(const SurfaceErrors& errors, std::size_t first, Row& row)
+{
+  const std::vector<double> cells = SortedNumbers(errors.Cells, first);
+  row.MedianDistanceInCells = Quantile(cells, 0.5);
+  row.P99DistanceInCells = Quantile(cells, 0.99);
+  row.MaximumDistanceInCells = Quantile(cells, 1.0);
+  const std::vector<double> world = SortedNumbers(errors.World, first);
+  row.MedianDistance = Quantile(world, 0.5);
+  row.P99Distance = Quantile(world, 0.99);
+  row.MaximumDistance = Quantile(world, 1.0);
+  const std::vector<double> angles = SortedNumbers(errors.Angles, first);
+  row.MedianNormalError = Quantile(angles, 0.5);
+  row.P99NormalError = Quantile(angles, 0.99);
+  row.MaximumNormalError = Quantile(angles, 1.0);
+  row.LostPoints = static_cast<double>(errors.Cells.size() - first - cells.size());
+}
+
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkIsosurfaceComparisonPictures.h"
+
+#include "vtkIsosurfaceComparisonMethods.h"
+#include "vtkIsosurfaceComparisonRow.h"
+#include "vtkIsosurfaceComparisonTime.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <cstdlib>
+#include <vector>
+
+namespace vtkIsosurfaceComparison
+{
+namespace
+{
+
+class TriangleDrawing : public Drawing
+{
+public:
+  TriangleDrawing(const ExtractionMethod& method, vtkImageData* image)
+    : Triangles(method.New(image, true))
+  {
+    this->Mapper->SetInputConnection(this->Triangles->GetFilter()->GetOutputPort());
+    this->Actor->SetMapper(this->Mapper);
+  }
+
+  vtkProp* GetProp() override { return this->Actor; }
+  void SetIsovalue(double isovalue) override { this->Triangles->SetIsovalue(isovalue); }
+  void Prepare() override { this->Triangles->Build(); }
+
+private:
+  std::unique_ptr<Extraction> Triangles;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+class IsosurfaceDrawing : public Drawing
+{
+public:
+  explicit IsosurfaceDrawing(vtkImageData* image)
+    : Isosurface(image)
+  {
+  }
+
+  vtkProp* GetProp() override { return this->Isosurface.Volume; }
+  void SetIsovalue(double isovalue) override { this->Isosurface.SetIsovalue(isovalue); }
+
+private:
+  TracedIsosurface Isosurface;
+};
+
+}
+
+//------------------------------------------------------------------------------
+std::string WhyNoPictures()
+{
+  vtkNew<vtkRenderWindow> window;
+  if (!window->IsA("vtkOpenGLRenderWindow"))
+  {
+    return "No pictures: the module vtkRenderingOpenGL2 is not initialized (VTK_MODULE_INIT, "
+           "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).";
+  }
+  // Without a display, this window would end the program.
+  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
+  {
+    return "No pictures: there is no display. Set DISPLAY, or run under xvfb-run.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkImageData* image)
+{
+  return std::make_unique<TriangleDrawing>(method, image);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Drawing> NewTracedIsosurface(vtkImageData* image)
+{
+  return std::make_unique<IsosurfaceDrawing>(image);
+}
+
+//------------------------------------------------------------------------------
+PictureWindow::PictureWindow(vtkCamera* camera, int width, int height)
+  : Camera(camera)
+{
+  this->Renderer->SetActiveCamera(camera);
+  this->Window->SetOffScreenRendering(true);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+PictureWindow::~PictureWindow() = default;
+
+//------------------------------------------------------------------------------
+double PictureWindow::TimeOfPicture()
+{
+  const Stopwatch watch;
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  return watch.GetSeconds();
+}
+
+//------------------------------------------------------------------------------
+void PictureWindow::Measure(const std::function<std::unique_ptr<Drawing>()>& newDrawing,
+  double isovalue, double otherIsovalue, int repeats, const std::function<bool()>& isAborted,
+  Row& row)
+{
+  constexpr double degrees = 2.0;
+  std::vector<double> first;
+  std::vector<double> next;
+  std::vector<double> newIsovalue;
+  for (int repeat = 0; repeat < repeats && !isAborted(); ++repeat)
+  {
+    const Stopwatch watch;
+    const std::unique_ptr<Drawing> drawing = newDrawing();
+    drawing->SetIsovalue(isovalue);
+    drawing->Prepare();
+    this->Renderer->AddViewProp(drawing->GetProp());
+    this->TimeOfPicture();
+    first.push_back(watch.GetSeconds());
+
+    this->Camera->Azimuth(degrees);
+    next.push_back(this->TimeOfPicture());
+    this->Camera->Azimuth(-degrees);
+
+    drawing->SetIsovalue(otherIsovalue);
+    this->TimeOfPicture();
+    drawing->SetIsovalue(isovalue);
+    newIsovalue.push_back(this->TimeOfPicture());
+    this->Renderer->RemoveViewProp(drawing->GetProp());
+  }
+  row.FirstPictureTime = Median(first);
+  row.NextPictureTime = Median(next);
+  row.NewIsovaluePictureTime = Median(newIsovalue);
+}
+
+}

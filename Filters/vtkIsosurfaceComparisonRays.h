@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The rays of a picture, cast at the isosurface and at triangles. Needs no OpenGL, and tells both
+// surfaces to all digits of a double.
+
+#ifndef vtkIsosurfaceComparisonRays_h
+#define vtkIsosurfaceComparisonRays_h
+
+#include "vtkNew.h"
+
+#include <vector>
+
+class vtkCamera;
+class vtkDoubleArray;
+class vtkImageData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace vtkIsosurfaceComparison
+{
+
+class TracedIsosurface;
+
+/// A camera that looks at the middle of an image from the left, the front and above, with z up.
+void LookAt(vtkImageData* image, vtkCamera* camera);
+
+/// Moves the clipping planes of a camera so that they cut nothing off the image that is before it.
+void IncludeWhole(vtkImageData* image, vtkCamera* camera);
+
+/// A ray through the middle of each pixel, rows from the bottom, from the near clipping plane
+/// (T = 0) to the far one (T = 1).
+class PictureRays
+{
+public:
+  PictureRays(vtkCamera* camera, int width, int height);
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+
+  /// The T of the first hit of each ray, NaN where there is none.
+  std::vector<double> CastAt(TracedIsosurface& isosurface) const;
+  std::vector<double> CastAt(vtkPolyData* triangles) const;
+
+  /// The hits of an isosurface as points with normals. Returns whether rays could be cast.
+  bool FindHits(TracedIsosurface& isosurface, vtkPolyData* hits) const;
+
+  /// Does the work of a picture, and throws the hits away, so that they take little memory.
+  void CastInPortions(TracedIsosurface& isosurface) const;
+
+  /// The distance from the near clipping plane to the far one along each ray, in the world.
+  std::vector<double> GetLengths() const;
+
+private:
+  int Width;
+  int Height;
+  vtkNew<vtkPoints> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+};
+
+/// What DepthDifference and Coverage of the output of the filter are made of.
+enum Coverage : unsigned char
+{
+  Neither = 0,
+  Both = 1,
+  IsosurfaceAlone = 2,
+  MeshAlone = 3
+};
+
+/// Fills an image of the size of the picture with the differences of two sets of Ts.
+void WriteDifference(const PictureRays& rays, const std::vector<double>& isosurface,
+  const std::vector<double>& mesh, vtkImageData* image);
+
+/// How many pixels show one and not the other.
+double CountDifferentPixels(const std::vector<double>& isosurface, const std::vector<double>& mesh);
+double CountCoveredPixels(const std::vector<double>& isosurface);
+
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A row of the table of vtkIsosurfaceComparisonFilter, which says what the columns mean.
+
+#ifndef vtkIsosurfaceComparisonRow_h
+#define vtkIsosurfaceComparisonRow_h
+
+#include "vtkType.h"
+
+#include <limits>
+#include <string>
+
+class vtkTable;
+
+namespace vtkIsosurfaceComparison
+{
+
+/// What was not measured, or cannot be.
+constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+struct Row
+{
+  std::string Method;
+  double Isovalue = NotMeasured;
+
+  double BuildTime = NotMeasured;
+  double ExtractionTime = NotMeasured;
+  double FirstPictureTime = NotMeasured;
+  double NextPictureTime = NotMeasured;
+  double NewIsovaluePictureTime = NotMeasured;
+
+  vtkIdType Triangles = 0;
+  vtkIdType Points = 0;
+  vtkIdType Bytes = 0;
+  double PeakBytes = NotMeasured;
+
+  double MedianDistanceInCells = NotMeasured;
+  double P99DistanceInCells = NotMeasured;
+  double MaximumDistanceInCells = NotMeasured;
+  double MedianDistance = NotMeasured;
+  double P99Distance = NotMeasured;
+  double MaximumDistance = NotMeasured;
+  double MedianNormalError = NotMeasured;
+  double P99NormalError = NotMeasured;
+  double MaximumNormalError = NotMeasured;
+  double LostPoints = NotMeasured;
+
+  double CoveredPixels = NotMeasured;
+  double DifferentPixels = NotMeasured;
+
+  double AmbiguousCells = NotMeasured;
+  double TopologyDifferences = NotMeasured;
+
+  /// What stands in the way of a measurement, sentence after sentence.
+  std::string Note;
+
+  void AddNote(const std::string& sentence);
+};
+
+/// The columns are there even when no row is.
+void AddColumns(vtkTable* table);
+void AddRow(vtkTable* table, const Row& row);
+
+}
+
+#endif

@@ -1,0 +1,478 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Report.h"
+
+#include "Chart.h"
+#include "Comparison.h"
+#include "Pictures.h"
+#include "vtkIsosurfaceComparisonFilter.h"
+
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace Compare
+{
+namespace
+{
+
+const char* const Style = R"(
+body { font: 16px/1.5 sans-serif; color: #222; max-width: 1100px; margin: 2em auto; padding: 0 1em }
+h1 { font-size: 1.6em } h2 { font-size: 1.25em; margin-top: 2em }
+table { border-collapse: collapse; margin: 1em 0; font-size: 0.9em }
+th, td { border-bottom: 1px solid #ccc; padding: 0.3em 0.7em; text-align: right; vertical-align: bottom }
+td { white-space: nowrap }
+th:first-child, td:first-child { text-align: left }
+figure { display: inline-block; margin: 0 0.6em 1em 0; vertical-align: top; width: 512px; max-width: 100% }
+figure.wide { width: 900px }
+figure img { width: 100%; display: block }
+figcaption, .small { font-size: 0.85em; color: #555 }
+code { background: #f2f2f2; padding: 0 0.3em }
+)";
+
+//------------------------------------------------------------------------------
+std::string Escape(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+//------------------------------------------------------------------------------
+/// Three digits, or none of a large number; a dash for what was not measured.
+std::string Format(double value)
+{
+  if (std::isnan(value))
+  {
+    return "&ndash;";
+  }
+  std::ostringstream text;
+  if (std::abs(value) >= 1000.0 && std::abs(value) < 1e15)
+  {
+    text << std::fixed << std::setprecision(0) << value;
+  }
+  else
+  {
+    text << std::setprecision(3) << value;
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+/// A column as the report shows it: its values times a factor.
+struct Column
+{
+  const char* Title;
+  const char* Name;
+  double Factor;
+};
+
+void WriteTable(std::ostream& out, vtkTable* table, const std::vector<Column>& columns)
+{
+  out << "<table>\n<tr><th>method</th><th>isovalue</th>";
+  for (const Column& column : columns)
+  {
+    out << "<th>" << column.Title << "</th>";
+  }
+  out << "</tr>\n";
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    out << "<tr><td>" << Escape(table->GetValueByName(row, "Method").ToString()) << "</td><td>"
+        << Format(table->GetValueByName(row, "Isovalue").ToDouble()) << "</td>";
+    for (const Column& column : columns)
+    {
+      const double value = table->GetValueByName(row, column.Name).ToDouble();
+      out << "<td>" << Format(column.Factor * value) << "</td>";
+    }
+    out << "</tr>\n";
+  }
+  out << "</table>\n";
+}
+
+//------------------------------------------------------------------------------
+void WriteFigure(
+  std::ostream& out, const std::string& png, const std::string& caption, bool isWide = false)
+{
+  if (!png.empty())
+  {
+    out << "<figure" << (isWide ? " class=\"wide\"" : "") << "><img alt=\"" << Escape(caption)
+        << "\" src=\"data:image/png;base64," << png << "\"><figcaption>" << Escape(caption)
+        << "</figcaption></figure>\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteNotes(std::ostream& out, vtkTable* table)
+{
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::string note = table->GetValueByName(row, "Note").ToString();
+    if (!note.empty())
+    {
+      out << "<p class=\"small\">" << Escape(table->GetValueByName(row, "Method").ToString())
+          << " at " << Format(table->GetValueByName(row, "Isovalue").ToDouble()) << ": "
+          << Escape(note) << "</p>\n";
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The row of the first isovalue with the fewest seconds, among ray traced or extracted ones; -1 if
+/// nothing was measured.
+vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
+{
+  vtkIdType fastest = -1;
+  double least = std::numeric_limits<double>::max();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const bool isAsked = isRayTraced ==
+      (table->GetValueByName(row, "Method").ToString() == "vtkIsosurfaceRayTraceMapper");
+    const double seconds = table->GetValueByName(row, "NewIsovaluePictureTime").ToDouble();
+    if (isAsked && table->GetValueByName(row, "Isovalue") == table->GetValueByName(0, "Isovalue") &&
+      seconds < least)
+    {
+      fastest = row;
+      least = seconds;
+    }
+  }
+  return fastest;
+}
+
+//------------------------------------------------------------------------------
+/// What most people want to know, for the first isovalue.
+void WriteSummary(std::ostream& out, vtkTable* table)
+{
+  const vtkIdType rays = FindFastest(table, true);
+  const vtkIdType mesh = FindFastest(table, false);
+  if (rays < 0 || mesh < 0 || !(table->GetValueByName(mesh, "Triangles").ToDouble() > 0.0))
+  {
+    return;
+  }
+  const auto get = [table](vtkIdType row, const char* column, double factor = 1.0)
+  { return Format(factor * table->GetValueByName(row, column).ToDouble()); };
+  const double milli = 1e3;
+  const double mega = 1e-6;
+  out << "<h2>In short</h2>\n<p>A new isovalue is seen after "
+      << get(rays, "NewIsovaluePictureTime", milli) << " ms when it is ray traced, and after "
+      << get(mesh, "NewIsovaluePictureTime", milli) << " ms with "
+      << Escape(table->GetValueByName(mesh, "Method").ToString())
+      << ", the fastest extraction here; the next picture of it takes "
+      << get(rays, "NextPictureTime", milli) << " ms and " << get(mesh, "NextPictureTime", milli)
+      << " ms. What is kept takes " << get(rays, "Bytes", mega) << " MB and "
+      << get(mesh, "Bytes", mega) << " MB. Half of the triangles are farther than "
+      << get(mesh, "MedianDistanceInCells")
+      << " cells from the isosurface of the interpolant, one in a hundred farther than "
+      << get(mesh, "P99DistanceInCells") << "; in " << get(mesh, "TopologyDifferences") << " of "
+      << get(mesh, "AmbiguousCells") << " ambiguous cells they join what it parts, or part what it "
+      << "joins; " << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
+      << " pixels differ.</p>\n";
+}
+
+//------------------------------------------------------------------------------
+void WriteTables(std::ostream& out, vtkTable* table)
+{
+  const double milli = 1e3;
+  const double mega = 1e-6;
+  out << "<h2>Time</h2>\n";
+  WriteTable(out, table,
+    { { "build, ms", "BuildTime", milli }, { "extract, ms", "ExtractionTime", milli },
+      { "first picture, ms", "FirstPictureTime", milli },
+      { "next picture, ms", "NextPictureTime", milli },
+      { "new isovalue, ms", "NewIsovaluePictureTime", milli } });
+  out << "<p class=\"small\">Build: what serves all isovalues. Extract: the triangles, without "
+         "normals. First picture: from the image in memory to a picture in an open window, all "
+         "of the above included. Next picture: from another side. New isovalue: its first "
+         "picture, a thousandth of the range of the scalars away from the last. Medians of the "
+         "repeats.</p>\n<h2>Memory</h2>\n";
+  WriteTable(out, table,
+    { { "triangles", "Triangles", 1.0 }, { "points", "Points", 1.0 }, { "kept, MB", "Bytes", mega },
+      { "rise of RAM, MB", "PeakBytes", mega } });
+  out << "<p class=\"small\">Kept: coordinates and triangles, or macrocells and bricks. Rise of "
+         "RAM: by how much the process grows meanwhile, as Linux counts it.</p>\n"
+         "<h2>Accuracy</h2>\n";
+  WriteTable(out, table,
+    { { "distance, cells:<br>median", "MedianDistanceInCells", 1.0 },
+      { "99 %", "P99DistanceInCells", 1.0 }, { "max", "MaximumDistanceInCells", 1.0 },
+      { "in the world:<br>median", "MedianDistance", 1.0 }, { "99 %", "P99Distance", 1.0 },
+      { "max", "MaximumDistance", 1.0 }, { "normal, degrees:<br>median", "MedianNormalError", 1.0 },
+      { "99 %", "P99NormalError", 1.0 }, { "max", "MaximumNormalError", 1.0 } });
+  WriteTable(out, table,
+    { { "lost points", "LostPoints", 1.0 }, { "pixels covered", "CoveredPixels", 1.0 },
+      { "pixels that differ", "DifferentPixels", 1.0 },
+      { "ambiguous cells", "AmbiguousCells", 1.0 },
+      { "of other topology", "TopologyDifferences", 1.0 } });
+  out << "<p class=\"small\">Distance from the isosurface of the trilinear interpolant, at the "
+         "centroids of the triangles (at the hits of the picture for ray tracing). Normals of "
+         "triangles against those of the isosurface. Lost: points from which no isosurface was "
+         "found. Pixels that differ show one surface and not "
+         "the other. Of other topology: ambiguous cells in which the mesh joins corners that the "
+         "isosurface parts, or the other way round.</p>\n";
+  WriteNotes(out, table);
+}
+
+//------------------------------------------------------------------------------
+/// A power of ten at a time, in quarters.
+std::vector<std::array<double, 2>> SampleTotals(const Costs& costs)
+{
+  std::vector<std::array<double, 2>> points;
+  for (int quarter = 0; quarter <= 12; ++quarter)
+  {
+    const double pictures = std::pow(10.0, quarter / 4.0);
+    points.push_back({ pictures, costs.GetTotal(pictures) });
+  }
+  return points;
+}
+
+std::string DrawTotals(vtkTable* table)
+{
+  std::vector<Curve> curves;
+  const double isovalue = table->GetValueByName(0, "Isovalue").ToDouble();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetValueByName(row, "Isovalue").ToDouble() == isovalue)
+    {
+      const Costs costs = { table->GetValueByName(row, "NewIsovaluePictureTime").ToDouble(),
+        table->GetValueByName(row, "NextPictureTime").ToDouble() };
+      curves.push_back(
+        { table->GetValueByName(row, "Method").ToString(), SampleTotals(costs), false, false });
+    }
+  }
+  return DrawChart("Seconds for so many pictures of a new isovalue", "pictures", "seconds", curves);
+}
+
+//------------------------------------------------------------------------------
+std::string DrawCosts(const std::vector<Crossover>& crossovers)
+{
+  Curve curves[] = { { "triangles, new isovalue", {} }, { "triangles, next picture", {}, true },
+    { "rays, new isovalue", {} }, { "rays, next picture", {}, true } };
+  for (const Crossover& crossover : crossovers)
+  {
+    const double seconds[] = { crossover.Triangles.First, crossover.Triangles.Next,
+      crossover.Rays.First, crossover.Rays.Next };
+    for (int i = 0; i < 4; ++i)
+    {
+      curves[i].Points.push_back({ crossover.Samples, seconds[i] });
+    }
+  }
+  return DrawChart("Seconds for a picture", "samples", "seconds",
+    std::vector<Curve>(std::begin(curves), std::end(curves)));
+}
+
+//------------------------------------------------------------------------------
+/// What stands in the plot for no pictures, and for any number of them.
+constexpr double NoPictures = 0.5;
+constexpr double ManyPictures = 1000.0;
+
+std::string DrawCrossover(const std::vector<Crossover>& crossovers)
+{
+  Curve measured = { "triangles as drawn here", {} };
+  Curve free = { "triangles drawn in no time", {}, true };
+  for (const Crossover& crossover : crossovers)
+  {
+    const auto add = [&crossover](Curve& curve, const Costs& triangles)
+    {
+      const Verdict verdict = Judge(triangles, crossover.Rays);
+      if (verdict.Kind != Verdict::TrianglesUpTo)
+      {
+        const double pictures = verdict.Kind == Verdict::AlwaysTriangles ? NoPictures
+          : verdict.Kind == Verdict::AlwaysRays                          ? ManyPictures
+                                                : std::min(verdict.Pictures, ManyPictures);
+        curve.Points.push_back({ crossover.Samples, pictures });
+      }
+    };
+    add(measured, crossover.Triangles);
+    add(free, crossover.GetFreeTriangles());
+  }
+  return DrawChart("Pictures of an isovalue up to which rays need less time", "samples", "pictures",
+    { measured, free });
+}
+
+//------------------------------------------------------------------------------
+void WriteCrossover(std::ostream& out, const std::vector<Crossover>& crossovers)
+{
+  out << "<h2>Who wins</h2>\n<p>Extraction pays if many pictures follow. For the first isovalue, "
+         "vtkFlyingEdges3D against vtkIsosurfaceRayTraceMapper, the volume shrunk and enlarged:"
+         "</p>\n<table>\n<tr><th>samples</th><th>triangles: new isovalue, ms</th><th>next "
+         "picture, ms</th><th>rays: new isovalue, ms</th><th>next picture, ms</th><th>less time "
+         "here</th><th>if triangles were drawn in no time</th></tr>\n";
+  for (const Crossover& crossover : crossovers)
+  {
+    const int* size = crossover.Dimensions;
+    out << "<tr><td>" << size[0] << " &times; " << size[1] << " &times; " << size[2] << "</td>";
+    for (const double seconds : { crossover.Triangles.First, crossover.Triangles.Next,
+           crossover.Rays.First, crossover.Rays.Next })
+    {
+      out << "<td>" << Format(1e3 * seconds) << "</td>";
+    }
+    out << "<td>" << Describe(Judge(crossover.Triangles, crossover.Rays)) << "</td><td>"
+        << Describe(Judge(crossover.GetFreeTriangles(), crossover.Rays)) << "</td></tr>\n";
+  }
+  out
+    << "</table>\n<p class=\"small\">Triangles were drawn by " << Escape(GetOpenGLRenderer())
+    << ". The last column is the bound for a fast graphics card: extraction and normals are paid, "
+       "drawing is not.</p>\n";
+  WriteFigure(out, DrawCosts(crossovers), "The times of the table", true);
+  WriteFigure(out, DrawCrossover(crossovers),
+    "Below a curve rays need less time, above it triangles do. At 0.5 triangles win for any number "
+    "of pictures, at 1000 rays do.",
+    true);
+}
+
+//------------------------------------------------------------------------------
+/// The share of points of the mesh that are farther from the isosurface. The vertices are left out:
+/// they are the points that triangles meet in, and come first.
+std::string DrawDistances(const Comparison& comparison)
+{
+  vtkDataArray* distances = comparison.Mesh->GetPointData()->GetScalars();
+  const vtkIdType first = comparison.Table->GetValueByName(0, "Points").ToTypeInt64();
+  std::vector<double> sorted;
+  for (vtkIdType i = first; distances && i < distances->GetNumberOfTuples(); ++i)
+  {
+    const double distance = distances->GetComponent(i, 0);
+    if (!std::isnan(distance))
+    {
+      sorted.push_back(distance);
+    }
+  }
+  std::sort(sorted.begin(), sorted.end());
+  Curve curve = { comparison.Table->GetValueByName(0, "Method").ToString(), {}, false, false };
+  for (int i = 0; i <= 200 && !sorted.empty(); ++i)
+  {
+    const double share = std::pow(10.0, -4.0 * i / 200.0);
+    const auto last = static_cast<double>(sorted.size() - 1);
+    curve.Points.push_back(
+      { std::max(1e-6, sorted[static_cast<std::size_t>((1.0 - share) * last)]), share });
+  }
+  return DrawChart("How much of the surface is farther from the isosurface", "distance, cells",
+    "share of the points", { curve });
+}
+
+//------------------------------------------------------------------------------
+double GetCellSize(vtkImageData* volume)
+{
+  const double* spacing = volume->GetSpacing();
+  return std::cbrt(std::abs(spacing[0] * spacing[1] * spacing[2]));
+}
+
+//------------------------------------------------------------------------------
+void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw)
+{
+  vtkImageData* volume = comparison.Volume;
+  vtkTable* table = comparison.Table;
+  const double isovalue = table->GetValueByName(0, "Isovalue").ToDouble();
+  out << "<h2>Pictures of isovalue " << Format(isovalue) << "</h2>\n";
+  if (canDraw)
+  {
+    vtkNew<vtkCamera> close;
+    close->DeepCopy(comparison.Camera);
+    close->SetViewAngle(comparison.Camera->GetViewAngle() / 10.0);
+    close->SetParallelScale(comparison.Camera->GetParallelScale() / 10.0);
+    WriteFigure(
+      out, DrawTriangles(volume, isovalue, comparison.Camera), "Triangles of flying edges");
+    WriteFigure(out, DrawRayTraced(volume, isovalue, comparison.Camera), "Ray traced");
+    WriteFigure(out, DrawTriangles(volume, isovalue, close), "The middle of it, ten times larger");
+    WriteFigure(out, DrawRayTraced(volume, isovalue, close), "The same, ray traced");
+  }
+  const std::string method = table->GetValueByName(0, "Method").ToString();
+  const vtkIdType vertices = table->GetValueByName(0, "Points").ToTypeInt64();
+  if (comparison.Difference->GetNumberOfPoints() > 0)
+  {
+    WriteFigure(out, DrawDifference(comparison.Difference, GetCellSize(volume)),
+      "Where the surface of " + method +
+        " is behind (red) or before (blue) the isosurface along the ray, fully coloured at one "
+        "cell; yellow where only one of the two is there");
+  }
+  if (canDraw && comparison.Mesh->GetNumberOfPolys() > 0)
+  {
+    WriteFigure(out, DrawErrors(comparison.Mesh, vertices, comparison.Camera),
+      "The distance of " + method + " from the isosurface");
+    WriteFigure(out, DrawDistances(comparison), "The same, as shares of the triangles", true);
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string WriteReport(const Comparison& comparison, const std::string& folder)
+{
+  if (!vtksys::SystemTools::MakeDirectory(folder))
+  {
+    throw std::runtime_error("the folder " + folder + " cannot be made");
+  }
+  const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
+  const int* size = comparison.Volume->GetDimensions();
+  std::ostringstream out;
+  out
+    << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>Isosurfaces of "
+    << Escape(comparison.Input) << "</title>\n<style>" << Style << "</style></head>\n<body>\n"
+    << "<h1>Isosurfaces of " << Escape(comparison.Input) << "</h1>\n<p>" << size[0] << " &times; "
+    << size[1] << " &times; " << size[2] << " samples. Repeats: " << comparison.Repeats << ". "
+    << Escape(comparison.Machine) << ".</p>\n<p><code>" << Escape(comparison.Command)
+    << "</code></p>\n";
+  WriteSummary(out, comparison.Table);
+  WriteTables(out, comparison.Table);
+  if (!whyNot.empty())
+  {
+    out << "<p>" << Escape(whyNot) << "</p>\n";
+  }
+  if (whyNot.empty() && comparison.Table->GetNumberOfRows() > 0)
+  {
+    WriteFigure(out, DrawTotals(comparison.Table),
+      "The time from a new isovalue to so many pictures of it, at the first isovalue", true);
+  }
+  if (!comparison.Crossovers.empty())
+  {
+    WriteCrossover(out, comparison.Crossovers);
+  }
+  const bool hasSurface = comparison.Difference->GetNumberOfPoints() > 0;
+  if (hasSurface)
+  {
+    WritePictures(out, comparison, whyNot.empty());
+  }
+  out << "</body>\n</html>\n";
+
+  const std::string fileName = folder + "/report.html";
+  std::ofstream file(fileName);
+  file << out.str() << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error(fileName + " cannot be written");
+  }
+  return fileName;
+}
+
+}

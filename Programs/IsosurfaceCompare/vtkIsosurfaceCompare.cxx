@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkIsosurfaceComparisonFilter for the command line: see --help.
+
+#include "Comparison.h"
+#include "ReadVolume.h"
+#include "Report.h"
+#include "TableFiles.h"
+#include "vtkIsosurfaceComparisonFilter.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+#include <vtkVersion.h>
+#include <vtksys/CommandLineArguments.hxx>
+#include <vtksys/SystemInformation.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+using namespace Compare;
+using Filter = vtkIsosurfaceComparisonFilter;
+
+//------------------------------------------------------------------------------
+struct MethodSwitch
+{
+  const char* Name;
+  void (Filter::*Set)(bool);
+};
+
+const MethodSwitch Methods[] = {
+  { "flying-edges", &Filter::SetFlyingEdges },
+  { "marching-cubes", &Filter::SetMarchingCubes },
+  { "synchronized-templates", &Filter::SetSynchronizedTemplates },
+  { "contour-filter", &Filter::SetContourFilter },
+  { "span-space", &Filter::SetSpanSpace },
+  { "ray-tracing", &Filter::SetRayTracing },
+};
+
+//------------------------------------------------------------------------------
+struct Arguments
+{
+  std::string Input;
+  std::vector<double> Isovalues;
+  std::vector<std::string> Methods;
+  int Repeats = 3;
+  std::string Json;
+  std::string Csv;
+  std::string Report;
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+double ToNumber(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0')
+  {
+    throw std::runtime_error(text + " is not a number; see --help");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+/// Stops the parser at an argument that it does not know.
+int KeepUnknown(const char* argument, void* unknown)
+{
+  *static_cast<std::string*>(unknown) = argument;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+/// Throws std::runtime_error if they are of no use; shows the help if it is asked for.
+Arguments ParseArguments(int argc, char* argv[])
+{
+  std::string methods = "Which methods, one or several of:";
+  for (const MethodSwitch& method : Methods)
+  {
+    methods += std::string(" ") + method.Name;
+  }
+  methods += ". Default: all.";
+
+  Arguments arguments;
+  std::vector<std::string> isovalues;
+  std::string repeats;
+  using Parser = vtksys::CommandLineArguments;
+  Parser parser;
+  parser.Initialize(argc, argv);
+  std::string unknown;
+  parser.SetClientData(&unknown);
+  parser.SetUnknownArgumentCallback(KeepUnknown);
+  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
+  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &isovalues,
+    "One or several isovalues, separated by blanks.");
+  parser.AddArgument("--methods", Parser::MULTI_ARGUMENT, &arguments.Methods, methods.c_str());
+  parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &repeats,
+    "How often times are taken, 1 to 1000; the median counts. Default: 3.");
+  parser.AddArgument(
+    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "The file to write the table to, as JSON.");
+  parser.AddArgument(
+    "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "The file to write the table to, as CSV.");
+  parser.AddArgument("--report", Parser::SPACE_ARGUMENT, &arguments.Report,
+    "The folder to write report.html to: tables, plots and pictures in one file.");
+  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
+  const bool isParsed = parser.Parse() != 0;
+  if (arguments.Help)
+  {
+    std::printf("Compares ways to an isosurface: time, memory, accuracy. Usage:\n\n"
+                "  vtkIsosurfaceCompare --input FILE --isovalue VALUE... [options]\n\n"
+                "Times of pictures, and the plots of a report, need a display: xvfb-run gives "
+                "one.\n%s",
+      parser.GetHelp());
+    return arguments;
+  }
+
+  if (!isParsed)
+  {
+    throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
+                                             : "what is " + unknown + "? See --help");
+  }
+  if (arguments.Input.empty() || isovalues.empty())
+  {
+    throw std::runtime_error("--input and --isovalue are needed; see --help");
+  }
+  std::transform(
+    isovalues.begin(), isovalues.end(), std::back_inserter(arguments.Isovalues), ToNumber);
+  if (!repeats.empty())
+  {
+    arguments.Repeats = static_cast<int>(ToNumber(repeats));
+  }
+  if (arguments.Repeats < 1 || arguments.Repeats > 1000)
+  {
+    throw std::runtime_error("--repeats takes a number from 1 to 1000, not " + repeats);
+  }
+  return arguments;
+}
+
+//------------------------------------------------------------------------------
+void ChooseMethods(const std::vector<std::string>& names, Filter* filter)
+{
+  for (const MethodSwitch& method : Methods)
+  {
+    (filter->*method.Set)(
+      names.empty() || std::find(names.begin(), names.end(), method.Name) != names.end());
+  }
+  for (const std::string& name : names)
+  {
+    const bool isKnown = std::any_of(std::begin(Methods), std::end(Methods),
+      [&name](const MethodSwitch& method) { return name == method.Name; });
+    if (!isKnown)
+    {
+      throw std::runtime_error("there is no method " + name + "; see --help");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeMachine()
+{
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  std::ostringstream load;
+  load << std::setprecision(2) << system.GetLoadAverage();
+  return std::string(system.GetModelName()) + ", " +
+    std::to_string(std::thread::hardware_concurrency()) + " threads, VTK " +
+    vtkVersion::GetVTKVersion() + " with " + vtkSMPTools::GetBackend() + ", load " + load.str() +
+    " at the beginning";
+}
+
+//------------------------------------------------------------------------------
+void ShowProgress(vtkObject*, unsigned long, void*, void* progress)
+{
+  std::fprintf(stderr, "\r%3.0f %%", 100.0 * *static_cast<double*>(progress));
+}
+
+//------------------------------------------------------------------------------
+Comparison Run(const Arguments& arguments, const std::string& command)
+{
+  Comparison comparison;
+  comparison.Command = command;
+  comparison.Input = vtksys::SystemTools::GetFilenameName(arguments.Input);
+  comparison.Machine = DescribeMachine();
+  comparison.Repeats = arguments.Repeats;
+  comparison.Volume = ReadVolume(arguments.Input);
+  comparison.Camera = vtkSmartPointer<vtkCamera>::New();
+  Filter::LookAt(comparison.Volume, comparison.Camera);
+
+  vtkNew<Filter> filter;
+  ChooseMethods(arguments.Methods, filter);
+  filter->SetInputData(comparison.Volume);
+  filter->SetCamera(comparison.Camera);
+  filter->SetNumberOfRepeats(arguments.Repeats);
+  for (std::size_t i = 0; i < arguments.Isovalues.size(); ++i)
+  {
+    filter->SetValue(static_cast<int>(i), arguments.Isovalues[i]);
+  }
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetCallback(ShowProgress);
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->Update();
+  std::fprintf(stderr, "\n");
+  comparison.Table = filter->GetOutput();
+  comparison.Mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  comparison.Difference = vtkImageData::SafeDownCast(filter->GetOutputDataObject(2));
+
+  const bool hasPictures = comparison.Difference->GetNumberOfPoints() > 0 &&
+    comparison.Table->GetValueByName(0, "CoveredPixels").ToDouble() > 0.0 &&
+    Filter::WhyNoPictures().empty();
+  if (!arguments.Report.empty() && hasPictures)
+  {
+    comparison.Crossovers = MeasureCrossover(
+      comparison.Volume, arguments.Isovalues.front(), arguments.Repeats, comparison.Camera);
+  }
+  return comparison;
+}
+
+//------------------------------------------------------------------------------
+/// The columns that most people ask for.
+void Print(vtkTable* table)
+{
+  std::printf("%-28s %10s %11s %11s %11s %11s %11s\n", "method", "isovalue", "extract, s",
+    "picture, s", "triangles", "99 %, cells", "pixels off");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto get = [table, row](const char* column)
+    { return table->GetValueByName(row, column).ToDouble(); };
+    std::printf("%-28s %10g %11.3g %11.3g %11.0f %11.2g %11.0f  %s\n",
+      table->GetValueByName(row, "Method").ToString().c_str(), get("Isovalue"),
+      get("ExtractionTime"), get("NewIsovaluePictureTime"), get("Triangles"),
+      get("P99DistanceInCells"), get("DifferentPixels"),
+      table->GetValueByName(row, "Note").ToString().c_str());
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  std::string command = "vtkIsosurfaceCompare";
+  for (int i = 1; i < argc; ++i)
+  {
+    command += std::string(" ") + argv[i];
+  }
+  try
+  {
+    const Arguments arguments = ParseArguments(argc, argv);
+    if (arguments.Help)
+    {
+      return EXIT_SUCCESS;
+    }
+    const Comparison comparison = Run(arguments, command);
+    Print(comparison.Table);
+    if (!arguments.Csv.empty())
+    {
+      WriteCsv(comparison, arguments.Csv);
+    }
+    if (!arguments.Json.empty())
+    {
+      WriteJson(comparison, arguments.Json);
+    }
+    if (!arguments.Report.empty())
+    {
+      std::printf("%s\n", WriteReport(comparison, arguments.Report).c_str());
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,281 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkIsosurfaceCompare as a user calls it, and the example that does the same in Python.
+
+TestIsosurfaceCompare.py PATH_OF_VTKISOSURFACECOMPARE
+"""
+
+import base64
+import csv
+import html.parser
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from vtkmodules.vtkCommonCore import VTK_SHORT
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
+
+PROGRAM = sys.argv.pop(1)
+EXAMPLE = Path(__file__).parents[2] / "Examples" / "Python" / "compare_isosurfaces.py"
+ALL_METHODS = [
+    "vtkFlyingEdges3D",
+    "vtkMarchingCubes",
+    "vtkSynchronizedTemplates3D",
+    "vtkContourFilter",
+    "vtkSpanSpace",
+    "vtkIsosurfaceRayTraceMapper",
+]
+
+
+def new_ball(scalars=True):
+    """Ten times the distance from the middle: isovalue 60 is a ball."""
+    size = 20
+    image = vtkImageData()
+    image.SetDimensions(size, size, size)
+    if scalars:
+        image.AllocateScalars(VTK_SHORT, 1)
+        for i in range(image.GetNumberOfPoints()):
+            x, y, z = (c - 0.5 * (size - 1) for c in image.GetPoint(i))
+            image.GetPointData().GetScalars().SetValue(i, round(10 * math.hypot(x, y, z)))
+    return image
+
+
+class Page(html.parser.HTMLParser):
+    """What a page shows: texts of cells and paragraphs, pictures; and what it asks others for."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.texts, self.pictures, self.references, self.open_tags = [], [], [], []
+        self.feed(path.read_text(encoding="utf-8"))
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag not in ("meta", "img", "br"):
+            self.open_tags.append(tag)
+        for name in ("src", "href"):
+            reference = attributes.get(name)
+            if reference and reference.startswith("data:image/png;base64,"):
+                self.pictures.append(base64.b64decode(reference.split(",")[1], validate=True))
+            elif reference:
+                self.references.append(reference)
+
+    def handle_endtag(self, tag):
+        assert self.open_tags.pop() == tag, f"{tag} closes another tag"
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+def read_png(data):
+    """The width, the height and the number of different grey values or reds."""
+    reader = vtkPNGReader()
+    reader.SetMemoryBuffer(data)
+    reader.SetMemoryBufferLength(len(data))
+    reader.Update()
+    image = reader.GetOutput()
+    pixels = image.GetPointData().GetScalars()
+    reds = {pixels.GetComponent(i, 0) for i in range(0, pixels.GetNumberOfTuples(), 7)}
+    width, height, _ = image.GetDimensions()
+    return width, height, len(reds)
+
+
+class TestIsosurfaceCompare(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.ball = cls.write(new_ball(), "ball.vti")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def write(cls, image, name):
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(cls.folder / name))
+        writer.Write()
+        return str(cls.folder / name)
+
+    def run_program(self, *arguments, environment=None):
+        return subprocess.run(
+            [PROGRAM, "--repeats", "1", *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            timeout=300,
+            env=environment,
+            check=False,
+        )
+
+    def test_files(self):
+        result = self.run_program(
+            "--input", self.ball, "--isovalue", 60, 40,
+            "--json", self.folder / "table.json", "--csv", self.folder / "table.csv",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        table = json.loads((self.folder / "table.json").read_text())
+        self.assertEqual([row["Method"] for row in table["rows"]], 2 * ALL_METHODS)
+        self.assertEqual([row["Isovalue"] for row in table["rows"]], 6 * [60.0] + 6 * [40.0])
+        self.assertEqual(table["dimensions"], [20, 20, 20])
+        self.assertGreater(table["rows"][0]["Triangles"], 1000)
+        self.assertGreater(table["rows"][0]["MedianDistance"], 1e-4)
+        self.assertIsNone(table["rows"][5]["ExtractionTime"])
+        with open(self.folder / "table.csv", encoding="utf-8") as lines:
+            rows = list(csv.DictReader(lines))
+        self.assertEqual([row["Method"] for row in rows], 2 * ALL_METHODS)
+        self.assertEqual(set(rows[0]), set(table["rows"][0]))
+        self.assertEqual(int(rows[0]["Triangles"]), table["rows"][0]["Triangles"])
+        self.assertIn("vtkSpanSpace", result.stdout)
+
+    def test_report(self):
+        result = self.run_program(
+            "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges", "ray-tracing",
+            "--report", self.folder / "new" / "folder", "--json", self.folder / "report.json",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = Page(self.folder / "new" / "folder" / "report.html")
+        self.assertEqual(page.references, [])  # it needs no other file
+        self.assertEqual(page.open_tags, [])
+        self.assertIn("vtkFlyingEdges3D", page.texts)
+        self.assertNotIn("vtkMarchingCubes", page.texts)
+        self.assertTrue(any("A new isovalue is seen after" in text for text in page.texts))
+        crossovers = json.loads((self.folder / "report.json").read_text())["crossovers"]
+        self.assertIn([20, 20, 20], [crossover["dimensions"] for crossover in crossovers])
+        for crossover in crossovers:
+            self.assertIn(crossover["verdict"], page.texts)
+        # The pictures of two surfaces and their middle, the difference and the error; the charts of
+        # totals, costs, the crossover and the distances.
+        sizes = [read_png(picture) for picture in page.pictures]
+        for width, height, colors in sizes:
+            self.assertGreater(colors, 2, "an empty picture")
+        squares = [size for size in sizes if size[:2] == (512, 512)]
+        charts = [size for size in sizes if size[:2] == (900, 520)]
+        self.assertEqual(len(squares), 6)
+        self.assertEqual(len(charts), 4)
+        self.assertEqual(len(squares) + len(charts), len(sizes))
+
+    def test_report_without_display(self):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        result = self.run_program(
+            "--input", self.ball, "--isovalue", 60, "--report", self.folder,
+            environment=environment,
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = Page(self.folder / "report.html")
+        self.assertTrue(any("xvfb-run" in text for text in page.texts))
+        self.assertEqual(len(page.pictures), 1)  # the difference, which needs no OpenGL
+        self.assertEqual(read_png(page.pictures[0])[:2], (512, 512))
+
+    def test_no_surface(self):
+        result = self.run_program(
+            "--input", self.ball, "--isovalue", 5000, "--report", self.folder / "nothing"
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = Page(self.folder / "nothing" / "report.html")
+        self.assertTrue(any("No surface" in text for text in page.texts))
+
+    def test_no_scalars(self):
+        path = self.write(new_ball(scalars=False), "empty.vti")
+        result = self.run_program(
+            "--input", path, "--isovalue", 1, "--report", self.folder / "none",
+            "--json", self.folder / "none.json",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = json.loads((self.folder / "none.json").read_text())["rows"]
+        self.assertEqual([row["Method"] for row in rows], ALL_METHODS)
+        self.assertIn("no point scalars", rows[0]["Note"])
+        page = Page(self.folder / "none" / "report.html")
+        self.assertTrue(any("no point scalars" in text for text in page.texts))
+
+    def test_formats(self):
+        for writer, name in ((vtkMetaImageWriter(), "ball.mha"), (vtkNIFTIImageWriter(), "ball.nii")):
+            writer.SetInputData(new_ball())
+            writer.SetFileName(str(self.folder / name))
+            writer.Write()
+        counts = []
+        for name in ("ball.vti", "ball.mha", "ball.nii"):
+            result = self.run_program(
+                "--input", self.folder / name, "--isovalue", 60, "--methods", "marching-cubes",
+                "--json", self.folder / "format.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 0, result.stderr)
+            table = json.loads((self.folder / "format.json").read_text())
+            counts.append(table["rows"][0]["Triangles"])
+        self.assertGreater(counts[0], 1000)
+        self.assertEqual(counts, [counts[0]] * 3)
+
+        whole = (self.folder / "ball.nii").read_bytes()
+        (self.folder / "half.nii").write_bytes(whole[: len(whole) // 2])
+        result = self.run_program("--input", self.folder / "half.nii", "--isovalue", 60)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("half.nii cannot be read", result.stderr)
+
+    def test_errors(self):
+        text = self.folder / "text.txt"
+        text.write_text("This is not a volume.\n", encoding="utf-8")
+        for arguments, words in (
+            (("--input", self.folder / "absent.vti", "--isovalue", 1), "there is no file"),
+            (("--input", text, "--isovalue", 1), "no image reader"),
+            (("--input", self.ball), "--isovalue are needed"),
+            (("--isovalue", 60, "--input"), "lacks its value"),
+            (("--input", self.ball, "--isovalue", "bone"), "bone is not a number"),
+            (("--inptu", self.ball, "--isovalue", 60), "what is --inptu"),
+            (("--input", self.ball, "--isovalue", 60, "--repeats", 0), "from 1 to 1000"),
+            (("--input", self.ball, "--isovalue", 1, "--methods", "magic"), "no method magic"),
+            (
+                ("--input", self.ball, "--isovalue", 60, "--methods", "flying-edges",
+                 "--csv", self.folder / "no" / "folder.csv"),
+                "cannot be written",
+            ),
+        ):  # fmt: skip
+            result = self.run_program(*arguments)
+            self.assertNotEqual(result.returncode, 0, arguments)
+            self.assertIn(words, result.stderr)
+        help_text = self.run_program("--help")
+        self.assertEqual(help_text.returncode, 0)
+        self.assertIn("--isovalue VALUE", help_text.stdout)
+
+    def test_example(self):
+        writer = vtkMetaImageWriter()
+        writer.SetInputData(new_ball())
+        writer.SetFileName(str(self.folder / "ball.mhd"))
+        writer.Write()
+        result = subprocess.run(
+            [sys.executable, EXAMPLE, self.folder / "ball.mhd", "60"],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        lines = {words[0]: words[1:] for words in map(str.split, result.stdout.splitlines())}
+        self.assertEqual(lines["Method"], [name[:18] for name in ALL_METHODS])
+        self.assertGreater(int(lines["Triangles"][0]), 1000)
+        self.assertGreater(float(lines["FirstPictureTime"][5]), 0.0)
+
+    def test_class(self):
+        comparison = vtkIsosurfaceComparisonFilter()
+        comparison.SetInputData(new_ball())
+        comparison.SetValue(0, 60.0)
+        comparison.SetImageSize(32, 24)
+        comparison.PicturesOff()
+        comparison.Update()
+        difference = comparison.GetOutputDataObject(2)
+        self.assertEqual(difference.GetDimensions(), (32, 24, 1))
+        self.assertIsNotNone(difference.GetPointData().GetArray("Coverage"))
+        mesh = comparison.GetOutputDataObject(1)
+        self.assertEqual(mesh.GetPointData().GetScalars().GetName(), "DistanceInCells")
+        self.assertEqual(vtkIsosurfaceComparisonFilter.WhyNoPictures(), "")
+
+
+if __name__ == "__main__":
+    unittest.main()
