@@ -209,7 +209,8 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
           shadeSeconds += Seconds(Clock::now() - traced);
         });
       const int finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (omp_get_thread_num() == 0 && !keepGoing(static_cast<double>(finished) / tiles))
+      if (omp_get_thread_num() == 0 && finished < tiles &&
+        !keepGoing(static_cast<double>(finished) / tiles))
       {
         going.store(false, std::memory_order_relaxed);
       }
@@ -223,7 +224,8 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   times.Bricks = share * brickSeconds;
   times.Trace = share * (traceSeconds - brickSeconds);
   times.Shade = share * shadeSeconds;
-  return going.load();
+  // Whoever did the last tile, the end is told.
+  return going.load() && keepGoing(1.0);
 }
 
 }
