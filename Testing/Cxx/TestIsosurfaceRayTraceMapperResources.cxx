@@ -76,6 +76,8 @@ void CheckWindows(Checks& check, vtkImageData* image)
 void CheckEvents(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
+  // Only the calling thread tells of progress; of several threads it may get hardly a tile.
+  scene.Mapper->SetNumberOfThreads(1);
   vtkNew<EventCounter> starts;
   vtkNew<EventCounter> steps;
   vtkNew<EventCounter> ends;

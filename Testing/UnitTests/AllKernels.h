@@ -7,6 +7,7 @@
 #include "InstructionSets.h"
 #include "Kernels.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -38,6 +39,12 @@ inline std::string NameOfKernels(const testing::TestParamInfo<std::size_t>& kern
 inline bool AreSameBits(double a, double b)
 {
   return std::memcmp(&a, &b, sizeof(a)) == 0;
+}
+
+/// The same where what is no number may be any NaN: which one, no standard says.
+inline bool AreSameNumbers(double a, double b)
+{
+  return AreSameBits(a, b) || (std::isnan(a) && std::isnan(b));
 }
 
 }

@@ -4,6 +4,7 @@
 // The ranges and the active macrocells of hierarchies are compared with those found by looking at
 // all samples of each macrocell.
 
+#include "AllKernels.h"
 #include "MacrocellHierarchy.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iostream>
 #include <limits>
 #include <vector>
@@ -222,6 +224,74 @@ TEST(MacrocellHierarchy, TakesLittleMemory)
   std::cout << "[ tried    ] 256 x 256 x 108 samples; overhead " << 100.0 * share << " %\n";
   EXPECT_GE(hierarchy.GetMemory(), std::size_t{ 32 * 32 * 14 * 4 });
   EXPECT_LE(share, 0.005);
+}
+
+//------------------------------------------------------------------------------
+/// Any value of a type; for floats also what is no number, or infinite.
+template <typename T>
+T AnyValue(RandomNumbers& random)
+{
+  constexpr std::numeric_limits<T> limits;
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    const T values[] = { limits.quiet_NaN(), limits.infinity(), -limits.infinity(),
+      limits.denorm_min(), -limits.denorm_min(), limits.max(), limits.lowest(), T{ 0 }, -T{ 0 },
+      static_cast<T>(random.Uniform(-1.0, 1.0)) };
+    return values[random.Integer(0, 9)];
+  }
+  else
+  {
+    const T values[] = { limits.max(), limits.lowest(), T{ 0 }, static_cast<T>(random.Bits()) };
+    return values[random.Integer(0, 3)];
+  }
+}
+
+class RangeKernels : public WithKernels
+{
+protected:
+  /// Includes rows one after the other; behind the end of a row nothing changes.
+  template <typename T>
+  void CheckRows()
+  {
+    RandomNumbers random(871);
+    const auto includeRow = this->TheKernels.IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
+    for (std::size_t count = 0; count < 150; ++count)
+    {
+      const std::size_t size = count + 70;
+      std::vector<T> low(size, ValueRange<T>().Min);
+      std::vector<T> high(size, ValueRange<T>().Max);
+      std::vector<T> expectedLow = low;
+      std::vector<T> expectedHigh = high;
+      for (int row = 0; row < 10; ++row)
+      {
+        std::vector<T> values(size);
+        std::generate(values.begin(), values.end(), [&] { return AnyValue<T>(random); });
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          expectedLow[i] = ValueRange<T>::Smaller(values[i], expectedLow[i]);
+          expectedHigh[i] = ValueRange<T>::Larger(values[i], expectedHigh[i]);
+        }
+        includeRow(values.data(), low.data(), high.data(), static_cast<std::ptrdiff_t>(count));
+        ASSERT_EQ(std::memcmp(low.data(), expectedLow.data(), size * sizeof(T)), 0) << count;
+        ASSERT_EQ(std::memcmp(high.data(), expectedHigh.data(), size * sizeof(T)), 0) << count;
+      }
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, RangeKernels, AllKernels(), NameOfKernels);
+
+TEST_P(RangeKernels, IncludeRowsOfSamplesOfAllTypes)
+{
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::int8_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::uint8_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::int16_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::uint16_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::int32_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::uint32_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::int64_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::uint64_t>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<float>());
+  ASSERT_NO_FATAL_FAILURE(this->CheckRows<double>());
 }
 
 }

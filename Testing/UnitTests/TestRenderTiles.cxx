@@ -169,10 +169,14 @@ TEST(RenderTiles, DrawsAnEmptyRectangle)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
+TestVolume<float> NewGyroid()
 {
-  const Index3 size = { 40, 41, 42 };
-  const auto volume = TestVolume<float>::Of(size, AnalyticFields::Gyroid{ 13.0 });
+  return TestVolume<float>::Of({ 40, 41, 42 }, AnalyticFields::Gyroid{ 13.0 });
+}
+
+/// An opaque and a translucent surface of the gyroid, which cover many tiles.
+Scene NewSceneOfGyroid()
+{
   Scene scene;
   const Matrix4 worldFromView = Multiply(Rotation(0.4, 0.9), Translation({ 10.0, 15.0, 90.0 }));
   scene.View =
@@ -181,10 +185,58 @@ TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
   scene.Want.Surfaces = { { -0.7, 1.0 }, { 0.2, 0.4 } };
   scene.Colors = { { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.1 } };
   scene.Look.Shade = true;
+  scene.Lights = { Light() };
+  return scene;
+}
+
+std::ptrdiff_t CountCovered(const Frame& frame)
+{
+  return std::count_if(
+    frame.Depths.begin(), frame.Depths.end(), [](float depth) { return depth <= 1.0F; });
+}
+
+//------------------------------------------------------------------------------
+// From the rays of the pixels to their colours.
+TEST(RenderTiles, IsTheSameToTheLastBitWithAllKernels)
+{
+  const auto volume = NewGyroid();
+  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  Scene scene = NewSceneOfGyroid();
+  scene.Pixels = { 3, 5, 91, 59 };
+  std::vector<float> depths(Count({ 91, 59, 1 }), 1.0F);
+  for (std::size_t i = 0; i < depths.size(); i += 3)
+  {
+    depths[i] = 0.9F + 0.1F * static_cast<float>(i % 100) / 100.0F;
+  }
+  for (const bool hasDepth : { false, true })
+  {
+    scene.Depth = hasDepth ? depths.data() : nullptr;
+    for (const double opacity : { 1.0, 0.4 })
+    {
+      scene.Want.Surfaces[0].Opacity = opacity;
+      scene.Want.BeamKernels = nullptr;
+      const Frame reference = Render(scene, *traced);
+      EXPECT_TRUE(opacity < 1.0 || CountCovered(reference) > 500);
+      for (const Kernels* kernels : GetKernels())
+      {
+        scene.Want.BeamKernels = kernels;
+        const Frame frame = Render(scene, *traced);
+        ASSERT_EQ(frame.Colors, reference.Colors);
+        ASSERT_EQ(frame.Depths, reference.Depths);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
+{
+  const auto volume = NewGyroid();
+  Scene scene = NewSceneOfGyroid();
   Light lamp;
   lamp.Positional = true;
   lamp.Position = { 50.0, 50.0, 90.0 };
-  scene.Lights = { Light(), lamp };
+  scene.Lights.push_back(lamp);
   Frame reference;
   std::size_t frames = 0;
   for (const int threads : { 1, 2, 3, 7 })
@@ -209,8 +261,7 @@ TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
       }
     }
   }
-  const auto covered = std::count_if(
-    reference.Depths.begin(), reference.Depths.end(), [](float depth) { return depth <= 1.0F; });
+  const auto covered = CountCovered(reference);
   std::cout << "[ tried    ] " << frames << " frames of 101 x 67 pixels, " << covered
             << " with an opaque surface\n";
   EXPECT_GT(covered, 500);

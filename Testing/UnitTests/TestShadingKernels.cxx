@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Hits that are shaded side by side, with the kernels of every instruction set, must have the
+// colours they have one by one: the same to the last bit.
+
+#include "AllKernels.h"
+#include "Matrices.h"
+#include "RandomNumbers.h"
+#include "RayGroup.h"
+#include "Shading.h"
+#include "TestLines.h"
+#include "TestVolume.h"
+#include "TrilinearCell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+class ShadingKernels : public WithKernels
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, ShadingKernels, AllKernels(), NameOfKernels);
+
+/// Of any magnitude; one in so many is none, or a limit of what numbers are.
+double AnyNumber(RandomNumbers& random, int special)
+{
+  constexpr std::numeric_limits<double> limits;
+  const double numbers[] = { 0.0, -0.0, limits.max(), limits.lowest(), limits.denorm_min(),
+    -limits.denorm_min(), limits.infinity(), -limits.infinity(), limits.quiet_NaN() };
+  return random.Integer(1, special) == 1 ? numbers[random.Integer(0, 8)]
+                                         : random.WideMagnitude(-320.0, 308.0);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(ShadingKernels, InterpolateDifferencesOneByOne)
+{
+  RandomNumbers random(861);
+  std::size_t finite = 0;
+  for (int i = 0; i < 3 * (RayGroup::Capacity + 1); ++i)
+  {
+    CornerDifferences differences;
+    differences.Count = i % (RayGroup::Capacity + 1);
+    CellCorners corners[3][RayGroup::Capacity];
+    Vector3 places[RayGroup::Capacity];
+    for (int k = 0; k < differences.Count; ++k)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        places[k][axis] =
+          random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
+        differences.Parametric[axis][k] = places[k][axis];
+        for (std::size_t corner = 0; corner < 8; ++corner)
+        {
+          corners[axis][k][corner] = AnyNumber(random, 60);
+          differences.Values[axis][corner][k] = corners[axis][k][corner];
+        }
+      }
+    }
+    double gradient[3][RayGroup::Capacity];
+    this->TheKernels.InterpolateDifferences(differences, gradient);
+    for (int k = 0; k < differences.Count; ++k)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double expected = Interpolate(corners[axis][k], places[k]);
+        ASSERT_TRUE(AreSameNumbers(gradient[axis][k], expected)) << expected;
+        finite += std::isfinite(expected) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(finite, 50000U);
+}
+
+//------------------------------------------------------------------------------
+const Index3 Dimensions = { 12, 11, 13 };
+
+/// Noise; of one magnitude, of all of them, or with samples that are not finite.
+TestVolume<double> RandomVolume(RandomNumbers& random)
+{
+  const int kind = random.Integer(0, 3);
+  std::vector<double> samples(Count(Dimensions));
+  for (double& sample : samples)
+  {
+    const double numbers[] = { random.Uniform(-1.0, 1.0), random.Integer(-1, 1) + 0.0,
+      AnyNumber(random, 1000), random.Integer(0, 19) ? random.Uniform(-1.0, 1.0) : std::nan("") };
+    sample = numbers[kind];
+  }
+  return TestVolume<double>(Dimensions, samples);
+}
+
+Vector3 RandomColor(RandomNumbers& random)
+{
+  return random.PointInBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
+}
+
+Light RandomLight(RandomNumbers& random)
+{
+  Light light;
+  light.DiffuseColor = RandomColor(random);
+  light.SpecularColor = RandomColor(random);
+  light.Direction = random.Integer(0, 4) ? random.Direction() : Vector3{ 0.0, 0.0, 1.0 };
+  light.Positional = random.Integer(0, 19) == 0;
+  return light;
+}
+
+/// Turned, mirrored, sheared, and of any spacing.
+Matrix4 RandomWorldFromIndex(RandomNumbers& random)
+{
+  const double spacings[] = { 1.0, 1.0, 1e3, 1e-3, 1e150, 1e-150 };
+  const double spacing = spacings[random.Integer(0, 5)];
+  Matrix4 matrix = Multiply(Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0)),
+    Scaling({ spacing, random.Integer(0, 1) ? -spacing : spacing, 3.0 * spacing }));
+  matrix[1] += random.Integer(0, 1) ? 0.3 * spacing : 0.0;
+  return matrix;
+}
+
+Scene RandomScene(RandomNumbers& random)
+{
+  const Matrix4 worldFromIndex = RandomWorldFromIndex(random);
+  Scene scene;
+  scene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+  scene.Want.Surfaces = { { 0.0, random.Integer(0, 1) ? 1.0 : 1e-9 }, { 0.25, 1.0 } };
+  scene.Colors = { RandomColor(random), RandomColor(random) };
+  scene.Normals =
+    random.Integer(0, 2) ? NormalMode::CentralDifferences : NormalMode::InterpolantGradient;
+  const double powers[] = { 0.0, 1.0, 2.0, 10.0, 37.0, 128.0, 129.0, 0.5, 1000.0 };
+  scene.Look = { random.Integer(0, 9) != 0, random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0),
+    random.Uniform(0.0, 1.0), powers[random.Integer(0, 8)] };
+  for (int i = random.Integer(0, 4); i > 0; --i)
+  {
+    scene.Lights.push_back(RandomLight(random));
+  }
+  scene.TwoSidedLighting = random.Integer(0, 1) != 0;
+  return scene;
+}
+
+/// Kernels that count what they shade.
+struct CountingKernels
+{
+  explicit CountingKernels(const Kernels& kernels)
+    : Counting(kernels)
+  {
+    Base = &kernels;
+    Hits = Extremes = 0;
+    this->Counting.Shade = [](const Phong& phong, ShadedHits& hits)
+    {
+      Base->Shade(phong, hits);
+      Hits += hits.Count;
+      for (int i = 0; i < RayGroup::Capacity; ++i)
+      {
+        Extremes += Has(hits.Extreme, i) ? 1 : 0;
+      }
+    };
+  }
+
+  Kernels Counting;
+  inline static const Kernels* Base;
+  inline static int Hits;
+  inline static int Extremes;
+};
+
+/// Whether the kernels have all it takes to shade a scene.
+bool IsForKernels(const Scene& scene)
+{
+  return scene.Look.Shade && scene.Look.SpecularPower <= 128.0 &&
+    scene.Look.SpecularPower == std::floor(scene.Look.SpecularPower) &&
+    std::none_of(scene.Lights.begin(), scene.Lights.end(),
+      [](const Light& light) { return light.Positional; });
+}
+
+// Any number of hits, from none to many more than the kernels take at once.
+TEST_P(ShadingKernels, ShadeHitsOneByOne)
+{
+  RandomNumbers random(862);
+  const CountingKernels kernels(this->TheKernels);
+  std::size_t hitCount = 0;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const auto volume = RandomVolume(random);
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    Scene scene = RandomScene(random);
+    scene.Want.BeamKernels = &kernels.Counting;
+    traced->Select(scene.Want, 1);
+    RayGroup group;
+    group.Count = 0;
+    group.Exists = {};
+    for (int ray = random.Integer(1, RayGroup::Capacity); ray > 0; --ray)
+    {
+      const Line line =
+        random.Integer(0, 3) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);
+      AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, std::numeric_limits<double>::infinity(),
+               Dimensions),
+        group);
+    }
+    RayHits hits;
+    traced->Trace(group, hits);
+
+    const Shader shader(scene, *traced);
+    std::vector<Vector3> colors;
+    const int before = CountingKernels::Hits;
+    shader.Shade(group, hits, colors);
+    ASSERT_EQ(colors.size(), hits.Hits.size());
+    ASSERT_EQ(
+      CountingKernels::Hits - before, IsForKernels(scene) ? static_cast<int>(hits.Hits.size()) : 0);
+    for (int ray = 0; ray < group.Count; ++ray)
+    {
+      const auto number = static_cast<std::size_t>(ray);
+      for (std::size_t hit = hits.First[number]; hit < hits.First[number + 1]; ++hit)
+      {
+        const Vector3 expected = shader.Shade(hits.Hits[hit], GetRay(group, ray).Direction);
+        ASSERT_TRUE(
+          std::equal(expected.begin(), expected.end(), colors[hit].begin(), AreSameNumbers))
+          << "scene " << i << ", hit " << hit << " of " << colors.size();
+      }
+    }
+    hitCount += hits.Hits.size();
+  }
+  std::cout << "[ tried    ] " << hitCount << " hits, " << CountingKernels::Hits
+            << " of them with kernels, which left " << CountingKernels::Extremes << " to others\n";
+  EXPECT_GT(CountingKernels::Hits - CountingKernels::Extremes, 30000);
+  EXPECT_GT(CountingKernels::Extremes, 1000);
+}
+
+}
+}
