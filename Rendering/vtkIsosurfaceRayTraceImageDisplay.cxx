@@ -66,8 +66,8 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(vtkOpenGLRenderWindow* window, c
     this->ColorTexture->SetContext(window);
     this->DepthTexture->SetContext(window);
   }
-  const auto width = static_cast<unsigned int>(image.Width);
-  const auto height = static_cast<unsigned int>(image.Height);
+  const auto width = static_cast<unsigned int>(image.Columns);
+  const auto height = static_cast<unsigned int>(image.Rows);
   // The textures are only read from; the interface of vtkTextureObject does not say so.
   this->ColorTexture->Create2DFromRaw(
     width, height, 4, VTK_UNSIGNED_CHAR, const_cast<std::uint8_t*>(image.Colors));

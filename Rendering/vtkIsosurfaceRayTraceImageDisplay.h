@@ -22,13 +22,16 @@ class vtkWindow;
 class vtkIsosurfaceRayTraceImageDisplay
 {
 public:
-  /// A picture and its place in the window, in pixels from the lower left.
+  /// A picture and its place in the window, in pixels from the lower left. It may have fewer
+  /// columns and rows than that place.
   struct Image
   {
     int X;
     int Y;
     int Width;
     int Height;
+    int Columns;
+    int Rows;
     /// Red, green, blue and opacity of every pixel, the colours multiplied by the opacity.
     const std::uint8_t* Colors;
     /// The depth of what is opaque, in [0, 1]; greater than 1 where nothing is.

@@ -32,6 +32,7 @@
 #include "vtkVolumeProperty.h"
 
 #include "CastRays.h"
+#include "PixelSampling.h"
 #include "RenderTiles.h"
 #include "Shading.h"
 
@@ -62,15 +63,12 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The place in the window of the lower left pixel of a scene.
-std::array<int, 2> GetOrigin(vtkRenderer* renderer, const vtkirt::Scene& scene)
+/// The pixels of the window that a renderer draws to.
+vtkirt::PixelRectangle GetViewport(vtkRenderer* renderer)
 {
-  int width = 0;
-  int height = 0;
-  int left = 0;
-  int bottom = 0;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  return { left + scene.Pixels.X, bottom + scene.Pixels.Y };
+  vtkirt::PixelRectangle viewport;
+  renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
+  return viewport;
 }
 
 bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
@@ -90,8 +88,8 @@ public:
   {
     vtkCamera* Camera;
     double Aspect;
-    int Width;
-    int Height;
+    double Width;
+    double Height;
   };
 
   /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
@@ -126,8 +124,13 @@ public:
   vtkirt::Scene MakeScene(
     vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view);
   /// The same for a renderer, with its lights.
-  vtkirt::Scene MakeScene(
-    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer);
+  vtkirt::Scene MakeScene(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
+    vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
+  /// As AutoAdjustSampleDistances has it.
+  vtkirt::PixelSampling ChooseSampling(vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const;
+  /// The depth of what the window shows already, for every ray of a scene.
+  void ReadDepths(vtkOpenGLRenderWindow* window, const vtkirt::PixelRectangle& viewport,
+    const vtkirt::PixelSampling& sampling, vtkirt::Scene& scene);
   /// Makes the picture. Returns false if it was given up.
   bool Trace(vtkIsosurfaceRayTraceMapper* self, const vtkirt::Scene& scene,
     const std::function<bool(double)>& keepGoing);
@@ -153,6 +156,8 @@ public:
 
   vtkirt::Frame Picture;
   std::vector<float> SceneDepths;
+  /// What the last frame would have taken with a ray for every pixel.
+  double SecondsOfFullFrame = 0.0;
   vtkIsosurfaceRayTraceImageDisplay Display;
   std::string LastProblem;
 };
@@ -395,6 +400,13 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   if (this->RenderFrame(renderer, volume))
   {
     this->TimeToDraw = SecondsSince(start);
+    if (!renderer->GetSelector())
+    {
+      // What was built is built; what remains grows with the number of rays.
+      const double distance = static_cast<double>(this->ImageSampleDistance);
+      this->Internal->SecondsOfFullFrame =
+        (this->TraceTime + this->ShadeTime) * distance * distance + this->DisplayTime;
+    }
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
@@ -556,26 +568,81 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
-  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, vtkRenderer* renderer)
+vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRayTraceMapper* self,
+  vtkVolumeProperty* property, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling)
 {
-  int width = 0;
-  int height = 0;
-  int left = 0;
-  int bottom = 0;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const vtkirt::PixelRectangle viewport = GetViewport(renderer);
   vtkirt::Scene scene = this->MakeScene(self, property,
-    { renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), width, height });
+    { renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), sampling.ToRays(viewport.Width),
+      sampling.ToRays(viewport.Height) });
+  scene.Pixels = sampling.Align(scene.Pixels);
   vtkIsosurfaceRayTraceScene::AddLights(renderer->GetLights(), nullptr, scene);
   scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   return scene;
 }
 
 //------------------------------------------------------------------------------
+vtkirt::PixelSampling vtkIsosurfaceRayTraceMapper::Internals::ChooseSampling(
+  vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const
+{
+  const double allocated = volume->GetAllocatedRenderTime();
+  if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0)
+  {
+    // Rays become fewer with the square of their distance.
+    const double enough = std::sqrt(this->SecondsOfFullFrame / allocated);
+    const double wanted = enough > 1.0 ? std::ceil(enough) : 1.0 / std::floor(1.0 / enough);
+    self->ImageSampleDistance =
+      std::clamp(static_cast<float>(wanted), self->MinimumImageSampleDistance,
+        std::max(self->MinimumImageSampleDistance, self->MaximumImageSampleDistance));
+  }
+  return vtkirt::PixelSampling::FromDistance(static_cast<double>(self->ImageSampleDistance));
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::ReadDepths(vtkOpenGLRenderWindow* window,
+  const vtkirt::PixelRectangle& viewport, const vtkirt::PixelSampling& sampling,
+  vtkirt::Scene& scene)
+{
+  vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
+  pixels.Width = std::min(pixels.Width, viewport.Width - pixels.X);
+  pixels.Height = std::min(pixels.Height, viewport.Height - pixels.Y);
+  const int left = viewport.X + pixels.X;
+  const int bottom = viewport.Y + pixels.Y;
+  std::vector<float> depths(vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
+  window->GetZbufferData(
+    left, bottom, left + pixels.Width - 1, bottom + pixels.Height - 1, depths.data());
+  if (sampling.Pixels == 1 && sampling.Rays == 1)
+  {
+    this->SceneDepths.swap(depths);
+  }
+  else
+  {
+    // A ray goes through the middle of its pixels.
+    const vtkirt::PixelRectangle& rays = scene.Pixels;
+    this->SceneDepths.clear();
+    for (int y = 0; y < rays.Height; ++y)
+    {
+      for (int x = 0; x < rays.Width; ++x)
+      {
+        const int middle = sampling.Pixels / 2;
+        const int column = std::min(x * sampling.Pixels / sampling.Rays + middle, pixels.Width - 1);
+        const int row = std::min(y * sampling.Pixels / sampling.Rays + middle, pixels.Height - 1);
+        this->SceneDepths.push_back(
+          depths[vtkirt::Offset({ column, row, 0 }, { pixels.Width, pixels.Height, 1 })]);
+      }
+    }
+  }
+  scene.Depth = this->SceneDepths.data();
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& internal = *this->Internal;
-  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer);
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const vtkirt::PixelSampling sampling =
+    selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, volume);
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, sampling);
   if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
@@ -583,20 +650,14 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 
   const Clock::time_point depthStart = Clock::now();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const auto [left, bottom] = GetOrigin(renderer, scene);
+  const vtkirt::PixelRectangle viewport = GetViewport(renderer);
   // With nothing drawn before, there is nothing to be hidden by.
   if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer())
   {
-    const int right = left + scene.Pixels.Width - 1;
-    const int top = bottom + scene.Pixels.Height - 1;
-    internal.SceneDepths.resize(
-      static_cast<std::size_t>(scene.Pixels.Width) * static_cast<std::size_t>(scene.Pixels.Height));
-    window->GetZbufferData(left, bottom, right, top, internal.SceneDepths.data());
-    scene.Depth = internal.SceneDepths.data();
+    internal.ReadDepths(window, viewport, sampling, scene);
   }
   this->DisplayTime = SecondsSince(depthStart);
 
-  vtkHardwareSelector* selector = renderer->GetSelector();
   scene.KeepHits = selector != nullptr;
   if (!internal.Trace(this, scene,
         [this, window](double fraction) { return this->ReportProgress(window, fraction); }))
@@ -617,9 +678,19 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     internal.WriteIds(selector, scene);
     opaque = true;
   }
+  int columns = scene.Pixels.Width;
+  int rows = scene.Pixels.Height;
+  if (sampling.Rays > 1)
+  {
+    vtkirt::AverageRays(sampling.Rays, columns, internal.Picture);
+    columns /= sampling.Rays;
+    rows /= sampling.Rays;
+    opaque = false; // not where a surface ends
+  }
+  const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   internal.Display.Display(window,
-    { left, bottom, scene.Pixels.Width, scene.Pixels.Height, internal.Picture.Colors.data(),
-      internal.Picture.Depths.data(), opaque });
+    { viewport.X + pixels.X, viewport.Y + pixels.Y, pixels.Width, pixels.Height, columns, rows,
+      internal.Picture.Colors.data(), internal.Picture.Depths.data(), opaque });
   if (selector)
   {
     selector->EndRenderProp();
@@ -755,10 +826,10 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
     return 0;
   }
   Internals& internal = *this->Internal;
-  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer);
-  const auto [left, bottom] = GetOrigin(renderer, scene);
-  const int pixelX = column - left + scene.Pixels.X;
-  const int pixelY = row - bottom + scene.Pixels.Y;
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, {});
+  const vtkirt::PixelRectangle viewport = GetViewport(renderer);
+  const int pixelX = column - viewport.X;
+  const int pixelY = row - viewport.Y;
   if (!Contains(scene.Pixels, pixelX, pixelY))
   {
     return 0;
@@ -790,8 +861,9 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
     return false;
   }
   Internals& internal = *this->Internal;
-  vtkirt::Scene scene = internal.MakeScene(
-    this, volume->GetProperty(), { camera, static_cast<double>(width) / height, width, height });
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(),
+    { camera, static_cast<double>(width) / height, static_cast<double>(width),
+      static_cast<double>(height) });
   vtkNew<vtkLightCollection> headlight;
   if (!lights)
   {
@@ -818,6 +890,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
   vtkVolumeProperty* property, const vtkirt::Scene& scene, vtkImageData* output) const
 {
   const vtkIdType count = output->GetNumberOfPoints();
+  const int* size = output->GetDimensions();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto add = [count, output](
                      vtkDataArray* array, const char* name, int components, double none)
@@ -853,8 +926,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
       {
         continue;
       }
-      const auto to = static_cast<vtkIdType>(vtkirt::Offset(
-        { pixels.X + x, pixels.Y + y, 0 }, { scene.View.GetWidth(), scene.View.GetHeight(), 1 }));
+      const auto to = static_cast<vtkIdType>(
+        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { size[0], size[1], 1 }));
       vtkirt::Vector3 position;
       vtkirt::Vector3 parametric;
       vtkirt::Vector3 normal;
@@ -907,6 +980,10 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "TileSize: " << this->TileSize[0] << " x " << this->TileSize[1] << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MacrocellBuildTime: " << this->MacrocellBuildTime << "\n";
   os << indent << "BrickBuildTime: " << this->BrickBuildTime << "\n";

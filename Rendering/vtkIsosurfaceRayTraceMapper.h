@@ -311,6 +311,41 @@ public:
 
   ///@{
   /**
+   * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
+   * so that the frame is drawn in the time allocated to it: coarser pictures while one turns the
+   * scene (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every
+   * pixel when it is still. Default: on.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the distance between neighbouring rays, in pixels; in a frame with
+   * AutoAdjustSampleDistances, what was chosen. From 1 it is rounded to a whole number, of pixels
+   * that share a ray; below 1 it is rounded to one over a whole number, and each pixel is the mean
+   * of so many rays squared: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100.
+   * Default: 1.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the bounds of what AutoAdjustSampleDistances chooses. Ranges: 0.1 to 100. Defaults: 1
+   * and 10.
+   */
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the number of threads; 0 takes what OpenMP gives (OMP_NUM_THREADS, or all cores).
    * Range: 0 to 1024. Default: 0.
    */
@@ -447,6 +482,10 @@ private:
   int NumberOfMacrocellLevels = 2;
   int MacrocellBranching[MaximumNumberOfMacrocellLevels] = { 8, 8, 8, 8, 8, 8, 8, 8 };
   int TileSize[2] = { 16, 16 };
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  float ImageSampleDistance = 1.0F;
+  float MinimumImageSampleDistance = 1.0F;
+  float MaximumImageSampleDistance = 10.0F;
   int NumberOfThreads = 0;
 
   double MacrocellBuildTime = 0.0;

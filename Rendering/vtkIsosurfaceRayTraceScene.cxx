@@ -226,8 +226,8 @@ vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& phys
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Camera MakeCamera(
-  vtkCamera* camera, double aspect, const vtkirt::Matrix4& worldFromIndex, int width, int height)
+vtkirt::Camera MakeCamera(vtkCamera* camera, double aspect, const vtkirt::Matrix4& worldFromIndex,
+  double width, double height)
 {
   vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   vtkirt::Matrix4 clipFromIndex;
@@ -240,8 +240,8 @@ vtkirt::Camera MakeCamera(
 //------------------------------------------------------------------------------
 vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Index3& dimensions)
 {
-  const double width = camera.GetWidth();
-  const double height = camera.GetHeight();
+  const double width = std::ceil(camera.GetWidth());
+  const double height = std::ceil(camera.GetHeight());
   double low[2] = { width, height };
   double high[2] = { 0.0, 0.0 };
   for (int corner = 0; corner < 8; ++corner)
@@ -252,10 +252,10 @@ vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Ind
     vtkMatrix4x4::MultiplyPoint(camera.GetClipFromIndex().data(), point, clip);
     if (!(clip[3] > 0.0))
     {
-      return { 0, 0, camera.GetWidth(), camera.GetHeight() };
+      return { 0, 0, static_cast<int>(width), static_cast<int>(height) };
     }
-    const double x = 0.5 * (clip[0] / clip[3] + 1.0) * width;
-    const double y = 0.5 * (clip[1] / clip[3] + 1.0) * height;
+    const double x = 0.5 * (clip[0] / clip[3] + 1.0) * camera.GetWidth();
+    const double y = 0.5 * (clip[1] / clip[3] + 1.0) * camera.GetHeight();
     low[0] = std::min(low[0], x);
     low[1] = std::min(low[1], y);
     high[0] = std::max(high[0], x);

@@ -49,7 +49,7 @@ vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
 
 /// The aspect is that of the picture, width over height.
 vtkIsosurfaceRayTracing::Camera MakeCamera(vtkCamera* camera, double aspect,
-  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, int width, int height);
+  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, double width, double height);
 
 /// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
 vtkIsosurfaceRayTracing::PixelRectangle GetPixels(

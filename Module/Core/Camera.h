@@ -31,9 +31,9 @@ public:
   Camera() = default;
 
   /// The matrices must be inverse to each other. Width and height are those of the viewport, in
-  /// pixels.
+  /// pixels; not whole numbers if the last pixels reach beyond it.
   Camera(const Matrix4& clipFromIndex, const Matrix4& indexFromClip, const Matrix4& worldFromIndex,
-    int width, int height)
+    double width, double height)
     : ClipFromIndex(clipFromIndex)
     , IndexFromClip(indexFromClip)
     , WorldFromIndex(worldFromIndex)
@@ -75,15 +75,15 @@ public:
   const Matrix4& GetClipFromIndex() const { return this->ClipFromIndex; }
   const Matrix4& GetIndexFromClip() const { return this->IndexFromClip; }
   const Matrix4& GetWorldFromIndex() const { return this->WorldFromIndex; }
-  int GetWidth() const { return this->Width; }
-  int GetHeight() const { return this->Height; }
+  double GetWidth() const { return this->Width; }
+  double GetHeight() const { return this->Height; }
 
 private:
   Matrix4 ClipFromIndex;
   Matrix4 IndexFromClip;
   Matrix4 WorldFromIndex;
-  int Width = 0;
-  int Height = 0;
+  double Width = 0.0;
+  double Height = 0.0;
 };
 
 }

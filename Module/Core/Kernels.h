@@ -51,8 +51,8 @@ struct PixelBlock
 {
   const double* IndexFromClip;
   /// Of the viewport, in pixels.
-  int Width;
-  int Height;
+  double Width;
+  double Height;
   int Column;
   int Row;
   int Columns;

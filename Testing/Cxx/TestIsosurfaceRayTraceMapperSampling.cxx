@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Fewer rays than pixels where time is short, more where edges are to be smooth.
+
+#include "MapperTesting.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSphereSource.h>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+vtkSmartPointer<vtkActor> NewSphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.4);
+  source->SetCenter(0.5, -0.6, 0.3);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// Sets a distance between rays that stays.
+void SetDistance(Scene& scene, double distance)
+{
+  scene.Mapper->AutoAdjustSampleDistancesOff();
+  scene.Mapper->SetImageSampleDistance(static_cast<float>(distance));
+}
+
+/// Pixels that share a ray show what the pixel in their middle shows with a ray of its own, and its
+/// depth; at the right and upper border too, in windows of any size.
+void CheckCoarse(Checks& check)
+{
+  const auto image = NewBall(33, 0.9);
+  for (const int size : { 159, 160, 161 })
+  {
+    for (const int distance : { 3, 5 })
+    {
+      Scene scene(image, size, size - 7);
+      scene.LookFrom(0.0, -1.0, 0.0);
+      scene.Renderer->GetActiveCamera()->Zoom(1.5);
+      scene.Window->Render();
+      const Picture fine = Capture(scene.Window);
+      const DepthPicture fineDepths(scene.Window, scene.Renderer);
+      SetDistance(scene, distance);
+      const Picture coarse = RenderAndCapture(scene.Window);
+      const DepthPicture depths(scene.Window, scene.Renderer);
+      int wrong = 0;
+      int pixels = 0;
+      for (int y = 0; y < fineDepths.GetHeight(); ++y)
+      {
+        for (int x = 0; x < fineDepths.GetWidth(); ++x)
+        {
+          const int middleX = x / distance * distance + distance / 2;
+          const int middleY = y / distance * distance + distance / 2;
+          if (middleX >= fineDepths.GetWidth() || middleY >= fineDepths.GetHeight())
+          {
+            continue;
+          }
+          ++pixels;
+          const auto here = static_cast<std::size_t>(3 * (x + y * fineDepths.GetWidth()));
+          const auto there =
+            static_cast<std::size_t>(3 * (middleX + middleY * fineDepths.GetWidth()));
+          for (std::size_t channel = 0; channel < 3; ++channel)
+          {
+            wrong += std::abs(coarse[here + channel] - fine[there + channel]) > 1 ? 1 : 0;
+          }
+          wrong += std::abs(depths.GetDepth(x, y) - fineDepths.GetDepth(middleX, middleY)) > 1e-6;
+        }
+      }
+      check.That(pixels > 20000, "pixels are compared");
+      check.Equal(wrong, 0,
+        "the number of wrong pixels at distance " + std::to_string(distance) + " in a window of " +
+          std::to_string(size));
+    }
+  }
+}
+
+/// What is before the surface stays before it, what is behind is hidden, with any number of rays.
+void CheckDepth(Checks& check)
+{
+  const auto image = NewBall(33, 0.7);
+  Scene scene(image, 200, 200);
+  const auto sphere = NewSphere();
+  scene.Renderer->AddActor(sphere);
+  const Picture whole = RenderAndCapture(scene.Window);
+  for (const double distance : { 2.0, 4.0, 0.5 })
+  {
+    SetDistance(scene, distance);
+    const double difference = GetDifference(RenderAndCapture(scene.Window), whole, 40);
+    check.That(difference < 0.04,
+      "at distance " + std::to_string(distance) +
+        " the picture is much the same: " + std::to_string(difference));
+  }
+}
+
+/// Several rays for a pixel are its mean: at the edge of a ball as much colour as it is covered.
+void CheckSmooth(Checks& check)
+{
+  Scene scene(NewBall(65, 0.7), 160, 160);
+  scene.Property()->ShadeOff();
+  scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  const Picture hard = RenderAndCapture(scene.Window);
+  SetDistance(scene, 0.25);
+  const Picture soft = RenderAndCapture(scene.Window);
+  double hardSum = 0.0;
+  double softSum = 0.0;
+  int greys = 0;
+  for (std::size_t i = 0; i < hard.size(); i += 3)
+  {
+    hardSum += hard[i] / 255.0;
+    softSum += soft[i] / 255.0;
+    greys += soft[i] > 0 && soft[i] < 255 ? 1 : 0;
+    check.That(hard[i] == 0 || hard[i] == 255, "a pixel with one ray is black or white");
+  }
+  check.That(greys > 100, "the edge is grey: " + std::to_string(greys));
+  check.Near(softSum / hardSum, 1.0, 0.003, "the area of the ball");
+}
+
+/// In a hurry pictures become coarse, and fine again when there is time.
+void CheckHurry(Checks& check)
+{
+  Scene scene(NewBall(65, 0.7), 300, 300);
+  const Picture still = RenderAndCapture(scene.Window);
+  check.Equal(scene.Mapper->GetImageSampleDistance(), 1.0F, "the distance when there is time");
+  scene.Window->SetDesiredUpdateRate(100000.0);
+  scene.Window->Render();
+  check.Equal(scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance in a great hurry");
+  scene.Mapper->SetMaximumImageSampleDistance(3.0F);
+  scene.Window->Render();
+  check.Equal(scene.Mapper->GetImageSampleDistance(), 3.0F, "the largest distance allowed");
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), still, 0), 0.0,
+    "the difference of a picture that had time");
+  scene.Mapper->SetMinimumImageSampleDistance(0.5F);
+  scene.Window->Render();
+  check.Equal(
+    scene.Mapper->GetImageSampleDistance(), 0.5F, "the distance with time for smooth edges");
+  scene.Window->SetDesiredUpdateRate(100000.0);
+  SetDistance(scene, 1.0);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), still, 0), 0.0,
+    "the difference of a picture in a hurry with the distance held");
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperSampling(int, char*[])
+{
+  Checks check;
+  CheckCoarse(check);
+  CheckDepth(check);
+  CheckSmooth(check);
+  CheckHurry(check);
+  return check.Result();
+}
