@@ -11,13 +11,10 @@
 #include "RobustSolver.h"
 #include "TracedVolume.h"
 
-#include <vtkDoubleArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkGenericCell.h>
-#include <vtkImageData.h>
 #include <vtkMarchingCubes.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -264,17 +261,6 @@ double SampleLine(
 //------------------------------------------------------------------------------
 // Rivals: triangles
 
-vtkSmartPointer<vtkImageData> NewImage(const Input& input)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(input.Field.Dimensions.data());
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetNumberOfTuples(image->GetNumberOfPoints());
-  std::copy(input.Field.Values.begin(), input.Field.Values.end(), scalars->GetPointer(0));
-  image->GetPointData()->SetScalars(scalars);
-  return image;
-}
-
 /// The triangles of a filter, in a structure that lines can be cast at.
 class Triangles
 {
@@ -282,7 +268,7 @@ public:
   template <typename Filter>
   static std::shared_ptr<Triangles> New(const Input& input, vtkSmartPointer<Filter> filter)
   {
-    filter->SetInputData(NewImage(input));
+    filter->SetInputData(input.Image);
     filter->SetValue(0, input.Isovalue);
     filter->ComputeNormalsOff();
     filter->ComputeScalarsOff();

@@ -32,6 +32,17 @@ struct FrameTimes
   }
 };
 
+/// What the pixels of a square picture show, in rows from the bottom.
+struct PixelHits
+{
+  /// Whether a pixel shows the surface.
+  std::vector<bool> Shown;
+  /// How far from the eye it is, NaN where there is none. Empty if the picture has no depth.
+  std::vector<double> Distances;
+  /// Distances that differ by less may be told as the same.
+  double Resolution = 0.0;
+};
+
 /// A way to show an isosurface of a volume.
 class Contestant
 {
@@ -51,6 +62,8 @@ public:
   virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }
+  /// What these pixels are; nothing where that is not known.
+  virtual PixelHits GetHits() { return {}; }
 };
 
 }

@@ -8,7 +8,10 @@
 
 #include <vtkNew.h>
 
+#include <array>
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkProp;
 class vtkRenderWindow;
@@ -33,8 +36,18 @@ public:
   void Show(vtkProp* prop);
   /// Seconds until the frame is finished.
   double Draw(const View& view);
-  /// The share of its pixels that show something.
+  /// Whether its pixels show something, in rows from the bottom.
+  std::vector<bool> GetDrawn();
+  /// The share of its pixels that do.
   double GetShareDrawn();
+  /// The distances, along the view, of the first and last depth of its pixels.
+  std::array<double, 2> GetClippingRange();
+  /// The depth buffer, between 0 and 1, and the red of the pixels, in rows from the bottom.
+  std::vector<float> GetDepths();
+  std::vector<unsigned char> GetReds();
+  vtkRenderWindow* GetWindow() { return this->Window; }
+  /// The distances of the camera's clipping planes.
+  std::array<double, 2> GetClippingRange();
   /// Who draws, in the words of OpenGL.
   std::string GetDriver();
 

@@ -16,6 +16,7 @@
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
 #include <vtkMarchingCubes.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -24,6 +25,7 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Benchmark
 {
@@ -123,8 +125,8 @@ class VolumePictures : public Contestant
 {
 public:
   VolumePictures(std::string name, vtkImageData* image, vtkVolumeMapper* mapper, int size)
-    : Name(std::move(name))
-    , Window(size)
+    : Window(size)
+    , Name(std::move(name))
   {
     mapper->SetInputDataObject(image);
     this->Volume->SetMapper(mapper);
@@ -144,33 +146,102 @@ public:
   }
 
   double GetHitShare() override { return this->Window.GetShareDrawn(); }
+  PixelHits GetHits() override { return { this->Window.GetDrawn(), {} }; }
+
+protected:
+  OffScreenWindow Window;
 
 private:
   std::string Name;
-  OffScreenWindow Window;
   vtkNew<vtkVolume> Volume;
 };
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewFixedPoint(vtkImageData* image, int size, int threads)
+std::unique_ptr<Contestant> NewFixedPoint(
+  vtkImageData* image, int size, int threads, double sampleDistance)
 {
   const double* spacing = image->GetSpacing();
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->SetNumberOfThreads(threads);
   // A sample for every cell and a ray for every pixel: what a picture like ours asks for.
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(static_cast<float>(*std::min_element(spacing, spacing + 3)));
+  mapper->SetSampleDistance(static_cast<float>(
+    sampleDistance > 0.0 ? sampleDistance : *std::min_element(spacing, spacing + 3)));
   mapper->SetImageSampleDistance(1.0F);
   return std::make_unique<VolumePictures>("fixed-point", image, mapper, size);
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewGpu(vtkImageData* image, int size)
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewGpuMapper(double sampleDistance)
 {
-  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
   mapper->SetBlendModeToIsoSurface();
-  return std::make_unique<VolumePictures>("gpu", image, mapper, size);
+  if (sampleDistance > 0.0)
+  {
+    mapper->AutoAdjustSampleDistancesOff();
+    mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+  }
+  return mapper;
 }
+
+/// VTK's GPU mode of isosurfaces. What its shader took for the surface is in its depth picture.
+class GpuPictures : public VolumePictures
+{
+public:
+  GpuPictures(vtkImageData* image, int size, vtkGPUVolumeRayCastMapper* mapper)
+    : VolumePictures("gpu", image, mapper, size)
+    , Size(size)
+    , Mapper(mapper)
+  {
+  }
+
+  FrameTimes Draw(const View& view, int threads) override
+  {
+    this->LastView = view;
+    return this->VolumePictures::Draw(view, threads);
+  }
+
+  PixelHits GetHits() override
+  {
+    vtkNew<vtkImageData> image;
+    this->Mapper->RenderToImageOn();
+    this->Window.Draw(this->LastView);
+    this->Mapper->GetDepthImage(image);
+    this->Mapper->RenderToImageOff();
+    // A depth is a float: from one to the next it is 2^-24 where it is largest.
+    const double rounding = std::ldexp(1.0, -24);
+    const PictureRays rays(this->LastView, this->Size);
+    PixelHits hits;
+    for (int y = 0; y < this->Size; ++y)
+    {
+      for (int x = 0; x < this->Size; ++x)
+      {
+        const double depth = image->GetScalarComponentAsDouble(x, y, 0, 0);
+        const double length = vtkMath::Norm(rays.GetDirection(x, y).data());
+        hits.Shown.push_back(depth < 1.0);
+        hits.Distances.push_back(depth < 1.0 ? length * this->GetDistance(depth) : NotMeasured);
+        if (depth < 1.0)
+        {
+          hits.Resolution = std::max(hits.Resolution,
+            length * (this->GetDistance(depth + rounding) - this->GetDistance(depth)));
+        }
+      }
+    }
+    return hits;
+  }
+
+private:
+  /// The distance along the view of a depth of OpenGL, from 0 to 1.
+  double GetDistance(double depth)
+  {
+    const auto [nearest, farthest] = this->Window.GetClippingRange();
+    return nearest * farthest / (farthest - depth * (farthest - nearest));
+  }
+
+  int Size;
+  View LastView;
+  vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
+};
 
 #ifdef BENCHMARK_HAS_EMBREE
 //------------------------------------------------------------------------------
@@ -254,7 +325,7 @@ std::string GetAbsence(const std::string& rival)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<Contestant> NewRival(
-  const std::string& name, vtkImageData* image, int size, int threads)
+  const std::string& name, vtkImageData* image, int size, int threads, double sampleDistance)
 {
   if (name == "flying-edges")
   {
@@ -270,7 +341,7 @@ std::unique_ptr<Contestant> NewRival(
   }
   if (name == "fixed-point")
   {
-    return NewFixedPoint(image, size, threads);
+    return NewFixedPoint(image, size, threads, sampleDistance);
   }
 #ifdef BENCHMARK_HAS_EMBREE
   if (name == "embree")
@@ -278,7 +349,7 @@ std::unique_ptr<Contestant> NewRival(
     return std::make_unique<EmbreePictures>(image, size, threads);
   }
 #endif
-  return NewGpu(image, size);
+  return std::make_unique<GpuPictures>(image, size, NewGpuMapper(sampleDistance));
 }
 
 }

@@ -9,10 +9,10 @@
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
+#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -109,7 +109,30 @@ FrameTimes TracedIsosurface::Draw(const View& view, int threads)
 double TracedIsosurface::GetHitShare()
 {
   this->CastRays(this->LastView, this->GetPixels(this->LastView));
-  return static_cast<double>(this->Hits) / this->Size / this->Size;
+  return static_cast<double>(this->Hits->GetNumberOfPoints()) / this->Size / this->Size;
+}
+
+//------------------------------------------------------------------------------
+PixelHits TracedIsosurface::GetHits()
+{
+  const PixelRectangle pixels = this->GetPixels(this->LastView);
+  const PictureRays rays(this->LastView, this->Size);
+  this->CastRays(this->LastView, pixels);
+  const std::size_t count = static_cast<std::size_t>(this->Size) * this->Size;
+  PixelHits hits{ std::vector<bool>(count, false), std::vector<double>(count, NotMeasured) };
+  vtkDataArray* rayIds = this->Hits->GetPointData()->GetArray("RayId");
+  vtkDataArray* ts = this->Hits->GetPointData()->GetArray("T");
+  for (vtkIdType i = 0; i < this->Hits->GetNumberOfPoints(); ++i)
+  {
+    const int ray = static_cast<int>(rayIds->GetComponent(i, 0));
+    const int x = pixels.X + ray % pixels.Width;
+    const int y = pixels.Y + ray / pixels.Width;
+    const std::size_t pixel = static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * this->Size;
+    hits.Shown[pixel] = true;
+    hits.Distances[pixel] =
+      ts->GetComponent(i, 0) * vtkMath::Norm(rays.GetDirection(x, y).data());
+  }
+  return hits;
 }
 
 //------------------------------------------------------------------------------
@@ -134,11 +157,8 @@ double TracedIsosurface::CastRays(const View& view, const PixelRectangle& pixels
       directions->InsertNextTuple(rays.GetDirection(x, y).data());
     }
   }
-  vtkNew<vtkPolyData> hits;
-  const double seconds =
-    Measure([&]() { this->Mapper->CastRays(this->Volume, origins, directions, hits); });
-  this->Hits = hits->GetNumberOfPoints();
-  return seconds;
+  return Measure(
+    [&]() { this->Mapper->CastRays(this->Volume, origins, directions, this->Hits); });
 }
 
 }

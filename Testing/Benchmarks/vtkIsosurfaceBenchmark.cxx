@@ -4,12 +4,9 @@
 // How fast this mapper is, beside triangles and other mappers: see --help. What needs a window
 // needs a display too; xvfb-run gives one.
 
-#ifdef BENCHMARK_HAS_EMBREE
-#include "EmbreeTriangles.h"
-#endif
+#include "Circumstances.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
-#include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "Race.h"
 #include "ReadImage.h"
@@ -17,15 +14,12 @@
 #include "Rivals.h"
 
 #include <vtkSMPTools.h>
-#include <vtkVersion.h>
 #include <vtksys/CommandLineArguments.hxx>
-#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <stdexcept>
@@ -158,46 +152,6 @@ std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
 }
 
 //------------------------------------------------------------------------------
-void DescribeMachine(const std::vector<std::string>& command, Report& report)
-{
-  vtksys::SystemInformation system;
-  system.RunCPUCheck();
-  const std::time_t now = std::time(nullptr);
-  char date[32];
-  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
-  std::string line;
-  for (const std::string& word : command)
-  {
-    line += (line.empty() ? "" : " ") + word;
-  }
-  report.Circumstances.emplace_back("date", date);
-  report.Circumstances.emplace_back("command", "`" + line + "`");
-  report.Circumstances.emplace_back("machine",
-    std::string(system.GetModelName()) + ", " +
-      std::to_string(std::thread::hardware_concurrency()) + " logical processors");
-  report.Circumstances.emplace_back("load of the machine before",
-    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)");
-  report.Circumstances.emplace_back("compiler", __VERSION__);
-  report.Circumstances.emplace_back("VTK",
-    std::string(vtkVersion::GetVTKVersion()) +
-      ", threads of its filters: " + vtkSMPTools::GetBackend());
-#ifdef BENCHMARK_HAS_EMBREE
-  report.Circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
-#endif
-  if (OffScreenWindow::IsPossible())
-  {
-    OffScreenWindow window(16);
-    report.Circumstances.emplace_back("OpenGL", window.GetDriver());
-  }
-  else
-  {
-    report.Circumstances.emplace_back("OpenGL",
-      "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 is "
-      "not measured");
-  }
-}
-
-//------------------------------------------------------------------------------
 void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
 {
   const int* n = setup.Image->GetDimensions();
@@ -259,7 +213,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
     ParseThreads(arguments.Threads), arguments.Repeats, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
-  DescribeMachine(command, report);
+  report.Circumstances = DescribeMachine(command);
   setup.Rivals = ChooseRivals(arguments.Rivals, report);
   // Now rather than at the end: what cannot be written, or measured.
   for (const std::string& fileName : { arguments.Json, arguments.Markdown })
