@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-Utilities/install-dependencies.sh libgtest-dev libgmp-dev
+Utilities/install-dependencies.sh libgtest-dev libgmp-dev libembree-dev
 
 # The python3 found first may be another than Debian's, which alone knows Debian's VTK.
 cmake --preset release -DPython3_EXECUTABLE=/usr/bin/python3

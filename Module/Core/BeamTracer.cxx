@@ -6,7 +6,9 @@
 #include "BeamWalk.h"
 #include "RayGroup.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -26,15 +28,30 @@ int FirstOf(const RaySet& set)
 }
 
 //------------------------------------------------------------------------------
+const GroupHits& BeamTracer::FindFirstHits(
+  RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue)
+{
+  this->Isovalue = isovalue;
+  this->Queue.Count = 0;
+  this->Hits.Found = {};
+  this->Hits.Refined = {};
+  this->Hits.Rising = {};
+  this->Trace(group, cells);
+  this->TheKernels.Refine(group, this->Hits);
+  return this->Hits;
+}
+
+void BeamTracer::FollowRays(RayGroup& group, Cells& cells)
+{
+  this->Isovalue.reset();
+  this->Trace(group, cells);
+}
+
 void BeamTracer::Trace(RayGroup& group, Cells& cells)
 {
   this->Group = &group;
   this->Source = &cells;
-  this->Hits.Found = {};
-  this->Hits.Refined = {};
-  this->Hits.Rising = {};
   this->TraceSet(group.Exists, CountOf(group.Exists));
-  this->TheKernels.Refine(group, this->Hits);
 }
 
 /// Traces rays as one beam, or, where they make none, half of them after the other.
@@ -56,7 +73,9 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   }
   Beam beam;
   const bool isBeam = this->TheKernels.Align(*this->Group, rays, axis, beam);
-  if (count > 1 && (!isBeam || BeamWalk::IsTooWide(beam)))
+  // All passages of a slice must have room if rays are to be followed in order.
+  const int largestCount = this->Isovalue ? RayGroup::Capacity : Passages::RaysWithRoom;
+  if (count > 1 && (!isBeam || BeamWalk::IsTooWide(beam) || count > largestCount))
   {
     RaySet half = {};
     RaySet rest = rays;
@@ -84,9 +103,7 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
         {
           this->VisitBlock(beam, blocks[i]);
         }
-        this->FollowPassages(beam);
-        this->Going.Words[0] &= ~this->Hits.Found.Words[0];
-        this->Going.Words[1] &= ~this->Hits.Found.Words[1];
+        this->EndSlice(beam);
         return IsEmpty(this->Going);
       });
 }
@@ -99,16 +116,78 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     block[2] * BlockMask::Edge };
   this->TheKernels.FindPassages(
     *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
-  if (this->Passed.Count >= Passages::Batch)
+  if (this->Isovalue && this->Passed.Count >= Passages::Batch)
+  {
+    this->SolvePassages(beam);
+  }
+}
+
+/// Does what is to be done for the rays in a slice of blocks.
+void BeamTracer::EndSlice(const Beam& beam)
+{
+  if (!this->Isovalue)
   {
     this->FollowPassages(beam);
+    return;
+  }
+  this->SolvePassages(beam);
+  this->Going.Words[0] &= ~this->Hits.Found.Words[0];
+  this->Going.Words[1] &= ~this->Hits.Found.Words[1];
+}
+
+/// Follows each ray through the cells of all its passages.
+void BeamTracer::FollowPassages(const Beam& beam)
+{
+  // The passages of a ray, each with the number of the next.
+  int first[RayGroup::Capacity];
+  int next[Passages::Capacity];
+  std::fill_n(first, RayGroup::Capacity, -1);
+  for (int i = 0; i < this->Passed.Count; ++i)
+  {
+    next[i] = std::exchange(first[this->Passed.Ray[i]], i);
+  }
+  std::vector<Index3> cells;
+  for (int ray = 0; ray < this->Group->Count; ++ray)
+  {
+    if (first[ray] < 0)
+    {
+      continue;
+    }
+    cells.clear();
+    for (int passage = first[ray]; passage >= 0; passage = next[passage])
+    {
+      this->AddCells(beam.Axis, passage, cells);
+    }
+    if (this->Source->Follow(ray, cells))
+    {
+      this->Going.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
+    }
+  }
+  this->Passed.Count = 0;
+}
+
+void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) const
+{
+  const int* first = this->Passed.First[passage];
+  for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
+  {
+    const int slice = __builtin_ctz(slices);
+    for (std::uint64_t bits = this->Passed.Cells[passage][slice]; bits != 0; bits &= bits - 1)
+    {
+      const int bit = __builtin_ctzll(bits);
+      Index3 cell = { first[0], first[1], first[2] };
+      cell[static_cast<std::size_t>(axis)] += slice;
+      cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
+      cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
+      cells.push_back(cell);
+    }
   }
 }
 
 /// Finds the first hit of every passage. A ray needs the cells of a slice only if it hit nothing in
 /// the slices before. (Whether there is more to do for a ray is as good as random: counting is
 /// faster than branching.)
-void BeamTracer::FollowPassages(const Beam& beam)
+void BeamTracer::SolvePassages(const Beam& beam)
 {
   int waiting[Passages::Capacity];
   int left = this->Passed.Count;
@@ -187,7 +266,7 @@ void BeamTracer::SolveQueue()
   }
   this->Source->LoadCorners(this->Queue);
   this->TheKernels.FindHits(
-    *this->Group, this->Queue, this->Isovalue, this->Hits, this->Passed, this->Extremes);
+    *this->Group, this->Queue, *this->Isovalue, this->Hits, this->Passed, this->Extremes);
   for (int i = 0; i < this->Extremes.Count; ++i)
   {
     this->KeepExtreme(this->Extremes.Numbers[i]);

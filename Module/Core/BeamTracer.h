@@ -10,18 +10,18 @@
 #include "Kernels.h"
 #include "Ray.h"
 
-#include <utility>
+#include <optional>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Finds the first hits of rays with one surface, a group of rays at a time.
+/// Leads the rays of a group through the volume together.
 ///
-/// The rays walk together, as a beam, to the active macrocells; for each of them, all cells of a
-/// macrocell that the ray may pass and the surface does are found at once; these are candidates,
-/// and solved in batches. What a candidate has to say comes from ray and cell alone
-/// (CellSegment.h), so that proposing too many cells costs time and changes nothing.
-///
+/// They walk as a beam to the active macrocells; for each of them, all cells of a macrocell that
+/// the ray may pass and a surface does are found at once. What a cell has to say to a ray comes
+/// from the two alone (CellSegment.h), so that proposing too many cells costs time and changes
+/// nothing.
 class BeamTracer
 {
 public:
@@ -32,41 +32,54 @@ public:
     virtual ~Cells() = default;
     /// Says that a block is wanted soon.
     virtual void Prefetch(const Index3& block) = 0;
-    /// Which cells of a block of 8^3 the surface passes; either kept elsewhere or made in own.
+    /// Which cells of a block of 8^3 a surface passes; either kept elsewhere or made in own.
     virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
+
+    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
+    /// been through. Returns whether nothing of the ray is left.
+    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
+
+    // For first hits only:
     virtual void LoadCorners(Candidates& candidates) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
     /// the ray comes into the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) = 0;
   };
 
-  BeamTracer(const Kernels& kernels, const BlockTree& tree, const ScaledIsovalue& isovalue)
+  BeamTracer(const Kernels& kernels, const BlockTree& tree)
     : TheKernels(kernels)
     , Tree(tree)
-    , Isovalue(isovalue)
   {
   }
 
-  /// Finds the hits of all rays of a group that exist.
-  void Trace(RayGroup& group, Cells& cells);
+  /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
+  /// many rays are solved at once.
+  const GroupHits& FindFirstHits(RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue);
 
-  const GroupHits& GetHits() const { return this->Hits; }
+  /// Leads all rays of a group that exist through the cells that may have hits.
+  void FollowRays(RayGroup& group, Cells& cells);
 
 private:
+  void Trace(RayGroup& group, Cells& cells);
   void TraceSet(const RaySet& rays, int count);
   void VisitBlock(const Beam& beam, const Index3& block);
+  void EndSlice(const Beam& beam);
+  void SolvePassages(const Beam& beam);
   void FollowPassages(const Beam& beam);
+  void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
   void AddCandidates(int axis, int passage, int slice);
   void SolveQueue();
   void KeepExtreme(int candidate);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
-  ScaledIsovalue Isovalue;
 
   RayGroup* Group = nullptr;
   Cells* Source = nullptr;
+  /// The rays that are still on their way.
   RaySet Going = {};
+  /// The surface whose first hits are wanted; none when rays are followed.
+  std::optional<ScaledIsovalue> Isovalue;
   GroupHits Hits;
   Passages Passed;
   Candidates Queue;

@@ -219,6 +219,13 @@ private:
     };
     for (const double isovalue : this->Isovalues)
     {
+      // What no value reaches, or all do, may not be a number of the type either.
+      constexpr std::numeric_limits<Compared> limits;
+      if (isovalue <= static_cast<double>(limits.lowest()) ||
+        isovalue > static_cast<double>(limits.max()))
+      {
+        continue;
+      }
       const Compared threshold = GetThreshold(isovalue);
       forEachSlice(IsAtLeast{ threshold },
         [cells](std::uint64_t& slice, const Corners& inside)

@@ -39,8 +39,6 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
 
 /// The segment of a ray in a cell, computed from the planes of the cell alone. Returns false if the
 /// cell is not among those the ray passes. However the cell was found, the answer is the same.
-/// (Along an axis the ray is parallel to, whoever proposes a cell takes the one at the floor of the
-/// origin.)
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
   Place entry{ -std::numeric_limits<double>::infinity(), 0 };
@@ -49,6 +47,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   {
     if (ray.Step[axis] == 0)
     {
+      if (ray.Inverse[axis] != cell[axis])
+      {
+        return false;
+      }
       continue;
     }
     const bool up = ray.Step[axis] > 0;

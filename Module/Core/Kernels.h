@@ -85,7 +85,10 @@ struct Passages
   /// When there are so many, it is time to go through them...
   static constexpr int Batch = 128;
   /// ...for each ray of a group may add one before anybody asks.
-  static constexpr int Capacity = Batch + RayGroup::Capacity;
+  static constexpr int Capacity = 1024;
+  /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
+  /// across). For so many rays, there is room without asking.
+  static constexpr int RaysWithRoom = Capacity / 16;
 
   int Count;
   int Ray[Capacity];
@@ -150,12 +153,56 @@ struct ExtremeCandidates
   int Numbers[Candidates::Capacity];
 };
 
+/// The differences between samples around hits, which make their gradients: see
+/// NormalMode::CentralDifferences.
+struct CornerDifferences
+{
+  int Count;
+  /// Along each axis, at each corner of the cell.
+  alignas(64) double Values[3][8][RayGroup::Capacity];
+  /// Where in the cell the hit is.
+  alignas(64) double Parametric[3][RayGroup::Capacity];
+};
+
+/// Hits to be shaded.
+struct ShadedHits
+{
+  int Count;
+  alignas(64) double Gradient[3][RayGroup::Capacity];
+  /// Of the ray, in index space.
+  alignas(64) double Direction[3][RayGroup::Capacity];
+  /// That of the surface first, then that of the hit.
+  alignas(64) double Color[3][RayGroup::Capacity];
+  /// Those whose vectors are too short or too long for the arithmetic of the kernel.
+  RaySet Extreme;
+};
+
+/// A light that is infinitely far; see Light.
+struct DistantLight
+{
+  double Direction[3];
+  double DiffuseColor[3];
+  double SpecularColor[3];
+};
+
+/// What the shading of all hits of a frame shares; see Shader.
+struct Phong
+{
+  const double* WorldFromIndex;
+  const double* WorldFromGradient;
+  bool TwoSidedLighting;
+  double Ambient;
+  double Diffuse;
+  double Specular;
+  int SpecularPower;
+  int LightCount;
+  const DistantLight* Lights;
+};
+
 /// The inner loops of ray tracing, compiled for one instruction set. All sets do the same
 /// operations in the same order, and give the same bits.
 struct Kernels
 {
-  const char* Name;
-
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayGroup& group);
@@ -179,6 +226,17 @@ struct Kernels
   /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
   /// Robust::ForEachRoot does.
   void (*Refine)(const RayGroup& group, GroupHits& hits);
+
+  /// Interpolates differences at the corners of cells, as Interpolate does.
+  void (*InterpolateDifferences)(
+    const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity]);
+
+  /// Shades hits, exactly as Shader::Shade does.
+  void (*Shade)(const Phong& phong, ShadedHits& hits);
+
+  /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
+  /// One for every ScalarType.
+  void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 };
 
 extern const Kernels BaselineKernels;

@@ -184,7 +184,13 @@ LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& bas
   }
   rays.Begin = begin - base;
   rays.End = end - base;
-  return exists & ClipToSlabs(rays, dimensions);
+  exists = exists & ClipToSlabs(rays, dimensions);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Doubles cell = Smaller(Floor(rays.Origin[axis]), Broadcast(dimensions[axis] - 2));
+    rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+  }
+  return exists;
 }
 
 void MakeRays(const PixelBlock& block, RayGroup& group)
@@ -254,8 +260,12 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
     const Doubles direction = Load(&group.Direction[axis][i]);
     const Doubles origin = Load(&group.Origin[axis][i]);
     const Doubles inverse = Load(&group.Inverse[axis][i]);
-    up |= ToBits(mask & (zero < direction));
-    down |= ToBits(mask & (direction < zero));
+    const unsigned int upward = ToBits(zero < direction);
+    const unsigned int downward = ToBits(direction < zero);
+    up |= lanes & upward;
+    down |= lanes & downward;
+    // Along the axis it must move at all.
+    steep |= lanes & ~(upward | downward);
     const Doubles begin = origin + Load(&group.Begin[i]) * direction;
     const Doubles end = origin + Load(&group.End[i]) * direction;
     const Doubles lowest = Smaller(begin, end) - margin;
@@ -547,6 +557,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   Doubles entryAxis = zero;
   Doubles exit = Broadcast(Infinity);
   Doubles exitAxis = startAxis;
+  Mask staysOutside = FirstLanes(0);
   for (int axis = 0; axis < 3; ++axis)
   {
     origin[axis] = Gather(group.Origin[axis], rays);
@@ -557,6 +568,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
     const Doubles next = cell[axis] + one;
     const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
     const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
+    staysOutside = staysOutside | AndNot((inverse < cell[axis]) | (cell[axis] < inverse), moves);
     const Doubles axes = Broadcast(axis);
     const Mask later = moves & (entry <= in);
     entry = Select(later, in, entry);
@@ -577,6 +589,7 @@ LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const
   result.Exists =
     ((result.Begin < result.End) | ((result.Begin == result.End) & (result.BeginAxis < endAxis))) &
     (rayBegin < exit) & (entry < rayEnd);
+  result.Exists = AndNot(result.Exists, staysOutside);
   for (int axis = 0; axis < 3; ++axis)
   {
     const Doubles begin = origin[axis] + result.Begin * direction[axis] - cell[axis];
@@ -882,6 +895,186 @@ void Refine(const RayGroup& group, GroupHits& hits)
   }
   hits.Refined = hits.Found;
 }
+
+//------------------------------------------------------------------------------
+void InterpolateDifferences(
+  const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity])
+{
+  for (int i = 0; i < differences.Count; i += LaneCount)
+  {
+    Doubles p[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = Load(&differences.Parametric[axis][i]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Doubles x[4];
+      for (int edge = 0; edge < 4; ++edge)
+      {
+        x[edge] = Lerp(Load(&differences.Values[axis][2 * edge][i]),
+          Load(&differences.Values[axis][2 * edge + 1][i]), p[0]);
+      }
+      Store(Lerp(Lerp(x[0], x[1], p[1]), Lerp(x[2], x[3], p[1]), p[2]), &gradient[axis][i]);
+    }
+  }
+}
+
+LANES_INLINE Doubles Dot(const Doubles a[3], const Doubles b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The same as Normalized of Vector.h, times a factor, where the square of the length is safe.
+/// Returns where it is.
+LANES_INLINE Mask Normalize(Doubles a[3], double factor)
+{
+  const Doubles square = Dot(a, a);
+  const Doubles inverse = Broadcast(1.0) / SquareRoot(square);
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = a[i] * inverse * Broadcast(factor);
+  }
+  return (Broadcast(1e-280) < square) & (square < Broadcast(1e280));
+}
+
+LANES_INLINE void Transform(const double* m, const Doubles from[3], Doubles to[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i] = Broadcast(m[4 * i]) * from[0] + Broadcast(m[4 * i + 1]) * from[1] +
+      Broadcast(m[4 * i + 2]) * from[2];
+  }
+}
+
+LANES_INLINE Doubles Power(Doubles base, int exponent)
+{
+  Doubles result = Broadcast(1.0);
+  Doubles square = base;
+  for (; exponent > 0; exponent /= 2)
+  {
+    result = exponent % 2 == 1 ? result * square : result;
+    square = square * square;
+  }
+  return result;
+}
+
+/// The light that is reflected, diffuse and specular.
+struct Reflections
+{
+  Doubles Diffuse[3];
+  Doubles Specular[3];
+};
+
+LANES_INLINE void AddReflections(const DistantLight& light, int power, const Doubles normal[3],
+  const Doubles toViewer[3], Reflections& reflections)
+{
+  const Doubles zero = Broadcast(0.0);
+  Doubles direction[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = Broadcast(light.Direction[i]);
+  }
+  const Doubles cosine = Dot(normal, direction);
+  const Mask isLit = zero < cosine;
+  Doubles mirrored[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    mirrored[i] = normal[i] * (Broadcast(2.0) * cosine) - direction[i];
+  }
+  const Doubles highlight = Power(Larger(zero, Dot(mirrored, toViewer)), power);
+  for (int i = 0; i < 3; ++i)
+  {
+    Doubles& diffuse = reflections.Diffuse[i];
+    Doubles& specular = reflections.Specular[i];
+    diffuse = Select(isLit, diffuse + Broadcast(light.DiffuseColor[i]) * cosine, diffuse);
+    specular = Select(isLit, specular + Broadcast(light.SpecularColor[i]) * highlight, specular);
+  }
+}
+
+void Shade(const Phong& phong, ShadedHits& hits)
+{
+  const Doubles zero = Broadcast(0.0);
+  hits.Extreme.Words[0] = 0;
+  hits.Extreme.Words[1] = 0;
+  for (int i = 0; i < hits.Count; i += LaneCount)
+  {
+    Doubles gradient[3];
+    Doubles direction[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] = Load(&hits.Gradient[axis][i]);
+      direction[axis] = Load(&hits.Direction[axis][i]);
+    }
+    Doubles toViewer[3];
+    Transform(phong.WorldFromIndex, direction, toViewer);
+    Mask safe = Normalize(toViewer, -1.0);
+    safe = safe & Normalize(gradient, 1.0);
+    Doubles normal[3];
+    Transform(phong.WorldFromGradient, gradient, normal);
+    safe = safe & Normalize(normal, -1.0);
+    const unsigned int extreme =
+      ToBits(AndNot(FirstLanes(SmallerOf(hits.Count - i, LaneCount)), safe));
+    hits.Extreme.Words[i >> 6] |= static_cast<std::uint64_t>(extreme) << (i & 63);
+    if (phong.TwoSidedLighting)
+    {
+      const Mask isBehind = Dot(normal, toViewer) < zero;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normal[axis] = Select(isBehind, normal[axis] * Broadcast(-1.0), normal[axis]);
+      }
+    }
+    Reflections reflections = { { zero, zero, zero }, { zero, zero, zero } };
+    for (int light = 0; light < phong.LightCount; ++light)
+    {
+      AddReflections(phong.Lights[light], phong.SpecularPower, normal, toViewer, reflections);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Doubles color = Load(&hits.Color[k][i]);
+      const Doubles shaded = color * Broadcast(phong.Ambient) +
+        color * reflections.Diffuse[k] * Broadcast(phong.Diffuse) +
+        reflections.Specular[k] * Broadcast(phong.Specular);
+      // An extreme hit keeps the colour of its surface.
+      Store(Select(LanesOf(extreme), color, shaded), &hits.Color[k][i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
+// and what is infinite lies beyond the largest numbers: neither is ever kept.
+template <typename T>
+void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
+{
+  const T* values = static_cast<const T*>(row);
+  T* lows = static_cast<T*>(low);
+  T* highs = static_cast<T*>(high);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const T value = values[i];
+    if constexpr (static_cast<T>(0.5) != 0)
+    {
+      constexpr T largest =
+        sizeof(T) == 4 ? static_cast<T>(__FLT_MAX__) : static_cast<T>(__DBL_MAX__);
+      lows[i] = (value < lows[i]) & (value >= -largest) ? value : lows[i];
+      highs[i] = (value > highs[i]) & (value <= largest) ? value : highs[i];
+    }
+    else
+    {
+      lows[i] = value < lows[i] ? value : lows[i];
+      highs[i] = value > highs[i] ? value : highs[i];
+    }
+  }
+}
+
+#define KERNELS(name)                                                                              \
+  const Kernels name = {                                                                           \
+    MakeRays, Align, FindPassages, FindHits, Refine, InterpolateDifferences, Shade,                \
+    { IncludeRow<std::int8_t>, IncludeRow<std::uint8_t>, IncludeRow<std::int16_t>,                 \
+      IncludeRow<std::uint16_t>, IncludeRow<std::int32_t>, IncludeRow<std::uint32_t>,              \
+      IncludeRow<std::int64_t>, IncludeRow<std::uint64_t>, IncludeRow<float>, IncludeRow<double> } \
+  }
 
 }
 }

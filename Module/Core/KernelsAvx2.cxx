@@ -6,6 +6,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-const Kernels Avx2Kernels = { "Avx2", MakeRays, Align, FindPassages, FindHits, Refine };
+KERNELS(Avx2Kernels);
 
 }

@@ -6,6 +6,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-const Kernels Avx512Kernels = { "Avx512", MakeRays, Align, FindPassages, FindHits, Refine };
+KERNELS(Avx512Kernels);
 
 }

@@ -6,6 +6,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-const Kernels BaselineKernels = { "Baseline", MakeRays, Align, FindPassages, FindHits, Refine };
+KERNELS(BaselineKernels);
 
 }

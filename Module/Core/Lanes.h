@@ -111,6 +111,10 @@ LANES_INLINE Doubles Magnitude(Doubles a)
 {
   return { _mm512_abs_pd(a.Value) };
 }
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm512_floor_pd(a.Value) };
+}
 /// The first with the sign of the second.
 LANES_INLINE Doubles CopySign(Doubles a, Doubles b)
 {
@@ -227,6 +231,10 @@ LANES_INLINE Doubles FusedMultiplyAdd(Doubles a, Doubles b, Doubles c)
 LANES_INLINE Doubles SquareRoot(Doubles a)
 {
   return { _mm256_sqrt_pd(a.Value) };
+}
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm256_floor_pd(a.Value) };
 }
 LANES_INLINE Doubles Magnitude(Doubles a)
 {
@@ -350,6 +358,10 @@ LANES_INLINE Doubles FusedMultiplyAdd(Doubles a, Doubles b, Doubles c)
 LANES_INLINE Doubles SquareRoot(Doubles a)
 {
   return { DoubleVector{ __builtin_sqrt(a.Value[0]), __builtin_sqrt(a.Value[1]) } };
+}
+LANES_INLINE Doubles Floor(Doubles a)
+{
+  return { DoubleVector{ __builtin_floor(a.Value[0]), __builtin_floor(a.Value[1]) } };
 }
 LANES_INLINE Doubles Magnitude(Doubles a)
 {

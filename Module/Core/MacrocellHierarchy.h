@@ -5,6 +5,8 @@
 #define MacrocellHierarchy_h
 
 #include "ActiveMacrocells.h"
+#include "InstructionSets.h"
+#include "Kernels.h"
 #include "VolumeView.h"
 
 #include <algorithm>
@@ -137,6 +139,7 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
   const std::ptrdiff_t stride = samples.GetStride(0);
   const int rows = size[1] * size[2];
   const auto length = static_cast<std::size_t>(dimensions[0]);
+  const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
 
 #pragma omp parallel num_threads(threads)
   {
@@ -156,26 +159,16 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
         for (int y = first[1] * edge; y <= yEnd; ++y)
         {
           const T* sample = samples.At({ 0, y, z });
-          T* lows = low.data();
-          T* highs = high.data();
-          const auto include = [lows, highs](std::size_t x, T value)
-          {
-            lows[x] = ValueRange<T>::Smaller(value, lows[x]);
-            highs[x] = ValueRange<T>::Larger(value, highs[x]);
-          };
           if (stride == 1)
           {
-            for (std::size_t x = 0; x < length; ++x)
-            {
-              include(x, sample[x]);
-            }
+            includeRow(sample, low.data(), high.data(), dimensions[0]);
+            continue;
           }
-          else
+          for (std::size_t x = 0; x < length; ++x)
           {
-            for (std::size_t x = 0; x < length; ++x)
-            {
-              include(x, sample[static_cast<std::ptrdiff_t>(x) * stride]);
-            }
+            const T value = sample[static_cast<std::ptrdiff_t>(x) * stride];
+            low[x] = ValueRange<T>::Smaller(value, low[x]);
+            high[x] = ValueRange<T>::Larger(value, high[x]);
           }
         }
       }

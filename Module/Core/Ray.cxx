@@ -73,6 +73,14 @@ std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction,
   {
     return std::nullopt;
   }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (ray.Step[axis] == 0)
+    {
+      const double last = dimensions[axis] - 2;
+      ray.Inverse[axis] = std::min(std::floor(ray.Origin[axis]), last);
+    }
+  }
   return ray;
 }
 

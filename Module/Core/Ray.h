@@ -21,6 +21,9 @@ struct Ray
   Vector3 Origin;
   /// In cells per unit of t.
   Vector3 Direction;
+  /// One over the direction. Where the ray is parallel to the planes of an axis there is no such
+  /// number; there it is the place of the cells along the axis that the ray stays in. (In a face
+  /// between cells it stays in those above; at the border of the volume, in the last ones.)
   Vector3 Inverse;
   /// The sign of the direction; 0 where the ray is parallel to the lattice planes of that axis.
   Index3 Step;

@@ -81,21 +81,21 @@ std::uint8_t ToByte(double value)
 }
 
 /// Composites the hits of one ray, front to back.
-void ShadePixel(const Scene& scene, const Shader& shader, const Hit* first, const Hit* last,
-  const Vector3& direction, std::uint8_t rgba[4], float& depth)
+void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, std::size_t count,
+  std::uint8_t rgba[4], float& depth)
 {
   depth = Frame::NoSurface;
   std::fill_n(rgba, 4, std::uint8_t{ 0 });
-  if (first == last)
+  if (count == 0)
   {
     return;
   }
   Vector3 color = { 0.0, 0.0, 0.0 };
   double transmittance = 1.0;
-  for (const Hit* hit = first; hit != last; ++hit)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hit->Surface)].Opacity;
-    Vector3 shaded = shader.Shade(*hit, direction);
+    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
+    Vector3 shaded = colors[i];
     for (double& channel : shaded)
     {
       channel = std::clamp(channel, 0.0, 1.0);
@@ -104,7 +104,7 @@ void ShadePixel(const Scene& scene, const Shader& shader, const Hit* first, cons
     transmittance *= 1.0 - opacity;
     if (opacity >= 1.0)
     {
-      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hit->GetPoint()), 0.0, 1.0));
+      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hits[i].GetPoint()), 0.0, 1.0));
     }
   }
   rgba[0] = ToByte(color[0]);
@@ -116,17 +116,17 @@ void ShadePixel(const Scene& scene, const Shader& shader, const Hit* first, cons
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, Frame& frame)
 {
-  int ray = 0;
+  std::vector<Vector3> colors;
+  shader.Shade(rays, hits, colors);
+  std::size_t ray = 0;
   for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
   {
     for (int x = pixels.X; x < pixels.X + pixels.Width; ++x, ++ray)
     {
       const std::size_t pixel = PixelOffset(scene, x, y);
-      const auto number = static_cast<std::size_t>(ray);
-      const Hit* first = hits.Hits.data();
-      ShadePixel(scene, shader, first + hits.First[number], first + hits.First[number + 1],
-        { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] },
-        &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      const std::size_t first = hits.First[ray];
+      CompositePixel(scene, hits.Hits.data() + first, colors.data() + first,
+        hits.First[ray + 1] - first, &frame.Colors[4 * pixel], frame.Depths[pixel]);
     }
   }
 }

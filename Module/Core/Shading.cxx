@@ -3,6 +3,8 @@
 
 #include "Shading.h"
 
+#include "RayGroup.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,6 +98,86 @@ Shader::Shader(const Scene& scene, const TracedVolume& volume)
   const double power = scene.Look.SpecularPower;
   const bool isWhole = power >= 0.0 && power <= 128.0 && power == std::floor(power);
   this->WholePower = isWhole ? static_cast<int>(power) : -1;
+  for (const Light& light : scene.Lights)
+  {
+    if (!light.Positional)
+    {
+      DistantLight distant;
+      std::copy(light.Direction.begin(), light.Direction.end(), distant.Direction);
+      std::copy(light.DiffuseColor.begin(), light.DiffuseColor.end(), distant.DiffuseColor);
+      std::copy(light.SpecularColor.begin(), light.SpecularColor.end(), distant.SpecularColor);
+      this->DistantLights.push_back(distant);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Shader::CanUseKernels() const
+{
+  const Scene& scene = this->TheScene;
+  return scene.Want.BeamKernels && scene.Look.Shade && this->WholePower >= 0 &&
+    this->DistantLights.size() == scene.Lights.size();
+}
+
+//------------------------------------------------------------------------------
+void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const
+{
+  colors.resize(hits.Hits.size());
+  const bool canUseKernels = this->CanUseKernels();
+  ShadedHits some;
+  some.Count = 0;
+  std::size_t first = 0;
+  for (int ray = 0; ray < rays.Count; ++ray)
+  {
+    const auto number = static_cast<std::size_t>(ray);
+    for (std::size_t i = hits.First[number]; i < hits.First[number + 1]; ++i)
+    {
+      const Hit& hit = hits.Hits[i];
+      const Vector3 direction = { rays.Direction[0][ray], rays.Direction[1][ray],
+        rays.Direction[2][ray] };
+      if (!canUseKernels)
+      {
+        colors[i] = this->Shade(hit, direction);
+        continue;
+      }
+      const int place = some.Count++;
+      const Vector3& color = this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        some.Direction[k][place] = direction[k];
+        some.Color[k][place] = color[k];
+      }
+      if (some.Count == RayGroup::Capacity)
+      {
+        this->ShadeSome(&hits.Hits[first], some, &colors[first]);
+        first = i + 1;
+        some.Count = 0;
+      }
+    }
+  }
+  if (some.Count > 0)
+  {
+    this->ShadeSome(&hits.Hits[first], some, &colors[first]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const
+{
+  const Scene& scene = this->TheScene;
+  const Kernels& kernels = *scene.Want.BeamKernels;
+  this->Volume.GetGradients(hits, shaded.Count, scene.Normals, kernels, shaded.Gradient);
+  const Phong phong = { scene.View.GetWorldFromIndex().data(), this->WorldFromGradient.data(),
+    scene.TwoSidedLighting, scene.Look.Ambient, scene.Look.Diffuse, scene.Look.Specular,
+    this->WholePower, static_cast<int>(this->DistantLights.size()), this->DistantLights.data() };
+  kernels.Shade(phong, shaded);
+  for (int i = 0; i < shaded.Count; ++i)
+  {
+    colors[i] = Has(shaded.Extreme, i)
+      ? this->Shade(
+          hits[i], { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] })
+      : Vector3{ shaded.Color[0][i], shaded.Color[1][i], shaded.Color[2][i] };
+  }
 }
 
 //------------------------------------------------------------------------------

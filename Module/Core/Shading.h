@@ -4,7 +4,10 @@
 #ifndef Shading_h
 #define Shading_h
 
+#include "Kernels.h"
 #include "Scene.h"
+
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -20,7 +23,12 @@ public:
   /// The colour of a hit of a ray with a direction in index space.
   Vector3 Shade(const Hit& hit, const Vector3& direction) const;
 
+  /// The colours of the hits of a group of rays, the same but faster.
+  void Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
+
 private:
+  bool CanUseKernels() const;
+  void ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const;
   double Highlight(double cosine) const;
 
   const Scene& TheScene;
@@ -28,6 +36,8 @@ private:
   Matrix4 WorldFromGradient;
   /// The specular power, if it is a small whole number; else -1.
   int WholePower;
+  /// The lights, if all of them are infinitely far.
+  std::vector<DistantLight> DistantLights;
 };
 
 /// How a gradient in index space turns into a normal in world space: the inverse of the linear part

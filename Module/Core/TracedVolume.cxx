@@ -335,6 +335,45 @@ public:
     return InterpolantGradient(corners, hit.Parametric);
   }
 
+  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const override
+  {
+    if (mode == NormalMode::CentralDifferences)
+    {
+      CornerDifferences differences;
+      differences.Count = count;
+      for (int i = 0; i < count; ++i)
+      {
+        this->Prefetch(hits[i].Cell);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        CellCorners corners[3];
+        this->GetDifferences(hits[i].Cell, corners);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          differences.Parametric[axis][i] = hits[i].Parametric[axis];
+          for (std::size_t corner = 0; corner < 8; ++corner)
+          {
+            differences.Values[axis][corner][i] = corners[axis][corner];
+          }
+        }
+      }
+      kernels.InterpolateDifferences(differences, gradients);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      if (mode != NormalMode::CentralDifferences || !std::isfinite(gradients[0][i]) ||
+        !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
+      {
+        const Vector3 gradient = this->GetGradient(hits[i], mode);
+        gradients[0][i] = gradient[0];
+        gradients[1][i] = gradient[1];
+        gradients[2][i] = gradient[2];
+      }
+    }
+  }
+
   const Index3& GetDimensions() const override { return this->TheSamples.GetDimensions(); }
   std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
   std::size_t GetBrickMemory() const override
@@ -402,8 +441,7 @@ private:
     }
   }
 
-  /// Whether a frame needs no more of rays than their first hits with one surface. Beams take
-  /// macrocells of 8^3 cells, and rays of ordinary length.
+  /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
   bool CanUseBeams(const RayGroup& rays) const
   {
     bool isFinite = true;
@@ -412,18 +450,23 @@ private:
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->HasTree && this->Want.BeamKernels &&
-      this->Want.Solver == RootSolver::Robust && this->Want.Surfaces.size() == 1 &&
-      this->Want.Surfaces[0].Opacity >= 1.0;
+    return isFinite && this->HasTree && this->Want.BeamKernels;
   }
 
   void TraceBeams(RayGroup& rays, RayHits& hits)
   {
+    BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
     BeamCells cells(*this, rays);
-    BeamTracer tracer(
-      *this->Want.BeamKernels, this->Tree, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
-    tracer.Trace(rays, cells);
-    const GroupHits& found = tracer.GetHits();
+    const bool firstHits = this->Want.Solver == RootSolver::Robust &&
+      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0;
+    if (!firstHits)
+    {
+      tracer.FollowRays(rays, cells);
+      cells.GetHits(hits);
+      return;
+    }
+    const GroupHits& found =
+      tracer.FindFirstHits(rays, cells, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
     for (int i = 0; i < rays.Count; ++i)
     {
       if (Has(found.Found, i))
@@ -444,6 +487,8 @@ private:
       : Volume(volume)
       , Rays(rays)
       , Reader(volume.Bricks)
+      , Progress(static_cast<std::size_t>(rays.Count), RayProgress(volume.Want))
+      , Hits(static_cast<std::size_t>(rays.Count))
     {
     }
 
@@ -457,6 +502,49 @@ private:
     const BlockMask& GetMask(const Index3& block, BlockMask& own) override
     {
       return this->Volume.Masks.Get(block, own);
+    }
+
+    bool Follow(int ray, const std::vector<Index3>& cells) override
+    {
+      const Ray& own = GetRay(this->Rays, ray);
+      this->Passed.clear();
+      for (const Index3& cell : cells)
+      {
+        CellSegment segment;
+        if (SegmentInCell(own, cell, segment))
+        {
+          this->Passed.push_back({ cell, segment });
+        }
+      }
+      std::sort(this->Passed.begin(), this->Passed.end(),
+        [](const PassedCell& a, const PassedCell& b)
+        {
+          return Place{ a.Segment.Begin, a.Segment.BeginAxis } <
+            Place{ b.Segment.Begin, b.Segment.BeginAxis };
+        });
+      const auto number = static_cast<std::size_t>(ray);
+      for (const PassedCell& passed : this->Passed)
+      {
+        typename Layout::Value corners[8];
+        this->Reader.Load(passed.Cell, corners);
+        this->Volume.FindRoots(corners, passed.Segment, this->Roots);
+        if (this->Progress[number].Pass(
+              own, passed.Cell, passed.Segment, this->Roots, this->Hits[number]))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    /// The hits of the rays that were followed.
+    void GetHits(RayHits& hits) const
+    {
+      for (const std::vector<Hit>& own : this->Hits)
+      {
+        hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
+        hits.First.push_back(hits.Hits.size());
+      }
     }
 
     void LoadCorners(Candidates& candidates) override
@@ -479,9 +567,20 @@ private:
     }
 
   private:
+    struct PassedCell
+    {
+      Index3 Cell;
+      CellSegment Segment;
+    };
+
     TypedVolume& Volume;
     const RayGroup& Rays;
     typename Layout::Reader Reader;
+    /// Of each ray that is followed.
+    std::vector<RayProgress> Progress;
+    std::vector<std::vector<Hit>> Hits;
+    std::vector<PassedCell> Passed;
+    CellRoots Roots;
   };
 
   /// The first hit of a ray in a cell, and where the ray enters the cell.
@@ -669,25 +768,45 @@ private:
   Vector3 GetSmoothGradient(const Hit& hit) const
   {
     CellCorners differences[3];
-    if (this->IsInner(hit.Cell))
-    {
-      this->GetInnerDifferences(hit.Cell, differences);
-    }
-    else
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          differences[axis][static_cast<std::size_t>(corner)] =
-            this->GetDifference({ hit.Cell[0] + (corner & 1), hit.Cell[1] + (corner >> 1 & 1),
-                                  hit.Cell[2] + (corner >> 2) },
-              axis);
-        }
-      }
-    }
+    this->GetDifferences(hit.Cell, differences);
     return { Interpolate(differences[0], hit.Parametric),
       Interpolate(differences[1], hit.Parametric), Interpolate(differences[2], hit.Parametric) };
+  }
+
+  /// The differences along each axis at the corners of a cell.
+  void GetDifferences(const Index3& cell, CellCorners differences[3]) const
+  {
+    if (this->IsInner(cell))
+    {
+      this->GetInnerDifferences(cell, differences);
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        differences[axis][static_cast<std::size_t>(corner)] = this->GetDifference(
+          { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis);
+      }
+    }
+  }
+
+  /// Says that the differences of a cell are wanted soon.
+  void Prefetch(const Index3& cell) const
+  {
+    if (!this->IsInner(cell))
+    {
+      return;
+    }
+    const T* first = this->TheSamples.At(cell);
+    for (int z = -1; z < 3; ++z)
+    {
+      for (int y = -1; y < 3; ++y)
+      {
+        __builtin_prefetch(
+          first + y * this->TheSamples.GetStride(1) + z * this->TheSamples.GetStride(2));
+      }
+    }
   }
 
   /// Whether all corners of a cell have neighbours on both sides.
@@ -698,20 +817,38 @@ private:
       cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
   }
 
-  /// The same as GetDifference at the corners of an inner cell, faster.
+  /// The same as GetDifference at the corners of an inner cell, reading each sample once.
   void GetInnerDifferences(const Index3& cell, CellCorners differences[3]) const
   {
     const T* first = this->TheSamples.At(cell);
-    for (int corner = 0; corner < 8; ++corner)
+    const std::ptrdiff_t strideX = this->TheSamples.GetStride(0);
+    const std::ptrdiff_t strideY = this->TheSamples.GetStride(1);
+    const std::ptrdiff_t strideZ = this->TheSamples.GetStride(2);
+    const auto sample = [=](int x, int y, int z)
+    { return static_cast<double>(first[x * strideX + y * strideY + z * strideZ]); };
+    double corners[8];
+    for (int z = 0; z < 2; ++z)
     {
-      const T* sample = first + (corner & 1) * this->TheSamples.GetStride(0) +
-        (corner >> 1 & 1) * this->TheSamples.GetStride(1) +
-        (corner >> 2) * this->TheSamples.GetStride(2);
-      for (int axis = 0; axis < 3; ++axis)
+      for (int y = 0; y < 2; ++y)
       {
-        const std::ptrdiff_t stride = this->TheSamples.GetStride(axis);
-        differences[axis][static_cast<std::size_t>(corner)] =
-          (static_cast<double>(sample[stride]) - static_cast<double>(sample[-stride])) * 0.5;
+        const int row = 2 * y + 4 * z;
+        const auto place = static_cast<std::size_t>(row);
+        corners[row] = sample(0, y, z);
+        corners[row + 1] = sample(1, y, z);
+        differences[0][place] = (corners[row + 1] - sample(-1, y, z)) * 0.5;
+        differences[0][place + 1] = (sample(2, y, z) - corners[row]) * 0.5;
+      }
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      for (int x = 0; x < 2; ++x)
+      {
+        const auto y = static_cast<std::size_t>(x + 4 * i);
+        differences[1][y] = (corners[y + 2] - sample(x, -1, i)) * 0.5;
+        differences[1][y + 2] = (sample(x, 2, i) - corners[y]) * 0.5;
+        const auto z = static_cast<std::size_t>(x + 2 * i);
+        differences[2][z] = (corners[z + 4] - sample(x, i, -1)) * 0.5;
+        differences[2][z + 4] = (sample(x, i, 2) - corners[z]) * 0.5;
       }
     }
   }

@@ -135,6 +135,10 @@ public:
   /// The gradient of the samples at a hit, per cell edge along each axis.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
 
+  /// The same for up to as many hits as a group of rays has, with kernels.
+  virtual void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayGroup::Capacity]) const = 0;
+
   virtual const Index3& GetDimensions() const = 0;
   /// In bytes.
   virtual std::size_t GetMacrocellMemory() const = 0;

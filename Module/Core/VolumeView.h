@@ -99,6 +99,30 @@ auto DispatchScalarType(const VolumeView& view, Function&& function)
   return function(Samples<double>(view));
 }
 
+/// The name of type T.
+template <typename T>
+constexpr ScalarType ScalarTypeOf()
+{
+  if constexpr (std::is_same_v<T, float>)
+  {
+    return ScalarType::Float32;
+  }
+  else if constexpr (std::is_same_v<T, double>)
+  {
+    return ScalarType::Float64;
+  }
+  else
+  {
+    constexpr ScalarType types[2][4] = { { ScalarType::UInt8, ScalarType::UInt16,
+                                           ScalarType::UInt32, ScalarType::UInt64 },
+      { ScalarType::Int8, ScalarType::Int16, ScalarType::Int32, ScalarType::Int64 } };
+    return types[std::is_signed_v<T> ? 1 : 0][sizeof(T) == 1 ? 0
+        : sizeof(T) == 2                                     ? 1
+        : sizeof(T) == 4                                     ? 2
+                                                             : 3];
+  }
+}
+
 /// The type in which samples of type T are traced: the smallest of five that holds every value of T
 /// exactly. (64-bit integers beyond 2^53 become the nearest double.)
 template <typename T>

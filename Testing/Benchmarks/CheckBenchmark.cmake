@@ -26,6 +26,15 @@ file(SIZE "${WORK}/large.raw" size)
 if (NOT size EQUAL 2400000 OR NOT output MATCHES "large.mhd: 40 x 50 x 600 samples from -29[0-9]* to 2")
   message(FATAL_ERROR "large.raw has ${size} bytes: ${output}")
 endif ()
+# The second slab of samples begins at slice 256. What is there mirrors what is in the first.
+run(vtkIsosurfaceBenchmarkVolume "" --field sphere --dimensions 256,256,300 --output slabs.mhd)
+foreach (slice IN ITEMS 260 39 38)
+  math(EXPR offset "${slice} * 256 * 256 * 2")
+  file(READ "${WORK}/slabs.raw" slice${slice} OFFSET ${offset} LIMIT 131072 HEX)
+endforeach ()
+if (NOT slice260 STREQUAL slice39 OR slice260 STREQUAL slice38)
+  message(FATAL_ERROR "The slabs do not fit together.")
+endif ()
 run(vtkIsosurfaceBenchmarkVolume "no field cube; there are: gyroid marschner-lobb sphere"
   --field cube --dimensions 32 --output cube.mhd)
 run(vtkIsosurfaceBenchmarkVolume "from 2 to 16384 samples"

@@ -6,6 +6,7 @@
 
 #include "Views.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -27,8 +28,7 @@ struct FrameTimes
   /// By which contestants are compared: what they have in common with us.
   double GetCommon(const FrameTimes& other) const
   {
-    const bool bothTrace = this->Trace == this->Trace && other.Trace == other.Trace;
-    return bothTrace ? this->Trace : this->Whole;
+    return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;
   }
 };
 

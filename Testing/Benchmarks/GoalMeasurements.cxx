@@ -30,8 +30,7 @@ double ReadOnce(const Setup& setup)
   const double seconds = Measure(
     [&]()
     {
-#pragma omp parallel for simd schedule(static) num_threads(setup.GetMostThreads()) \
-  reduction(+ : sum)
+#pragma omp parallel for schedule(static) num_threads(setup.GetMostThreads()) reduction(+ : sum)
       for (std::int64_t i = 0; i < count; ++i)
       {
         sum += words[i];

@@ -10,6 +10,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -59,11 +60,12 @@ inline void Say(const std::string& what)
   std::fprintf(stderr, "%s\n", what.c_str());
 }
 
-/// A number as people write it.
+/// A number as people write it: whole ones with all digits.
 inline std::string ToText(double number)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%g", number);
+  const bool isWhole = std::abs(number) < 1e15 && number == std::floor(number);
+  std::snprintf(text, sizeof(text), isWhole ? "%.0f" : "%g", number);
   return text;
 }
 

@@ -22,6 +22,8 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -152,6 +154,41 @@ std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
 }
 
 //------------------------------------------------------------------------------
+void DescribeMachine(
+  const std::vector<std::string>& command, OffScreenWindow* window, Report& report)
+{
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  const std::time_t now = std::time(nullptr);
+  char date[32];
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+  std::string line;
+  for (const std::string& word : command)
+  {
+    line += (line.empty() ? "" : " ") + word;
+  }
+  report.Circumstances.emplace_back("date", date);
+  report.Circumstances.emplace_back("command", "`" + line + "`");
+  report.Circumstances.emplace_back("machine",
+    std::string(system.GetModelName()) + ", " +
+      std::to_string(std::thread::hardware_concurrency()) + " logical processors");
+  report.Circumstances.emplace_back("load of the machine before",
+    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)");
+  report.Circumstances.emplace_back("compiler", __VERSION__);
+  report.Circumstances.emplace_back("VTK",
+    std::string(vtkVersion::GetVTKVersion()) +
+      ", threads of its filters: " + vtkSMPTools::GetBackend());
+#ifdef BENCHMARK_HAS_EMBREE
+  report.Circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
+#endif
+  report.Circumstances.emplace_back("OpenGL",
+    window
+      ? window->GetDriver()
+      : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 "
+        "is not measured");
+}
+
+//------------------------------------------------------------------------------
 void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
 {
   const int* n = setup.Image->GetDimensions();
@@ -184,25 +221,44 @@ void WriteFile(const std::string& fileName, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report)
+void WriteReport(const Arguments& arguments, const Report& report)
+{
+  if (!arguments.Json.empty())
+  {
+    WriteFile(arguments.Json, report.GetJson());
+  }
+  if (!arguments.Markdown.empty())
+  {
+    WriteFile(arguments.Markdown, report.GetMarkdown());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Calls back after every part, so that hours of work are not lost.
+void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report,
+  const std::function<void()>& onPartDone)
 {
   for (const double isovalue : setup.Isovalues)
   {
     RunRace(setup, isovalue, report);
+    onPartDone();
     if (arguments.Goals)
     {
       MeasureColdStart(setup, isovalue, report);
       MeasureWholeFrame(setup, isovalue, report);
       MeasureScaling(setup, isovalue, report);
+      onPartDone();
     }
   }
   if (arguments.Papers && setup.Image)
   {
     MakePaperTables(setup, report);
+    onPartDone();
   }
   if (arguments.Growth > 0)
   {
     MeasureGrowth(setup, arguments.Growth, report);
+    onPartDone();
   }
 }
 
@@ -213,31 +269,19 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
     ParseThreads(arguments.Threads), arguments.Repeats, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
-  report.Circumstances = DescribeMachine(command);
+  // A display may close itself when nobody has a window on it: this one stays.
+  const auto window =
+    OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
+  DescribeMachine(command, window.get(), report);
   setup.Rivals = ChooseRivals(arguments.Rivals, report);
-  // Now rather than at the end: what cannot be written, or measured.
-  for (const std::string& fileName : { arguments.Json, arguments.Markdown })
-  {
-    if (!fileName.empty())
-    {
-      WriteFile(fileName, {});
-    }
-  }
   if (!arguments.Input.empty())
   {
     setup.Image = ReadImage(arguments.Input);
     DescribeVolume(setup, arguments.Input, report);
   }
-  MeasureAll(arguments, setup, report);
-  if (!arguments.Json.empty())
-  {
-    WriteFile(arguments.Json, report.GetJson());
-  }
-  if (!arguments.Markdown.empty())
-  {
-    WriteFile(arguments.Markdown, report.GetMarkdown());
-  }
-  else
+  WriteReport(arguments, report); // What cannot be written is known now.
+  MeasureAll(arguments, setup, report, [&arguments, &report]() { WriteReport(arguments, report); });
+  if (arguments.Markdown.empty())
   {
     std::printf("%s", report.GetMarkdown().c_str());
   }

@@ -16,29 +16,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-template <typename T>
-constexpr ScalarType ScalarTypeOf()
-{
-  if constexpr (std::is_same_v<T, float>)
-  {
-    return ScalarType::Float32;
-  }
-  else if constexpr (std::is_same_v<T, double>)
-  {
-    return ScalarType::Float64;
-  }
-  else
-  {
-    constexpr ScalarType types[2][4] = { { ScalarType::UInt8, ScalarType::UInt16,
-                                           ScalarType::UInt32, ScalarType::UInt64 },
-      { ScalarType::Int8, ScalarType::Int16, ScalarType::Int32, ScalarType::Int64 } };
-    return types[std::is_signed_v<T> ? 1 : 0][sizeof(T) == 1 ? 0
-        : sizeof(T) == 2                                     ? 1
-        : sizeof(T) == 4                                     ? 2
-                                                             : 3];
-  }
-}
-
 /// A volume that owns its samples: the last of Stride interleaved components.
 template <typename T>
 struct TestVolume
