@@ -61,18 +61,21 @@ std::vector<View> MakeViews(const Input& input, int count)
   return MakeOrbit(bounds, count);
 }
 
-void AddLines(const View& view, int size, int stride, std::vector<Oracle::Line>& lines)
+/// Fills in the lines of all views.
+Rays AddLines(Rays rays)
 {
-  const PictureRays rays(view, size);
-  for (int y = stride / 2; y < size; y += stride)
+  for (const View& view : rays.Views)
   {
-    for (int x = stride / 2; x < size; x += stride)
-    {
-      Oracle::Line line{ rays.GetOrigin(), rays.GetDirection(x, y) };
-      vtkMath::Normalize(line.Direction.data());
-      lines.push_back(line);
-    }
+    const PictureRays picture(view, rays.Size);
+    rays.ForEachPixel(
+      [&](int x, int y)
+      {
+        Oracle::Line line{ picture.GetOrigin(), picture.GetDirection(x, y) };
+        vtkMath::Normalize(line.Direction.data());
+        rays.Lines.push_back(line);
+      });
   }
+  return rays;
 }
 
 }
@@ -156,21 +159,14 @@ Input ReadInput(const std::string& fileName, double isovalue)
 Rays MakeRays(const Input& input, int count, int size)
 {
   constexpr int views = 8;
-  const double side = std::sqrt(static_cast<double>(count) / views);
-  Rays rays{ MakeViews(input, views), size, std::max(1, static_cast<int>(size / side)), {} };
-  for (const View& view : rays.Views)
-  {
-    AddLines(view, size, rays.Stride, rays.Lines);
-  }
-  return rays;
+  const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(count) / views)));
+  return AddLines({ MakeViews(input, views), size, std::max(1, size / side), {} });
 }
 
 //------------------------------------------------------------------------------
 Rays MakePicture(const Input& input, int size)
 {
-  Rays rays{ { MakeViews(input, 8)[1] }, size, 1, {} };
-  AddLines(rays.Views[0], size, 1, rays.Lines);
-  return rays;
+  return AddLines({ { MakeViews(input, 8)[1] }, size, 1, {} });
 }
 
 }

@@ -46,6 +46,19 @@ struct Rays
   int Stride;
   /// View by view, in rows from the bottom. Directions have length one: t is in cells.
   std::vector<Oracle::Line> Lines;
+
+  /// Visits the pixels that are taken of a picture, in the order of their lines.
+  template <typename Visit>
+  void ForEachPixel(const Visit& visit) const
+  {
+    for (int y = this->Stride / 2; y < this->Size; y += this->Stride)
+    {
+      for (int x = this->Stride / 2; x < this->Size; x += this->Stride)
+      {
+        visit(x, y);
+      }
+    }
+  }
 };
 
 /// About as many rays as asked for, of pictures from eight places round the volume.

@@ -20,9 +20,10 @@ namespace Benchmark
 {
 
 //------------------------------------------------------------------------------
-Circumstances DescribeMachine(const std::vector<std::string>& command)
+std::vector<std::pair<std::string, std::string>> DescribeMachine(
+  const std::vector<std::string>& command, OffScreenWindow* window)
 {
-  Circumstances circumstances;
+  std::vector<std::pair<std::string, std::string>> circumstances;
   vtksys::SystemInformation system;
   system.RunCPUCheck();
   const std::time_t now = std::time(nullptr);
@@ -47,17 +48,11 @@ Circumstances DescribeMachine(const std::vector<std::string>& command)
 #ifdef BENCHMARK_HAS_EMBREE
   circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
 #endif
-  if (OffScreenWindow::IsPossible())
-  {
-    OffScreenWindow window(16);
-    circumstances.emplace_back("OpenGL", window.GetDriver());
-  }
-  else
-  {
-    circumstances.emplace_back("OpenGL",
-      "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, whole frames "
-      "are not measured");
-  }
+  circumstances.emplace_back("OpenGL",
+    window
+      ? window->GetDriver()
+      : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, whole "
+        "frames are not measured");
   return circumstances;
 }
 

@@ -11,11 +11,12 @@
 namespace Benchmark
 {
 
-/// What must be known of a measurement: names and values.
-using Circumstances = std::vector<std::pair<std::string, std::string>>;
+class OffScreenWindow;
 
-/// When and where this runs, and by which command.
-Circumstances DescribeMachine(const std::vector<std::string>& command);
+/// What must be known of a measurement, names and values: when and where it runs, by which command,
+/// and what draws in this window, if there is one.
+std::vector<std::pair<std::string, std::string>> DescribeMachine(
+  const std::vector<std::string>& command, OffScreenWindow* window);
 
 }
 

@@ -17,6 +17,10 @@ namespace Benchmark
 
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
+/// What is found along a ray is a distance, or one of these.
+constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double Somewhere = std::numeric_limits<double>::infinity();
+
 /// The seconds that a picture took; NotMeasured where there is no such thing.
 struct FrameTimes
 {
@@ -30,17 +34,6 @@ struct FrameTimes
   {
     return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;
   }
-};
-
-/// What the pixels of a square picture show, in rows from the bottom.
-struct PixelHits
-{
-  /// Whether a pixel shows the surface.
-  std::vector<bool> Shown;
-  /// How far from the eye it is, NaN where there is none. Empty if the picture has no depth.
-  std::vector<double> Distances;
-  /// Distances that differ by less may be told as the same.
-  double Resolution = 0.0;
 };
 
 /// A way to show an isosurface of a volume.
@@ -62,8 +55,9 @@ public:
   virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }
-  /// What these pixels are; nothing where that is not known.
-  virtual PixelHits GetHits() { return {}; }
+  /// How far from the eye the surface is in every pixel of the last picture, in rows from the
+  /// bottom. Somewhere, where it is seen but not how far it is. Empty if there is no picture.
+  virtual std::vector<double> GetDistances() { return {}; }
 };
 
 }

@@ -6,22 +6,20 @@
 
 #include "BenchmarkInputs.h"
 
-#include <limits>
 #include <vector>
 
 namespace Benchmark
 {
 
-/// What is found of a ray is the t of its first hit, NaN where there is none, and this where the
-/// surface is seen but not where.
-constexpr double SomewhereOnRay = std::numeric_limits<double>::infinity();
-
 /// The t of the first hit of every line, NaN where there is none, by the oracle: every cell, 113
 /// bits.
 std::vector<double> FindTruth(const Input& input, const std::vector<Oracle::Line>& lines);
 
-/// The distance of what was found from the truth. NaN where nothing is and nothing was found,
-/// infinite where misjudged, -1 where the surface is seen but not where.
+/// The error of a hit of which it is known that it is there, but not where.
+constexpr double UnknownError = -1.0;
+
+/// How far what was found is from the truth, in cells. NaN where there is nothing and nothing was
+/// found, infinite where one of both is nothing.
 double GetError(double found, double truth);
 
 /// What was found, beside the truth.
@@ -43,14 +41,6 @@ struct Judgement
 };
 
 Judgement Judge(const std::vector<double>& found, const std::vector<double>& truth);
-
-/// The cosine of the angle between a direction and the normal at the hit of a line, as central
-/// differences, interpolated, give it: between 0 and 1.
-double GetShade(
-  const Input& input, const Oracle::Line& line, double hit, const Oracle::Triple& direction);
-
-/// The number at so large a share of numbers in ascending order; NaN where there are none.
-double GetQuantile(const std::vector<double>& ascending, double share);
 
 }
 

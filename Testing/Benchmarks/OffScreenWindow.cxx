@@ -6,8 +6,6 @@
 #include "Samples.h"
 
 #include <vtkCamera.h>
-#include <vtkCamera.h>
-#include <vtkFloatArray.h>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -90,37 +88,6 @@ std::array<double, 2> OffScreenWindow::GetClippingRange()
   std::array<double, 2> range;
   this->Renderer->GetActiveCamera()->GetClippingRange(range.data());
   return range;
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> OffScreenWindow::GetDepths()
-{
-  const int* size = this->Window->GetSize();
-  vtkNew<vtkFloatArray> depths;
-  this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
-  const float* first = depths->GetPointer(0);
-  return { first, first + depths->GetNumberOfValues() };
-}
-
-//------------------------------------------------------------------------------
-std::vector<unsigned char> OffScreenWindow::GetReds()
-{
-  const int* size = this->Window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  std::vector<unsigned char> reds;
-  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
-  {
-    reds.push_back(pixels->GetValue(3 * i));
-  }
-  return reds;
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 2> OffScreenWindow::GetClippingRange()
-{
-  const double* range = this->Renderer->GetActiveCamera()->GetClippingRange();
-  return { range[0], range[1] };
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include <vtkNew.h>
 
 #include <array>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -40,13 +39,7 @@ public:
   std::vector<bool> GetDrawn();
   /// The share of its pixels that do.
   double GetShareDrawn();
-  /// The distances, along the view, of the first and last depth of its pixels.
-  std::array<double, 2> GetClippingRange();
-  /// The depth buffer, between 0 and 1, and the red of the pixels, in rows from the bottom.
-  std::vector<float> GetDepths();
-  std::vector<unsigned char> GetReds();
-  vtkRenderWindow* GetWindow() { return this->Window; }
-  /// The distances of the camera's clipping planes.
+  /// How far from the eye the nearest and the farthest depth are, along the view.
   std::array<double, 2> GetClippingRange();
   /// Who draws, in the words of OpenGL.
   std::string GetDriver();

@@ -4,10 +4,10 @@
 #ifndef Report_h
 #define Report_h
 
-#include "Circumstances.h"
 #include "Samples.h"
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -48,7 +48,7 @@ struct Goal
 struct Report
 {
   /// The machine, the command and so on: name and value.
-  Benchmark::Circumstances Circumstances;
+  std::vector<std::pair<std::string, std::string>> Circumstances;
   std::vector<Table> Tables;
   std::vector<Goal> Goals;
 

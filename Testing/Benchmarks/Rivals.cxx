@@ -25,7 +25,6 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Benchmark
 {
@@ -79,6 +78,17 @@ private:
 };
 
 //------------------------------------------------------------------------------
+std::vector<double> GetSilhouette(OffScreenWindow& window)
+{
+  std::vector<double> distances;
+  for (const bool isDrawn : window.GetDrawn())
+  {
+    distances.push_back(isDrawn ? Somewhere : Nothing);
+  }
+  return distances;
+}
+
+//------------------------------------------------------------------------------
 class Polygons : public Contestant
 {
 public:
@@ -113,6 +123,7 @@ public:
   }
 
   double GetHitShare() override { return this->Window.GetShareDrawn(); }
+  std::vector<double> GetDistances() override { return GetSilhouette(this->Window); }
 
 private:
   vtkImageData* Image;
@@ -146,7 +157,7 @@ public:
   }
 
   double GetHitShare() override { return this->Window.GetShareDrawn(); }
-  PixelHits GetHits() override { return { this->Window.GetDrawn(), {} }; }
+  std::vector<double> GetDistances() override { return GetSilhouette(this->Window); }
 
 protected:
   OffScreenWindow Window;
@@ -172,22 +183,23 @@ std::unique_ptr<Contestant> NewFixedPoint(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewGpuMapper(double sampleDistance)
-{
-  auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
-  mapper->SetBlendModeToIsoSurface();
-  if (sampleDistance > 0.0)
-  {
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(sampleDistance));
-  }
-  return mapper;
-}
-
-/// VTK's GPU mode of isosurfaces. What its shader took for the surface is in its depth picture.
+/// VTK's GPU mode of isosurfaces. Its depth image tells what it takes for the surface.
 class GpuPictures : public VolumePictures
 {
 public:
+  static std::unique_ptr<Contestant> New(vtkImageData* image, int size, double sampleDistance)
+  {
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetBlendModeToIsoSurface();
+    mapper->SetDepthImageScalarTypeToFloat();
+    if (sampleDistance > 0.0)
+    {
+      mapper->AutoAdjustSampleDistancesOff();
+      mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+    }
+    return std::make_unique<GpuPictures>(image, size, mapper);
+  }
+
   GpuPictures(vtkImageData* image, int size, vtkGPUVolumeRayCastMapper* mapper)
     : VolumePictures("gpu", image, mapper, size)
     , Size(size)
@@ -201,43 +213,30 @@ public:
     return this->VolumePictures::Draw(view, threads);
   }
 
-  PixelHits GetHits() override
+  std::vector<double> GetDistances() override
   {
-    vtkNew<vtkImageData> image;
+    vtkNew<vtkImageData> depths;
     this->Mapper->RenderToImageOn();
     this->Window.Draw(this->LastView);
-    this->Mapper->GetDepthImage(image);
+    this->Mapper->GetDepthImage(depths);
     this->Mapper->RenderToImageOff();
-    // A depth is a float: from one to the next it is 2^-24 where it is largest.
-    const double rounding = std::ldexp(1.0, -24);
+    const auto [nearest, farthest] = this->Window.GetClippingRange();
     const PictureRays rays(this->LastView, this->Size);
-    PixelHits hits;
+    std::vector<double> distances;
     for (int y = 0; y < this->Size; ++y)
     {
       for (int x = 0; x < this->Size; ++x)
       {
-        const double depth = image->GetScalarComponentAsDouble(x, y, 0, 0);
-        const double length = vtkMath::Norm(rays.GetDirection(x, y).data());
-        hits.Shown.push_back(depth < 1.0);
-        hits.Distances.push_back(depth < 1.0 ? length * this->GetDistance(depth) : NotMeasured);
-        if (depth < 1.0)
-        {
-          hits.Resolution = std::max(hits.Resolution,
-            length * (this->GetDistance(depth + rounding) - this->GetDistance(depth)));
-        }
+        const double depth = depths->GetScalarComponentAsDouble(x, y, 0, 0);
+        const double along = nearest * farthest / (farthest - depth * (farthest - nearest));
+        const double slant = vtkMath::Norm(rays.GetDirection(x, y).data());
+        distances.push_back(depth < 1.0 ? slant * along : Nothing);
       }
     }
-    return hits;
+    return distances;
   }
 
 private:
-  /// The distance along the view of a depth of OpenGL, from 0 to 1.
-  double GetDistance(double depth)
-  {
-    const auto [nearest, farthest] = this->Window.GetClippingRange();
-    return nearest * farthest / (farthest - depth * (farthest - nearest));
-  }
-
   int Size;
   View LastView;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
@@ -349,7 +348,7 @@ std::unique_ptr<Contestant> NewRival(
     return std::make_unique<EmbreePictures>(image, size, threads);
   }
 #endif
-  return std::make_unique<GpuPictures>(image, size, NewGpuMapper(sampleDistance));
+  return GpuPictures::New(image, size, sampleDistance);
 }
 
 }

@@ -113,26 +113,21 @@ double TracedIsosurface::GetHitShare()
 }
 
 //------------------------------------------------------------------------------
-PixelHits TracedIsosurface::GetHits()
+std::vector<double> TracedIsosurface::GetDistances()
 {
-  const PixelRectangle pixels = this->GetPixels(this->LastView);
   const PictureRays rays(this->LastView, this->Size);
-  this->CastRays(this->LastView, pixels);
-  const std::size_t count = static_cast<std::size_t>(this->Size) * this->Size;
-  PixelHits hits{ std::vector<bool>(count, false), std::vector<double>(count, NotMeasured) };
-  vtkDataArray* rayIds = this->Hits->GetPointData()->GetArray("RayId");
+  this->CastRays(this->LastView, { 0, 0, this->Size, this->Size });
+  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, Nothing);
+  vtkDataArray* pixels = this->Hits->GetPointData()->GetArray("RayId");
   vtkDataArray* ts = this->Hits->GetPointData()->GetArray("T");
   for (vtkIdType i = 0; i < this->Hits->GetNumberOfPoints(); ++i)
   {
-    const int ray = static_cast<int>(rayIds->GetComponent(i, 0));
-    const int x = pixels.X + ray % pixels.Width;
-    const int y = pixels.Y + ray / pixels.Width;
-    const std::size_t pixel = static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * this->Size;
-    hits.Shown[pixel] = true;
-    hits.Distances[pixel] =
-      ts->GetComponent(i, 0) * vtkMath::Norm(rays.GetDirection(x, y).data());
+    const int pixel = static_cast<int>(pixels->GetComponent(i, 0));
+    const Triple direction = rays.GetDirection(pixel % this->Size, pixel / this->Size);
+    distances[static_cast<std::size_t>(pixel)] =
+      ts->GetComponent(i, 0) * vtkMath::Norm(direction.data());
   }
-  return hits;
+  return distances;
 }
 
 //------------------------------------------------------------------------------
@@ -157,8 +152,7 @@ double TracedIsosurface::CastRays(const View& view, const PixelRectangle& pixels
       directions->InsertNextTuple(rays.GetDirection(x, y).data());
     }
   }
-  return Measure(
-    [&]() { this->Mapper->CastRays(this->Volume, origins, directions, this->Hits); });
+  return Measure([&]() { this->Mapper->CastRays(this->Volume, origins, directions, this->Hits); });
 }
 
 }

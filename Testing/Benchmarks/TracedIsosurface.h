@@ -39,7 +39,7 @@ public:
   FrameTimes Draw(const View& view, int threads) override;
   bool HasThreads() const override { return true; }
   double GetHitShare() override;
-  PixelHits GetHits() override;
+  std::vector<double> GetDistances() override;
 
   /// A new mapper, which has built nothing, with the settings of a new one.
   void Forget();
