@@ -115,7 +115,7 @@ std::string FormatJudgement(const Judgement& judged)
   return out.str();
 }
 
-/// The median of a result and, but for the first, how many times that of the first it is.
+/// The medians and, but for the first, how many times the first they are.
 void WritePrices(const std::vector<Result>& results, const Samples Result::*time, std::ostream& out)
 {
   double first = NotMeasured;
@@ -124,15 +124,9 @@ void WritePrices(const std::vector<Result>& results, const Samples Result::*time
     const auto result = std::find_if(results.begin(), results.end(),
       [name](const Result& candidate) { return GetName(candidate) == name; });
     const double median = GetMedian((*result).*time);
-    out << " | " << Format(median, 3);
-    if (std::isnan(first))
-    {
-      first = median;
-    }
-    else
-    {
-      out << " (x " << Format(median / first, 2) << ")";
-    }
+    out << " | " << Format(median, 3)
+        << (std::isnan(first) ? std::string() : " (x " + Format(median / first, 2) + ")");
+    first = std::isnan(first) ? median : first;
   }
 }
 
@@ -160,12 +154,14 @@ void WriteMarkdown(const Results& results,
   {
     out << "- " << name << ": " << value << "\n";
   }
-  out
-    << "\nTimes are the median of the repeats, in brackets the fastest and the slowest: of rays on "
-       "one\nthread, of pictures on all. Errors are distances along the ray to the first hit that "
-       "113 bits\nfind, in cells. Wrong: more than 0.05 cell off. Pictures are asked about the "
-       "same "
-       "rays.\n";
+  out out << R"(
+Times are the median of the repeats, in brackets the fastest and the slowest: of rays on one thread,
+of pictures on all. Errors are distances along the ray to the first hit that 113 bits find, in cells.
+Wrong: more than 0.05 cell off. Pictures are asked about the same rays, through the middles of their
+pixels. The GPU mode is believed its depth image, whose floats tell about 1e-5 cells apart. The
+fixed-point mapper and polygons are asked whether they show anything. The fixed-point mapper shows all
+that is inside: where a ray enters the volume inside, it shows the side of the volume, which is invented.
+)";
   WriteAllPrices(results, out);
   for (const std::string& input : GetInputs(results))
   {
