@@ -7,7 +7,10 @@
 #include "ReadImage.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtksys/SystemTools.hxx>
@@ -21,12 +24,19 @@ namespace Benchmark
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+/// The image of samples, in index space.
+vtkSmartPointer<vtkImageData> NewImage(const Oracle::Index& dimensions, vtkDataArray* scalars)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dimensions.data());
+  image->GetPointData()->SetScalars(scalars);
+  return image;
+}
 
 template <typename Function>
 Input Sample(const std::string& name, int n, double isovalue, const Function& function)
 {
-  Input input{ name + " " + std::to_string(n) + "^3", { { n, n, n }, {} }, isovalue };
+  Input input{ name + " " + std::to_string(n) + "^3", { { n, n, n }, {} }, isovalue, {} };
   for (int z = 0; z < n; ++z)
   {
     for (int y = 0; y < n; ++y)
@@ -37,42 +47,35 @@ Input Sample(const std::string& name, int n, double isovalue, const Function& fu
       }
     }
   }
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetNumberOfTuples(static_cast<vtkIdType>(input.Field.Values.size()));
+  std::copy(input.Field.Values.begin(), input.Field.Values.end(), scalars->GetPointer(0));
+  input.Image = NewImage(input.Field.Dimensions, scalars);
   return input;
 }
 
-/// A square of lines with so many on a side, that looks at the middle of the volume from an angle.
-void AddSquare(const Input& input, double angle, int side, std::vector<Oracle::Line>& lines)
+std::vector<View> MakeViews(const Input& input, int count)
 {
-  Oracle::Triple middle;
-  double diagonal = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  Bounds bounds;
+  input.Image->GetBounds(bounds.data());
+  return MakeOrbit(bounds, count);
+}
+
+/// Fills in the lines of all views.
+Rays AddLines(Rays rays)
+{
+  for (const View& view : rays.Views)
   {
-    middle[axis] = 0.5 * (input.Field.Dimensions[axis] - 1);
-    diagonal += 4.0 * middle[axis] * middle[axis];
-  }
-  diagonal = std::sqrt(diagonal);
-  const double height = 0.3 / std::sqrt(1.09);
-  const double width = 1.0 / std::sqrt(1.09);
-  const Oracle::Triple direction = { -width * std::sin(angle), width * std::cos(angle), -height };
-  const Oracle::Triple right = { std::cos(angle), std::sin(angle), 0.0 };
-  const Oracle::Triple up = { -height * std::sin(angle), height * std::cos(angle), width };
-  for (int row = 0; row < side; ++row)
-  {
-    for (int column = 0; column < side; ++column)
-    {
-      // No line is meant to be special: those of a lattice through the samples would be.
-      const double u = 0.6 * diagonal * ((column + 0.5123) / side - 0.5);
-      const double v = 0.6 * diagonal * ((row + 0.4871) / side - 0.5);
-      Oracle::Line line;
-      for (std::size_t axis = 0; axis < 3; ++axis)
+    const PictureRays picture(view, rays.Size);
+    rays.ForEachPixel(
+      [&](int x, int y)
       {
-        line.Origin[axis] =
-          middle[axis] - diagonal * direction[axis] + u * right[axis] + v * up[axis];
-      }
-      line.Direction = direction;
-      lines.push_back(line);
-    }
+        Oracle::Line line{ picture.GetOrigin(), picture.GetDirection(x, y) };
+        vtkMath::Normalize(line.Direction.data());
+        rays.Lines.push_back(line);
+      });
   }
+  return rays;
 }
 
 }
@@ -138,35 +141,32 @@ Input ReadInput(const std::string& fileName, double isovalue)
 {
   const vtkSmartPointer<vtkImageData> image = ReadImage(fileName);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  Input input{ vtksys::SystemTools::GetFilenameWithoutExtension(fileName), {}, isovalue };
+  Input input{ vtksys::SystemTools::GetFilenameWithoutExtension(fileName), {}, isovalue, {} };
   image->GetDimensions(input.Field.Dimensions.data());
   input.Field.Values.resize(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
     input.Field.Values[static_cast<std::size_t>(i)] = scalars->GetComponent(i, 0);
   }
+  auto first = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+  first->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  first->CopyComponent(0, scalars, 0);
+  input.Image = NewImage(input.Field.Dimensions, first);
   return input;
 }
 
 //------------------------------------------------------------------------------
-std::vector<Oracle::Line> MakeLines(const Input& input, int count)
+Rays MakeRays(const Input& input, int count, int size)
 {
   constexpr int views = 8;
-  const int side = std::max(2, static_cast<int>(std::sqrt(static_cast<double>(count) / views)));
-  std::vector<Oracle::Line> lines;
-  for (int view = 0; view < views; ++view)
-  {
-    AddSquare(input, 2.0 * Pi * (view + 0.17) / views, side, lines);
-  }
-  return lines;
+  const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(count) / views)));
+  return AddLines({ MakeViews(input, views), size, std::max(1, size / side), {} });
 }
 
 //------------------------------------------------------------------------------
-std::vector<Oracle::Line> MakePicture(const Input& input, int pixels)
+Rays MakePicture(const Input& input, int size)
 {
-  std::vector<Oracle::Line> lines;
-  AddSquare(input, 0.5, pixels, lines);
-  return lines;
+  return AddLines({ { MakeViews(input, 8)[1] }, size, 1, {} });
 }
 
 }

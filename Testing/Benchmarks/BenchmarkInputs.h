@@ -5,6 +5,10 @@
 #define BenchmarkInputs_h
 
 #include "Oracle.h"
+#include "Views.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
@@ -18,6 +22,8 @@ struct Input
   std::string Name;
   Oracle::Field Field;
   double Isovalue;
+  /// The same samples for VTK, in the type of the file.
+  vtkSmartPointer<vtkImageData> Image;
 };
 
 /// Smooth fields: M. Marschner and R. Lobb's signal, and the gyroid, on n^3 samples.
@@ -31,11 +37,34 @@ Input MakePlateaus(int n);
 /// The volume in a file, by the reader of VTK that its name asks for. Throws std::runtime_error.
 Input ReadInput(const std::string& fileName, double isovalue);
 
-/// Lines through a volume from eight places around it, each a square of parallel lines; about as
-/// many as asked for. Directions have length one.
-std::vector<Oracle::Line> MakeLines(const Input& input, int count);
-/// A square of parallel lines from one place: the pixels of a picture, in rows from the bottom.
-std::vector<Oracle::Line> MakePicture(const Input& input, int pixels);
+/// The rays through the middles of pixels of square pictures. Everybody is asked about the same.
+struct Rays
+{
+  std::vector<View> Views;
+  /// The edge of the pictures, in pixels; one pixel in so many is taken along either side.
+  int Size;
+  int Stride;
+  /// View by view, in rows from the bottom. Directions have length one: t is in cells.
+  std::vector<Oracle::Line> Lines;
+
+  /// Visits the pixels that are taken of a picture, in the order of their lines.
+  template <typename Visit>
+  void ForEachPixel(const Visit& visit) const
+  {
+    for (int y = this->Stride / 2; y < this->Size; y += this->Stride)
+    {
+      for (int x = this->Stride / 2; x < this->Size; x += this->Stride)
+      {
+        visit(x, y);
+      }
+    }
+  }
+};
+
+/// About as many rays as asked for, of pictures from eight places round the volume.
+Rays MakeRays(const Input& input, int count, int size);
+/// All rays of a picture from one place.
+Rays MakePicture(const Input& input, int size);
 
 }
 

@@ -5,19 +5,17 @@
 
 #include "AnalyticSolver.h"
 #include "CellTraversal.h"
+#include "Contestant.h"
 #include "FastSolver.h"
 #include "LinearSolver.h"
 #include "MarmittSolver.h"
 #include "RobustSolver.h"
 #include "TracedVolume.h"
 
-#include <vtkDoubleArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkGenericCell.h>
-#include <vtkImageData.h>
 #include <vtkMarchingCubes.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -26,7 +24,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace Benchmark
@@ -36,8 +33,6 @@ namespace
 
 using namespace vtkIsosurfaceRayTracing;
 using Clock = std::chrono::steady_clock;
-
-constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 {
@@ -264,17 +259,6 @@ double SampleLine(
 //------------------------------------------------------------------------------
 // Rivals: triangles
 
-vtkSmartPointer<vtkImageData> NewImage(const Input& input)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(input.Field.Dimensions.data());
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetNumberOfTuples(image->GetNumberOfPoints());
-  std::copy(input.Field.Values.begin(), input.Field.Values.end(), scalars->GetPointer(0));
-  image->GetPointData()->SetScalars(scalars);
-  return image;
-}
-
 /// The triangles of a filter, in a structure that lines can be cast at.
 class Triangles
 {
@@ -282,7 +266,7 @@ public:
   template <typename Filter>
   static std::shared_ptr<Triangles> New(const Input& input, vtkSmartPointer<Filter> filter)
   {
-    filter->SetInputData(NewImage(input));
+    filter->SetInputData(input.Image);
     filter->SetValue(0, input.Isovalue);
     filter->ComputeNormalsOff();
     filter->ComputeScalarsOff();
@@ -350,6 +334,14 @@ Method MakeRival(
 }
 
 //------------------------------------------------------------------------------
+std::string GetSampleKnob(double distance)
+{
+  std::string knob = std::to_string(distance);
+  knob.erase(knob.find_last_not_of('0') + 1);
+  return knob + (knob.back() == '.' ? "0 cells" : " cells");
+}
+
+//------------------------------------------------------------------------------
 std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Line>& lines)
 {
   std::vector<Method> methods;
@@ -388,12 +380,10 @@ std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Li
   {
     for (const double step : { 2.0, 1.0, 0.5, 0.25, 0.125 })
     {
-      std::string knob = std::to_string(step);
-      knob.erase(knob.find_last_not_of('0') + 1);
-      knob += knob.back() == '.' ? "0 cells" : " cells";
-      methods.push_back(MakeRival(input, bisections > 0 ? "Sampler, bisecting" : "Sampler", knob,
-        [&input, step, bisections](const Oracle::Line& line, const Ray& ray)
-        { return SampleLine(input, line, ray, step, bisections); }));
+      methods.push_back(
+        MakeRival(input, bisections > 0 ? "Sampler, bisecting" : "Sampler", GetSampleKnob(step),
+          [&input, step, bisections](const Oracle::Line& line, const Ray& ray)
+          { return SampleLine(input, line, ray, step, bisections); }));
     }
   }
   const auto edges = Triangles::New(input, vtkSmartPointer<vtkFlyingEdges3D>::New());

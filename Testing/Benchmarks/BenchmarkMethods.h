@@ -27,6 +27,9 @@ struct Method
   std::function<double()> MeasureCell = []() { return 0.0; };
 };
 
+/// The knob of those that sample at a distance, in cells.
+std::string GetSampleKnob(double distance);
+
 /// All methods, made ready for an input: hierarchies are built and triangles extracted. The input
 /// must outlive them.
 std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Line>& lines);

@@ -4,47 +4,58 @@
 #ifndef BenchmarkReport_h
 #define BenchmarkReport_h
 
+#include "Judgement.h"
+#include "Samples.h"
+
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Benchmark
 {
 
-/// What a method did on an input.
+/// What was measured of a method on an input, or of a painter.
 struct Result
 {
   std::string Input;
   std::string Family;
   std::string Knob;
-  int Rays;
-  int Hits;
-  /// Rays that meet the surface, of which the method does not know; and the other way round.
-  int Missed;
-  int Invented;
-  /// Rays whose hit is more than a twentieth of a cell off: another sheet, or another root.
-  int Wrong;
-  /// The distance along the ray to the exact hit, in cells, over the rays hit by both, in ascending
-  /// order.
-  std::vector<double> Errors;
-  /// The median, and the fastest and slowest of the repeats.
-  double NanosecondsPerRay;
-  double Fastest;
-  double Slowest;
-  double NanosecondsPerCell;
-
-  double GetError(double share) const;
+  Judgement Judged;
+  /// Of a method, on one thread.
+  Samples NanosecondsPerRay;
+  /// 0 where a method does not solve cells.
+  double NanosecondsPerCell = 0.0;
+  /// Of a painter, on all threads: up to the finished frame in the window, and of it, finding what
+  /// the rays hit. Empty where it is not known.
+  Samples FrameMilliseconds;
+  Samples TraceMilliseconds;
 };
 
-/// Writes results.md, results.csv, results.json and, for each input, plots as PNG: speed against
-/// error, speed against misjudged rays, and how many rays have which error. Returns the names of
-/// the files.
-std::vector<std::string> WriteReport(
-  const std::vector<Result>& results, const std::string& machine, const std::string& folder);
+/// Results of rays and of pictures, input by input in the same order.
+struct Results
+{
+  std::vector<Result> Rays;
+  std::vector<Result> Pictures;
+};
 
-/// Writes the errors of the pixels of a picture as colours, one square for each method, from 1e-16
-/// (black) to 1 cell (white); rays misjudged are red.
-void WriteHeatMap(
-  const std::vector<std::vector<double>>& errors, int pixels, const std::string& fileName);
+/// Writes results.md, results.csv, results.json and, where there is a display, for each input plots
+/// as PNG: speed against error and against misjudged rays, of rays and of whole frames, and how
+/// many rays have which error. Returns the names of the files.
+std::vector<std::string> WriteReport(const Results& results,
+  const std::vector<std::pair<std::string, std::string>>& circumstances, const std::string& folder);
+
+/// A part of the picture of errors: GetError of each pixel, in rows from the bottom.
+struct HeatPanel
+{
+  std::string Title;
+  std::vector<double> Errors;
+};
+
+/// Writes squares of pixels whose colours are errors, with a legend. Needs a display.
+void WriteHeatMap(const std::vector<HeatPanel>& panels, int pixels, const std::string& fileName);
+
+/// The name of an input as a part of the names of files.
+std::string GetFileName(std::string name);
 
 }
 

@@ -17,6 +17,10 @@ namespace Benchmark
 
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
+/// What is found along a ray is a distance, or one of these.
+constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double Somewhere = std::numeric_limits<double>::infinity();
+
 /// The seconds that a picture took; NotMeasured where there is no such thing.
 struct FrameTimes
 {
@@ -51,6 +55,9 @@ public:
   virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }
+  /// How far from the eye the surface is in every pixel of the last picture, in rows from the
+  /// bottom. Somewhere, where it is seen but not how far it is. Empty if there is no picture.
+  virtual std::vector<double> GetDistances() { return {}; }
 };
 
 }

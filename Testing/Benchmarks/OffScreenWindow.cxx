@@ -5,11 +5,13 @@
 
 #include "Samples.h"
 
+#include <vtkCamera.h>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -58,18 +60,34 @@ double OffScreenWindow::Draw(const View& view)
 }
 
 //------------------------------------------------------------------------------
-double OffScreenWindow::GetShareDrawn()
+std::vector<bool> OffScreenWindow::GetDrawn()
 {
   const int* size = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  vtkIdType drawn = 0;
+  std::vector<bool> drawn;
   for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
   {
-    // No surface is blue.
-    drawn += pixels->GetValue(3 * i + 2) < 255 || pixels->GetValue(3 * i) > 0 ? 1 : 0;
+    // No surface has more blue than red: less than half of the pixel is background.
+    drawn.push_back(pixels->GetValue(3 * i + 2) - pixels->GetValue(3 * i) < 128);
   }
-  return static_cast<double>(drawn) / static_cast<double>(pixels->GetNumberOfTuples());
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+double OffScreenWindow::GetShareDrawn()
+{
+  const std::vector<bool> drawn = this->GetDrawn();
+  return static_cast<double>(std::count(drawn.begin(), drawn.end(), true)) /
+    static_cast<double>(drawn.size());
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> OffScreenWindow::GetClippingRange()
+{
+  std::array<double, 2> range;
+  this->Renderer->GetActiveCamera()->GetClippingRange(range.data());
+  return range;
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,9 @@
 
 #include <vtkNew.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkProp;
 class vtkRenderWindow;
@@ -33,8 +35,12 @@ public:
   void Show(vtkProp* prop);
   /// Seconds until the frame is finished.
   double Draw(const View& view);
-  /// The share of its pixels that show something.
+  /// Whether its pixels show something, in rows from the bottom.
+  std::vector<bool> GetDrawn();
+  /// The share of its pixels that do.
   double GetShareDrawn();
+  /// How far from the eye the nearest and the farthest depth are, along the view.
+  std::array<double, 2> GetClippingRange();
   /// Who draws, in the words of OpenGL.
   std::string GetDriver();
 

@@ -16,6 +16,7 @@
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
 #include <vtkMarchingCubes.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -77,6 +78,17 @@ private:
 };
 
 //------------------------------------------------------------------------------
+std::vector<double> GetSilhouette(OffScreenWindow& window)
+{
+  std::vector<double> distances;
+  for (const bool isDrawn : window.GetDrawn())
+  {
+    distances.push_back(isDrawn ? Somewhere : Nothing);
+  }
+  return distances;
+}
+
+//------------------------------------------------------------------------------
 class Polygons : public Contestant
 {
 public:
@@ -111,6 +123,7 @@ public:
   }
 
   double GetHitShare() override { return this->Window.GetShareDrawn(); }
+  std::vector<double> GetDistances() override { return GetSilhouette(this->Window); }
 
 private:
   vtkImageData* Image;
@@ -123,8 +136,8 @@ class VolumePictures : public Contestant
 {
 public:
   VolumePictures(std::string name, vtkImageData* image, vtkVolumeMapper* mapper, int size)
-    : Name(std::move(name))
-    , Window(size)
+    : Window(size)
+    , Name(std::move(name))
   {
     mapper->SetInputDataObject(image);
     this->Volume->SetMapper(mapper);
@@ -144,33 +157,112 @@ public:
   }
 
   double GetHitShare() override { return this->Window.GetShareDrawn(); }
+  std::vector<double> GetDistances() override { return GetSilhouette(this->Window); }
+
+protected:
+  OffScreenWindow Window;
 
 private:
   std::string Name;
-  OffScreenWindow Window;
   vtkNew<vtkVolume> Volume;
 };
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewFixedPoint(vtkImageData* image, int size, int threads)
+std::unique_ptr<Contestant> NewFixedPoint(
+  vtkImageData* image, int size, int threads, double sampleDistance)
 {
   const double* spacing = image->GetSpacing();
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->SetNumberOfThreads(threads);
   // A sample for every cell and a ray for every pixel: what a picture like ours asks for.
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(static_cast<float>(*std::min_element(spacing, spacing + 3)));
+  mapper->SetSampleDistance(static_cast<float>(
+    sampleDistance > 0.0 ? sampleDistance : *std::min_element(spacing, spacing + 3)));
   mapper->SetImageSampleDistance(1.0F);
   return std::make_unique<VolumePictures>("fixed-point", image, mapper, size);
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewGpu(vtkImageData* image, int size)
+/// VTK's GPU mode of isosurfaces. Its depth image tells what it takes for the surface.
+class GpuPictures : public VolumePictures
 {
-  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-  mapper->SetBlendModeToIsoSurface();
-  return std::make_unique<VolumePictures>("gpu", image, mapper, size);
-}
+public:
+  static std::unique_ptr<Contestant> New(vtkImageData* image, int size, double sampleDistance)
+  {
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetBlendModeToIsoSurface();
+    mapper->SetDepthImageScalarTypeToFloat();
+    if (sampleDistance > 0.0)
+    {
+      mapper->AutoAdjustSampleDistancesOff();
+      mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+    }
+    return std::make_unique<GpuPictures>(image, size, mapper);
+  }
+
+  GpuPictures(vtkImageData* image, int size, vtkGPUVolumeRayCastMapper* mapper)
+    : VolumePictures("gpu", image, mapper, size)
+    , Image(image)
+    , Size(size)
+    , Mapper(mapper)
+  {
+  }
+
+  FrameTimes Draw(const View& view, int threads) override
+  {
+    this->LastView = view;
+    return this->VolumePictures::Draw(view, threads);
+  }
+
+  std::vector<double> GetDistances() override
+  {
+    vtkNew<vtkImageData> depths;
+    this->Mapper->RenderToImageOn();
+    this->Window.Draw(this->LastView);
+    this->Mapper->GetDepthImage(depths);
+    this->Mapper->RenderToImageOff();
+    const PictureRays rays(this->LastView, this->Size);
+    std::vector<double> distances;
+    for (int y = 0; y < this->Size; ++y)
+    {
+      for (int x = 0; x < this->Size; ++x)
+      {
+        const double depth = depths->GetScalarComponentAsDouble(x, y, 0, 0);
+        distances.push_back(
+          depth < 1.0 ? this->GetDistance(depth, rays.GetDirection(x, y)) : Nothing);
+      }
+    }
+    return distances;
+  }
+
+private:
+  /// VTK 9.1 takes the place in the texture for the place in the volume; but in the texture samples
+  /// stand in the middles of texels, so that all is (n - 1) / n as far from the middle: up to half
+  /// a cell off. Undone here.
+  double GetDistance(double depth, const Triple& direction)
+  {
+    const auto [nearest, farthest] = this->Window.GetClippingRange();
+    double along = nearest * farthest / (farthest - depth * (farthest - nearest));
+    double slope = 0.0;
+    Triple forward;
+    vtkMath::Subtract(this->LastView.Focus.data(), this->LastView.Eye.data(), forward.data());
+    vtkMath::Normalize(forward.data());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int samples = this->Image->GetDimensions()[axis];
+      const double scale = (samples - 1.0) / samples;
+      const double toMiddle = this->Image->GetCenter()[axis] - this->LastView.Eye[axis];
+      along -= forward[axis] * (1.0 - scale) * toMiddle;
+      slope += forward[axis] * scale * direction[axis];
+    }
+    return along / slope * vtkMath::Norm(direction.data());
+  }
+
+  vtkImageData* Image;
+  int Size;
+  View LastView;
+  vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
+};
 
 #ifdef BENCHMARK_HAS_EMBREE
 //------------------------------------------------------------------------------
@@ -254,7 +346,7 @@ std::string GetAbsence(const std::string& rival)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<Contestant> NewRival(
-  const std::string& name, vtkImageData* image, int size, int threads)
+  const std::string& name, vtkImageData* image, int size, int threads, double sampleDistance)
 {
   if (name == "flying-edges")
   {
@@ -270,7 +362,7 @@ std::unique_ptr<Contestant> NewRival(
   }
   if (name == "fixed-point")
   {
-    return NewFixedPoint(image, size, threads);
+    return NewFixedPoint(image, size, threads, sampleDistance);
   }
 #ifdef BENCHMARK_HAS_EMBREE
   if (name == "embree")
@@ -278,7 +370,7 @@ std::unique_ptr<Contestant> NewRival(
     return std::make_unique<EmbreePictures>(image, size, threads);
   }
 #endif
-  return NewGpu(image, size);
+  return GpuPictures::New(image, size, sampleDistance);
 }
 
 }

@@ -22,9 +22,10 @@ std::vector<std::string> GetRivalNames();
 std::string GetAbsence(const std::string& rival);
 
 /// The rival of a name, which must not be absent. Pictures are size x size pixels, taken with at
-/// most so many threads.
+/// most so many threads. Those that sample do so at this distance, in the world; where it is 0,
+/// fixed-point does once for every cell and gpu as it finds best.
 std::unique_ptr<Contestant> NewRival(
-  const std::string& name, vtkImageData* image, int size, int threads);
+  const std::string& name, vtkImageData* image, int size, int threads, double sampleDistance = 0.0);
 
 }
 

@@ -9,10 +9,10 @@
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
+#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -109,7 +109,25 @@ FrameTimes TracedIsosurface::Draw(const View& view, int threads)
 double TracedIsosurface::GetHitShare()
 {
   this->CastRays(this->LastView, this->GetPixels(this->LastView));
-  return static_cast<double>(this->Hits) / this->Size / this->Size;
+  return static_cast<double>(this->Hits->GetNumberOfPoints()) / this->Size / this->Size;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> TracedIsosurface::GetDistances()
+{
+  const PictureRays rays(this->LastView, this->Size);
+  this->CastRays(this->LastView, { 0, 0, this->Size, this->Size });
+  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, Nothing);
+  vtkDataArray* pixels = this->Hits->GetPointData()->GetArray("RayId");
+  vtkDataArray* ts = this->Hits->GetPointData()->GetArray("T");
+  for (vtkIdType i = 0; i < this->Hits->GetNumberOfPoints(); ++i)
+  {
+    const int pixel = static_cast<int>(pixels->GetComponent(i, 0));
+    const Triple direction = rays.GetDirection(pixel % this->Size, pixel / this->Size);
+    distances[static_cast<std::size_t>(pixel)] =
+      ts->GetComponent(i, 0) * vtkMath::Norm(direction.data());
+  }
+  return distances;
 }
 
 //------------------------------------------------------------------------------
@@ -134,11 +152,7 @@ double TracedIsosurface::CastRays(const View& view, const PixelRectangle& pixels
       directions->InsertNextTuple(rays.GetDirection(x, y).data());
     }
   }
-  vtkNew<vtkPolyData> hits;
-  const double seconds =
-    Measure([&]() { this->Mapper->CastRays(this->Volume, origins, directions, hits); });
-  this->Hits = hits->GetNumberOfPoints();
-  return seconds;
+  return Measure([&]() { this->Mapper->CastRays(this->Volume, origins, directions, this->Hits); });
 }
 
 }

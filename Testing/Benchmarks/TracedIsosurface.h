@@ -8,6 +8,8 @@
 #include "OffScreenWindow.h"
 
 #include <vtkIsosurfaceRayTraceMapper.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
@@ -37,6 +39,7 @@ public:
   FrameTimes Draw(const View& view, int threads) override;
   bool HasThreads() const override { return true; }
   double GetHitShare() override;
+  std::vector<double> GetDistances() override;
 
   /// A new mapper, which has built nothing, with the settings of a new one.
   void Forget();
@@ -57,7 +60,7 @@ private:
   std::unique_ptr<OffScreenWindow> Window;
   vtkSmartPointer<vtkIsosurfaceRayTraceMapper> Mapper;
   vtkSmartPointer<vtkVolume> Volume;
-  vtkIdType Hits = 0;
+  vtkNew<vtkPolyData> Hits;
 };
 
 }

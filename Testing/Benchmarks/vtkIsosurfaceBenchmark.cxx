@@ -4,9 +4,7 @@
 // How fast this mapper is, beside triangles and other mappers: see --help. What needs a window
 // needs a display too; xvfb-run gives one.
 
-#ifdef BENCHMARK_HAS_EMBREE
-#include "EmbreeTriangles.h"
-#endif
+#include "Circumstances.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
 #include "OffScreenWindow.h"
@@ -17,15 +15,12 @@
 #include "Rivals.h"
 
 #include <vtkSMPTools.h>
-#include <vtkVersion.h>
 #include <vtksys/CommandLineArguments.hxx>
-#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -160,41 +155,6 @@ std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
 }
 
 //------------------------------------------------------------------------------
-void DescribeMachine(
-  const std::vector<std::string>& command, OffScreenWindow* window, Report& report)
-{
-  vtksys::SystemInformation system;
-  system.RunCPUCheck();
-  const std::time_t now = std::time(nullptr);
-  char date[32];
-  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
-  std::string line;
-  for (const std::string& word : command)
-  {
-    line += (line.empty() ? "" : " ") + word;
-  }
-  report.Circumstances.emplace_back("date", date);
-  report.Circumstances.emplace_back("command", "`" + line + "`");
-  report.Circumstances.emplace_back("machine",
-    std::string(system.GetModelName()) + ", " +
-      std::to_string(std::thread::hardware_concurrency()) + " logical processors");
-  report.Circumstances.emplace_back("load of the machine before",
-    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)");
-  report.Circumstances.emplace_back("compiler", __VERSION__);
-  report.Circumstances.emplace_back("VTK",
-    std::string(vtkVersion::GetVTKVersion()) +
-      ", threads of its filters: " + vtkSMPTools::GetBackend());
-#ifdef BENCHMARK_HAS_EMBREE
-  report.Circumstances.emplace_back("Embree", EmbreeTriangles::GetVersion());
-#endif
-  report.Circumstances.emplace_back("OpenGL",
-    window
-      ? window->GetDriver()
-      : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, goal 5 "
-        "is not measured");
-}
-
-//------------------------------------------------------------------------------
 void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
 {
   const int* n = setup.Image->GetDimensions();
@@ -278,7 +238,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   // A display may close itself when nobody has a window on it: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
-  DescribeMachine(command, window.get(), report);
+  report.Circumstances = DescribeMachine(command, window.get());
   setup.Rivals = ChooseRivals(arguments.Rivals, report);
   if (!arguments.Input.empty())
   {

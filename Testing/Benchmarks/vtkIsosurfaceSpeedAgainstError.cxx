@@ -1,26 +1,33 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How fast and how exact the solvers are, beside samplers and triangles: see --help. Needs a
-// display for the plots; xvfb-run gives one.
+// How fast and how exact the solvers are, beside samplers, triangles and VTK's mappers: see --help.
+// Plots and the mappers of VTK need a display; xvfb-run gives one.
 
 #include "BenchmarkInputs.h"
 #include "BenchmarkMethods.h"
+#include "BenchmarkPictures.h"
 #include "BenchmarkReport.h"
+#include "Circumstances.h"
+#include "Judgement.h"
+#include "OffScreenWindow.h"
+#include "Rivals.h"
+#include "Samples.h"
+#include "Setup.h"
 
 #include <vtksys/CommandLineArguments.hxx>
-#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -35,7 +42,7 @@ struct Arguments
   int Size = 64;
   int Rays = 20000;
   int Repeats = 5;
-  int Pixels = 128;
+  int Pixels = 512;
   std::string Output = ".";
   bool Quick = false;
   bool Help = false;
@@ -58,14 +65,15 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
     "How often times are taken. Default: 5.");
   parser.AddArgument("--pixels", Parser::SPACE_ARGUMENT, &arguments.Pixels,
-    "The edge of the picture of errors. Default: 128.");
+    "The edge of the pictures. Default: 512.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The folder of the report. Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool sensible = arguments.Size >= 8 && arguments.Rays >= 8 && arguments.Repeats >= 1 &&
-    arguments.Pixels >= 1 && (arguments.Input.empty() || !std::isnan(arguments.Isovalue));
+    arguments.Pixels >= 16 && arguments.Pixels <= 16384 &&
+    (arguments.Input.empty() || !std::isnan(arguments.Isovalue));
   if (arguments.Help || !parsed || !sensible)
   {
     std::printf("Usage: vtkIsosurfaceSpeedAgainstError [options]\n%s", parser.GetHelp());
@@ -76,7 +84,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     arguments.Size = 24;
     arguments.Rays = 800;
     arguments.Repeats = 1;
-    arguments.Pixels = 24;
+    arguments.Pixels = 64;
   }
   return true;
 }
@@ -94,119 +102,107 @@ std::vector<Input> MakeInputs(const Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
-// What is equal to the isovalue is inside. On a face whose corners all are, 113 bits may come out a
-// little below.
-bool IsInside(const Oracle::Quad& value)
+// In turn, so that what else the machine does is everybody's.
+std::vector<Result> MeasureRays(
+  const Input& input, const Rays& rays, const std::vector<double>& truth, int repeats)
 {
-  return value >= -1e-26;
+  const std::vector<Method> methods = MakeMethods(input, rays.Lines);
+  std::vector<Result> results;
+  std::vector<double> found(rays.Lines.size());
+  for (const Method& method : methods)
+  {
+    Say("  " + method.Family + " " + method.Knob);
+    method.Cast(rays.Lines, found); // Bricks are made and memory is touched.
+    results.push_back({ input.Name, method.Family, method.Knob, Judge(found, truth), {},
+      method.MeasureCell(), {}, {} });
+  }
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    for (std::size_t i = 0; i < methods.size(); ++i)
+    {
+      const double seconds = Measure([&]() { methods[i].Cast(rays.Lines, found); });
+      results[i].NanosecondsPerRay.Add(1e9 * seconds / static_cast<double>(rays.Lines.size()));
+    }
+  }
+  return results;
 }
 
 //------------------------------------------------------------------------------
-// The t of the first hit of every line, NaN where there is none, by the oracle: every cell, 113
-// bits.
-std::vector<double> FindTruth(const Input& input, const std::vector<Oracle::Line>& lines)
+void AddIfMeasured(double value, Samples& samples)
 {
-  std::vector<double> truth(lines.size(), std::numeric_limits<double>::quiet_NaN());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  if (!std::isnan(value))
   {
-    for (const Oracle::Piece& piece : Oracle::FindPieces(input.Field, input.Isovalue, lines[i]))
+    samples.Add(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+// In turn too.
+std::vector<Result> MeasurePictures(
+  const Input& input, const Rays& rays, const std::vector<double>& truth, int repeats)
+{
+  const std::vector<Painter> painters = MakePainters(input, rays);
+  std::vector<Result> results;
+  for (const Painter& painter : painters)
+  {
+    Say("  picture: " + painter.Family + " " + painter.Knob);
+    results.push_back({ input.Name, painter.Family, painter.Knob, Judge(Look(painter, rays), truth),
+      {}, 0.0, {}, {} });
+  }
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    for (std::size_t i = 0; i < painters.size(); ++i)
     {
-      const bool beginsInside = IsInside(piece.AtBegin);
-      if (beginsInside != IsInside(piece.AtEnd))
+      Result& result = results[i];
+      if (IsEnough(result.FrameMilliseconds * 1e-3, repeats * static_cast<int>(rays.Views.size())))
       {
-        const bool isCrossing = (piece.AtBegin >= 0) != (piece.AtEnd >= 0);
-        truth[i] = static_cast<double>(isCrossing
-            ? Oracle::FindCrossing(input.Field, input.Isovalue, lines[i], piece)
-            : (beginsInside ? piece.Begin : piece.End));
-        break;
+        continue;
+      }
+      for (const FrameTimes& times : DrawAll(painters[i], rays))
+      {
+        AddIfMeasured(1e3 * times.Whole, result.FrameMilliseconds);
+        AddIfMeasured(1e3 * times.Trace, result.TraceMilliseconds);
       }
     }
   }
-  return truth;
-}
-
-//------------------------------------------------------------------------------
-// The error of a hit: NaN where there is nothing and nothing found, infinite where misjudged.
-double GetError(double found, double truth)
-{
-  if (std::isnan(found) != std::isnan(truth))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  return std::abs(found - truth);
-}
-
-//------------------------------------------------------------------------------
-Result Measure(const Input& input, const Method& method, const std::vector<Oracle::Line>& lines,
-  const std::vector<double>& truth, int repeats)
-{
-  constexpr double wrong = 0.05;
-  using Clock = std::chrono::steady_clock;
-  Result result{ input.Name, method.Family, method.Knob, static_cast<int>(lines.size()), 0, 0, 0, 0,
-    {}, 0.0, 0.0, 0.0, method.MeasureCell() };
-  std::vector<double> found(lines.size());
-  method.Cast(lines, found); // Bricks are made and memory is touched.
-  std::vector<double> times;
-  for (int repeat = 0; repeat < repeats; ++repeat)
-  {
-    const Clock::time_point start = Clock::now();
-    method.Cast(lines, found);
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
-      static_cast<double>(lines.size()));
-  }
-  std::sort(times.begin(), times.end());
-  result.NanosecondsPerRay = times[times.size() / 2];
-  result.Fastest = times.front();
-  result.Slowest = times.back();
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    result.Hits += std::isnan(truth[i]) ? 0 : 1;
-    result.Missed += std::isnan(found[i]) && !std::isnan(truth[i]) ? 1 : 0;
-    result.Invented += !std::isnan(found[i]) && std::isnan(truth[i]) ? 1 : 0;
-    const double error = GetError(found[i], truth[i]);
-    if (std::isfinite(error))
-    {
-      result.Errors.push_back(error);
-      result.Wrong += error > wrong ? 1 : 0;
-    }
-  }
-  std::sort(result.Errors.begin(), result.Errors.end());
-  return result;
+  return results;
 }
 
 //------------------------------------------------------------------------------
 void DrawHeatMap(const Input& input, int pixels, const std::string& fileName)
 {
-  const std::vector<Oracle::Line> lines = MakePicture(input, pixels);
-  const std::vector<double> truth = FindTruth(input, lines);
-  std::vector<std::vector<double>> errors;
-  std::vector<double> found(lines.size());
-  for (const Method& method : MakeMethods(input, lines))
+  const Rays rays = MakePicture(input, pixels);
+  Say("  the truth about the " + std::to_string(rays.Lines.size()) + " pixels of a picture");
+  const std::vector<double> truth = FindTruth(input, rays.Lines);
+  std::vector<HeatPanel> panels;
+  const auto addPanel = [&](const std::string& title, const std::vector<double>& found)
   {
-    const bool isShown = method.Knob == "N = 3" || method.Knob == "0.5 cells" ||
-      method.Family == "Robust" || method.Family == "Fast" ||
-      method.Family == "Triangles of flying edges";
-    if (isShown)
+    panels.push_back({ title, {} });
+    for (std::size_t i = 0; i < found.size(); ++i)
     {
-      method.Cast(lines, found);
-      errors.emplace_back();
-      for (std::size_t i = 0; i < lines.size(); ++i)
-      {
-        errors.back().push_back(GetError(found[i], truth[i]));
-      }
+      panels.back().Errors.push_back(GetError(found[i], truth[i]));
+    }
+  };
+  const std::set<std::string> shown = { "Robust", "Fast", "Marmitt N = 3",
+    "Sampler, bisecting 0.5 cells", "Sampler 0.5 cells", "Triangles of flying edges" };
+  std::vector<double> found(rays.Lines.size());
+  for (const Method& method : MakeMethods(input, rays.Lines))
+  {
+    const std::string title = method.Family + (method.Knob.empty() ? "" : " " + method.Knob);
+    if (shown.count(title) > 0)
+    {
+      method.Cast(rays.Lines, found);
+      addPanel(title, found);
     }
   }
-  WriteHeatMap(errors, pixels, fileName);
-}
-
-//------------------------------------------------------------------------------
-std::string DescribeMachine(const Arguments& arguments)
-{
-  vtksys::SystemInformation system;
-  system.RunCPUCheck();
-  return std::string(system.GetModelName()) + ", " + std::to_string(arguments.Repeats) +
-    " repeats, " __VERSION__;
+  for (const Painter& painter : MakePainters(input, rays))
+  {
+    if (painter.Knob == "0.5 cells")
+    {
+      addPanel(painter.Family + " " + painter.Knob, Look(painter, rays));
+    }
+  }
+  WriteHeatMap(panels, pixels, fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -216,10 +212,11 @@ bool KeepsPromises(const std::vector<Result>& results)
   bool kept = true;
   for (const Result& result : results)
   {
+    const Judgement& judged = result.Judged;
     if (result.Family == "Robust" &&
-      (result.Missed + result.Invented + result.Wrong > 0 || result.GetError(0.99) > 1e-9))
+      (judged.Missed + judged.Invented + judged.Wrong > 0 || judged.GetError(0.99) > 1e-9))
     {
-      std::fprintf(stderr, "Robust breaks its promises on %s.\n", result.Input.c_str());
+      Say("Robust breaks its promises on " + result.Input + ".");
       kept = false;
     }
   }
@@ -227,29 +224,53 @@ bool KeepsPromises(const std::vector<Result>& results)
 }
 
 //------------------------------------------------------------------------------
-bool Run(const Arguments& arguments)
+Results MeasureAll(const Arguments& arguments)
+{
+  Results results;
+  for (const Input& input : MakeInputs(arguments))
+  {
+    const Rays rays = MakeRays(input, arguments.Rays, arguments.Pixels);
+    Say(input.Name + ": the truth about " + std::to_string(rays.Lines.size()) + " rays");
+    const std::vector<double> truth = FindTruth(input, rays.Lines);
+    for (Result& result : MeasureRays(input, rays, truth, arguments.Repeats))
+    {
+      results.Rays.push_back(std::move(result));
+    }
+    for (Result& result : MeasurePictures(input, rays, truth, arguments.Repeats))
+    {
+      results.Pictures.push_back(std::move(result));
+    }
+    if (OffScreenWindow::IsPossible())
+    {
+      DrawHeatMap(
+        input, arguments.Pixels, arguments.Output + "/" + GetFileName(input.Name) + "-heat.png");
+    }
+  }
+  return results;
+}
+
+//------------------------------------------------------------------------------
+bool Run(const Arguments& arguments, const std::vector<std::string>& command)
 {
   if (!vtksys::SystemTools::MakeDirectory(arguments.Output))
   {
     throw std::runtime_error("the folder " + arguments.Output + " cannot be made");
   }
-  std::vector<Result> results;
-  for (const Input& input : MakeInputs(arguments))
+  // A display may close itself when nobody has a window on it: this one stays.
+  const auto window =
+    OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
+  auto circumstances = DescribeMachine(command, window.get());
+  for (const char* rival : { "polygons", "gpu", "fixed-point" })
   {
-    const std::vector<Oracle::Line> lines = MakeLines(input, arguments.Rays);
-    std::fprintf(stderr, "%s: the truth about %zu rays...\n", input.Name.c_str(), lines.size());
-    const std::vector<double> truth = FindTruth(input, lines);
-    for (const Method& method : MakeMethods(input, lines))
+    const std::string absence = GetAbsence(rival);
+    if (!absence.empty())
     {
-      std::fprintf(stderr, "  %s %s\n", method.Family.c_str(), method.Knob.c_str());
-      results.push_back(Measure(input, method, lines, truth, arguments.Repeats));
+      circumstances.emplace_back("absent", std::string(rival) + ", because " + absence);
+      Say(circumstances.back().second);
     }
-    std::string name = input.Name;
-    std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
-    DrawHeatMap(input, arguments.Pixels, arguments.Output + "/" + name + "-heat.png");
   }
-  for (const std::string& file : WriteReport(results, DescribeMachine(arguments), arguments.Output))
+  const Results results = MeasureAll(arguments);
+  for (const std::string& file : WriteReport(results, circumstances, arguments.Output))
   {
     if (!vtksys::SystemTools::FileExists(arguments.Output + "/" + file, true))
     {
@@ -257,7 +278,8 @@ bool Run(const Arguments& arguments)
     }
   }
   std::printf("%s/results.md\n", arguments.Output.c_str());
-  return KeepsPromises(results);
+  const bool raysKept = KeepsPromises(results.Rays);
+  return KeepsPromises(results.Pictures) && raysKept;
 }
 
 }
@@ -272,7 +294,7 @@ int main(int argc, char* argv[])
   }
   try
   {
-    return Run(arguments) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return Run(arguments, { argv, argv + argc }) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch (const std::exception& error)
   {
