@@ -34,7 +34,8 @@ Camera NewCamera(const Matrix4& projection, const Matrix4& worldFromView,
 {
   const Matrix4 clipFromIndex =
     Multiply(projection, Multiply(Invert(worldFromView), worldFromIndex));
-  return { clipFromIndex, Invert(clipFromIndex), worldFromIndex, width, height };
+  return { clipFromIndex, Invert(clipFromIndex), worldFromIndex, static_cast<double>(width),
+    static_cast<double>(height) };
 }
 
 /// Looks down on a volume of 9 x 9 x 9 samples along -z, from z = 20; the near plane is at z = 19,
