@@ -115,7 +115,7 @@ std::string FormatJudgement(const Judgement& judged)
   return out.str();
 }
 
-/// The median of a result and, but for the first, how many times that of the first it is.
+/// The medians and, but for the first, how many times the first they are.
 void WritePrices(const std::vector<Result>& results, const Samples Result::*time, std::ostream& out)
 {
   double first = NotMeasured;
@@ -124,15 +124,9 @@ void WritePrices(const std::vector<Result>& results, const Samples Result::*time
     const auto result = std::find_if(results.begin(), results.end(),
       [name](const Result& candidate) { return GetName(candidate) == name; });
     const double median = GetMedian((*result).*time);
-    out << " | " << Format(median, 3);
-    if (std::isnan(first))
-    {
-      first = median;
-    }
-    else
-    {
-      out << " (x " << Format(median / first, 2) << ")";
-    }
+    out << " | " << Format(median, 3)
+        << (std::isnan(first) ? std::string() : " (x " + Format(median / first, 2) + ")");
+    first = std::isnan(first) ? median : first;
   }
 }
 
@@ -160,12 +154,14 @@ void WriteMarkdown(const Results& results,
   {
     out << "- " << name << ": " << value << "\n";
   }
-  out
-    << "\nTimes are the median of the repeats, in brackets the fastest and the slowest: of rays on "
-       "one\nthread, of pictures on all. Errors are distances along the ray to the first hit that "
-       "113 bits\nfind, in cells. Wrong: more than 0.05 cell off. Pictures are asked about the "
-       "same "
-       "rays.\n";
+  out << R"(
+Times are the median of the repeats, in brackets the fastest and the slowest: of rays on one thread,
+of pictures on all. Errors are distances along the ray to the first hit that 113 bits find, in cells.
+Wrong: more than 0.05 cell off. Pictures are asked about the same rays, through the middles of their
+pixels. The GPU mode is believed its depth image, whose floats tell about 1e-5 cells apart. The
+fixed-point mapper and polygons are asked whether they show anything. The fixed-point mapper shows all
+that is inside: where a ray enters the volume inside, it shows the side of the volume, which is invented.
+)";
   WriteAllPrices(results, out);
   for (const std::string& input : GetInputs(results))
   {
@@ -328,7 +324,7 @@ void AddCurve(vtkChartXY* chart, const std::string& name,
   if (auto* marked = vtkPlotPoints::SafeDownCast(plot))
   {
     marked->SetMarkerStyle(
-      markers ? static_cast<int>(vtkPlotPoints::CROSS + number % 5) : vtkPlotPoints::NONE);
+      markers ? static_cast<int>(vtkPlotPoints::SQUARE + number % 3) : vtkPlotPoints::NONE);
     marked->SetMarkerSize(11.0F);
   }
 }
@@ -368,7 +364,10 @@ void WriteChart(const Labels& labels, const Curves& curves, const std::array<dou
   chart->GetLegend()->SetInline(false);
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    AddCurve(chart, curves[i].first, curves[i].second, i, markers);
+    if (!curves[i].second.empty())
+    {
+      AddCurve(chart, curves[i].first, curves[i].second, i, markers);
+    }
   }
   SetAxis(chart->GetAxis(vtkAxis::BOTTOM), labels.X, ranges[0], ranges[1]);
   SetAxis(chart->GetAxis(vtkAxis::LEFT), labels.Y, ranges[2], ranges[3]);
@@ -394,22 +393,22 @@ std::array<double, 2> GetDecades(const Curves& curves, std::size_t coordinate)
 
 using Get = std::function<double(const Result&)>;
 
-/// A curve for each family; what is not known of a result leaves it out.
+/// A curve for each family, so that its colour is the same everywhere; without the points of which
+/// something is not known.
 Curves MakeCurves(const std::vector<Result>& results, const Get& getX, const Get& getY)
 {
   Curves curves;
   for (const Result& result : results)
   {
     const std::array<double, 2> point = { getX(result), getY(result) };
-    if (std::isnan(point[0]) || std::isnan(point[1]))
-    {
-      continue;
-    }
     if (curves.empty() || curves.back().first != result.Family)
     {
       curves.push_back({ result.Family, {} });
     }
-    curves.back().second.push_back(point);
+    if (!std::isnan(point[0]) && !std::isnan(point[1]))
+    {
+      curves.back().second.push_back(point);
+    }
   }
   return curves;
 }
@@ -435,7 +434,7 @@ void WriteSpeedPlots(const std::vector<Result>& results, const Get& getTime,
   const auto x = GetDecades(misjudged, 0);
   const auto y = GetDecades(misjudged, 1);
   WriteChart({ input + ": speed against error", timeTitle, "error of 99 % of the rays, cells" },
-    errors, { x[0], x[1], SmallestError, 10.0 }, true, start + "-error.png");
+    errors, { x[0], x[1], SmallestError, 1000.0 }, true, start + "-error.png");
   WriteChart({ input + ": rays missed, invented or on a wrong sheet (lowest: none)", timeTitle,
                "share of the rays" },
     misjudged, { x[0], x[1], y[0], 1.0 }, true, start + "-misjudged.png");

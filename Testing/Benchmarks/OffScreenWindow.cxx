@@ -68,8 +68,8 @@ std::vector<bool> OffScreenWindow::GetDrawn()
   std::vector<bool> drawn;
   for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
   {
-    // No surface is blue.
-    drawn.push_back(pixels->GetValue(3 * i + 2) < 255 || pixels->GetValue(3 * i) > 0);
+    // No surface has more blue than red: less than half of the pixel is background.
+    drawn.push_back(pixels->GetValue(3 * i + 2) - pixels->GetValue(3 * i) < 128);
   }
   return drawn;
 }

@@ -202,6 +202,7 @@ public:
 
   GpuPictures(vtkImageData* image, int size, vtkGPUVolumeRayCastMapper* mapper)
     : VolumePictures("gpu", image, mapper, size)
+    , Image(image)
     , Size(size)
     , Mapper(mapper)
   {
@@ -220,7 +221,6 @@ public:
     this->Window.Draw(this->LastView);
     this->Mapper->GetDepthImage(depths);
     this->Mapper->RenderToImageOff();
-    const auto [nearest, farthest] = this->Window.GetClippingRange();
     const PictureRays rays(this->LastView, this->Size);
     std::vector<double> distances;
     for (int y = 0; y < this->Size; ++y)
@@ -228,15 +228,37 @@ public:
       for (int x = 0; x < this->Size; ++x)
       {
         const double depth = depths->GetScalarComponentAsDouble(x, y, 0, 0);
-        const double along = nearest * farthest / (farthest - depth * (farthest - nearest));
-        const double slant = vtkMath::Norm(rays.GetDirection(x, y).data());
-        distances.push_back(depth < 1.0 ? slant * along : Nothing);
+        distances.push_back(
+          depth < 1.0 ? this->GetDistance(depth, rays.GetDirection(x, y)) : Nothing);
       }
     }
     return distances;
   }
 
 private:
+  /// VTK 9.1 takes the place in the texture for the place in the volume; but in the texture samples
+  /// stand in the middles of texels, so that all is (n - 1) / n as far from the middle: up to half
+  /// a cell off. Undone here.
+  double GetDistance(double depth, const Triple& direction)
+  {
+    const auto [nearest, farthest] = this->Window.GetClippingRange();
+    double along = nearest * farthest / (farthest - depth * (farthest - nearest));
+    double slope = 0.0;
+    Triple forward;
+    vtkMath::Subtract(this->LastView.Focus.data(), this->LastView.Eye.data(), forward.data());
+    vtkMath::Normalize(forward.data());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int samples = this->Image->GetDimensions()[axis];
+      const double scale = (samples - 1.0) / samples;
+      const double toMiddle = this->Image->GetCenter()[axis] - this->LastView.Eye[axis];
+      along -= forward[axis] * (1.0 - scale) * toMiddle;
+      slope += forward[axis] * scale * direction[axis];
+    }
+    return along / slope * vtkMath::Norm(direction.data());
+  }
+
+  vtkImageData* Image;
   int Size;
   View LastView;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
