@@ -207,11 +207,11 @@ const std::vector<Column>& GetColumns()
       { return vtkVariant(r.NanosecondsPerRay.IsEmpty() ? "pictures" : "rays"); } },
     { "method", [](const Result& r) { return vtkVariant(r.Family); } },
     { "knob", [](const Result& r) { return vtkVariant(r.Knob); } },
-    { "rays", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Rays); } },
-    { "hits", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Hits); } },
-    { "missed", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Missed); } },
-    { "invented", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Invented); } },
-    { "wrong", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Wrong); } },
+    { "rays", [](const Result& r) { return vtkVariant(r.Judged.Rays); } },
+    { "hits", [](const Result& r) { return vtkVariant(r.Judged.Hits); } },
+    { "missed", [](const Result& r) { return vtkVariant(r.Judged.Missed); } },
+    { "invented", [](const Result& r) { return vtkVariant(r.Judged.Invented); } },
+    { "wrong", [](const Result& r) { return vtkVariant(r.Judged.Wrong); } },
     { "medianError", [](const Result& r) { return vtkVariant(r.Judged.GetError(0.5)); } },
     { "p99Error", [](const Result& r) { return vtkVariant(r.Judged.GetError(0.99)); } },
     { "maximumError", [](const Result& r) { return vtkVariant(r.Judged.GetError(1.0)); } },
@@ -267,6 +267,10 @@ void WriteJson(const std::vector<Result>& results,
       if (value.IsString())
       {
         row[column.Name] = value.ToString();
+      }
+      else if (value.IsInt())
+      {
+        row[column.Name] = value.ToInt();
       }
       else if (!std::isnan(value.ToDouble())) // JSON has no word for it.
       {
