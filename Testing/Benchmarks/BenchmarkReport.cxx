@@ -154,7 +154,7 @@ void WriteMarkdown(const Results& results,
   {
     out << "- " << name << ": " << value << "\n";
   }
-  out out << R"(
+  out << R"(
 Times are the median of the repeats, in brackets the fastest and the slowest: of rays on one thread,
 of pictures on all. Errors are distances along the ray to the first hit that 113 bits find, in cells.
 Wrong: more than 0.05 cell off. Pictures are asked about the same rays, through the middles of their
@@ -207,11 +207,11 @@ const std::vector<Column>& GetColumns()
       { return vtkVariant(r.NanosecondsPerRay.IsEmpty() ? "pictures" : "rays"); } },
     { "method", [](const Result& r) { return vtkVariant(r.Family); } },
     { "knob", [](const Result& r) { return vtkVariant(r.Knob); } },
-    { "rays", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Rays); } },
-    { "hits", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Hits); } },
-    { "missed", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Missed); } },
-    { "invented", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Invented); } },
-    { "wrong", [](const Result& r) { return vtkVariant(1.0 * r.Judged.Wrong); } },
+    { "rays", [](const Result& r) { return vtkVariant(r.Judged.Rays); } },
+    { "hits", [](const Result& r) { return vtkVariant(r.Judged.Hits); } },
+    { "missed", [](const Result& r) { return vtkVariant(r.Judged.Missed); } },
+    { "invented", [](const Result& r) { return vtkVariant(r.Judged.Invented); } },
+    { "wrong", [](const Result& r) { return vtkVariant(r.Judged.Wrong); } },
     { "medianError", [](const Result& r) { return vtkVariant(r.Judged.GetError(0.5)); } },
     { "p99Error", [](const Result& r) { return vtkVariant(r.Judged.GetError(0.99)); } },
     { "maximumError", [](const Result& r) { return vtkVariant(r.Judged.GetError(1.0)); } },
@@ -267,6 +267,10 @@ void WriteJson(const std::vector<Result>& results,
       if (value.IsString())
       {
         row[column.Name] = value.ToString();
+      }
+      else if (value.IsInt())
+      {
+        row[column.Name] = value.ToInt();
       }
       else if (!std::isnan(value.ToDouble())) // JSON has no word for it.
       {
@@ -324,7 +328,7 @@ void AddCurve(vtkChartXY* chart, const std::string& name,
   if (auto* marked = vtkPlotPoints::SafeDownCast(plot))
   {
     marked->SetMarkerStyle(
-      markers ? static_cast<int>(vtkPlotPoints::CROSS + number % 5) : vtkPlotPoints::NONE);
+      markers ? static_cast<int>(vtkPlotPoints::SQUARE + number % 3) : vtkPlotPoints::NONE);
     marked->SetMarkerSize(11.0F);
   }
 }
@@ -364,7 +368,10 @@ void WriteChart(const Labels& labels, const Curves& curves, const std::array<dou
   chart->GetLegend()->SetInline(false);
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    AddCurve(chart, curves[i].first, curves[i].second, i, markers);
+    if (!curves[i].second.empty())
+    {
+      AddCurve(chart, curves[i].first, curves[i].second, i, markers);
+    }
   }
   SetAxis(chart->GetAxis(vtkAxis::BOTTOM), labels.X, ranges[0], ranges[1]);
   SetAxis(chart->GetAxis(vtkAxis::LEFT), labels.Y, ranges[2], ranges[3]);
@@ -390,22 +397,22 @@ std::array<double, 2> GetDecades(const Curves& curves, std::size_t coordinate)
 
 using Get = std::function<double(const Result&)>;
 
-/// A curve for each family; what is not known of a result leaves it out.
+/// A curve for each family, so that its colour is the same everywhere; without the points of which
+/// something is not known.
 Curves MakeCurves(const std::vector<Result>& results, const Get& getX, const Get& getY)
 {
   Curves curves;
   for (const Result& result : results)
   {
     const std::array<double, 2> point = { getX(result), getY(result) };
-    if (std::isnan(point[0]) || std::isnan(point[1]))
-    {
-      continue;
-    }
     if (curves.empty() || curves.back().first != result.Family)
     {
       curves.push_back({ result.Family, {} });
     }
-    curves.back().second.push_back(point);
+    if (!std::isnan(point[0]) && !std::isnan(point[1]))
+    {
+      curves.back().second.push_back(point);
+    }
   }
   return curves;
 }
@@ -431,7 +438,7 @@ void WriteSpeedPlots(const std::vector<Result>& results, const Get& getTime,
   const auto x = GetDecades(misjudged, 0);
   const auto y = GetDecades(misjudged, 1);
   WriteChart({ input + ": speed against error", timeTitle, "error of 99 % of the rays, cells" },
-    errors, { x[0], x[1], SmallestError, 10.0 }, true, start + "-error.png");
+    errors, { x[0], x[1], SmallestError, 1000.0 }, true, start + "-error.png");
   WriteChart({ input + ": rays missed, invented or on a wrong sheet (lowest: none)", timeTitle,
                "share of the rays" },
     misjudged, { x[0], x[1], y[0], 1.0 }, true, start + "-misjudged.png");
