@@ -341,6 +341,12 @@ void SetAxis(vtkAxis* axis, const std::string& title, double low, double high)
   axis->SetUnscaledRange(low, high);
   axis->GetTitleProperties()->SetFontSize(16);
   axis->GetLabelProperties()->SetFontSize(14);
+  if (high / low > 1e9) // As many labels as decades, side by side.
+  {
+    axis->SetNotation(vtkAxis::SCIENTIFIC_NOTATION);
+    axis->SetPrecision(0);
+    axis->GetLabelProperties()->SetFontSize(11);
+  }
   axis->SetGridVisible(true);
 }
 
