@@ -1057,8 +1057,8 @@ void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
     {
       constexpr T largest =
         sizeof(T) == 4 ? static_cast<T>(__FLT_MAX__) : static_cast<T>(__DBL_MAX__);
-      lows[i] = (value < lows[i]) & (value >= -largest) ? value : lows[i];
-      highs[i] = (value > highs[i]) & (value <= largest) ? value : highs[i];
+      lows[i] = ((value < lows[i]) & (value >= -largest)) ? value : lows[i];
+      highs[i] = ((value > highs[i]) & (value <= largest)) ? value : highs[i];
     }
     else
     {
