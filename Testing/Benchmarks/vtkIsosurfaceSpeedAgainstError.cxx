@@ -42,7 +42,7 @@ struct Arguments
   int Size = 64;
   int Rays = 20000;
   int Repeats = 5;
-  int Pixels = 512;
+  int Pixels = 256;
   std::string Output = ".";
   bool Quick = false;
   bool Help = false;
@@ -65,7 +65,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
     "How often times are taken. Default: 5.");
   parser.AddArgument("--pixels", Parser::SPACE_ARGUMENT, &arguments.Pixels,
-    "The edge of the pictures. Default: 512.");
+    "The edge of the pictures. Default: 256.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The folder of the report. Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
