@@ -202,7 +202,7 @@ std::array<float, 8> ToSinglePrecision(const CellCorners& difference)
     size = std::max(size, std::abs(value));
   }
   const bool isSafe = size >= Fast::Smallest && size <= Fast::Largest;
-  const int exponent = isSafe ? 0 : std::clamp(-std::ilogb(size), -1000, 1000);
+  const int exponent = isSafe ? 0 : -std::clamp(std::ilogb(size), -1000, 1000);
   std::array<float, 8> result;
   for (std::size_t corner = 0; corner < 8; ++corner)
   {

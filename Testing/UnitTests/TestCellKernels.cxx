@@ -318,6 +318,8 @@ std::optional<Ray> RandomRay(RandomNumbers& random)
 {
   Line line =
     random.Integer(0, 2) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);
+  // With such a direction, planes of several axes are crossed at one t, but not at whole numbers.
+  line.Direction = line.Direction * (random.Integer(0, 1) ? random.Uniform(0.5, 2.0) : 1.0);
   if (random.Integer(0, 9) == 0)
   {
     line.Origin = line.Origin - line.Direction * 1e9;
@@ -568,16 +570,17 @@ TEST_P(CellKernels, FindTheFirstHitsOfTheRobustSolver)
       RayGroup group = EmptyGroup();
       std::vector<Question> questions;
       const int rays = random.Integer(1, RayGroup::Capacity);
-      const int cellsOfRay = random.Integer(1, 7);
+      const auto cellsOfRay = static_cast<std::size_t>(random.Integer(1, 10));
       for (int k = 0; k < rays; ++k)
       {
         const auto ray = RandomRay(random);
         AddRay(ray, group);
         const std::vector<Index3> passed =
           ray ? PassedCells(*ray, Dimensions) : std::vector<Index3>();
-        for (int n = 0; ray && n < cellsOfRay; ++n)
+        const std::size_t first = ray ? random.Bits() % passed.size() : 0;
+        for (std::size_t n = first; n < std::min(first + cellsOfRay, passed.size()); ++n)
         {
-          Index3 cell = passed[random.Bits() % passed.size()];
+          Index3 cell = passed[n];
           if (random.Integer(0, 4) == 0)
           {
             cell[random.Bits() % 3] += random.Integer(-1, 1);
@@ -592,9 +595,9 @@ TEST_P(CellKernels, FindTheFirstHitsOfTheRobustSolver)
       }
       ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, questions)) << i;
     }
-    EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 120000U : 5000U);
-    EXPECT_GT(checks.None, isZero ? 400000U : 15000U);
-    EXPECT_TRUE(!isZero || (checks.Hits > 80000U && checks.Extremes > 10000U));
+    EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 100000U : 5000U);
+    EXPECT_GT(checks.None, isZero ? 300000U : 10000U);
+    EXPECT_TRUE(!isZero || (checks.Hits > 60000U && checks.Extremes > 10000U));
   }
 }
 

@@ -145,19 +145,29 @@ bool AreSame(const Ray& a, const Ray& b)
   return a.Step == b.Step && std::equal(x.begin(), x.end(), y.begin(), AreSameBits);
 }
 
-//------------------------------------------------------------------------------
-TEST_P(RayKernels, MakeTheRaysOfTheCamera)
+/// Compares the rays of a block with those of its camera, and counts.
+class PixelChecks
 {
-  RandomNumbers random(831);
-  std::size_t hits = 0;
-  std::size_t misses = 0;
-  std::size_t parallel = 0;
-  for (int i = 0; i < 5000; ++i)
+public:
+  explicit PixelChecks(const Kernels& kernels)
+    : TheKernels(kernels)
   {
-    View view = RandomView(random);
+  }
+
+  ~PixelChecks()
+  {
+    std::cout << "[ tried    ] " << this->Hits << " rays, " << this->Parallel
+              << " of them along lattice planes, " << this->Misses << " that miss\n";
+  }
+
+  PixelChecks(const PixelChecks&) = delete;
+  PixelChecks& operator=(const PixelChecks&) = delete;
+
+  void Check(View& view, bool hasDepth)
+  {
     PixelBlock& block = view.Block;
     block.IndexFromClip = view.TheCamera.GetIndexFromClip().data();
-    block.Depth = i % 2 == 0 ? view.Depths.data() : nullptr;
+    block.Depth = hasDepth ? view.Depths.data() : nullptr;
     block.Dimensions = view.Dimensions.data();
     RayGroup group;
     std::memset(&group, 0xFF, sizeof(group)); // all numbers are none
@@ -177,21 +187,69 @@ TEST_P(RayKernels, MakeTheRaysOfTheCamera)
         view.TheCamera.GetRay(block.Column + x, block.Row + y, static_cast<double>(depth));
       const auto expected =
         ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, view.Dimensions);
-      ASSERT_EQ(Has(group.Exists, k), expected.has_value()) << "view " << i << ", ray " << k;
+      ASSERT_EQ(Has(group.Exists, k), expected.has_value()) << "ray " << k;
       if (expected)
       {
-        ASSERT_TRUE(AreSame(GetRay(group, k), *expected)) << "view " << i << ", ray " << k;
+        ASSERT_TRUE(AreSame(GetRay(group, k), *expected)) << "ray " << k;
         const auto& step = expected->Step;
-        parallel += std::count(step.begin(), step.end(), 0) > 0 ? 1 : 0;
+        this->Parallel += std::count(step.begin(), step.end(), 0) > 0 ? 1 : 0;
       }
-      (expected ? hits : misses) += 1;
+      (expected ? this->Hits : this->Misses) += 1;
     }
   }
-  std::cout << "[ tried    ] " << hits << " rays, " << parallel << " of them along lattice planes, "
-            << misses << " that miss\n";
-  EXPECT_GT(hits, 50000U);
-  EXPECT_GT(misses, 50000U);
-  EXPECT_GT(parallel, 5000U);
+
+  std::size_t Hits = 0;
+  std::size_t Misses = 0;
+  std::size_t Parallel = 0;
+
+private:
+  const Kernels& TheKernels;
+};
+
+//------------------------------------------------------------------------------
+TEST_P(RayKernels, MakeTheRaysOfTheCamera)
+{
+  RandomNumbers random(831);
+  PixelChecks checks(this->TheKernels);
+  for (int i = 0; i < 5000; ++i)
+  {
+    View view = RandomView(random);
+    ASSERT_NO_FATAL_FAILURE(checks.Check(view, i % 2 == 0)) << "view " << i;
+  }
+  EXPECT_GT(checks.Hits, 50000U);
+  EXPECT_GT(checks.Misses, 50000U);
+  EXPECT_GT(checks.Parallel, 5000U);
+}
+
+//------------------------------------------------------------------------------
+// Along each axis, up and down, with a pixel on every column of samples, and one beyond on each
+// side.
+TEST_P(RayKernels, MakeTheRaysInTheFacesOfCells)
+{
+  PixelChecks checks(this->TheKernels);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double depth : { 20.0, -20.0 })
+    {
+      Matrix4 indexFromClip = {};
+      indexFromClip[15] = 1.0;
+      const auto set = [&](int row, int column, double factor, double offset)
+      {
+        indexFromClip[static_cast<std::size_t>(4 * row + column)] = factor;
+        indexFromClip[static_cast<std::size_t>(4 * row + 3)] = offset;
+      };
+      set(BlockMask::U[axis], 0, 8.0, 6.5);
+      set(BlockMask::V[axis], 1, 4.0, 2.5);
+      set(axis, 2, depth, 3.0);
+      View view = {};
+      view.Dimensions = { 5, 5, 5 };
+      view.TheCamera = Camera(Invert(indexFromClip), indexFromClip, {}, 16, 8);
+      view.Block = { nullptr, 16, 8, 0, 0, 16, 8, nullptr, 16, nullptr };
+      ASSERT_NO_FATAL_FAILURE(checks.Check(view, false)) << "axis " << axis;
+    }
+  }
+  EXPECT_EQ(checks.Hits, 6U * 5U * 5U);
+  EXPECT_EQ(checks.Parallel, checks.Hits);
 }
 
 //------------------------------------------------------------------------------

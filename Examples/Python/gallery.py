@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Make pictures of what the mapper can do, without a window: gallery.py VOLUME.mhd ISOVALUE FOLDER"""
+
+import os
+import sys
+
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+
+SIZE = 480
+
+
+class Picture:
+    """A volume with one ivory isosurface, a camera that sees it from a corner, and a lamp."""
+
+    def __init__(self, image, isovalue):
+        self.mapper = vtkIsosurfaceRayTraceMapper()
+        self.mapper.SetInputData(image)
+        self.volume = vtkVolume()
+        self.volume.SetMapper(self.mapper)
+        self.surface = self.volume.GetProperty()
+        self.surface.ShadeOn()
+        self.surface.SetDiffuse(0.9)
+        self.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
+        self.add_surface(isovalue, (0.96, 0.90, 0.80), 1.0)
+        center, length = image.GetCenter(), image.GetLength()
+        self.camera = vtkCamera()
+        self.camera.SetFocalPoint(center)
+        self.camera.SetPosition(
+            center[0] - 0.5 * length, center[1] + 1.1 * length, center[2] + 0.35 * length)
+        self.camera.SetViewUp(0.0, 0.0, 1.0)
+        self.camera.SetClippingRange(0.3 * length, 3.0 * length)
+        lamp = vtkLight()
+        lamp.SetLightTypeToCameraLight()
+        lamp.SetPosition(0.5, 1.0, 1.0)
+        self.lights = vtkLightCollection()
+        self.lights.AddItem(lamp)
+
+    def add_surface(self, isovalue, color, opacity):
+        values = self.surface.GetIsoSurfaceValues()
+        values.SetValue(values.GetNumberOfContours(), isovalue)
+        self.surface.GetRGBTransferFunction().AddRGBPoint(isovalue, *color)
+        self.surface.GetScalarOpacity().AddPoint(isovalue, opacity)
+
+    def write(self, name):
+        output = vtkImageData()
+        self.mapper.RenderToImage(
+            self.volume, self.camera, self.lights, SIZE, SIZE, output)
+        writer = vtkPNGWriter()
+        writer.SetInputData(output)
+        writer.SetFileName(name)
+        writer.Write()
+
+
+def plain(picture, image, isovalue):
+    pass
+
+
+def shadows(picture, image, isovalue):
+    picture.mapper.ShadowsOn()
+
+
+def translucent(picture, image, isovalue):
+    low = image.GetScalarRange()[0]
+    picture.add_surface(0.5 * (low + isovalue), (0.9, 0.55, 0.4), 0.35)
+
+
+def clipped(picture, image, isovalue):
+    plane = vtkPlane()
+    plane.SetOrigin(image.GetCenter())
+    plane.SetNormal(1.0, 0.3, 0.0)
+    picture.mapper.AddClippingPlane(plane)
+
+
+def cropped(picture, image, isovalue):
+    bounds, center = image.GetBounds(), image.GetCenter()
+    picture.mapper.SetCroppingRegionPlanes(
+        bounds[0], center[0], center[1], bounds[3], center[2], bounds[5])
+    picture.mapper.SetCroppingRegionFlags(0x7FFFFFF & ~(1 << 13))  # all but the middle
+    picture.mapper.CroppingOn()
+
+
+def coloured(picture, image, isovalue):
+    waves = vtkRTAnalyticSource()
+    waves.Update()
+    colors = vtkImageData()
+    colors.ShallowCopy(waves.GetOutput())
+    bounds, extent = image.GetBounds(), colors.GetExtent()
+    spacing = [(bounds[2 * i + 1] - bounds[2 * i]) / (extent[2 * i + 1] - extent[2 * i])
+               for i in range(3)]
+    colors.SetSpacing(spacing)
+    colors.SetOrigin([bounds[2 * i] - spacing[i] * extent[2 * i] for i in range(3)])
+    picture.mapper.SetColorInputData(colors)
+    function = picture.surface.GetRGBTransferFunction()
+    function.RemoveAllPoints()
+    low, high = colors.GetScalarRange()
+    function.AddRGBPoint(low, 0.2, 0.3, 0.8)
+    function.AddRGBPoint(0.5 * (low + high), 0.9, 0.9, 0.85)
+    function.AddRGBPoint(high, 0.8, 0.2, 0.15)
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    volume_file, isovalue, folder = sys.argv[1], float(sys.argv[2]), sys.argv[3]
+    reader = vtkImageReader2Factory.CreateImageReader2(volume_file)
+    if reader is None:
+        sys.exit(f"VTK has no image reader for {volume_file}")
+    reader.SetFileName(volume_file)
+    reader.Update()
+    os.makedirs(folder, exist_ok=True)
+    for scene in (plain, shadows, translucent, clipped, cropped, coloured):
+        picture = Picture(reader.GetOutput(), isovalue)
+        scene(picture, reader.GetOutput(), isovalue)
+        picture.write(os.path.join(folder, scene.__name__ + ".png"))
+        print(os.path.join(folder, scene.__name__ + ".png"))
+
+
+main()
