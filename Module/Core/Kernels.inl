@@ -365,6 +365,54 @@ LANES_INLINE unsigned int FindCellsOfRay(
   _mm512_storeu_si512(cells, found);
   return _mm512_test_epi64_mask(found, found);
 }
+#elif defined(LANES_AVX2)
+/// The cells between the places of a ray across, one bit for each, in eight slices.
+LANES_INLINE __m256i FindRow(float middle, float slope)
+{
+  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m256 margin = _mm256_set1_ps(static_cast<float>(Margin));
+  const __m256 slopes = _mm256_set1_ps(slope);
+  const __m256 near = _mm256_add_ps(_mm256_set1_ps(middle), _mm256_mul_ps(planes, slopes));
+  const __m256 far = _mm256_add_ps(near, slopes);
+  const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margin);
+  const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margin);
+  const __m256i seven = _mm256_set1_epi32(7);
+  const __m256i low = _mm256_max_epi32(_mm256_cvttps_epi32(least), _mm256_setzero_si256());
+  const __m256i high =
+    _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
+  const __m256i byte = _mm256_set1_epi32(0xFF);
+  return _mm256_and_si256(
+    byte, _mm256_and_si256(_mm256_sllv_epi32(byte, low), _mm256_srlv_epi32(byte, high)));
+}
+
+/// Those of four slices that are in a row of columns, a column of rows, and the slices.
+LANES_INLINE unsigned int FindCellsOfSlices(
+  __m128i columns, __m128i rows, const std::uint64_t slices[4], std::uint64_t cells[4])
+{
+  const __m256i firstBytes = _mm256_set_epi64x(0x0808080808080808, 0, 0x0808080808080808, 0);
+  const __m256i bits = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201U));
+  const auto spread = [firstBytes](__m128i words)
+  { return _mm256_shuffle_epi8(_mm256_cvtepu32_epi64(words), firstBytes); };
+  const __m256i inRows = _mm256_cmpeq_epi8(_mm256_and_si256(spread(rows), bits), bits);
+  const __m256i found = _mm256_and_si256(_mm256_and_si256(inRows, spread(columns)),
+    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(slices)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(cells), found);
+  const __m256i none = _mm256_cmpeq_epi64(found, _mm256_setzero_si256());
+  return 15U ^ static_cast<unsigned int>(_mm256_movemask_pd(_mm256_castsi256_pd(none)));
+}
+
+LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
+  const std::uint64_t slices[8], std::uint64_t cells[8])
+{
+  const __m256i columns = FindRow(middle[0], slope[0]);
+  const __m256i rows = FindRow(middle[1], slope[1]);
+  const unsigned int first =
+    FindCellsOfSlices(_mm256_castsi256_si128(columns), _mm256_castsi256_si128(rows), slices, cells);
+  return first |
+    FindCellsOfSlices(_mm256_extracti128_si256(columns, 1), _mm256_extracti128_si256(rows, 1),
+      slices + 4, cells + 4)
+    << 4;
+}
 #else
 LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
   const std::uint64_t slices[8], std::uint64_t cells[8])
