@@ -18,7 +18,8 @@
  *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
  * light of the renderer; so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
- * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel.
+ * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. Put the
+ * mapper in a vtkIsosurfaceVolume, and so does translucent geometry.
  *
  * What the mapper keeps: a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for
@@ -51,7 +52,8 @@
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
- * @sa vtkVolumeProperty vtkContourValues vtkFlyingEdges3D vtkIsosurfaceComparisonFilter
+ * @sa vtkIsosurfaceVolume vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
+ * @sa vtkIsosurfaceComparisonFilter
  */
 
 #ifndef vtkIsosurfaceRayTraceMapper_h
@@ -385,6 +387,15 @@ public:
   ///@}
 
   /**
+   * Returns whether there are isosurfaces to draw of a volume, and each of them is opaque: its
+   * property has an opacity of at least one at every isovalue that it does not hide. What cannot be
+   * drawn is not opaque; Render says why.
+   *
+   * @sa vtkIsosurfaceVolume
+   */
+  bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
+
+  /**
    * Finds the first isosurface that a line from p1 to p2 (world coordinates) meets, as the picture
    * of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs no window
    * and no OpenGL. Returns 1 if there is a hit, else 0 and nothing is changed.
@@ -459,6 +470,7 @@ private:
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
 
   int GetThreads();
+  void UpdateInputs();
   /// Says what the problem is, if there is one and it was not said before. Returns whether there
   /// is.
   bool ReportOnce(const std::string& problem);
