@@ -311,6 +311,60 @@ vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
 vtkIsosurfaceRayTraceMapper::~vtkIsosurfaceRayTraceMapper() = default;
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* volumeMapper = vtkVolumeMapper::SafeDownCast(mapper))
+  {
+    this->CopyVolumeMapper(volumeMapper);
+  }
+  if (auto* other = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    this->RootSolver = other->RootSolver;
+    this->NumberOfInterpolations = other->NumberOfInterpolations;
+    this->NormalMode = other->NormalMode;
+    this->VectorMode = other->VectorMode;
+    this->VectorComponent = other->VectorComponent;
+    this->ColorArrayName = other->ColorArrayName;
+    this->Shadows = other->Shadows;
+    this->BrickLayout = other->BrickLayout;
+    this->BrickSize = other->BrickSize;
+    this->BrickGroupSize = other->BrickGroupSize;
+    this->MaximumBrickMemory = other->MaximumBrickMemory;
+    this->NumberOfMacrocellLevels = other->NumberOfMacrocellLevels;
+    std::copy_n(
+      other->MacrocellBranching, MaximumNumberOfMacrocellLevels, this->MacrocellBranching);
+    std::copy_n(other->TileSize, 2, this->TileSize);
+    this->AutoAdjustSampleDistances = other->AutoAdjustSampleDistances;
+    this->ImageSampleDistance = other->ImageSampleDistance;
+    this->MinimumImageSampleDistance = other->MinimumImageSampleDistance;
+    this->MaximumImageSampleDistance = other->MaximumImageSampleDistance;
+    this->NumberOfThreads = other->NumberOfThreads;
+  }
+  this->Superclass::ShallowCopy(mapper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const bool hasInput =
+      port < mapper->GetNumberOfInputPorts() && mapper->GetNumberOfInputConnections(port) > 0;
+    this->SetInputConnection(port, hasInput ? mapper->GetInputConnection(port, 0) : nullptr);
+  }
+  this->SetScalarMode(mapper->GetScalarMode());
+  this->SelectScalarArray(mapper->GetArrayId());
+  this->SelectScalarArray(mapper->GetArrayName());
+  this->SetArrayAccessMode(mapper->GetArrayAccessMode());
+  this->SetBlendMode(mapper->GetBlendMode());
+  this->SetAverageIPScalarRange(mapper->GetAverageIPScalarRange());
+  this->SetCropping(mapper->GetCropping());
+  this->SetCroppingRegionPlanes(mapper->GetCroppingRegionPlanes());
+  this->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -1077,6 +1131,11 @@ bool vtkIsosurfaceRayTraceMapper::ReportProgress(vtkRenderWindow* window, double
 void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "ArrayAccessMode: " << (this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName")
+     << "\n";
+  os << indent << "ArrayId: " << this->ArrayId << "\n";
+  os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
      << "\n";

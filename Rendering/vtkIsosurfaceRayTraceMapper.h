@@ -448,6 +448,15 @@ public:
     int height, vtkImageData* output);
 
   /**
+   * Takes the inputs and all settings of another mapper, of which inputs and clipping planes are
+   * shared. Of a volume mapper of another class it takes those that all volume mappers have.
+   *
+   * (vtkVolume::ShallowCopy makes another volume of the same mapper. Give the copy one of its own
+   * to change it by itself.)
+   */
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Trace the isosurfaces of the volume into the window of the renderer.
    */
@@ -471,6 +480,7 @@ private:
 
   int GetThreads();
   void UpdateInputs();
+  void CopyVolumeMapper(vtkVolumeMapper* mapper);
   /// Says what the problem is, if there is one and it was not said before. Returns whether there
   /// is.
   bool ReportOnce(const std::string& problem);
