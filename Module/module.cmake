@@ -14,6 +14,7 @@ list(TRANSFORM core_sources PREPEND "Module/Core/")
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
   Rendering/vtkIsosurfacePicker
+  Rendering/vtkIsosurfaceRayTraceFactory
   Rendering/vtkIsosurfaceRayTraceMapper
   Rendering/vtkIsosurfaceVolume)
 
