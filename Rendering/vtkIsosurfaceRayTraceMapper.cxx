@@ -117,11 +117,10 @@ bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
 class vtkIsosurfaceRayTraceMapper::Internals
 {
 public:
-  /// The aspect is width over height; the size is in pixels.
+  /// The size is in rays.
   struct View
   {
-    vtkCamera* Camera;
-    double Aspect;
+    vtkirt::Matrix4 ClipFromWorld;
     double Width;
     double Height;
   };
@@ -159,8 +158,7 @@ public:
     vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view);
   /// The same for a renderer, with its lights.
   vtkirt::Scene MakeScene(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
-    vtkRenderer* renderer, const vtkirt::PixelRectangle& viewport,
-    const vtkirt::PixelSampling& sampling);
+    const View& view, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
   /// As AutoAdjustSampleDistances has it.
   vtkirt::PixelSampling ChooseSampling(vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const;
   /// The depth of what the window shows already, for every ray of a scene.
@@ -681,7 +679,7 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
     scene.ColorsOfHits = this->Colors.get();
   }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
-    view.Camera, view.Aspect, this->WorldFromIndex, view.Width, view.Height);
+    view.ClipFromWorld, this->WorldFromIndex, view.Width, view.Height);
   scene.Pixels =
     vtkIsosurfaceRayTraceScene::GetPixels(scene.View, this->Source.GetVolume()->GetDimensions());
   return scene;
@@ -689,12 +687,10 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
 
 //------------------------------------------------------------------------------
 vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRayTraceMapper* self,
-  vtkVolumeProperty* property, vtkRenderer* renderer, const vtkirt::PixelRectangle& viewport,
+  vtkVolumeProperty* property, const View& view, vtkRenderer* renderer,
   const vtkirt::PixelSampling& sampling)
 {
-  vtkirt::Scene scene = this->MakeScene(self, property,
-    { renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), sampling.ToRays(viewport.Width),
-      sampling.ToRays(viewport.Height) });
+  vtkirt::Scene scene = this->MakeScene(self, property, view);
   scene.Pixels = sampling.Align(scene.Pixels);
   vtkIsosurfaceRayTraceScene::AddLights(renderer->GetLights(), nullptr, scene);
   scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
@@ -767,8 +763,10 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const vtkirt::PixelRectangle viewport = GetDrawnViewport(window);
-  vtkirt::Scene scene =
-    internal.MakeScene(this, volume->GetProperty(), renderer, viewport, sampling);
+  const Internals::View view = { vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
+                                   renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+    sampling.ToRays(viewport.Width), sampling.ToRays(viewport.Height) };
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, sampling);
   if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
@@ -1002,7 +1000,10 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   }
   Internals& internal = *this->Internal;
   const vtkirt::PixelRectangle viewport = GetViewport(renderer);
-  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, viewport, {});
+  const Internals::View view = { vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+                                   renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+    static_cast<double>(viewport.Width), static_cast<double>(viewport.Height) };
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, {});
   const int pixelX = column - viewport.X;
   const int pixelY = row - viewport.Y;
   if (!Contains(scene.Pixels, pixelX, pixelY))
@@ -1037,8 +1038,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   }
   Internals& internal = *this->Internal;
   vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(),
-    { camera, static_cast<double>(width) / height, static_cast<double>(width),
-      static_cast<double>(height) });
+    { vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height),
+      static_cast<double>(width), static_cast<double>(height) });
   vtkNew<vtkLightCollection> headlight;
   if (!lights)
   {

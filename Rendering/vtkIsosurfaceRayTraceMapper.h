@@ -421,9 +421,10 @@ public:
 
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
-   * the lower left: the nearest isosurface, to the very bits that are drawn. Other props are not
-   * asked. Needs no window to have been drawn. Returns 1 if there is a surface, else 0 and nothing
-   * is changed. What is found is described as by IntersectWithLine.
+   * the lower left: the nearest isosurface, to the very bits that are drawn (in stereo, that a
+   * window without it would show, as for all pickers of VTK). Other props are not asked. Needs no
+   * window to have been drawn. Returns 1 if there is a surface, else 0 and nothing is changed. What
+   * is found is described as by IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */

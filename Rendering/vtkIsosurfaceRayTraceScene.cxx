@@ -226,12 +226,31 @@ vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& phys
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Camera MakeCamera(vtkCamera* camera, double aspect, const vtkirt::Matrix4& worldFromIndex,
-  double width, double height)
+vtkirt::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspect)
 {
-  vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  // This one leaves stereo out.
+  const double* matrix =
+    camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData();
+  vtkirt::Matrix4 clipFromWorld;
+  std::copy_n(matrix, clipFromWorld.size(), clipFromWorld.data());
+  return clipFromWorld;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double aspect)
+{
+  vtkirt::Matrix4 clipFromWorld;
+  vtkMatrix4x4::Multiply4x4(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData(),
+    camera->GetModelViewTransformMatrix()->GetData(), clipFromWorld.data());
+  return clipFromWorld;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
+  const vtkirt::Matrix4& worldFromIndex, double width, double height)
+{
   vtkirt::Matrix4 clipFromIndex;
-  vtkMatrix4x4::Multiply4x4(clipFromWorld->GetData(), worldFromIndex.data(), clipFromIndex.data());
+  vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromIndex.data(), clipFromIndex.data());
   vtkirt::Matrix4 indexFromClip;
   vtkMatrix4x4::Invert(clipFromIndex.data(), indexFromClip.data());
   return { clipFromIndex, indexFromClip, worldFromIndex, width, height };
