@@ -692,7 +692,8 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRay
 {
   vtkirt::Scene scene = this->MakeScene(self, property, view);
   scene.Pixels = sampling.Align(scene.Pixels);
-  vtkIsosurfaceRayTraceScene::AddLights(renderer->GetLights(), nullptr, scene);
+  vtkIsosurfaceRayTraceScene::AddLights(
+    renderer->GetLights(), renderer->GetActiveCamera(), false, scene);
   scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   return scene;
 }
@@ -1047,7 +1048,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
     light->SetLightTypeToHeadlight();
     headlight->AddItem(light);
   }
-  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, scene);
+  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, scene);
   scene.KeepHits = true;
   internal.Trace(this, scene,
     [this](double fraction)

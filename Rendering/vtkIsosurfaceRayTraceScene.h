@@ -39,10 +39,10 @@ vtkIsosurfaceRayTracing::Vector3 GetColor(
   vtkVolumeProperty* property, int component, double isovalue);
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
 
-/// Adds the lights that are on. With a camera, headlights and lights of the camera follow it, as a
+/// Adds the lights that are on. If asked to, headlights and lights of the camera follow it, as a
 /// renderer makes them do before it draws.
-void AddLights(
-  vtkLightCollection* lights, vtkCamera* followed, vtkIsosurfaceRayTracing::Scene& scene);
+void AddLights(vtkLightCollection* lights, vtkCamera* camera, bool areFollowing,
+  vtkIsosurfaceRayTracing::Scene& scene);
 
 vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
   vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex);
