@@ -6,11 +6,8 @@
 
 #include "MapperTesting.h"
 
-#include <vtkActor.h>
 #include <vtkMath.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
@@ -24,14 +21,7 @@ constexpr double Radius = 0.7;
 
 vtkSmartPointer<vtkActor> NewPolygons()
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(Radius);
-  sphere->SetThetaResolution(300);
-  sphere->SetPhiResolution(300);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewSphere(Radius, { 0.0, 0.0, 0.0 }, 300);
   actor->GetProperty()->SetColor(0.9, 0.8, 0.7);
   return actor;
 }

@@ -20,7 +20,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRTAnalyticSource.h>
-#include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
 using namespace MapperTesting;
@@ -234,15 +233,11 @@ void AddOutline(Stage& stage, vtkImageData* image)
   stage.Renderer->AddActor(NewActor(outline, white));
 }
 
-vtkSmartPointer<vtkActor> AddSphere(Stage& stage, const double center[3], double radius)
+vtkSmartPointer<vtkActor> AddSphere(
+  Stage& stage, const std::array<double, 3>& center, double radius)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(center[0], center[1], center[2]);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  const double color[3] = { 0.9, 0.4, 0.1 };
-  auto actor = NewActor(sphere, color);
+  auto actor = NewSphere(radius, center, 40);
+  actor->GetProperty()->SetColor(0.9, 0.4, 0.1);
   stage.Renderer->AddActor(actor);
   return actor;
 }
@@ -261,7 +256,7 @@ void ClippingPolyData(Checks& check)
   Stage stage;
   vtkVolume* volume = stage.Add(image, 0.0, Brown);
   const double center[3] = { 20.0, 20.0, 18.0 };
-  AddSphere(stage, center, 12.0);
+  AddSphere(stage, { center[0], center[1], center[2] }, 12.0);
   AddOutline(stage, image);
   AddPlane(volume, center, { 1.0, 0.0, 0.0 });
   AddPlane(volume, center, { 0.2, -0.2, 0.0 });
@@ -343,8 +338,7 @@ void PositionalLights(Checks& check)
   const auto image = NewBallOfSamples();
   Stage stage;
   stage.Add(image, 0.0, { 1.0, 1.0, 1.0 })->SetPosition(-30.0, 0.0, 0.0);
-  const double center[3] = { 55.0, 25.0, 25.0 };
-  AddSphere(stage, center, 20.0);
+  AddSphere(stage, { 55.0, 25.0, 25.0 }, 20.0);
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOn();
@@ -384,10 +378,10 @@ void DepthPeeling(Checks& check)
       Stage stage;
       stage.Add(image, 0.0, Brown);
       AddOutline(stage, image);
-      const double center[3] = { 25.0, 25.0, 25.0 };
-      const double corner[3] = { 40.0, 40.0, 40.0 };
-      AddSphere(stage, center, opacity < 1.0 ? 21.0 : 18.0)->GetProperty()->SetOpacity(opacity);
-      AddSphere(stage, corner, 17.0)->GetProperty()->SetOpacity(opacity);
+      AddSphere(stage, { 25.0, 25.0, 25.0 }, opacity < 1.0 ? 21.0 : 18.0)
+        ->GetProperty()
+        ->SetOpacity(opacity);
+      AddSphere(stage, { 40.0, 40.0, 40.0 }, 17.0)->GetProperty()->SetOpacity(opacity);
       stage.Renderer->UseDepthPeelingOn();
       stage.Renderer->SetOcclusionRatio(0.0);
       stage.Renderer->SetMaximumNumberOfPeels(17);

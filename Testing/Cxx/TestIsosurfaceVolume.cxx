@@ -32,7 +32,6 @@
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 #include <vtkSequencePass.h>
-#include <vtkSphereSource.h>
 #include <vtkVolumetricPass.h>
 
 #include <functional>
@@ -80,11 +79,7 @@ struct BallScene : Scene
     this->Property()->SetDiffuse(1.0);
     this->Property()->SetSpecular(0.0);
     this->Renderer->RemoveAllViewProps();
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetRadius(Radius);
-    sphere->SetThetaResolution(300);
-    sphere->SetPhiResolution(300);
-    this->Polygons = NewActor(sphere);
+    this->Polygons = NewSphere(Radius, { 0.0, 0.0, 0.0 }, 300);
     this->Polygons->GetProperty()->SetColor(0.9, 0.8, 0.7);
     this->Show(this->Isosurface);
     // Both scenes have the bounds of the volume: vtkEDLShading looks at them.
