@@ -6,6 +6,7 @@
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSource.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -71,6 +72,20 @@ vtkirt::PixelRectangle GetViewport(vtkRenderer* renderer)
   return viewport;
 }
 
+/// What a blend mode looks for along rays, if not for surfaces.
+std::optional<vtkirt::Extremum> GetProjection(int blendMode)
+{
+  switch (blendMode)
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return vtkirt::Extremum::Largest;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return vtkirt::Extremum::Smallest;
+    default:
+      return std::nullopt;
+  }
+}
+
 bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
 {
   return x >= pixels.X && x < pixels.X + pixels.Width && y >= pixels.Y &&
@@ -109,9 +124,18 @@ public:
   /// The hits of rays given in the world, up to tEnd times their direction.
   vtkirt::RayHits Cast(const std::vector<vtkirt::Vector3>& origins,
     const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads);
-  double GetIsovalue(const vtkirt::Hit& hit) const
+  /// The isovalue of a surface, or the value of a projection.
+  double GetValue(const vtkirt::Hit& hit) const
   {
-    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+    return this->Want.Projection
+      ? hit.Value
+      : this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  }
+  /// Whether the picture shows anything at a pixel. A value may have no opacity.
+  bool IsSeen(std::size_t pixel) const
+  {
+    return this->Picture.Hits[pixel].Surface != vtkirt::Hit::NoSurface &&
+      (!this->Want.Projection || this->Picture.Colors[4 * pixel + 3] > 0);
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
@@ -149,6 +173,8 @@ public:
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
+  /// What a projection is coloured by.
+  std::unique_ptr<vtkIsosurfaceRayTraceValueColors> ValueColors;
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
   vtkirt::Matrix4 WorldFromIndex;
@@ -201,7 +227,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, in
   vtkirt::Vector3 inCell;
   cellId = this->Source.FindCell(hit, inCell);
   std::copy_n(inCell.begin(), 3, pcoords);
-  isovalue = this->GetIsovalue(hit);
+  isovalue = this->GetValue(hit);
   const vtkirt::Vector3 point = vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint());
   std::copy_n(point.begin(), 3, x);
   const vtkirt::Vector3 outward = this->GetNormal(hit, normalMode);
@@ -436,10 +462,12 @@ int vtkIsosurfaceRayTraceMapper::GetThreads()
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
   vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property)
 {
-  if (self->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  const int mode = self->GetBlendMode();
+  if (mode != vtkVolumeMapper::ISOSURFACE_BLEND && !GetProjection(mode))
   {
-    return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
-           "SetBlendModeToIsoSurface(), or use another volume mapper.";
+    return "The blend mode is one that this mapper does not have. Call SetBlendModeToIsoSurface(), "
+           "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
+           "volume mapper.";
   }
   auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
   if (!image)
@@ -530,8 +558,10 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   }
   internal.WorldFromIndex =
     vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, internal.Source.GetPhysicalFromIndex());
-  internal.Want.Surfaces =
-    vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
+  internal.Want.Projection = GetProjection(this->BlendMode);
+  internal.Want.Surfaces = internal.Want.Projection
+    ? std::vector<vtkirt::Isosurface>()
+    : vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
   internal.Want.Seen =
@@ -564,6 +594,12 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
     this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(this->ColorImage, this->ColorArray,
       this->Source.GetPhysicalFromIndex(), property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
+  }
+  if (scene.Want.Projection)
+  {
+    this->ValueColors =
+      std::make_unique<vtkIsosurfaceRayTraceValueColors>(property, this->PropertyComponent);
+    scene.ColorsOfValues = this->ValueColors.get();
   }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
     view.Camera, view.Aspect, this->WorldFromIndex, view.Width, view.Height);
@@ -631,7 +667,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   const vtkirt::PixelSampling sampling =
     selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, volume);
   vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, sampling);
-  if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  if (scene.Want.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -654,7 +690,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point displayStart = Clock::now();
-  bool opaque = std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
+  bool opaque = !scene.Want.Projection && std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
     [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
   if (selector)
   {
@@ -709,9 +745,10 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
   {
     const vtkirt::Hit& hit = picture.Hits[pixel];
     std::uint8_t* color = &picture.Colors[4 * pixel];
+    const bool isSeen = this->IsSeen(pixel);
     std::fill_n(color, 4, std::uint8_t{ 0 });
     picture.Depths[pixel] = vtkirt::Frame::NoSurface;
-    if (hit.Surface == vtkirt::Hit::NoSurface)
+    if (!isSeen)
     {
       continue;
     }
@@ -825,12 +862,11 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   scene.Pixels = { pixelX, pixelY, 1, 1 };
   scene.KeepHits = true;
   internal.Trace(this, scene, [](double) { return true; });
-  const vtkirt::Hit& hit = internal.Picture.Hits.front();
-  if (hit.Surface == vtkirt::Hit::NoSurface)
+  if (!internal.IsSeen(0))
   {
     return 0;
   }
-  internal.Describe(hit, this->NormalMode, x, pcoords, cellId, isovalue, normal);
+  internal.Describe(internal.Picture.Hits.front(), this->NormalMode, x, pcoords, cellId, isovalue, normal);
   return 1;
 }
 
@@ -895,12 +931,20 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkIdTypeArray> cellIds;
   vtkNew<vtkIntArray> isovalueIds;
+  vtkNew<vtkDoubleArray> values;
   add(colors, "Colors", 4, 0.0);
   add(depths, "Depth", 1, 1.0);
   add(normals, "Normals", 3, nan);
   add(positions, "Position", 3, nan);
   add(cellIds, "CellId", 1, -1.0);
-  add(isovalueIds, "IsovalueId", 1, -1.0);
+  if (scene.Want.Projection)
+  {
+    add(values, "Value", 1, nan);
+  }
+  else
+  {
+    add(isovalueIds, "IsovalueId", 1, -1.0);
+  }
   output->GetPointData()->SetActiveScalars("Colors");
 
   const vtkirt::PixelRectangle& pixels = scene.Pixels;
@@ -920,15 +964,24 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
       vtkirt::Vector3 parametric;
       vtkirt::Vector3 normal;
       vtkIdType cellId = -1;
-      double isovalue = 0.0;
+      double value = 0.0;
       this->Describe(
-        hit, self->NormalMode, position.data(), parametric.data(), cellId, isovalue, normal.data());
+        hit, self->NormalMode, position.data(), parametric.data(), cellId, value, normal.data());
       colors->SetTypedTuple(to, &this->Picture.Colors[4 * from]);
-      depths->SetValue(to, std::min(this->Picture.Depths[from], 1.0F));
       normals->SetTypedTuple(to, normal.data());
       positions->SetTypedTuple(to, position.data());
       cellIds->SetValue(to, cellId);
-      isovalueIds->SetValue(to, vtkIsosurfaceRayTraceScene::FindIsovalue(property, isovalue));
+      if (scene.Want.Projection)
+      {
+        // A picture of values hides nothing in a window, but each has its place.
+        depths->SetValue(to, static_cast<float>(scene.View.GetDepth(hit.GetPoint())));
+        values->SetValue(to, value);
+      }
+      else
+      {
+        depths->SetValue(to, std::min(this->Picture.Depths[from], 1.0F));
+        isovalueIds->SetValue(to, vtkIsosurfaceRayTraceScene::FindIsovalue(property, value));
+      }
     }
   }
 }

@@ -16,6 +16,13 @@
  * which each ray meets them. A property without isovalues draws nothing. Points whose value is
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
+ * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
+ * shows the largest (smallest) value of the same interpolant along all of it that is seen, exact to
+ * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
+ * do: not lit, not multiplied by any length, and without a depth in the window. Where several places
+ * have that value, the first one counts. Everything below that is not about light or about
+ * surfaces' colours holds alike.
+ *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
  * light of the renderer; so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
  * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel.
@@ -392,6 +399,9 @@ public:
    * t is the fraction of the way from p1 to p2, x the point in the world, pcoords the point in the
    * cell, cellId the cell of the input, isovalue that of the surface, normal its normal of length
    * one in the world, by NormalMode, on the side of smaller values.
+   *
+   * Of a projection (maximum or minimum intensity) the one hit is the place of the extreme value,
+   * whatever its opacity; isovalue is that value, and normal that of its isosurface.
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
@@ -411,8 +421,8 @@ public:
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, to the very bits that are drawn. Other props are not
-   * asked. Needs no window to have been drawn. Returns 1 if there is a surface, else 0 and nothing
-   * is changed. What is found is described as by IntersectWithLine.
+   * asked. Needs no window to have been drawn. Returns 1 if there is a surface (or, of a projection, a
+   * value with any opacity), else 0 and nothing is changed. What is found is described as by IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */
@@ -431,6 +441,8 @@ public:
    * Then, of the nearest surface, translucent or not: Normals (3, as IntersectWithLine has them),
    * Position (3, in the world), CellId and IsovalueId (the number of the isovalue in
    * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN and -1.
+   * Of a projection, Depth and all others are those of the place of the extreme value, whatever its
+   * opacity, and instead of IsovalueId there is Value (double; NaN where there is none).
    * Returns whether there is a picture; if not, the error says why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,

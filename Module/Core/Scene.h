@@ -7,6 +7,7 @@
 #include "Camera.h"
 #include "TracedVolume.h"
 
+#include <array>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -47,6 +48,15 @@ public:
   virtual Vector3 Get(const Hit& hit) const = 0;
 };
 
+/// What values look like.
+class ValueColors
+{
+public:
+  virtual ~ValueColors() = default;
+  /// Red, green, blue and opacity of a value. Many threads ask at once.
+  virtual std::array<double, 4> Get(double value) const = 0;
+};
+
 /// A rectangle of pixels, counted from the lower left of the viewport.
 struct PixelRectangle
 {
@@ -72,6 +82,8 @@ struct Scene
   std::vector<Vector3> Colors;
   /// If there is one, it says the colours instead.
   const HitColors* ColorsOfHits = nullptr;
+  /// For a projection: it is not lit, and has none of what follows.
+  const ValueColors* ColorsOfValues = nullptr;
   NormalMode Normals = NormalMode::CentralDifferences;
   Material Look;
   std::vector<Light> Lights;
