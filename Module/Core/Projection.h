@@ -168,9 +168,12 @@ private:
   {
     Value corners[8];
     this->Reader.Load(cell, corners);
-    const Value* outermost = IsLargest ? std::max_element(corners, corners + 8)
-                                       : std::min_element(corners, corners + 8);
-    const double largest = Directed(static_cast<double>(*outermost));
+    Value outermost = corners[0];
+    for (const Value corner : corners)
+    {
+      outermost = IsLargest ? std::max(outermost, corner) : std::min(outermost, corner);
+    }
+    const double largest = Directed(static_cast<double>(outermost));
     CellSegment segment;
     if (!(largest > this->Best) || !IsFinite(corners) || this->IsHidden(cell) ||
       !SegmentInCell(ray, cell, segment))
