@@ -690,8 +690,9 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point displayStart = Clock::now();
-  bool opaque = !scene.Want.Projection && std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
-    [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
+  bool opaque = !scene.Want.Projection &&
+    std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
+      [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
   if (selector)
   {
     vtkImageData* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
@@ -866,7 +867,8 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   {
     return 0;
   }
-  internal.Describe(internal.Picture.Hits.front(), this->NormalMode, x, pcoords, cellId, isovalue, normal);
+  internal.Describe(
+    internal.Picture.Hits.front(), this->NormalMode, x, pcoords, cellId, isovalue, normal);
   return 1;
 }
 

@@ -19,8 +19,8 @@
  * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
  * shows the largest (smallest) value of the same interpolant along all of it that is seen, exact to
  * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
- * do: not lit, not multiplied by any length, and without a depth in the window. Where several places
- * have that value, the first one counts. Everything below that is not about light or about
+ * do: not lit, not multiplied by any length, and without a depth in the window. Where several
+ * places have that value, the first one counts. Everything below that is not about light or about
  * surfaces' colours holds alike.
  *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
@@ -421,8 +421,9 @@ public:
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, to the very bits that are drawn. Other props are not
-   * asked. Needs no window to have been drawn. Returns 1 if there is a surface (or, of a projection, a
-   * value with any opacity), else 0 and nothing is changed. What is found is described as by IntersectWithLine.
+   * asked. Needs no window to have been drawn. Returns 1 if there is a surface (or, of a
+   * projection, a value with any opacity), else 0 and nothing is changed. What is found is
+   * described as by IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */

@@ -9,7 +9,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Where a ray meets an isosurface, or has its extreme value. Everything that is ever said about a hit is derived from this.
+/// Where a ray meets an isosurface, or has its extreme value. Everything that is ever said about a
+/// hit is derived from this.
 struct Hit
 {
   /// On the ray as it was given.

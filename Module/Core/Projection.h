@@ -26,8 +26,8 @@ struct SegmentValue
   double Value;
 };
 
-/// The largest value of a cubic on [0, 1]: at one end, or where it turns; the first of equals. It is
-/// never larger than all coefficients.
+/// The largest value of a cubic on [0, 1]: at one end, or where it turns; the first of equals. It
+/// is never larger than all coefficients.
 inline SegmentValue FindLargest(const BernsteinCubic& cubic)
 {
   double turns[2];
@@ -66,9 +66,9 @@ inline SegmentValue FindLargest(CellCorners corners, double largest, const CellS
   return best;
 }
 
-/// Finds the extreme values of rays: in every cell that may exceed what was found so far, the largest
-/// value of the cubic. What macrocells cannot exceed it are stepped over, on all levels. The smallest
-/// value is minus the largest of the negated samples, to the last bit.
+/// Finds the extreme values of rays: in every cell that may exceed what was found so far, the
+/// largest value of the cubic. What macrocells cannot exceed it are stepped over, on all levels.
+/// The smallest value is minus the largest of the negated samples, to the last bit.
 ///
 /// The value of a cell depends on ray and cell alone and never exceeds the corners, so it makes no
 /// difference to the result which cells are not looked at, and what is known beforehand.
@@ -140,11 +140,13 @@ private:
     }
   }
 
-  /// Looks where the ray before had its extreme value: the nearer to that of this ray, the more there
-  /// is to step over. What is found is not the result yet, which may lie before it and be the same.
+  /// Looks where the ray before had its extreme value: the nearer to that of this ray, the more
+  /// there is to step over. What is found is not the result yet, which may lie before it and be the
+  /// same.
   void Guess(const Ray& ray)
   {
-    const double t = Dot(this->Last - ray.Origin, ray.Direction) / Dot(ray.Direction, ray.Direction);
+    const double t =
+      Dot(this->Last - ray.Origin, ray.Direction) / Dot(ray.Direction, ray.Direction);
     if (!std::isfinite(t))
     {
       return;
@@ -152,8 +154,8 @@ private:
     Index3 cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      cell[axis] = static_cast<int>(std::clamp(std::floor(ray.Coordinate(axis, t)), 0.0,
-        static_cast<double>(this->Cells[axis] - 1)));
+      cell[axis] = static_cast<int>(std::clamp(
+        std::floor(ray.Coordinate(axis, t)), 0.0, static_cast<double>(this->Cells[axis] - 1)));
     }
     Hit hit;
     if (this->Visit(ray, cell, hit))

@@ -233,8 +233,8 @@ TEST(ProjectionOfRays, TakesTheFirstOfEqualValues)
     for (int i = 0; i < 8; ++i)
     {
       const double way = i % 2 == 0 ? 1.0 : -1.0;
-      rays.push_back(ClipToVolume({ 9.5 - 15.0 * way, 3.25, 4.5 }, { way, 0.125, 0.25 }, 0.0,
-        Infinity, constant.Dimensions));
+      rays.push_back(ClipToVolume(
+        { 9.5 - 15.0 * way, 3.25, 4.5 }, { way, 0.125, 0.25 }, 0.0, Infinity, constant.Dimensions));
     }
     traced->Trace(rays, hits);
     ASSERT_EQ(hits.Hits.size(), rays.size());
@@ -365,8 +365,8 @@ TEST(ProjectionOfRays, PassesOverWhatIsNoNumber)
 //------------------------------------------------------------------------------
 TEST(ProjectionOfRays, EndsWithTheRay)
 {
-  const TestVolume<std::int16_t> ramp = TestVolume<std::int16_t>::Of(
-    { 30, 30, 30 }, AnalyticFields::Plane{ { 100.0, 0.0, 0.0 }, 0.0 });
+  const TestVolume<std::int16_t> ramp =
+    TestVolume<std::int16_t>::Of({ 30, 30, 30 }, AnalyticFields::Plane{ { 100.0, 0.0, 0.0 }, 0.0 });
   const auto traced = NewTraced(ramp, Want(Extremum::Largest));
   const auto hit = Project(*traced, { { -2.0, 7.5, 7.5 }, { 1.0, 0.0, 0.0 } }, 19.25);
   ASSERT_TRUE(hit);
@@ -398,8 +398,8 @@ TEST(ProjectionOfRays, KnowsTheLargestAndSmallestNumbers)
 //------------------------------------------------------------------------------
 TEST(ProjectionOfRays, GoesBackToSurfaces)
 {
-  const TestVolume<float> ramp = TestVolume<float>::Of(
-    { 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.5 });
+  const TestVolume<float> ramp =
+    TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.5 });
   const auto traced = NewTraced(ramp, Want(Extremum::Largest));
   traced->Select({ { Isosurface{ 0.0, 1.0 } } }, 1);
   const auto hit = Project(*traced, { { -2.0, 4.5, 4.5 }, { 1.0, 0.0, 0.0 } });
