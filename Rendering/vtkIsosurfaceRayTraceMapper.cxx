@@ -589,6 +589,11 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
   }
   scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, this->PropertyComponent);
   scene.Shadows = self->Shadows;
+  scene.OcclusionRays = self->AmbientOcclusion ? self->NumberOfAmbientOcclusionRays : 0;
+  if (self->AmbientOcclusionRadius > 0.0)
+  {
+    scene.OcclusionRadius = self->AmbientOcclusionRadius;
+  }
   if (this->ColorArray)
   {
     this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(this->ColorImage, this->ColorArray,
@@ -1012,6 +1017,9 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
+  os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "on" : "off") << "\n";
+  os << indent << "NumberOfAmbientOcclusionRays: " << this->NumberOfAmbientOcclusionRays << "\n";
+  os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
   os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";

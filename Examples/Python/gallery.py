@@ -65,6 +65,12 @@ def shadows(picture, image, isovalue):
     picture.mapper.ShadowsOn()
 
 
+def occluded(picture, image, isovalue):
+    picture.mapper.AmbientOcclusionOn()
+    picture.surface.SetAmbient(0.7)
+    picture.surface.SetDiffuse(0.4)
+
+
 def translucent(picture, image, isovalue):
     low = image.GetScalarRange()[0]
     picture.add_surface(0.5 * (low + isovalue), (0.9, 0.55, 0.4), 0.35)
@@ -127,7 +133,7 @@ def main():
     reader.SetFileName(volume_file)
     reader.Update()
     os.makedirs(folder, exist_ok=True)
-    for scene in (plain, shadows, translucent, clipped, cropped, coloured, projected):
+    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected):
         picture = Picture(reader.GetOutput(), isovalue)
         scene(picture, reader.GetOutput(), isovalue)
         picture.write(os.path.join(folder, scene.__name__ + ".png"))

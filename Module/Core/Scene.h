@@ -8,6 +8,7 @@
 #include "TracedVolume.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -90,6 +91,10 @@ struct Scene
   bool TwoSidedLighting = true;
   /// Whether the surfaces cast shadows on each other.
   bool Shadows = false;
+  /// How many rays look from a hit for what is in the way of ambient light; 0 does without. They
+  /// look so far, in the world.
+  int OcclusionRays = 0;
+  double OcclusionRadius = std::numeric_limits<double>::infinity();
   /// Whether the first hit of every pixel is wanted besides its colour.
   bool KeepHits = false;
 

@@ -3,6 +3,7 @@
 
 #include "Shading.h"
 
+#include "Hemisphere.h"
 #include "RayGroup.h"
 
 #include <algorithm>
@@ -116,8 +117,8 @@ Shader::Shader(const Scene& scene, TracedVolume& volume)
 bool Shader::CanUseKernels() const
 {
   const Scene& scene = this->TheScene;
-  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && this->WholePower >= 0 &&
-    this->DistantLights.size() == scene.Lights.size();
+  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && scene.OcclusionRays == 0 &&
+    this->WholePower >= 0 && this->DistantLights.size() == scene.Lights.size();
 }
 
 //------------------------------------------------------------------------------
@@ -138,6 +139,11 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
   {
     shares = this->CastShadows(hits.Hits);
   }
+  std::vector<double> openness;
+  if (this->TheScene.OcclusionRays > 0 && this->TheScene.Look.Shade)
+  {
+    openness = this->FindOpenness(hits.Hits);
+  }
   ShadedHits some;
   some.Count = 0;
   std::size_t first = 0;
@@ -151,7 +157,8 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         rays.Direction[2][ray] };
       if (!canUseKernels)
       {
-        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights]);
+        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights],
+          openness.empty() ? 1.0 : openness[i]);
         continue;
       }
       const int place = some.Count++;
@@ -205,8 +212,13 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
     const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
     for (std::size_t light = 0; light < lights; ++light)
     {
+      ShadowRay rays[RayGroup::Capacity];
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        rays[i] = this->MakeShadowRay(this->TheScene.Lights[light], hits[first + i]);
+      }
       double some[RayGroup::Capacity];
-      this->CastShadows(this->TheScene.Lights[light], &hits[first], static_cast<int>(count), some);
+      this->FindShares(rays, &hits[first], static_cast<int>(count), some);
       for (std::size_t i = 0; i < count; ++i)
       {
         shares[(first + i) * lights + light] = some[i];
@@ -217,7 +229,50 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
 }
 
 //------------------------------------------------------------------------------
-void Shader::CastShadows(const Light& light, const Hit* hits, int count, double* shares) const
+std::vector<double> Shader::FindOpenness(const std::vector<Hit>& hits) const
+{
+  const int count = this->TheScene.OcclusionRays;
+  std::vector<double> openness;
+  std::vector<Hemisphere> skies;
+  for (std::size_t first = 0; first < hits.size(); first += RayGroup::Capacity)
+  {
+    const std::size_t some = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
+    skies.clear();
+    for (std::size_t i = first; i < first + some; ++i)
+    {
+      // The exact normal: about another one, rays would go into the surface that they leave.
+      const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
+      const Vector3 normal =
+        Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
+      skies.emplace_back(hits[i].Rising ? normal * -1.0 : normal, count, HitNumbers(hits[i]));
+    }
+    double sums[RayGroup::Capacity] = {};
+    for (int number = 0; number < count; ++number)
+    {
+      ShadowRay rays[RayGroup::Capacity];
+      for (std::size_t i = 0; i < some; ++i)
+      {
+        rays[i] = this->MakeOcclusionRay(skies[i].Next(), hits[first + i]);
+      }
+      double shares[RayGroup::Capacity];
+      this->FindShares(rays, &hits[first], static_cast<int>(some), shares);
+      for (std::size_t i = 0; i < some; ++i)
+      {
+        sums[i] += shares[i];
+      }
+    }
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      openness.push_back(sums[i] / count);
+    }
+  }
+  return openness;
+}
+
+//------------------------------------------------------------------------------
+/// How much comes through to hits along rays, one for each.
+void Shader::FindShares(
+  const ShadowRay* shadowRays, const Hit* hits, int count, double* shares) const
 {
   RayGroup rays;
   rays.Count = 0;
@@ -226,7 +281,7 @@ void Shader::CastShadows(const Light& light, const Hit* hits, int count, double*
   for (int i = 0; i < count; ++i)
   {
     shares[i] = 1.0;
-    const ShadowRay ray = this->MakeShadowRay(light, hits[i]);
+    const ShadowRay& ray = shadowRays[i];
     const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
     goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
     AddRay(
@@ -283,6 +338,15 @@ Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) cons
 }
 
 //------------------------------------------------------------------------------
+/// From a hit in a direction of length one in the world, in index space.
+Shader::ShadowRay Shader::MakeOcclusionRay(const Vector3& direction, const Hit& hit) const
+{
+  const Vector3 inIndex = TransposeTransformDirection(this->WorldFromGradient, direction);
+  const double unit = Length(TransformDirection(this->TheScene.View.GetWorldFromIndex(), inIndex));
+  return { hit.GetPoint(), inIndex, this->TheScene.OcclusionRadius / unit };
+}
+
+//------------------------------------------------------------------------------
 double Shader::GetOpacity(const Hit& hit) const
 {
   return this->TheScene.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
@@ -306,7 +370,8 @@ double Shader::Highlight(double cosine) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* shares) const
+Vector3 Shader::Shade(
+  const Hit& hit, const Vector3& direction, const double* shares, double openness) const
 {
   const Scene& scene = this->TheScene;
   const Vector3 color = this->GetColor(hit);
@@ -344,7 +409,8 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* sh
     const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));
     specular = specular + light.SpecularColor * (highlight * illumination.Strength);
   }
-  return color * look.Ambient + Product(color, diffuse) * look.Diffuse + specular * look.Specular;
+  return color * (look.Ambient * openness) + Product(color, diffuse) * look.Diffuse +
+    specular * look.Specular;
 }
 
 }
