@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -48,6 +49,25 @@ Illumination Illuminate(const Light& light, const Vector3& point)
 Vector3 Product(const Vector3& a, const Vector3& b)
 {
   return { a[0] * b[0], a[1] * b[1], a[2] * b[2] };
+}
+
+/// One of 96 numbers, the same for directions that are much the same: a part of a face of a cube.
+int GetWay(const Vector3& direction)
+{
+  std::size_t axis = 0;
+  for (std::size_t other = 1; other < 3; ++other)
+  {
+    axis = std::abs(direction[other]) > std::abs(direction[axis]) ? other : axis;
+  }
+  const double length = std::abs(direction[axis]);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return 0; // no ray
+  }
+  const auto part = [&direction, length](std::size_t other)
+  { return std::min(3, static_cast<int>(2.0 * (direction[other] / length + 1.0))); };
+  const int face = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
+  return 16 * face + 4 * part((axis + 1) % 3) + part((axis + 2) % 3);
 }
 
 Vector3 Cross(const Vector3& a, const Vector3& b)
@@ -232,41 +252,73 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
 std::vector<double> Shader::FindOpenness(const std::vector<Hit>& hits) const
 {
   const int count = this->TheScene.OcclusionRays;
-  std::vector<double> openness;
   std::vector<Hemisphere> skies;
-  for (std::size_t first = 0; first < hits.size(); first += RayGroup::Capacity)
+  for (const Hit& hit : hits)
   {
-    const std::size_t some = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
-    skies.clear();
-    for (std::size_t i = first; i < first + some; ++i)
+    // The exact normal: about another one, rays would go into the surface that they leave.
+    const Vector3 gradient = this->Volume.GetGradient(hit, NormalMode::InterpolantGradient);
+    const Vector3 normal =
+      Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
+    skies.emplace_back(hit.Rising ? normal * -1.0 : normal, count, HitNumbers(hit));
+  }
+  // Some rays of all hits at a time, so that among them are many that go the same way.
+  constexpr int atOnce = 32;
+  std::vector<double> openness(hits.size());
+  std::vector<Hit> starts;
+  std::vector<ShadowRay> rays;
+  std::vector<double> shares;
+  for (int first = 0; first < count; first += atOnce)
+  {
+    starts.clear();
+    rays.clear();
+    const int some = std::min(atOnce, count - first);
+    for (std::size_t i = 0; i < hits.size(); ++i)
     {
-      // The exact normal: about another one, rays would go into the surface that they leave.
-      const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
-      const Vector3 normal =
-        Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
-      skies.emplace_back(hits[i].Rising ? normal * -1.0 : normal, count, HitNumbers(hits[i]));
-    }
-    double sums[RayGroup::Capacity] = {};
-    for (int number = 0; number < count; ++number)
-    {
-      ShadowRay rays[RayGroup::Capacity];
-      for (std::size_t i = 0; i < some; ++i)
+      for (int number = 0; number < some; ++number)
       {
-        rays[i] = this->MakeOcclusionRay(skies[i].Next(), hits[first + i]);
-      }
-      double shares[RayGroup::Capacity];
-      this->FindShares(rays, &hits[first], static_cast<int>(some), shares);
-      for (std::size_t i = 0; i < some; ++i)
-      {
-        sums[i] += shares[i];
+        starts.push_back(hits[i]);
+        rays.push_back(this->MakeOcclusionRay(skies[i].Next(), hits[i]));
       }
     }
-    for (std::size_t i = 0; i < some; ++i)
+    this->FindSharesSorted(rays, starts, shares);
+    for (std::size_t i = 0; i < shares.size(); ++i)
     {
-      openness.push_back(sums[i] / count);
+      openness[i / static_cast<std::size_t>(some)] += shares[i] / count;
     }
   }
   return openness;
+}
+
+//------------------------------------------------------------------------------
+/// How much comes through along any number of rays, of which those that go about the same way are
+/// traced together. What is found does not depend on that.
+void Shader::FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vector<Hit>& starts,
+  std::vector<double>& shares) const
+{
+  std::vector<std::pair<int, std::size_t>> order(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    order[i] = { GetWay(rays[i].Direction), i };
+  }
+  std::sort(order.begin(), order.end());
+  shares.resize(rays.size());
+  for (std::size_t first = 0; first < order.size(); first += RayGroup::Capacity)
+  {
+    const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, order.size() - first);
+    ShadowRay someRays[RayGroup::Capacity];
+    Hit someStarts[RayGroup::Capacity];
+    double someShares[RayGroup::Capacity];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      someRays[i] = rays[order[first + i].second];
+      someStarts[i] = starts[order[first + i].second];
+    }
+    this->FindShares(someRays, someStarts, static_cast<int>(count), someShares);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      shares[order[first + i].second] = someShares[i];
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

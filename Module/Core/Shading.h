@@ -46,6 +46,8 @@ private:
   std::vector<double> CastShadows(const std::vector<Hit>& hits) const;
   ShadowRay MakeShadowRay(const Light& light, const Hit& hit) const;
   ShadowRay MakeOcclusionRay(const Vector3& direction, const Hit& hit) const;
+  void FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vector<Hit>& starts,
+    std::vector<double>& shares) const;
   void FindShares(const ShadowRay* shadowRays, const Hit* hits, int count, double* shares) const;
   double GetOpacity(const Hit& hit) const;
   double Highlight(double cosine) const;
