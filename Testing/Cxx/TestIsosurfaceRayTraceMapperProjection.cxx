@@ -292,6 +292,8 @@ void CheckDepth(Checks& check)
     near += depths.IsEmpty(i, i) ? 0 : 1;
   }
   check.Equal(near, 0, "the number of pixels with a depth");
+  scene.AddSurface(1.0, { 1.0, 1.0, 1.0 }, 1.0);
+  check.That(!scene.Mapper->HasOnlyOpaqueSurfaces(scene.Volume), "values are no opaque surfaces");
 }
 
 }
