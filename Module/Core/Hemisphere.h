@@ -10,23 +10,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Numbers that look random, but are a function of a hit, to the last bit: whatever thread or tile
-/// asks, and in whatever order.
+/// Numbers that look random, but are a function of the place of a hit: whatever thread or tile
+/// asks, and in whatever order. Places are told apart to a thousandth of a cell, so that the last
+/// bits of a camera make no difference.
 class HitNumbers
 {
 public:
   explicit HitNumbers(const Hit& hit)
   {
-    for (const double value : { hit.T, hit.GetPoint()[0], hit.GetPoint()[1], hit.GetPoint()[2] })
+    for (const double coordinate : hit.GetPoint())
     {
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof(bits));
-      this->State = Mix(this->State ^ bits);
+      // Surfaces often lie at simple fractions of a cell; the steps do not.
+      const double step = std::floor(1024.0 * coordinate + 0.37);
+      this->State = Mix(this->State ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(step)));
     }
   }
 
