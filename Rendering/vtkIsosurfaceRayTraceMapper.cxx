@@ -355,6 +355,9 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->VectorComponent = other->VectorComponent;
     this->ColorArrayName = other->ColorArrayName;
     this->Shadows = other->Shadows;
+    this->AmbientOcclusion = other->AmbientOcclusion;
+    this->NumberOfAmbientOcclusionRays = other->NumberOfAmbientOcclusionRays;
+    this->AmbientOcclusionRadius = other->AmbientOcclusionRadius;
     this->BrickLayout = other->BrickLayout;
     this->BrickSize = other->BrickSize;
     this->BrickGroupSize = other->BrickGroupSize;
