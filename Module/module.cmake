@@ -29,7 +29,8 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene
-  Rendering/vtkIsosurfaceRayTraceSource)
+  Rendering/vtkIsosurfaceRayTraceSource
+  Rendering/vtkIsosurfaceRayTraceValueColors)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 

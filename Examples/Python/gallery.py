@@ -65,6 +65,12 @@ def shadows(picture, image, isovalue):
     picture.mapper.ShadowsOn()
 
 
+def occluded(picture, image, isovalue):
+    picture.mapper.AmbientOcclusionOn()
+    picture.surface.SetAmbient(0.7)
+    picture.surface.SetDiffuse(0.4)
+
+
 def translucent(picture, image, isovalue):
     low = image.GetScalarRange()[0]
     picture.add_surface(0.5 * (low + isovalue), (0.9, 0.55, 0.4), 0.35)
@@ -104,6 +110,19 @@ def coloured(picture, image, isovalue):
     function.AddRGBPoint(high, 0.8, 0.2, 0.15)
 
 
+def projected(picture, image, isovalue):
+    picture.mapper.SetBlendModeToMaximumIntensity()
+    low, high = 0.25 * isovalue, image.GetScalarRange()[1]
+    function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
+    function.RemoveAllPoints()
+    opacity.RemoveAllPoints()
+    function.AddRGBPoint(low, 0.75, 0.85, 1.0)
+    function.AddRGBPoint(0.4 * high, 0.2, 0.3, 0.5)
+    function.AddRGBPoint(high, 0.0, 0.0, 0.0)
+    opacity.AddPoint(low, 0.0)
+    opacity.AddPoint(0.5 * high, 1.0)
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -114,7 +133,7 @@ def main():
     reader.SetFileName(volume_file)
     reader.Update()
     os.makedirs(folder, exist_ok=True)
-    for scene in (plain, shadows, translucent, clipped, cropped, coloured):
+    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected):
         picture = Picture(reader.GetOutput(), isovalue)
         scene(picture, reader.GetOutput(), isovalue)
         picture.write(os.path.join(folder, scene.__name__ + ".png"))

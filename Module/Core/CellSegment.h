@@ -4,7 +4,9 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
+#include "Hit.h"
 #include "Ray.h"
+#include "TrilinearCell.h"
 
 #include <algorithm>
 #include <limits>
@@ -86,6 +88,20 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
     segment.Exit[axis] = ray.Step[axis] > 0 ? 1.0 : 0.0;
   }
   return true;
+}
+
+/// A hit at a fraction of the segment of a ray in a cell.
+inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, double fraction,
+  int surface, bool rising)
+{
+  Vector3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], fraction);
+  }
+  // Written so that it never falls as the fraction grows.
+  const double t = segment.Begin + (segment.End - segment.Begin) * fraction;
+  return { ray.Base + std::min(t, segment.End), cell, surface, point, rising };
 }
 
 }
