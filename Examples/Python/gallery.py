@@ -116,9 +116,9 @@ def projected(picture, image, isovalue):
     function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
     function.RemoveAllPoints()
     opacity.RemoveAllPoints()
-    function.AddRGBPoint(low, 0.75, 0.85, 1.0)
-    function.AddRGBPoint(0.4 * high, 0.2, 0.3, 0.5)
-    function.AddRGBPoint(high, 0.0, 0.0, 0.0)
+    function.AddRGBPoint(low, 0.3, 0.2, 0.1)
+    function.AddRGBPoint(0.5 * high, 0.9, 0.8, 0.6)
+    function.AddRGBPoint(high, 1.0, 1.0, 1.0)
     opacity.AddPoint(low, 0.0)
     opacity.AddPoint(0.5 * high, 1.0)
 
