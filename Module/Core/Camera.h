@@ -72,6 +72,23 @@ public:
     return 0.5 * z / w + 0.5;
   }
 
+  /// The same view by rays that go through other places of their pixels: so many pixels to the
+  /// right of the centre and above it.
+  Camera Shifted(double columns, double rows) const
+  {
+    const double x = columns * (2.0 / this->Width);
+    const double y = rows * (2.0 / this->Height);
+    Camera shifted = *this;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      shifted.ClipFromIndex[i] -= x * this->ClipFromIndex[12 + i];
+      shifted.ClipFromIndex[4 + i] -= y * this->ClipFromIndex[12 + i];
+      shifted.IndexFromClip[4 * i + 3] +=
+        x * this->IndexFromClip[4 * i] + y * this->IndexFromClip[4 * i + 1];
+    }
+    return shifted;
+  }
+
   const Matrix4& GetClipFromIndex() const { return this->ClipFromIndex; }
   const Matrix4& GetIndexFromClip() const { return this->IndexFromClip; }
   const Matrix4& GetWorldFromIndex() const { return this->WorldFromIndex; }

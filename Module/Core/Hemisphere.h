@@ -16,11 +16,12 @@ namespace vtkIsosurfaceRayTracing
 
 /// Numbers that look random, but are a function of the place of a hit: whatever thread or tile
 /// asks, and in whatever order. Places are told apart to a thousandth of a cell, so that the last
-/// bits of a camera make no difference.
+/// bits of a camera make no difference. Frames of which the mean is wanted have others each.
 class HitNumbers
 {
 public:
-  explicit HitNumbers(const Hit& hit)
+  explicit HitNumbers(const Hit& hit, int frame = 0)
+    : State(static_cast<std::uint64_t>(frame) * 0x9e3779b97f4a7c15U)
   {
     for (const double coordinate : hit.GetPoint())
     {
@@ -46,7 +47,7 @@ private:
     return z ^ (z >> 31);
   }
 
-  std::uint64_t State = 0;
+  std::uint64_t State;
 };
 
 /// Directions about a normal, as many for a part of the sky as it counts for a matt surface (by the

@@ -95,6 +95,8 @@ struct Scene
   /// look so far, in the world.
   int OcclusionRays = 0;
   double OcclusionRadius = std::numeric_limits<double>::infinity();
+  /// Frames with other numbers have other such rays, so that there is less grain in their mean.
+  int OcclusionFrame = 0;
   /// Whether the first hit of every pixel is wanted besides its colour.
   bool KeepHits = false;
 

@@ -265,7 +265,8 @@ std::vector<double> Shader::FindOpenness(const std::vector<Hit>& hits) const
     const Vector3 gradient = this->Volume.GetGradient(hit, NormalMode::InterpolantGradient);
     const Vector3 normal =
       Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
-    skies.emplace_back(hit.Rising ? normal * -1.0 : normal, count, HitNumbers(hit));
+    skies.emplace_back(
+      hit.Rising ? normal * -1.0 : normal, count, HitNumbers(hit, this->TheScene.OcclusionFrame));
   }
   // Some rays of all hits at a time, so that among them are many that go the same way.
   constexpr int atOnce = 32;

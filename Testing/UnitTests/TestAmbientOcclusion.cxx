@@ -206,6 +206,23 @@ TEST(AmbientOcclusion, IsTheSameInWhateverCompany)
 }
 
 //------------------------------------------------------------------------------
+TEST(Hemisphere, HasOtherDirectionsInOtherFrames)
+{
+  const Vector3 up = { 0.0, 0.0, 1.0 };
+  const Hit hit = { 0.0, { 1, 2, 3 }, 0, { 0.1, 0.2, 0.3 }, true };
+  EXPECT_EQ(
+    Hemisphere(up, 4, HitNumbers(hit)).Next(), Hemisphere(up, 4, HitNumbers(hit, 0)).Next());
+  for (int frame = 1; frame < 16; ++frame)
+  {
+    for (int other = 0; other < frame; ++other)
+    {
+      EXPECT_NE(Hemisphere(up, 4, HitNumbers(hit, frame)).Next(),
+        Hemisphere(up, 4, HitNumbers(hit, other)).Next());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(Hemisphere, HasTheDirectionsThatAMattSurfaceSees)
 {
   RandomNumbers random(8);

@@ -111,6 +111,37 @@ TEST(Camera, HasParallelRays)
 }
 
 //------------------------------------------------------------------------------
+TEST(Camera, HasRaysThroughOtherPlacesOfThePixelsIfShifted)
+{
+  RandomNumbers random(703);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Matrix4 worldFromIndex = RandomWorldFromIndex(random);
+    const Matrix4 viewFromWorld = Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0));
+    const Camera camera = NewCamera(Perspective(0.5, 50.0, 0.7), viewFromWorld, worldFromIndex);
+    // A pixel of four times the resolution in a pixel.
+    const Camera fine(camera.GetClipFromIndex(), camera.GetIndexFromClip(), worldFromIndex,
+      4.0 * Width, 4.0 * Height);
+    const int column = random.Integer(0, 3);
+    const int row = random.Integer(0, 3);
+    const Camera shifted = camera.Shifted(0.25 * column - 0.375, 0.25 * row - 0.375);
+    const Camera::PixelRay ray = shifted.GetRay(7, 20, 0.4);
+    const Camera::PixelRay expected = fine.GetRay(28 + column, 80 + row, 0.4);
+    ASSERT_LT(Length(ray.Origin - expected.Origin), 1e-11);
+    ASSERT_LT(Length(ray.Direction - expected.Direction), 1e-11 * Length(expected.Direction));
+    ASSERT_NEAR(ray.End, expected.End, 1e-11 * expected.End);
+    ASSERT_NEAR(shifted.GetDepth(ray.Origin + ray.Direction * ray.End), 0.4, 1e-9);
+    // What the ray goes through is in the centre of the pixel of the shifted view.
+    const Vector3 point = ray.Origin + ray.Direction * ray.End;
+    const Matrix4& m = shifted.GetClipFromIndex();
+    const Vector3 inClip = TransformPoint(m, point);
+    const double w = m[12] * point[0] + m[13] * point[1] + m[14] * point[2] + m[15];
+    ASSERT_NEAR(inClip[0] / w, 2.0 * 7.5 / Width - 1.0, 1e-9);
+    ASSERT_NEAR(inClip[1] / w, 2.0 * 20.5 / Height - 1.0, 1e-9);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(Camera, SeesWithoutEndIfTheFarPlaneIsAtInfinity)
 {
   // The limit of Perspective(1, far, 1).
