@@ -26,6 +26,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonRow
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
+  Rendering/vtkIsosurfaceRayTraceAccumulation
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene

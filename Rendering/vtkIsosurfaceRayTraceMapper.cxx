@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkIsosurfaceRayTraceAccumulation.h"
 #include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -191,6 +192,10 @@ public:
   /// Makes the picture. Returns false if it was given up.
   bool Trace(vtkIsosurfaceRayTraceMapper* self, const vtkirt::Scene& scene,
     const std::function<bool(double)>& keepGoing);
+  /// The same, with a pixel for every square of rays; if frames are accumulated, with one more of
+  /// them, or without tracing any if there are enough.
+  bool TraceFrame(vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer,
+    vtkVolumeProperty* property, const vtkirt::PixelSampling& sampling, vtkirt::Scene& scene);
   /// Turns the picture into that of the ids that a selector asks for.
   void WriteIds(vtkHardwareSelector* selector, const vtkirt::Scene& scene);
   vtkIdType GetId(vtkHardwareSelector* selector, const vtkirt::Hit& hit) const;
@@ -219,6 +224,8 @@ public:
 
   vtkirt::Frame Picture;
   std::vector<float> SceneDepths;
+  /// For each eye.
+  std::array<vtkIsosurfaceRayTraceAccumulation, 2> Accumulations;
   /// What the last frame would have taken with a ray for every pixel.
   double SecondsOfFullFrame = 0.0;
   vtkIsosurfaceRayTraceImageDisplay Display;
@@ -358,6 +365,8 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->AmbientOcclusion = other->AmbientOcclusion;
     this->NumberOfAmbientOcclusionRays = other->NumberOfAmbientOcclusionRays;
     this->AmbientOcclusionRadius = other->AmbientOcclusionRadius;
+    this->ProgressiveAccumulation = other->ProgressiveAccumulation;
+    this->MaximumNumberOfAccumulatedFrames = other->MaximumNumberOfAccumulatedFrames;
     this->BrickLayout = other->BrickLayout;
     this->BrickSize = other->BrickSize;
     this->BrickGroupSize = other->BrickGroupSize;
@@ -508,6 +517,11 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   this->TraceTime = 0.0;
   this->ShadeTime = 0.0;
   this->DisplayTime = 0.0;
+  this->NumberOfAccumulatedFrames = 0;
+  if (!this->ProgressiveAccumulation)
+  {
+    this->Internal->Accumulations = {}; // and their memory
+  }
   const Clock::time_point start = Clock::now();
   if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
@@ -532,7 +546,7 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   if (this->RenderFrame(renderer, volume))
   {
     this->TimeToDraw = SecondsSince(start);
-    if (!renderer->GetSelector())
+    if (!renderer->GetSelector() && this->TraceTime > 0.0)
     {
       // What was built is built; what remains grows with the number of rays.
       const double distance = static_cast<double>(this->ImageSampleDistance);
@@ -816,14 +830,15 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   this->DisplayTime = SecondsSince(depthStart);
 
   scene.KeepHits = selector || occlusion;
-  if (!internal.Trace(this, scene,
-        [this, window](double fraction) { return this->ReportProgress(window, fraction); }))
+  if (!internal.TraceFrame(this, renderer, volume->GetProperty(), sampling, scene))
   {
     return false;
   }
 
   const Clock::time_point displayStart = Clock::now();
-  bool opaque = !scene.Want.Projection && AreOpaque(scene.Want.Surfaces);
+  // A mean is not opaque where a surface ends.
+  bool opaque = !scene.Want.Projection && AreOpaque(scene.Want.Surfaces) && sampling.Rays == 1 &&
+    this->NumberOfAccumulatedFrames <= 1;
   if (selector)
   {
     vtkImageData* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
@@ -834,19 +849,11 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     internal.WriteIds(selector, scene);
     opaque = true;
   }
-  int columns = scene.Pixels.Width;
-  int rows = scene.Pixels.Height;
-  if (sampling.Rays > 1)
-  {
-    vtkirt::AverageRays(sampling.Rays, columns, internal.Picture);
-    columns /= sampling.Rays;
-    rows /= sampling.Rays;
-    opaque = false; // not where a surface ends
-  }
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   const vtkIsosurfaceRayTraceImageDisplay::Image image = { viewport.X + pixels.X,
-    viewport.Y + pixels.Y, pixels.Width, pixels.Height, columns, rows,
-    internal.Picture.Colors.data(), internal.Picture.Depths.data(), opaque };
+    viewport.Y + pixels.Y, pixels.Width, pixels.Height, scene.Pixels.Width / sampling.Rays,
+    scene.Pixels.Height / sampling.Rays, internal.Picture.Colors.data(),
+    internal.Picture.Depths.data(), opaque };
   if (occlusion && opaque)
   {
     std::vector<float> positions;
@@ -883,6 +890,47 @@ bool vtkIsosurfaceRayTraceMapper::Internals::Trace(vtkIsosurfaceRayTraceMapper* 
   self->TraceTime = times.Trace;
   self->ShadeTime = times.Shade;
   return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::Internals::TraceFrame(vtkIsosurfaceRayTraceMapper* self,
+  vtkRenderer* renderer, vtkVolumeProperty* property, const vtkirt::PixelSampling& sampling,
+  vtkirt::Scene& scene)
+{
+  // Ids and points have no mean, and a coarse picture is not there to stay.
+  const bool accumulates = self->ProgressiveAccumulation && !scene.KeepHits && sampling.Pixels == 1;
+  vtkIsosurfaceRayTraceAccumulation& accumulation =
+    this->Accumulations[renderer->GetActiveCamera()->GetLeftEye() != 0 ? 0 : 1];
+  vtkIsosurfaceRayTraceAccumulation::Key key;
+  if (accumulates)
+  {
+    key = { self, property, scene };
+    self->NumberOfAccumulatedFrames = accumulation.GetNumberOfFrames(key);
+    vtkIsosurfaceRayTraceAccumulation::SetFrame(self->NumberOfAccumulatedFrames, scene);
+  }
+  if (!accumulates || self->NumberOfAccumulatedFrames < self->MaximumNumberOfAccumulatedFrames)
+  {
+    if (!this->Trace(self, scene,
+          [self, renderer](double fraction)
+          { return self->ReportProgress(renderer->GetRenderWindow(), fraction); }))
+    {
+      return false;
+    }
+    if (sampling.Rays > 1)
+    {
+      vtkirt::AverageRays(sampling.Rays, scene.Pixels.Width, this->Picture);
+    }
+    if (accumulates)
+    {
+      accumulation.Add(key, this->Picture);
+      ++self->NumberOfAccumulatedFrames;
+    }
+  }
+  if (accumulates)
+  {
+    accumulation.GetMean(this->Picture);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -1205,6 +1253,11 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "on" : "off") << "\n";
   os << indent << "NumberOfAmbientOcclusionRays: " << this->NumberOfAmbientOcclusionRays << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
+  os << indent << "ProgressiveAccumulation: " << (this->ProgressiveAccumulation ? "on" : "off")
+     << "\n";
+  os << indent << "MaximumNumberOfAccumulatedFrames: " << this->MaximumNumberOfAccumulatedFrames
+     << "\n";
+  os << indent << "NumberOfAccumulatedFrames: " << this->NumberOfAccumulatedFrames << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
   os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";

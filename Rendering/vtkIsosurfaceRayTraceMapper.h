@@ -389,6 +389,44 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the picture becomes better while nothing moves: each Render() of an unchanged
+   * scene traces one more frame, by rays through other places of the pixels and, with
+   * AmbientOcclusion, by other rays from the hits, and shows the mean of all so far. Edges become
+   * smooth, grain goes away. The first frame is the very picture that there is without; its depth
+   * stays. Whatever changes the picture (camera, lights, property, settings, inputs, size, the
+   * depth of what is in front) begins anew; a frame that is given up
+   * (vtkRenderWindow::CheckAbortStatus) leaves what there is. In stereo each eye has its own mean.
+   *
+   * Somebody has to call Render(), for example a timer of the interactor, for as long as
+   * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
+   *
+   * Coarse pictures (ImageSampleDistance of 2 and more, as in a hurry), those of vtkSSAOPass,
+   * hardware selections, PickPixel and RenderToImage are as without, and leave the mean as it is.
+   * It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is read.
+   * Default: off, which costs nothing.
+   */
+  vtkSetMacro(ProgressiveAccumulation, bool);
+  vtkGetMacro(ProgressiveAccumulation, bool);
+  vtkBooleanMacro(ProgressiveAccumulation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many frames it takes. After them nothing more is traced: the mean is only
+   * displayed, and TraceTime is 0. Range: 1 to 256. Default: 16.
+   */
+  vtkSetClampMacro(MaximumNumberOfAccumulatedFrames, int, 1, 256);
+  vtkGetMacro(MaximumNumberOfAccumulatedFrames, int);
+  ///@}
+
+  /**
+   * The number of frames whose mean the last Render() showed; 0 if its picture is not one to
+   * accumulate. Of a frame that was given up: how many there are still.
+   */
+  vtkGetMacro(NumberOfAccumulatedFrames, int);
+
+  ///@{
+  /**
    * Set/Get the number of threads; 0 takes what OpenMP gives (OMP_NUM_THREADS, or all cores).
    * Range: 0 to 1024. Default: 0.
    */
@@ -559,8 +597,11 @@ private:
   float ImageSampleDistance = 1.0F;
   float MinimumImageSampleDistance = 1.0F;
   float MaximumImageSampleDistance = 10.0F;
+  bool ProgressiveAccumulation = false;
+  int MaximumNumberOfAccumulatedFrames = 16;
   int NumberOfThreads = 0;
 
+  int NumberOfAccumulatedFrames = 0;
   double MacrocellBuildTime = 0.0;
   double BrickBuildTime = 0.0;
   double TraceTime = 0.0;

@@ -101,6 +101,8 @@ inline void AverageRays(int rays, int width, Frame& frame)
         static_cast<std::uint8_t>((2 * sum[channel] + rays * rays) / (2 * rays * rays));
     }
   }
+  frame.Depths.resize(static_cast<std::size_t>(pixels));
+  frame.Colors.resize(4 * frame.Depths.size());
 }
 
 }

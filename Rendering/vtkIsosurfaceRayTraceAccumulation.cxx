@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceAccumulation.h"
+
+#include "vtkIsosurfaceRayTraceMapper.h"
+
+#include "vtkDataObject.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+static_assert(vtkIsosurfaceRayTraceAccumulation::MaximumNumberOfFrames *
+      std::numeric_limits<std::uint8_t>::max() <=
+    std::numeric_limits<std::uint16_t>::max(),
+  "The sums would overflow.");
+
+namespace
+{
+
+template <typename Range>
+void Append(const Range& range, std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(), range.begin(), range.end());
+}
+
+/// Whether two cameras show the same to within much less than a pixel. vtkWindowToImageFilter takes
+/// the sine of the view angle and the angle of that sine, which is not the same to the last bits.
+bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
+{
+  constexpr double tolerance = 1e-7;
+  for (std::size_t row = 0; row < 4; ++row)
+  {
+    const double* ofA = a.GetClipFromIndex().data() + 4 * row;
+    const double* ofB = b.GetClipFromIndex().data() + 4 * row;
+    const double largest = std::abs(*std::max_element(
+      ofA, ofA + 4, [](double left, double right) { return std::abs(left) < std::abs(right); }));
+    if (!std::equal(ofA, ofA + 4, ofB,
+          [=](double x, double y) { return std::abs(x - y) <= tolerance * largest; }))
+    {
+      return false;
+    }
+  }
+  return a.GetWorldFromIndex() == b.GetWorldFromIndex() && a.GetWidth() == b.GetWidth() &&
+    a.GetHeight() == b.GetHeight();
+}
+
+/// Whether two depth buffers are the same to within a few steps of their 24 bits, for that reason.
+bool AreTheSame(const std::vector<float>& a, const std::vector<float>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](float x, float y) { return std::abs(x - y) <= 0x1p-22F; });
+}
+
+void AppendLight(const vtkirt::Light& light, std::vector<double>& numbers)
+{
+  for (const vtkirt::Vector3& vector :
+    { light.DiffuseColor, light.SpecularColor, light.Direction, light.Position, light.Attenuation })
+  {
+    Append(vector, numbers);
+  }
+  Append(std::array<double, 3>{ light.Positional ? 1.0 : 0.0, light.ConeAngle, light.Exponent },
+    numbers);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceAccumulation::Key::Key(
+  vtkIsosurfaceRayTraceMapper* mapper, vtkVolumeProperty* property, const vtkirt::Scene& scene)
+  : Property(property)
+  , Times({ mapper->GetMTime(), property->GetMTime() })
+  , View(scene.View)
+{
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataObject* input =
+      mapper->GetNumberOfInputConnections(port) > 0 ? mapper->GetInputDataObject(port, 0) : nullptr;
+    this->Times.push_back(input ? input->GetMTime() : 0);
+  }
+  for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
+  {
+    Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, this->Numbers);
+  }
+  for (const vtkirt::HalfSpace& half : scene.Want.Seen.HalfSpaces)
+  {
+    Append(half.Normal, this->Numbers);
+    this->Numbers.push_back(half.Offset);
+  }
+  for (const vtkirt::Light& light : scene.Lights)
+  {
+    AppendLight(light, this->Numbers);
+  }
+  this->Numbers.push_back(scene.TwoSidedLighting ? 1.0 : 0.0);
+  Append(
+    std::array<int, 4>{ scene.Pixels.X, scene.Pixels.Y, scene.Pixels.Width, scene.Pixels.Height },
+    this->Numbers);
+  this->Numbers.push_back(static_cast<double>(mapper->GetImageSampleDistance())); // It has no time.
+  if (scene.Depth)
+  {
+    this->Depths.assign(
+      scene.Depth, scene.Depth + vtkirt::Count({ scene.Pixels.Width, scene.Pixels.Height, 1 }));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceAccumulation::Key::operator==(const Key& other) const
+{
+  return this->Property == other.Property && this->Times == other.Times &&
+    this->Numbers == other.Numbers && AreTheSame(this->View, other.View) &&
+    AreTheSame(this->Depths, other.Depths);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAccumulation::SetFrame(int number, vtkirt::Scene& scene)
+{
+  if (number == 0)
+  {
+    return;
+  }
+  // M. Roberts: The Unreasonable Effectiveness of Quasirandom Sequences, 2018. The first of its
+  // points is the centre of the pixel; the others, each with the one opposite, pull to no side.
+  const int pair = (number + 1) / 2;
+  const double side = number % 2 == 0 ? -1.0 : 1.0;
+  const double x = 0.7548776662466927 * pair;
+  const double y = 0.5698402909980532 * pair;
+  scene.View =
+    scene.View.Shifted(side * (x - std::floor(x + 0.5)), side * (y - std::floor(y + 0.5)));
+  scene.OcclusionFrame = number;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAccumulation::Add(const Key& key, const vtkirt::Frame& frame)
+{
+  if (!(this->Of == key))
+  {
+    this->Of = key;
+    this->Frames = 0;
+  }
+  if (this->Frames == 0)
+  {
+    this->Sums.assign(frame.Colors.size(), 0);
+    this->Depths = frame.Depths;
+  }
+  ++this->Frames;
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    this->Sums[i] = static_cast<std::uint16_t>(this->Sums[i] + frame.Colors[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAccumulation::GetMean(vtkirt::Frame& frame) const
+{
+  frame.Depths = this->Depths;
+  frame.Colors.resize(this->Sums.size());
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    frame.Colors[i] =
+      static_cast<std::uint8_t>((2 * this->Sums[i] + this->Frames) / (2 * this->Frames));
+  }
+}
+
+VTK_ABI_NAMESPACE_END
