@@ -32,7 +32,7 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    p[axis] = std::min(1.0, std::max(0.0, ray.Coordinate(axis, place.T) - cell[axis]));
+    p[axis] = std::min(1.0, std::max(0.0, ray.CoordinateInCell(axis, cell[axis], place.T)));
   }
   return p;
 }
@@ -65,7 +65,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   const bool leavesThroughFace = exit.T <= ray.End;
   const Place begin = entersThroughFace ? entry : Place{ ray.Begin, Place::StartAxis };
   const Place end = leavesThroughFace ? exit : Place{ ray.End, Place::StartAxis };
-  if (!(begin < end) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
+  // A flat cell is passed at one place.
+  const bool isFlat = ray.Planes && entersThroughFace && leavesThroughFace && entry.T == exit.T &&
+    entry.Axis == exit.Axis;
+  if (!(begin < end || isFlat) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
   {
     return false;
   }

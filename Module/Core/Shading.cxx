@@ -229,8 +229,9 @@ void Shader::CastShadows(const Light& light, const Hit* hits, int count, double*
     const ShadowRay ray = this->MakeShadowRay(light, hits[i]);
     const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
     goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
-    AddRay(
-      ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions()), rays);
+    AddRay(ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions(),
+             this->TheScene.Want.Planes),
+      rays);
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
   // tells: a first crossing to the side that the ray is on already is none. Where the surface is
@@ -271,7 +272,7 @@ void Shader::CastShadows(const Light& light, const Hit* hits, int count, double*
 Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) const
 {
   const Matrix4& toWorld = this->TheScene.View.GetWorldFromIndex();
-  const Vector3 origin = hit.GetPoint();
+  const Vector3 origin = hit.GetPoint(this->TheScene.Want.Planes);
   const Vector3 toLight =
     light.Positional ? light.Position - TransformPoint(toWorld, origin) : light.Direction;
   // The gradient's matrix is the inverse of the transposed, up to a factor.
@@ -326,7 +327,7 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* sh
     normal = normal * -1.0;
   }
 
-  const Vector3 point = TransformPoint(toWorld, hit.GetPoint());
+  const Vector3 point = TransformPoint(toWorld, hit.GetPoint(scene.Want.Planes));
   Vector3 diffuse = { 0.0, 0.0, 0.0 };
   Vector3 specular = { 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < scene.Lights.size(); ++i)

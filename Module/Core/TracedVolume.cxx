@@ -172,7 +172,8 @@ public:
     for (const Root& root : roots.Get())
     {
       const Hit hit = MakeHit(ray, cell, segment, root);
-      if (!this->Want->Seen.IsConvex() && !this->Want->Seen.Shows(hit, this->Dimensions))
+      if (!this->Want->Seen.IsConvex() &&
+        !this->Want->Seen.Shows(hit, this->Dimensions, this->Want->Planes))
       {
         continue;
       }
@@ -322,7 +323,7 @@ public:
       {
         if (Has(rays.Exists, i))
         {
-          this->TraceAlone(GetRay(rays, i), hits.Hits);
+          this->TraceAlone(this->TakeRay(rays, i), hits.Hits);
         }
         hits.First.push_back(hits.Hits.size());
       }
@@ -331,7 +332,8 @@ public:
 
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override
   {
-    if (mode == NormalMode::CentralDifferences)
+    const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hit.Cell);
+    if (mode == NormalMode::CentralDifferences && !isFlat)
     {
       const Vector3 gradient = this->GetSmoothGradient(hit);
       if (std::isfinite(gradient[0]) && std::isfinite(gradient[1]) && std::isfinite(gradient[2]))
@@ -344,7 +346,8 @@ public:
     LoadCorners(this->TheSamples, hit.Cell, values);
     CellCorners corners;
     std::copy(values, values + 8, corners.begin());
-    return InterpolantGradient(corners, hit.Parametric);
+    const Vector3 gradient = InterpolantGradient(corners, hit.Parametric);
+    return this->Want.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
   }
 
   void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
@@ -375,7 +378,8 @@ public:
     }
     for (int i = 0; i < count; ++i)
     {
-      if (mode != NormalMode::CentralDifferences || !std::isfinite(gradients[0][i]) ||
+      const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hits[i].Cell);
+      if (mode != NormalMode::CentralDifferences || isFlat || !std::isfinite(gradients[0][i]) ||
         !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
       {
         const Vector3 gradient = this->GetGradient(hits[i], mode);
@@ -458,7 +462,15 @@ private:
     return RayProgress(this->Want, this->TheSamples.GetDimensions());
   }
 
-  /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
+  /// A ray of a group that exists.
+  Ray TakeRay(const RayGroup& rays, int i) const
+  {
+    Ray ray = GetRay(rays, i);
+    ray.Planes = this->Want.Planes;
+    return ray;
+  }
+
+  /// Beams take even spacing, macrocells of 8^3 cells, and rays of ordinary length.
   bool CanUseBeams(const RayGroup& rays) const
   {
     bool isFinite = true;
@@ -467,7 +479,7 @@ private:
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->HasTree && this->Want.BeamKernels;
+    return isFinite && this->HasTree && this->Want.BeamKernels && !this->Want.Planes;
   }
 
   void TraceBeams(RayGroup& rays, RayHits& hits)
@@ -655,7 +667,7 @@ private:
     {
       if (Has(group.Exists, i))
       {
-        rays.push_back(GetRay(group, i));
+        rays.push_back(this->TakeRay(group, i));
         going.push_back(followers.size());
         followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
           MacrocellWalk(rays.back(), this->Active), this->NewProgress(), {} });
@@ -770,9 +782,56 @@ private:
     }
   }
 
+  /// From differences along the edges of a cell to the gradient. In a flat cell only its flat axes
+  /// count: there the gradient is infinite, and this is its direction.
+  Vector3 DivideByWidths(Vector3 gradient, const Index3& cell) const
+  {
+    const bool isFlat = this->Want.Planes->IsFlat(cell);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double width = this->Want.Planes->GetWidth(axis, cell[axis]);
+      gradient[axis] = isFlat ? (width > 0.0 ? 0.0 : gradient[axis]) : gradient[axis] / width;
+    }
+    return gradient;
+  }
+
+  /// The slope at a sample along an axis of uneven planes: that of the parabola through the sample
+  /// and its neighbours, which is the mean of the slopes to both, the nearer of which counts more.
+  /// (The difference of the neighbours over their distance is off by half the difference of the two
+  /// widths, times the second derivative; one would see it.) At the border of the volume and beside
+  /// a flat cell, the slope to the other side.
+  double GetUnevenSlope(Index3 sample, std::size_t axis) const
+  {
+    const int place = sample[axis];
+    const auto value = static_cast<double>(*this->TheSamples.At(sample));
+    double widths[2] = { 0.0, 0.0 };
+    double slopes[2] = { 0.0, 0.0 };
+    for (int side = 0; side < 2; ++side)
+    {
+      const int cell = place - 1 + side;
+      if (cell < 0 || cell > this->TheSamples.GetDimensions()[axis] - 2)
+      {
+        continue;
+      }
+      widths[side] = this->Want.Planes->GetWidth(axis, cell);
+      sample[axis] = place - 1 + 2 * side;
+      const double rise = static_cast<double>(*this->TheSamples.At(sample)) - value;
+      slopes[side] = widths[side] > 0.0 ? rise * (2 * side - 1) / widths[side] : 0.0;
+    }
+    if (!(widths[0] > 0.0) || !(widths[1] > 0.0))
+    {
+      return slopes[0] + slopes[1];
+    }
+    return (slopes[0] * widths[1] + slopes[1] * widths[0]) / (widths[0] + widths[1]);
+  }
+
   /// The central difference at a sample; at the border of the volume, the one-sided difference.
   double GetDifference(Index3 sample, std::size_t axis) const
   {
+    if (this->Want.Planes)
+    {
+      return this->GetUnevenSlope(sample, axis);
+    }
     const int place = sample[axis];
     const int next = std::min(place + 1, this->TheSamples.GetDimensions()[axis] - 1);
     const int previous = std::max(place - 1, 0);
@@ -795,7 +854,7 @@ private:
   /// The differences along each axis at the corners of a cell.
   void GetDifferences(const Index3& cell, CellCorners differences[3]) const
   {
-    if (this->IsInner(cell))
+    if (!this->Want.Planes && this->IsInner(cell))
     {
       this->GetInnerDifferences(cell, differences);
       return;
