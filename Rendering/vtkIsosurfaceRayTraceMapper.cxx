@@ -245,14 +245,19 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteHits(
     {
       const vtkirt::Hit& hit = hits.Hits[i];
       const auto row = static_cast<vtkIdType>(i);
-      points->SetPoint(row, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()).data());
+      vtkirt::Vector3 point;
+      vtkirt::Vector3 inCell;
+      vtkirt::Vector3 normal;
+      vtkIdType cellId = -1;
+      double isovalue = 0.0;
+      this->Describe(hit, normalMode, point.data(), inCell.data(), cellId, isovalue, normal.data());
+      points->SetPoint(row, point.data());
       rayIds->SetValue(row, static_cast<vtkIdType>(ray));
       ts->SetValue(row, hit.T);
-      vtkirt::Vector3 inCell;
-      cellIds->SetValue(row, this->Source.FindCell(hit, inCell));
+      cellIds->SetValue(row, cellId);
       parametric->SetTypedTuple(row, inCell.data());
-      isovalues->SetValue(row, this->GetIsovalue(hit));
-      normals->SetTypedTuple(row, this->GetNormal(hit, normalMode).data());
+      isovalues->SetValue(row, isovalue);
+      normals->SetTypedTuple(row, normal.data());
     }
   }
 }
@@ -608,29 +613,12 @@ void vtkIsosurfaceRayTraceMapper::Internals::ReadDepths(vtkOpenGLRenderWindow* w
   pixels.Height = std::min(pixels.Height, viewport.Height - pixels.Y);
   const int left = viewport.X + pixels.X;
   const int bottom = viewport.Y + pixels.Y;
-  std::vector<float> depths(vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
+  this->SceneDepths.resize(vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
   window->GetZbufferData(
-    left, bottom, left + pixels.Width - 1, bottom + pixels.Height - 1, depths.data());
-  if (sampling.Pixels == 1 && sampling.Rays == 1)
+    left, bottom, left + pixels.Width - 1, bottom + pixels.Height - 1, this->SceneDepths.data());
+  if (sampling.Pixels != 1 || sampling.Rays != 1)
   {
-    this->SceneDepths.swap(depths);
-  }
-  else
-  {
-    // A ray goes through the middle of its pixels.
-    const vtkirt::PixelRectangle& rays = scene.Pixels;
-    this->SceneDepths.clear();
-    for (int y = 0; y < rays.Height; ++y)
-    {
-      for (int x = 0; x < rays.Width; ++x)
-      {
-        const int middle = sampling.Pixels / 2;
-        const int column = std::min(x * sampling.Pixels / sampling.Rays + middle, pixels.Width - 1);
-        const int row = std::min(y * sampling.Pixels / sampling.Rays + middle, pixels.Height - 1);
-        this->SceneDepths.push_back(
-          depths[vtkirt::Offset({ column, row, 0 }, { pixels.Width, pixels.Height, 1 })]);
-      }
-    }
+    this->SceneDepths = vtkirt::TakeAtRays(sampling, scene.Pixels, this->SceneDepths, pixels);
   }
   scene.Depth = this->SceneDepths.data();
 }

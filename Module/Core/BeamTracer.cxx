@@ -146,7 +146,7 @@ void BeamTracer::FollowPassages(const Beam& beam)
   {
     next[i] = std::exchange(first[this->Passed.Ray[i]], i);
   }
-  std::vector<Index3> cells;
+  std::vector<Index3>& cells = this->CellsOfRay;
   for (int ray = 0; ray < this->Group->Count; ++ray)
   {
     if (first[ray] < 0)

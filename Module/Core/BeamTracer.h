@@ -84,6 +84,8 @@ private:
   Passages Passed;
   Candidates Queue;
   ExtremeCandidates Extremes;
+  /// Kept for its memory.
+  std::vector<Index3> CellsOfRay;
 };
 
 }

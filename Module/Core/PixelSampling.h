@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -50,6 +51,25 @@ struct PixelSampling
       (rays.Y + rays.Height - y + n - 1) / n * n };
   }
 };
+
+/// The depth for each ray of a rectangle, which goes through the middle of its pixels, out of the
+/// depths of a rectangle of pixels that begins where the rays do.
+inline std::vector<float> TakeAtRays(const PixelSampling& sampling, const PixelRectangle& rays,
+  const std::vector<float>& depths, const PixelRectangle& pixels)
+{
+  const int middle = sampling.Pixels / 2;
+  std::vector<float> result;
+  for (int y = 0; y < rays.Height; ++y)
+  {
+    for (int x = 0; x < rays.Width; ++x)
+    {
+      const int column = std::min(x * sampling.Pixels / sampling.Rays + middle, pixels.Width - 1);
+      const int row = std::min(y * sampling.Pixels / sampling.Rays + middle, pixels.Height - 1);
+      result.push_back(depths[Offset({ column, row, 0 }, { pixels.Width, pixels.Height, 1 })]);
+    }
+  }
+  return result;
+}
 
 /// Makes a picture of so many rays across one of pixels, with so many rays along the edge of each:
 /// their mean colour, and their least depth.

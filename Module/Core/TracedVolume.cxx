@@ -491,6 +491,7 @@ private:
       this->Want.Seen.IsConvex();
     if (!firstHits)
     {
+      cells.StartFollowing();
       tracer.FollowRays(rays, cells);
       cells.GetHits(hits);
       return;
@@ -517,9 +518,15 @@ private:
       : Volume(volume)
       , Rays(rays)
       , Reader(volume.Bricks)
-      , Progress(static_cast<std::size_t>(rays.Count), volume.NewProgress())
-      , Hits(static_cast<std::size_t>(rays.Count))
     {
+    }
+
+    /// Makes ready to follow rays, which those who want first hits need not pay for.
+    void StartFollowing()
+    {
+      const auto count = static_cast<std::size_t>(this->Rays.Count);
+      this->Progress.assign(count, this->Volume.NewProgress());
+      this->Hits.assign(count, {});
     }
 
     void Prefetch(const Index3& block) override

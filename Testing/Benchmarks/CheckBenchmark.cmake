@@ -39,7 +39,7 @@ run(vtkIsosurfaceBenchmarkVolume "no field cube; there are: gyroid marschner-lob
   --field cube --dimensions 32 --output cube.mhd)
 run(vtkIsosurfaceBenchmarkVolume "from 2 to 16384 samples"
   --field sphere --dimensions 32,1,32 --output flat.mhd)
-run(vtkIsosurfaceBenchmarkVolume "no file or folder none.mhd"
+run(vtkIsosurfaceBenchmarkVolume "no file none.mhd"
   --input none.mhd --dimensions 32 --output cube.mhd)
 run(vtkIsosurfaceBenchmarkVolume "does its folder exist"
   --field sphere --dimensions 32 --output none/sphere.mhd)

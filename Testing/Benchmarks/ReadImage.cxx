@@ -3,13 +3,12 @@
 
 #include "ReadImage.h"
 
+#include "IsosurfaceCompare/ReadVolume.h"
+
 #include <vtkDICOMImageReader.h>
 #include <vtkImageData.h>
-#include <vtkImageReader2.h>
-#include <vtkImageReader2Factory.h>
-#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <stdexcept>
@@ -19,37 +18,12 @@ namespace Benchmark
 namespace
 {
 
-using vtksys::SystemTools;
-
-vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
+vtkSmartPointer<vtkImageData> ReadSlices(const std::string& directory)
 {
-  if (SystemTools::FileIsDirectory(fileName))
-  {
-    auto reader = vtkSmartPointer<vtkDICOMImageReader>::New();
-    reader->SetDirectoryName(fileName.c_str());
-    return reader;
-  }
-  const std::string name = SystemTools::LowerCase(fileName);
-  if (SystemTools::StringEndsWith(name, ".vti"))
-  {
-    auto reader = vtkSmartPointer<vtkXMLImageDataReader>::New();
-    reader->SetFileName(fileName.c_str());
-    return reader;
-  }
-  vtkSmartPointer<vtkImageReader2> reader;
-  if (SystemTools::StringEndsWith(name, ".nii") || SystemTools::StringEndsWith(name, ".nii.gz"))
-  {
-    reader = vtkSmartPointer<vtkNIFTIImageReader>::New();
-  }
-  else
-  {
-    reader.TakeReference(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
-  }
-  if (reader)
-  {
-    reader->SetFileName(fileName.c_str());
-  }
-  return reader;
+  vtkNew<vtkDICOMImageReader> reader;
+  reader->SetDirectoryName(directory.c_str());
+  reader->Update();
+  return reader->GetOutput();
 }
 
 }
@@ -57,18 +31,10 @@ vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName)
 {
-  if (!SystemTools::FileExists(fileName))
-  {
-    throw std::runtime_error("there is no file or folder " + fileName);
-  }
-  const vtkSmartPointer<vtkAlgorithm> reader = NewReader(fileName);
-  if (!reader)
-  {
-    throw std::runtime_error("VTK has no image reader for " + fileName);
-  }
-  reader->Update();
-  vtkSmartPointer<vtkImageData> image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!image || !image->GetPointData()->GetScalars() || image->GetDataDimension() != 3)
+  const bool isDirectory = vtksys::SystemTools::FileIsDirectory(fileName);
+  vtkSmartPointer<vtkImageData> image =
+    isDirectory ? ReadSlices(fileName) : Compare::ReadVolume(fileName);
+  if (!image->GetPointData()->GetScalars() || image->GetDataDimension() != 3)
   {
     throw std::runtime_error(fileName + " is not a volume with point scalars");
   }

@@ -9,6 +9,7 @@
 #include "AnalyticFields.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkCommand.h>
@@ -20,10 +21,12 @@
 #include <vtkPNGReader.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkRegressionTestImage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -121,6 +124,22 @@ vtkSmartPointer<vtkImageData> NewCube(int samples, const Field& field)
 inline vtkSmartPointer<vtkImageData> NewBall(int samples, double radius)
 {
   return NewCube(samples, AnalyticFields::Sphere{ { 0.0, 0.0, 0.0 }, radius });
+}
+
+/// A sphere of polygons, with so many of them along each of its circles.
+inline vtkSmartPointer<vtkActor> NewSphere(
+  double radius, const std::array<double, 3>& center, int resolution = 8)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetCenter(center[0], center[1], center[2]);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
 }
 
 /// A volume with its mapper in a renderer of a small window. Its surface is at 0, ivory and opaque.

@@ -8,7 +8,6 @@
 
 #include "vtkIsosurfacePicker.h"
 
-#include <vtkActor.h>
 #include <vtkCellPicker.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -20,11 +19,9 @@
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
 #include <vtkPlane.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProp3DCollection.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
-#include <vtkSphereSource.h>
 #include <vtkWorldPointPicker.h>
 #include <vtksys/SystemTools.hxx>
 
@@ -207,13 +204,7 @@ void CheckPicker(Checks& check)
     "a ray in space picks the isosurface or nothing");
 
   // What stands before the surface is picked before it.
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(0.2);
-  source->SetCenter(0.5, -1.5, 0.4);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
+  const auto actor = NewSphere(0.2, { 0.5, -1.5, 0.4 });
   scene.Renderer->AddActor(actor);
   scene.Window->Render();
   double display[3] = { 0.5, -1.5, 0.4 };
@@ -223,7 +214,7 @@ void CheckPicker(Checks& check)
   check.Equal(picker->Pick(display[0], display[1], 0.0, scene.Renderer), 1, "the sphere is picked");
   check.That(picker->GetProp3D() == actor.Get() && !std::isfinite(picker->GetIsovalue()),
     "and not the surface behind it");
-  source->SetCenter(0.0, 1.5, 0.0);
+  actor->SetPosition(-0.5, 3.0, -0.4);
   scene.Window->Render();
   check.Equal(picker->Pick(Size / 2, Size / 2, 0.0, scene.Renderer), 1, "something is picked");
   check.That(picker->GetProp3D() == scene.Volume.Get(), "it is not the sphere behind the surface");
@@ -294,13 +285,7 @@ void CheckSelector(Checks& check)
     "the difference after a selection");
 
   // With an actor in the scene, each has its own.
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(0.3);
-  source->SetCenter(0.5, -1.2, 0.4);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
+  const auto actor = NewSphere(0.3, { 0.5, -1.2, 0.4 });
   scene.Renderer->AddActor(actor);
   scene.Window->Render();
   const auto cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;

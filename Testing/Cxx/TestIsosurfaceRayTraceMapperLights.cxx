@@ -8,9 +8,7 @@
 #include <vtkActor.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 
 #include <functional>
 
@@ -94,14 +92,7 @@ void SetMaterial(Scene& scene)
 /// The ball as polygons, of the same material.
 vtkSmartPointer<vtkActor> NewPolygons(double radius)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(200);
-  sphere->SetPhiResolution(200);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  const auto actor = NewSphere(radius, { 0.0, 0.0, 0.0 }, 200);
   vtkProperty* property = actor->GetProperty();
   property->SetInterpolationToPhong();
   property->SetColor(0.9, 0.6, 0.3);

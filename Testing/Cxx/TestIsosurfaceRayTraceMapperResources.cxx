@@ -5,15 +5,12 @@
 
 #include "MapperTesting.h"
 
-#include <vtkActor.h>
 #include <vtkHardwareSelector.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseKey.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
-#include <vtkSphereSource.h>
 
 #include <chrono>
 #include <thread>
@@ -22,20 +19,6 @@ using namespace MapperTesting;
 
 namespace
 {
-
-vtkSmartPointer<vtkActor> NewSphere(double radius, const std::array<double, 3>& center)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetCenter(center[0], center[1], center[2]);
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return actor;
-}
 
 /// One mapper in two windows at once, one after the other, after release, and after a resize.
 void CheckWindows(Checks& check, vtkImageData* image)
@@ -130,7 +113,7 @@ void CheckAbort(Checks& check, vtkImageData* image)
 void CheckSelection(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
-  const auto sphere = NewSphere(0.3, { 0.0, 1.4, 0.0 });
+  const auto sphere = NewSphere(0.3, { 0.0, 1.4, 0.0 }, 40);
   scene.Renderer->AddActor(sphere);
   scene.LookFrom(0.0, -4.0, 0.0);
   const Picture before = RenderAndCapture(scene.Window);
@@ -153,7 +136,7 @@ void CheckSelection(Checks& check, vtkImageData* image)
 void CheckDepthPeeling(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
-  const auto glass = NewSphere(0.4, { 0.9, -0.5, 0.0 });
+  const auto glass = NewSphere(0.4, { 0.9, -0.5, 0.0 }, 40);
   glass->GetProperty()->SetOpacity(0.4);
   scene.Renderer->AddActor(glass);
   const Picture plain = RenderAndCapture(scene.Window);

@@ -5,26 +5,10 @@
 
 #include "MapperTesting.h"
 
-#include <vtkActor.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkSphereSource.h>
-
 using namespace MapperTesting;
 
 namespace
 {
-
-vtkSmartPointer<vtkActor> NewSphere()
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(0.4);
-  source->SetCenter(0.5, -0.6, 0.3);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return actor;
-}
 
 /// Sets a distance between rays that stays.
 void SetDistance(Scene& scene, double distance)
@@ -87,7 +71,7 @@ void CheckDepth(Checks& check)
 {
   const auto image = NewBall(33, 0.7);
   Scene scene(image, 200, 200);
-  const auto sphere = NewSphere();
+  const auto sphere = NewSphere(0.4, { 0.5, -0.6, 0.3 });
   scene.Renderer->AddActor(sphere);
   const Picture whole = RenderAndCapture(scene.Window);
   for (const double distance : { 2.0, 4.0, 0.5 })
