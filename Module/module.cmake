@@ -25,6 +25,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceColors
+  Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSource)

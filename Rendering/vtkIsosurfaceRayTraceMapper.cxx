@@ -25,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -145,7 +146,8 @@ public:
   /// The component of the property that says what they look like.
   int PropertyComponent = 0;
   vtkIsosurfaceRayTraceSource Source;
-  /// What surfaces are coloured by; the array is null if by their isovalues.
+  /// What surfaces are coloured by; the array is null if by their isovalues, the image if it is an
+  /// array of the input.
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
@@ -178,7 +180,7 @@ vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
     using vtkirt::operator-;
     rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
       vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd,
-      this->Source.GetVolume()->GetDimensions());
+      this->Source.GetVolume()->GetDimensions(), this->Want.Planes);
   }
   this->Source.GetVolume()->Select(this->Want, threads);
   return vtkirt::CastRays(*this->Source.GetVolume(), rays, threads);
@@ -202,7 +204,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, in
   cellId = this->Source.FindCell(hit, inCell);
   std::copy_n(inCell.begin(), 3, pcoords);
   isovalue = this->GetIsovalue(hit);
-  const vtkirt::Vector3 point = vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint());
+  const vtkirt::Vector3 point =
+    vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes));
   std::copy_n(point.begin(), 3, x);
   const vtkirt::Vector3 outward = this->GetNormal(hit, normalMode);
   std::copy_n(outward.begin(), 3, normal);
@@ -280,7 +283,11 @@ vtkIsosurfaceRayTraceMapper::~vtkIsosurfaceRayTraceMapper() = default;
 int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  if (port == 1)
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  }
+  else
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -441,14 +448,15 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
     return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
            "SetBlendModeToIsoSurface(), or use another volume mapper.";
   }
-  auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
-  if (!image)
+  vtkDataSet* grid = self->GetDataSetInput();
+  if (!vtkImageData::SafeDownCast(grid) && !vtkRectilinearGrid::SafeDownCast(grid))
   {
-    return "There is no input. Give a vtkImageData with SetInputData or SetInputConnection.";
+    return "There is no input. Give a vtkImageData or a vtkRectilinearGrid with SetInputData or "
+           "SetInputConnection.";
   }
   int association = 0;
   this->Scalars.Scalars = vtkAbstractMapper::GetScalars(
-    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+    grid, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
   this->Scalars.AreOfCells = association == 1;
   this->PropertyComponent = 0;
   if (self->VectorMode == DISABLED)
@@ -470,7 +478,7 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : self->VectorComponent;
   }
-  std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(image, this->Scalars);
+  std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(grid, this->Scalars);
   problem += problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : "";
   problem += problem.empty() ? this->SelectColors(self) : "";
   return problem;
@@ -480,13 +488,14 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectColors(vtkIsosurfaceRayTraceMapper* self)
 {
   auto* second = vtkImageData::SafeDownCast(self->GetInputDataObject(1, 0));
-  this->ColorImage = second ? second : vtkImageData::SafeDownCast(self->GetDataSetInput());
+  this->ColorImage = second;
   this->ColorArray = nullptr;
   if (!second && self->ColorArrayName.empty())
   {
     return "";
   }
-  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(this->ColorImage, self->ColorArrayName);
+  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(
+    second ? second : self->GetDataSetInput(), self->ColorArrayName);
   if (this->ColorArray)
   {
     return "";
@@ -523,13 +532,15 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   settings.BrickGroupSize = this->BrickGroupSize;
 
   const Clock::time_point start = Clock::now();
-  if (internal.Source.Update(vtkImageData::SafeDownCast(this->GetDataSetInput()), internal.Scalars,
-        settings, this->GetThreads()))
+  if (internal.Source.Update(
+        this->GetDataSetInput(), internal.Scalars, settings, this->GetThreads()))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
+  const vtkIsosurfaceRayTraceGeometry& geometry = internal.Source.GetGeometry();
   internal.WorldFromIndex =
-    vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, internal.Source.GetPhysicalFromIndex());
+    vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, geometry.GetPhysicalFromIndex());
+  internal.Want.Planes = geometry.GetPlanes();
   internal.Want.Surfaces =
     vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
@@ -561,8 +572,8 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
   scene.Shadows = self->Shadows;
   if (this->ColorArray)
   {
-    this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(this->ColorImage, this->ColorArray,
-      this->Source.GetPhysicalFromIndex(), property, this->PropertyComponent);
+    this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(
+      this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
   }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
@@ -658,11 +669,11 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
   if (selector)
   {
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+    vtkDataSet* grid = this->GetDataSetInput();
     selector->BeginRenderProp();
     selector->RenderCompositeIndex(1);
-    selector->UpdateMaximumCellId(image->GetNumberOfCells());
-    selector->UpdateMaximumPointId(image->GetNumberOfPoints());
+    selector->UpdateMaximumCellId(grid->GetNumberOfCells());
+    selector->UpdateMaximumPointId(grid->GetNumberOfPoints());
     internal.WriteIds(selector, scene);
     opaque = true;
   }
@@ -721,8 +732,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    picture.Depths[pixel] =
-      static_cast<float>(std::clamp(scene.View.GetDepth(hit.GetPoint()), 0.0, 1.0));
+    picture.Depths[pixel] = static_cast<float>(
+      std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
   }
 }
 

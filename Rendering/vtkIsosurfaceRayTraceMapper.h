@@ -4,8 +4,8 @@
  * @class   vtkIsosurfaceRayTraceMapper
  * @brief   ray trace isosurfaces straight from image data, on the CPU
  *
- * A volume mapper that draws the isosurfaces of a vtkImageData without extracting a polygon. Every
- * ray is intersected with the trilinear interpolant of the data: inside a cell that is a cubic
+ * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
+ * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside a cell that is a cubic
  * along the ray, and its first root is the hit. A new isovalue, colour or camera costs a frame and
  * nothing else.
  *
@@ -33,8 +33,16 @@
  * drawn in cells that are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are
  * duplicates of those of another piece.
  *
+ * The coordinates of a vtkRectilinearGrid may be of any type, rise or fall, and repeat: where they
+ * repeat and the values differ, the surface is a wall, as in vtkRectilinearSynchronizedTemplates.
+ * What is said of images holds for these grids; where their planes are evenly spaced to within the
+ * rounding of double precision, they are traced as images are, else cell by cell, at several times
+ * the time. Smooth normals are interpolated from the slopes of parabolas through neighbouring
+ * samples, which is exact for quadrics, however uneven the spacing.
+ *
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane stands
- * across an axis of the image, at origin + spacing * index; it belongs to the region in the middle.
+ * across an axis of the image, at origin + spacing * index (for a rectilinear grid, at that
+ * coordinate); it belongs to the region in the middle.
  * There may be any number of clipping planes. Pictures, IntersectWithLine and CastRays are cut
  * alike.
  *
