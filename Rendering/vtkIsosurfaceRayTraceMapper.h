@@ -5,9 +5,9 @@
  * @brief   ray trace isosurfaces straight from image data, on the CPU
  *
  * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
- * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside a cell that is a cubic
- * along the ray, and its first root is the hit. A new isovalue, colour or camera costs a frame and
- * nothing else.
+ * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside
+ * a cell that is a cubic along the ray, and its first root is the hit. A new isovalue, colour or
+ * camera costs a frame and nothing else.
  *
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
