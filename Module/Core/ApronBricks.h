@@ -21,11 +21,13 @@ class ApronBricks
 {
 public:
   using Value = Stored<T>;
+  using Kept = Value;
 
   ApronBricks(const Samples<T>& samples, int size)
     : TheSamples(samples)
     , Size(size)
     , Edge(static_cast<std::size_t>(size) + 1)
+    , Strides{ 1, size + 1, (size + 1) * (size + 1) }
     , BrickDimensions(
         BlocksCovering({ samples.GetDimensions()[0] - 1, samples.GetDimensions()[1] - 1,
                          samples.GetDimensions()[2] - 1 },
@@ -78,6 +80,13 @@ public:
       corners[6] = high[edge];
       corners[7] = high[edge + 1];
     }
+
+    const Kept* FindBlock(const Index3& first, int edge)
+    {
+      return this->Layout.Size % edge == 0 ? this->Find(first) : nullptr;
+    }
+
+    const std::ptrdiff_t* GetStrides() const { return this->Layout.Strides.data(); }
 
   private:
     /// The first corner of a cell; null if its brick is not there.
@@ -168,6 +177,8 @@ private:
   Samples<T> TheSamples;
   int Size;
   std::size_t Edge;
+  /// Within a brick.
+  std::array<std::ptrdiff_t, 3> Strides;
   Index3 BrickDimensions;
   BlockCache Bricks;
   BrickCounters Counters;

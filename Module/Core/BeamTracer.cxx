@@ -15,11 +15,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-int CountOf(const RaySet& set)
-{
-  return __builtin_popcountll(set.Words[0]) + __builtin_popcountll(set.Words[1]);
-}
-
 int FirstOf(const RaySet& set)
 {
   return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
@@ -32,6 +27,7 @@ const GroupHits& BeamTracer::FindFirstHits(
   RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue)
 {
   this->Isovalue = isovalue;
+  this->CornerSteps = cells.GetCornerSteps();
   this->Queue.Count = 0;
   this->Hits.Found = {};
   this->Hits.Refined = {};
@@ -114,9 +110,18 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
   const BlockMask& mask = this->Source->GetMask(block, own);
   const int first[3] = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
     block[2] * BlockMask::Edge };
+  const int before = this->Passed.Count;
   this->TheKernels.FindPassages(
     *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
-  if (this->Isovalue && this->Passed.Count >= Passages::Batch)
+  if (!this->Isovalue || this->Passed.Count == before)
+  {
+    return;
+  }
+  const void* corner = this->Source->FindCorner(block);
+  this->AllInRows = this->AllInRows && corner;
+  std::fill(&this->Passed.Corner[before], &this->Passed.Corner[this->Passed.Count],
+    static_cast<const char*>(corner));
+  if (this->Passed.Count >= Passages::Batch)
   {
     this->SolvePassages(beam);
   }
@@ -222,6 +227,7 @@ void BeamTracer::SolvePassages(const Beam& beam)
     }
   }
   this->Passed.Count = 0;
+  this->AllInRows = true;
 }
 
 void BeamTracer::AddCandidates(int axis, int passage, int slice)
@@ -233,6 +239,11 @@ void BeamTracer::AddCandidates(int axis, int passage, int slice)
   int* acrossV = queue.Cell[BlockMask::V[axis]];
   const int firstU = first[BlockMask::U[axis]];
   const int firstV = first[BlockMask::V[axis]];
+  const std::ptrdiff_t* steps = this->CornerSteps.data();
+  const std::ptrdiff_t toSlice = slice * steps[axis];
+  const std::ptrdiff_t stepU = steps[BlockMask::U[axis]];
+  const std::ptrdiff_t stepV = steps[BlockMask::V[axis]];
+  const char* corner = this->Passed.Corner[passage];
   const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
@@ -241,6 +252,7 @@ void BeamTracer::AddCandidates(int axis, int passage, int slice)
     along[place] = first[axis] + slice;
     acrossU[place] = firstU + bit % 8;
     acrossV[place] = firstV + bit / 8;
+    queue.First[place] = corner ? corner + toSlice + bit % 8 * stepU + bit / 8 * stepV : nullptr;
   };
   // Mostly there are one or two. Both are written, and then counted.
   std::uint64_t cells = this->Passed.Cells[passage][slice];
@@ -264,7 +276,14 @@ void BeamTracer::SolveQueue()
   {
     this->Queue.Ray[this->Queue.Count + i] = 0;
   }
-  this->Source->LoadCorners(this->Queue);
+  if (this->AllInRows)
+  {
+    this->Source->GatherCorners(this->Queue);
+  }
+  else
+  {
+    this->Source->LoadCorners(this->Queue);
+  }
   this->TheKernels.FindHits(
     *this->Group, this->Queue, *this->Isovalue, this->Hits, this->Passed, this->Extremes);
   for (int i = 0; i < this->Extremes.Count; ++i)

@@ -10,6 +10,8 @@
 #include "Kernels.h"
 #include "Ray.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -40,6 +42,13 @@ public:
     virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
 
     // For first hits only:
+    /// Where the first corner of the first cell of a block is kept; null unless all its corners are
+    /// kept in rows.
+    virtual const void* FindCorner(const Index3& block) = 0;
+    /// How many bytes it is from there to the next along each axis.
+    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
+    /// Loads corners that are all kept in rows, or from wherever they are.
+    virtual void GatherCorners(Candidates& candidates) = 0;
     virtual void LoadCorners(Candidates& candidates) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
     /// the ray comes into the cell. Returns false if there is none.
@@ -82,6 +91,9 @@ private:
   std::optional<ScaledIsovalue> Isovalue;
   GroupHits Hits;
   Passages Passed;
+  /// Whether the corners of all passages are kept in rows.
+  bool AllInRows = true;
+  std::array<std::ptrdiff_t, 3> CornerSteps = {};
   Candidates Queue;
   ExtremeCandidates Extremes;
   /// Kept for its memory.

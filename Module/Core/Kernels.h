@@ -92,8 +92,9 @@ struct Passages
 
   int Count;
   int Ray[Capacity];
-  /// The first cell of the block.
+  /// The first cell of the block, and where its first corner is kept.
   int First[Capacity][3];
+  const char* Corner[Capacity];
   /// The slices across the axis that have cells left.
   unsigned int Slices[Capacity];
   std::uint64_t Cells[Capacity][8];
@@ -112,6 +113,8 @@ struct Candidates
   int Passage[Capacity];
   int Ray[Capacity];
   int Cell[3][Capacity];
+  /// Where the first corner of the cell is kept.
+  const void* First[Capacity];
   alignas(64) double Corners[8][Capacity];
 };
 
@@ -153,14 +156,12 @@ struct ExtremeCandidates
   int Numbers[Candidates::Capacity];
 };
 
-/// The differences between samples around hits, which make their gradients: see
-/// NormalMode::CentralDifferences.
-struct CornerDifferences
+/// Cells whose corners all have neighbours on both sides, and a place in each.
+struct InnerCells
 {
   int Count;
-  /// Along each axis, at each corner of the cell.
-  alignas(64) double Values[3][8][RayGroup::Capacity];
-  /// Where in the cell the hit is.
+  /// The first corner of the cell, where the samples are.
+  const void* First[RayGroup::Capacity];
   alignas(64) double Parametric[3][RayGroup::Capacity];
 };
 
@@ -217,6 +218,10 @@ struct Kernels
   void (*FindPassages)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], Passages& passages);
 
+  /// Loads the corners of candidates from where they are kept in rows, with so many values from
+  /// neighbour to neighbour along each axis. One for every ScalarType.
+  void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
+
   /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and
   /// tells the passages.
   void (*FindHits)(const RayGroup& group, const Candidates& candidates,
@@ -227,9 +232,10 @@ struct Kernels
   /// Robust::ForEachRoot does.
   void (*Refine)(const RayGroup& group, GroupHits& hits);
 
-  /// Interpolates differences at the corners of cells, as Interpolate does.
-  void (*InterpolateDifferences)(
-    const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity]);
+  /// Interpolates the central differences at the corners of cells, which makes the gradients of
+  /// NormalMode::CentralDifferences. Strides are those of Samples. One for every ScalarType.
+  void (*InterpolateDifferences[10])(const InnerCells& cells, const std::ptrdiff_t strides[3],
+    double (*gradients)[RayGroup::Capacity]);
 
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);

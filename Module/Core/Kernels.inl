@@ -8,6 +8,8 @@
 #include "Kernels.h"
 #include "Lanes.h"
 
+#include "LaneRows.h"
+
 namespace vtkIsosurfaceRayTracing
 {
 namespace
@@ -363,6 +365,54 @@ LANES_INLINE unsigned int FindCellsOfRay(
   _mm512_storeu_si512(cells, found);
   return _mm512_test_epi64_mask(found, found);
 }
+#elif defined(LANES_AVX2)
+/// The cells between the places of a ray across, one bit for each, in eight slices.
+LANES_INLINE __m256i FindRow(float middle, float slope)
+{
+  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m256 margin = _mm256_set1_ps(static_cast<float>(Margin));
+  const __m256 slopes = _mm256_set1_ps(slope);
+  const __m256 near = _mm256_add_ps(_mm256_set1_ps(middle), _mm256_mul_ps(planes, slopes));
+  const __m256 far = _mm256_add_ps(near, slopes);
+  const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margin);
+  const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margin);
+  const __m256i seven = _mm256_set1_epi32(7);
+  const __m256i low = _mm256_max_epi32(_mm256_cvttps_epi32(least), _mm256_setzero_si256());
+  const __m256i high =
+    _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
+  const __m256i byte = _mm256_set1_epi32(0xFF);
+  return _mm256_and_si256(
+    byte, _mm256_and_si256(_mm256_sllv_epi32(byte, low), _mm256_srlv_epi32(byte, high)));
+}
+
+/// Those of four slices that are in a row of columns, a column of rows, and the slices.
+LANES_INLINE unsigned int FindCellsOfSlices(
+  __m128i columns, __m128i rows, const std::uint64_t slices[4], std::uint64_t cells[4])
+{
+  const __m256i firstBytes = _mm256_set_epi64x(0x0808080808080808, 0, 0x0808080808080808, 0);
+  const __m256i bits = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201U));
+  const auto spread = [firstBytes](__m128i words)
+  { return _mm256_shuffle_epi8(_mm256_cvtepu32_epi64(words), firstBytes); };
+  const __m256i inRows = _mm256_cmpeq_epi8(_mm256_and_si256(spread(rows), bits), bits);
+  const __m256i found = _mm256_and_si256(_mm256_and_si256(inRows, spread(columns)),
+    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(slices)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(cells), found);
+  const __m256i none = _mm256_cmpeq_epi64(found, _mm256_setzero_si256());
+  return 15U ^ static_cast<unsigned int>(_mm256_movemask_pd(_mm256_castsi256_pd(none)));
+}
+
+LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
+  const std::uint64_t slices[8], std::uint64_t cells[8])
+{
+  const __m256i columns = FindRow(middle[0], slope[0]);
+  const __m256i rows = FindRow(middle[1], slope[1]);
+  const unsigned int first =
+    FindCellsOfSlices(_mm256_castsi256_si128(columns), _mm256_castsi256_si128(rows), slices, cells);
+  return first |
+    FindCellsOfSlices(_mm256_extracti128_si256(columns, 1), _mm256_extracti128_si256(rows, 1),
+      slices + 4, cells + 4)
+    << 4;
+}
 #else
 LANES_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2],
   const std::uint64_t slices[8], std::uint64_t cells[8])
@@ -502,6 +552,23 @@ void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int
     }
   }
   passages.Count = count;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void LoadCorners(const std::ptrdiff_t strides[3], Candidates& candidates)
+{
+  for (int i = 0; i < candidates.Count; i += LaneCount)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      Doubles pair[2];
+      LoadRow<T, 2>(&candidates.First[i], SmallerOf(candidates.Count - i, LaneCount),
+        row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
+      Store(pair[0], &candidates.Corners[2 * row][i]);
+      Store(pair[1], &candidates.Corners[2 * row + 1][i]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -897,25 +964,85 @@ void Refine(const RayGroup& group, GroupHits& hits)
 }
 
 //------------------------------------------------------------------------------
-void InterpolateDifferences(
-  const CornerDifferences& differences, double (*gradient)[RayGroup::Capacity])
+/// The same as Interpolate of TrilinearCell.h.
+LANES_INLINE Doubles Interpolate(const Doubles corners[8], const Doubles p[3])
 {
-  for (int i = 0; i < differences.Count; i += LaneCount)
+  Doubles x[4];
+  for (int edge = 0; edge < 4; ++edge)
   {
-    Doubles p[3];
-    for (int axis = 0; axis < 3; ++axis)
+    x[edge] = Lerp(corners[2 * edge], corners[2 * edge + 1], p[0]);
+  }
+  return Lerp(Lerp(x[0], x[1], p[1]), Lerp(x[2], x[3], p[1]), p[2]);
+}
+
+/// The two samples of a row that belong to a cell. A row has a neighbour on both sides.
+template <typename T>
+LANES_INLINE void LoadPair(const void* const* rows, int lanes, std::ptrdiff_t place,
+  std::ptrdiff_t stride, Doubles values[2])
+{
+  if constexpr (sizeof(T) == 1)
+  {
+    // Two bytes cannot be gathered, but four can.
+    Doubles row[4];
+    LoadRow<T, 4>(rows, lanes, place - stride, stride, row);
+    values[0] = row[1];
+    values[1] = row[2];
+  }
+  else
+  {
+    LoadRow<T, 2>(rows, lanes, place, stride, values);
+  }
+}
+
+// Each sample is read once for all corners that it is a neighbour of.
+template <typename T>
+void InterpolateDifferences(
+  const InnerCells& cells, const std::ptrdiff_t strides[3], double (*gradients)[RayGroup::Capacity])
+{
+  const Doubles half = Broadcast(0.5);
+  for (int i = 0; i < cells.Count; i += LaneCount)
+  {
+    const void* const* first = &cells.First[i];
+    const int lanes = SmallerOf(cells.Count - i, LaneCount);
+    Doubles samples[8];
+    Doubles differences[3][8];
+    for (int z = 0; z < 2; ++z)
     {
-      p[axis] = Load(&differences.Parametric[axis][i]);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      Doubles x[4];
-      for (int edge = 0; edge < 4; ++edge)
+      for (int y = 0; y < 2; ++y)
       {
-        x[edge] = Lerp(Load(&differences.Values[axis][2 * edge][i]),
-          Load(&differences.Values[axis][2 * edge + 1][i]), p[0]);
+        const int corner = 2 * y + 4 * z;
+        Doubles row[4];
+        LoadRow<T, 4>(first, lanes, y * strides[1] + z * strides[2] - strides[0], strides[0], row);
+        samples[corner] = row[1];
+        samples[corner + 1] = row[2];
+        differences[0][corner] = (row[2] - row[0]) * half;
+        differences[0][corner + 1] = (row[3] - row[1]) * half;
       }
-      Store(Lerp(Lerp(x[0], x[1], p[1]), Lerp(x[2], x[3], p[1]), p[2]), &gradient[axis][i]);
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      for (int axis = 1; axis < 3; ++axis)
+      {
+        // The rows before and behind two corners of the cell.
+        const std::ptrdiff_t place = side * strides[3 - axis];
+        const int low = side * (axis == 1 ? 4 : 2);
+        const int high = low + (axis == 1 ? 2 : 4);
+        Doubles before[2];
+        Doubles behind[2];
+        LoadPair<T>(first, lanes, place - strides[axis], strides[0], before);
+        LoadPair<T>(first, lanes, place + 2 * strides[axis], strides[0], behind);
+        for (int x = 0; x < 2; ++x)
+        {
+          differences[axis][low + x] = (samples[high + x] - before[x]) * half;
+          differences[axis][high + x] = (behind[x] - samples[low + x]) * half;
+        }
+      }
+    }
+    const Doubles p[3] = { Load(&cells.Parametric[0][i]), Load(&cells.Parametric[1][i]),
+      Load(&cells.Parametric[2][i]) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Store(Interpolate(differences[axis], p), &gradients[axis][i]);
     }
   }
 }
@@ -1068,13 +1195,17 @@ void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
   }
 }
 
-#define KERNELS(name)                                                                              \
-  const Kernels name = {                                                                           \
-    MakeRays, Align, FindPassages, FindHits, Refine, InterpolateDifferences, Shade,                \
-    { IncludeRow<std::int8_t>, IncludeRow<std::uint8_t>, IncludeRow<std::int16_t>,                 \
-      IncludeRow<std::uint16_t>, IncludeRow<std::int32_t>, IncludeRow<std::uint32_t>,              \
-      IncludeRow<std::int64_t>, IncludeRow<std::uint64_t>, IncludeRow<float>, IncludeRow<double> } \
+// One for every ScalarType.
+#define FOR_ALL_TYPES(function)                                                                    \
+  {                                                                                                \
+    function<std::int8_t>, function<std::uint8_t>, function<std::int16_t>,                         \
+      function<std::uint16_t>, function<std::int32_t>, function<std::uint32_t>,                    \
+      function<std::int64_t>, function<std::uint64_t>, function<float>, function<double>           \
   }
+
+#define KERNELS(name)                                                                              \
+  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(LoadCorners), FindHits,      \
+    Refine, FOR_ALL_TYPES(InterpolateDifferences), Shade, FOR_ALL_TYPES(IncludeRow) }
 
 }
 }

@@ -32,6 +32,11 @@ inline bool IsEmpty(const RaySet& set)
   return (set.Words[0] | set.Words[1]) == 0;
 }
 
+inline int CountOf(const RaySet& set)
+{
+  return __builtin_popcountll(set.Words[0]) + __builtin_popcountll(set.Words[1]);
+}
+
 /// Puts a ray at the end of a group that has room for it.
 inline void AddRay(const std::optional<Ray>& ray, RayGroup& group)
 {

@@ -117,9 +117,18 @@ void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, 
 }
 
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
-  const RayGroup& rays, const RayHits& hits, Frame& frame)
+  const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
 {
-  std::vector<Vector3> colors;
+  if (hits.Hits.empty())
+  {
+    for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
+    {
+      const std::size_t first = PixelOffset(scene, pixels.X, y);
+      std::fill_n(&frame.Colors[4 * first], 4 * pixels.Width, std::uint8_t{ 0 });
+      std::fill_n(&frame.Depths[first], pixels.Width, Frame::NoSurface);
+    }
+    return;
+  }
   shader.Shade(rays, hits, colors);
   std::size_t ray = 0;
   for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
@@ -192,6 +201,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   {
     RayGroup rays;
     RayHits hits;
+    std::vector<Vector3> colors;
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < tiles; ++i)
     {
@@ -207,7 +217,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
           const Clock::time_point begin = Clock::now();
           TraceBlock(scene, volume, block, rays, hits);
           const Clock::time_point traced = Clock::now();
-          ShadeBlock(scene, shader, block, rays, hits, frame);
+          ShadeBlock(scene, shader, block, rays, hits, colors, frame);
           traceSeconds += Seconds(traced - begin);
           shadeSeconds += Seconds(Clock::now() - traced);
         });

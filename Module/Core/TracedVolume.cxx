@@ -353,33 +353,29 @@ public:
   void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
     double (*gradients)[RayGroup::Capacity]) const override
   {
-    if (mode == NormalMode::CentralDifferences)
+    // Kernels know even spacing only. Where no cell is inner, none is asked for.
+    const bool areSmooth =
+      mode == NormalMode::CentralDifferences && !this->Want.Planes && this->IsInner({ 1, 1, 1 });
+    if (areSmooth)
     {
-      CornerDifferences differences;
-      differences.Count = count;
+      InnerCells cells;
+      cells.Count = count;
       for (int i = 0; i < count; ++i)
       {
-        this->Prefetch(hits[i].Cell);
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        CellCorners corners[3];
-        this->GetDifferences(hits[i].Cell, corners);
+        const Hit& hit = hits[i];
+        cells.First[i] =
+          this->TheSamples.At(this->IsInner(hit.Cell) ? hit.Cell : Index3{ 1, 1, 1 });
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          differences.Parametric[axis][i] = hits[i].Parametric[axis];
-          for (std::size_t corner = 0; corner < 8; ++corner)
-          {
-            differences.Values[axis][corner][i] = corners[axis][corner];
-          }
+          cells.Parametric[axis][i] = hit.Parametric[axis];
         }
       }
-      kernels.InterpolateDifferences(differences, gradients);
+      const auto type = static_cast<std::size_t>(ScalarTypeOf<T>());
+      kernels.InterpolateDifferences[type](cells, this->TheSamples.GetStrides(), gradients);
     }
     for (int i = 0; i < count; ++i)
     {
-      const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hits[i].Cell);
-      if (mode != NormalMode::CentralDifferences || isFlat || !std::isfinite(gradients[0][i]) ||
+      if (!areSmooth || !this->IsInner(hits[i].Cell) || !std::isfinite(gradients[0][i]) ||
         !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
       {
         const Vector3 gradient = this->GetGradient(hits[i], mode);
@@ -498,15 +494,19 @@ private:
     }
     const GroupHits& found =
       tracer.FindFirstHits(rays, cells, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
+    hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));
+    hits.First.resize(static_cast<std::size_t>(rays.Count) + 1);
+    Hit* hit = hits.Hits.data();
     for (int i = 0; i < rays.Count; ++i)
     {
       if (Has(found.Found, i))
       {
-        hits.Hits.push_back({ found.T[i], { found.Cell[0][i], found.Cell[1][i], found.Cell[2][i] },
-          0, { found.Parametric[0][i], found.Parametric[1][i], found.Parametric[2][i] },
-          Has(found.Rising, i) });
+        *hit++ = { found.T[i], { found.Cell[0][i], found.Cell[1][i], found.Cell[2][i] }, 0,
+          { found.Parametric[0][i], found.Parametric[1][i], found.Parametric[2][i] },
+          Has(found.Rising, i) };
       }
-      hits.First.push_back(hits.Hits.size());
+      hits.First[static_cast<std::size_t>(i) + 1] =
+        static_cast<std::size_t>(hit - hits.Hits.data());
     }
   }
 
@@ -582,6 +582,26 @@ private:
         hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
         hits.First.push_back(hits.Hits.size());
       }
+    }
+
+    const void* FindCorner(const Index3& block) override
+    {
+      return this->Reader.FindBlock(
+        { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge },
+        BlockMask::Edge);
+    }
+
+    std::array<std::ptrdiff_t, 3> GetCornerSteps() const override
+    {
+      const std::ptrdiff_t* strides = this->Reader.GetStrides();
+      constexpr std::ptrdiff_t size = sizeof(typename Layout::Kept);
+      return { strides[0] * size, strides[1] * size, strides[2] * size };
+    }
+
+    void GatherCorners(Candidates& candidates) override
+    {
+      constexpr auto type = static_cast<std::size_t>(ScalarTypeOf<typename Layout::Kept>());
+      this->Volume.Want.BeamKernels->LoadCorners[type](this->Reader.GetStrides(), candidates);
     }
 
     void LoadCorners(Candidates& candidates) override
@@ -852,46 +872,19 @@ private:
   /// Central differences at the corners of a cell, interpolated.
   Vector3 GetSmoothGradient(const Hit& hit) const
   {
-    CellCorners differences[3];
-    this->GetDifferences(hit.Cell, differences);
-    return { Interpolate(differences[0], hit.Parametric),
-      Interpolate(differences[1], hit.Parametric), Interpolate(differences[2], hit.Parametric) };
-  }
-
-  /// The differences along each axis at the corners of a cell.
-  void GetDifferences(const Index3& cell, CellCorners differences[3]) const
-  {
-    if (!this->Want.Planes && this->IsInner(cell))
-    {
-      this->GetInnerDifferences(cell, differences);
-      return;
-    }
+    const Index3& cell = hit.Cell;
+    Vector3 gradient;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
+      CellCorners differences;
       for (int corner = 0; corner < 8; ++corner)
       {
-        differences[axis][static_cast<std::size_t>(corner)] = this->GetDifference(
+        differences[static_cast<std::size_t>(corner)] = this->GetDifference(
           { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis);
       }
+      gradient[axis] = Interpolate(differences, hit.Parametric);
     }
-  }
-
-  /// Says that the differences of a cell are wanted soon.
-  void Prefetch(const Index3& cell) const
-  {
-    if (!this->IsInner(cell))
-    {
-      return;
-    }
-    const T* first = this->TheSamples.At(cell);
-    for (int z = -1; z < 3; ++z)
-    {
-      for (int y = -1; y < 3; ++y)
-      {
-        __builtin_prefetch(
-          first + y * this->TheSamples.GetStride(1) + z * this->TheSamples.GetStride(2));
-      }
-    }
+    return gradient;
   }
 
   /// Whether all corners of a cell have neighbours on both sides.
@@ -900,42 +893,6 @@ private:
     const Index3& dimensions = this->TheSamples.GetDimensions();
     return cell[0] > 0 && cell[1] > 0 && cell[2] > 0 && cell[0] < dimensions[0] - 2 &&
       cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
-  }
-
-  /// The same as GetDifference at the corners of an inner cell, reading each sample once.
-  void GetInnerDifferences(const Index3& cell, CellCorners differences[3]) const
-  {
-    const T* first = this->TheSamples.At(cell);
-    const std::ptrdiff_t strideX = this->TheSamples.GetStride(0);
-    const std::ptrdiff_t strideY = this->TheSamples.GetStride(1);
-    const std::ptrdiff_t strideZ = this->TheSamples.GetStride(2);
-    const auto sample = [=](int x, int y, int z)
-    { return static_cast<double>(first[x * strideX + y * strideY + z * strideZ]); };
-    double corners[8];
-    for (int z = 0; z < 2; ++z)
-    {
-      for (int y = 0; y < 2; ++y)
-      {
-        const int row = 2 * y + 4 * z;
-        const auto place = static_cast<std::size_t>(row);
-        corners[row] = sample(0, y, z);
-        corners[row + 1] = sample(1, y, z);
-        differences[0][place] = (corners[row + 1] - sample(-1, y, z)) * 0.5;
-        differences[0][place + 1] = (sample(2, y, z) - corners[row]) * 0.5;
-      }
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      for (int x = 0; x < 2; ++x)
-      {
-        const auto y = static_cast<std::size_t>(x + 4 * i);
-        differences[1][y] = (corners[y + 2] - sample(x, -1, i)) * 0.5;
-        differences[1][y + 2] = (sample(x, 2, i) - corners[y]) * 0.5;
-        const auto z = static_cast<std::size_t>(x + 2 * i);
-        differences[2][z] = (corners[z + 4] - sample(x, i, -1)) * 0.5;
-        differences[2][z + 4] = (sample(x, i, 2) - corners[z]) * 0.5;
-      }
-    }
   }
 
   Samples<T> TheSamples;

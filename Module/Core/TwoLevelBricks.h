@@ -27,6 +27,7 @@ class TwoLevelBricks
 {
 public:
   using Value = Stored<T>;
+  using Kept = Value;
 
   TwoLevelBricks(const Samples<T>& samples, int brickSize, int groupSize)
     : TheSamples(samples)
@@ -91,6 +92,10 @@ public:
           { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) })];
       }
     }
+
+    const Kept* FindBlock(const Index3&, int) const { return nullptr; }
+
+    const std::ptrdiff_t* GetStrides() const { return this->Layout.TheSamples.GetStrides(); }
 
   private:
     /// Makes sure that the bricks of all corners are filled: one, or up to eight where the cell

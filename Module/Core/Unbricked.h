@@ -25,12 +25,15 @@ void LoadCorners(const Samples<T>& samples, const Index3& cell, Stored<T> corner
 /// A layout that is none: rays read the array of the user as it is.
 ///
 /// Every layout has a Reader, made for one ray at a time, that loads the corners of cells, and
-/// makes bricks on the way where they are missing. Readers of all threads work at once.
+/// makes bricks on the way where they are missing. Readers of all threads work at once. Where the
+/// corners of a whole block of cells are kept in rows, values of type Kept with GetStrides between
+/// neighbours, FindBlock gives the first of them; else null.
 template <typename T>
 class Unbricked
 {
 public:
   using Value = Stored<T>;
+  using Kept = T;
 
   explicit Unbricked(const Samples<T>& samples)
     : TheSamples(samples)
@@ -53,6 +56,13 @@ public:
     {
       LoadCorners(this->Layout.TheSamples, cell, corners);
     }
+
+    const Kept* FindBlock(const Index3& first, int) const
+    {
+      return this->Layout.TheSamples.At(first);
+    }
+
+    const std::ptrdiff_t* GetStrides() const { return this->Layout.TheSamples.GetStrides(); }
 
   private:
     Unbricked& Layout;

@@ -56,6 +56,7 @@ public:
 
   const Index3& GetDimensions() const { return this->Dimensions; }
   std::ptrdiff_t GetStride(int axis) const { return this->Strides[static_cast<std::size_t>(axis)]; }
+  const std::ptrdiff_t* GetStrides() const { return this->Strides.data(); }
 
   const T* At(const Index3& i) const
   {

@@ -11,7 +11,6 @@
 #include "Shading.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TrilinearCell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,46 +39,6 @@ double AnyNumber(RandomNumbers& random, int special)
     -limits.denorm_min(), limits.infinity(), -limits.infinity(), limits.quiet_NaN() };
   return random.Integer(1, special) == 1 ? numbers[random.Integer(0, 8)]
                                          : random.WideMagnitude(-320.0, 308.0);
-}
-
-//------------------------------------------------------------------------------
-TEST_P(ShadingKernels, InterpolateDifferencesOneByOne)
-{
-  RandomNumbers random(861);
-  std::size_t finite = 0;
-  for (int i = 0; i < 3 * (RayGroup::Capacity + 1); ++i)
-  {
-    CornerDifferences differences;
-    differences.Count = i % (RayGroup::Capacity + 1);
-    CellCorners corners[3][RayGroup::Capacity];
-    Vector3 places[RayGroup::Capacity];
-    for (int k = 0; k < differences.Count; ++k)
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        places[k][axis] =
-          random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
-        differences.Parametric[axis][k] = places[k][axis];
-        for (std::size_t corner = 0; corner < 8; ++corner)
-        {
-          corners[axis][k][corner] = AnyNumber(random, 60);
-          differences.Values[axis][corner][k] = corners[axis][k][corner];
-        }
-      }
-    }
-    double gradient[3][RayGroup::Capacity];
-    this->TheKernels.InterpolateDifferences(differences, gradient);
-    for (int k = 0; k < differences.Count; ++k)
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double expected = Interpolate(corners[axis][k], places[k]);
-        ASSERT_TRUE(AreSameNumbers(gradient[axis][k], expected)) << expected;
-        finite += std::isfinite(expected) ? 1 : 0;
-      }
-    }
-  }
-  EXPECT_GT(finite, 50000U);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The kernels that read samples where they are kept must find what is there, whatever its type, and
+// touch nothing beside it: the samples end at a page of memory that nobody may read.
+
+#include "AllKernels.h"
+#include "RandomNumbers.h"
+#include "TracedVolume.h"
+#include "TrilinearCell.h"
+#include "VolumeView.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+class RowKernels : public WithKernels
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, RowKernels, AllKernels(), NameOfKernels);
+
+/// Samples of any bits between two pages that nobody may read, close to one of them.
+template <typename T>
+class GuardedSamples
+{
+public:
+  GuardedSamples(std::size_t count, bool areAtTheEnd, RandomNumbers& random)
+    : Page(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)))
+    , Size((count * sizeof(T) + this->Page - 1) / this->Page * this->Page)
+  {
+    void* memory =
+      mmap(nullptr, this->Size + 2 * this->Page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+    {
+      throw std::runtime_error("no memory");
+    }
+    this->Memory = static_cast<std::byte*>(memory);
+    std::byte* inside = this->Memory + this->Page;
+    mprotect(inside, this->Size, PROT_READ | PROT_WRITE);
+    std::byte* first = areAtTheEnd ? inside + this->Size - count * sizeof(T) : inside;
+    this->First = reinterpret_cast<T*>(first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::uint64_t bits = random.Bits();
+      std::memcpy(&this->First[i], &bits, sizeof(T));
+    }
+  }
+
+  ~GuardedSamples() { munmap(this->Memory, this->Size + 2 * this->Page); }
+
+  GuardedSamples(const GuardedSamples&) = delete;
+  GuardedSamples& operator=(const GuardedSamples&) = delete;
+
+  const T* Get() const { return this->First; }
+
+private:
+  std::size_t Page;
+  std::size_t Size;
+  std::byte* Memory = nullptr;
+  T* First = nullptr;
+};
+
+template <typename Visit>
+void ForEachType(const Visit& visit)
+{
+  visit(std::int8_t{});
+  visit(std::uint8_t{});
+  visit(std::int16_t{});
+  visit(std::uint16_t{});
+  visit(std::int32_t{});
+  visit(std::uint32_t{});
+  visit(std::int64_t{});
+  visit(std::uint64_t{});
+  visit(float{});
+  visit(double{});
+}
+
+int AnyCell(RandomNumbers& random, int samples)
+{
+  return random.Integer(0, samples - 2);
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void CheckCorners(const Kernels& kernels, RandomNumbers& random)
+{
+  const Index3 size = { random.Integer(2, 9), random.Integer(2, 9), random.Integer(2, 9) };
+  const int step = random.Integer(0, 2) ? 1 : random.Integer(2, 4);
+  const std::ptrdiff_t strides[3] = { step, step * size[0], step * size[0] * size[1] };
+  const GuardedSamples<T> samples(step * (Count(size) - 1) + 1, random.Integer(0, 1) != 0, random);
+  Candidates candidates = {};
+  candidates.Count = random.Integer(0, Candidates::Batch + 16);
+  for (int i = 0; i < candidates.Count; ++i)
+  {
+    candidates.First[i] = samples.Get() + AnyCell(random, size[0]) * strides[0] +
+      AnyCell(random, size[1]) * strides[1] + AnyCell(random, size[2]) * strides[2];
+  }
+  kernels.LoadCorners[static_cast<std::size_t>(ScalarTypeOf<T>())](strides, candidates);
+  for (int i = 0; i < candidates.Count; ++i)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const T* sample = static_cast<const T*>(candidates.First[i]) + corner % 2 * strides[0] +
+        corner / 2 % 2 * strides[1] + corner / 4 * strides[2];
+      ASSERT_TRUE(AreSameNumbers(candidates.Corners[corner][i], static_cast<double>(*sample)))
+        << sizeof(T) << " bytes, candidate " << i << ", corner " << corner;
+    }
+  }
+}
+
+TEST_P(RowKernels, LoadTheCornersOfCells)
+{
+  RandomNumbers random(871);
+  for (int i = 0; i < 300; ++i)
+  {
+    ForEachType(
+      [this, &random](auto type) { CheckCorners<decltype(type)>(this->TheKernels, random); });
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void CheckGradients(const Kernels& kernels, RandomNumbers& random)
+{
+  // Most have inner cells.
+  const Index3 size = { random.Integer(3, 9), random.Integer(3, 9), random.Integer(3, 9) };
+  const int step = random.Integer(0, 2) ? 1 : random.Integer(2, 4);
+  const GuardedSamples<T> samples(step * (Count(size) - 1) + 1, random.Integer(0, 1) != 0, random);
+  const VolumeView view = { samples.Get(), ScalarTypeOf<T>(), size, step };
+  const auto volume = TracedVolume::New(view, {}, 1);
+  std::vector<Hit> hits(static_cast<std::size_t>(random.Integer(1, RayGroup::Capacity)));
+  for (Hit& hit : hits)
+  {
+    hit.Cell = { AnyCell(random, size[0]), AnyCell(random, size[1]), AnyCell(random, size[2]) };
+    for (double& place : hit.Parametric)
+    {
+      place = random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
+    }
+  }
+  for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
+  {
+    double gradients[3][RayGroup::Capacity];
+    volume->GetGradients(hits.data(), static_cast<int>(hits.size()), mode, kernels, gradients);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      const Vector3 expected = volume->GetGradient(hits[i], mode);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_TRUE(AreSameNumbers(gradients[axis][i], expected[axis]))
+          << sizeof(T) << " bytes, hit " << i << ", axis " << axis;
+      }
+    }
+  }
+}
+
+TEST_P(RowKernels, FindTheGradientsThatHitsHaveOneByOne)
+{
+  RandomNumbers random(872);
+  for (int i = 0; i < 200; ++i)
+  {
+    ForEachType(
+      [this, &random](auto type) { CheckGradients<decltype(type)>(this->TheKernels, random); });
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+}
+}
