@@ -24,6 +24,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonRow
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
+  Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceImageDisplay

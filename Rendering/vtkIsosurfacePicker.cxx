@@ -5,6 +5,7 @@
 #include "vtkIsosurfaceRayTraceGeometry.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -121,8 +122,11 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
     return t;
   }
   this->ResetPickInfo();
-  vtkDataSet* grid = isosurfaces->GetDataSetInput();
+  unsigned int flatIndex = 0;
+  vtkDataSet* grid = isosurfaces->FindBlock(cell, cell, flatIndex);
   this->Mapper = mapper;
+  this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(isosurfaces->GetDataObjectInput());
+  this->FlatBlockIndex = this->CompositeDataSet ? static_cast<vtkIdType>(flatIndex) : -1;
   this->DataSet = grid;
   this->Isovalue = isovalue;
   std::copy_n(position, 3, this->SurfacePosition);

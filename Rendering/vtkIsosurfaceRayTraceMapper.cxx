@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkIsosurfaceRayTraceBlocks.h"
 #include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -9,6 +10,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -93,6 +95,9 @@ public:
     double Height;
   };
 
+  /// Finds the input, of which blocks are put together. Returns what stands in the way.
+  std::string SelectGrid(vtkIsosurfaceRayTraceMapper* self);
+
   /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
   std::string SelectScalars(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property);
 
@@ -116,6 +121,9 @@ public:
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
+  /// The cell that a hit is in and the point nearest to it, as users know them.
+  vtkIdType FindCell(const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const;
+  vtkIdType FindPoint(const vtkirt::Hit& hit) const;
   /// All that is said of a hit.
   void Describe(const vtkirt::Hit& hit, int normalMode, double x[3], double pcoords[3],
     vtkIdType& cellId, double& isovalue, double normal[3]) const;
@@ -142,6 +150,11 @@ public:
   void WriteImage(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
     const vtkirt::Scene& scene, vtkImageData* output) const;
 
+  /// The blocks of the input, if it is composite.
+  bool IsComposite = false;
+  vtkIsosurfaceRayTraceBlocks Blocks;
+  /// The input, or what its blocks make.
+  vtkDataSet* Grid = nullptr;
   vtkIsosurfaceRayTraceSource::Selection Scalars;
   /// The component of the property that says what they look like.
   int PropertyComponent = 0;
@@ -197,11 +210,30 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceMapper::Internals::GetNormal(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return this->IsComposite
+    ? this->Blocks.GetCellId(this->Source.FindStructuredCell(hit, parametric))
+    : this->Source.FindCell(hit, parametric);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  return this->IsComposite
+    ? this->Blocks.GetPointId(
+        this->Source.FindStructuredCell(hit, parametric), this->Source.FindStructuredPoint(hit))
+    : this->Source.FindPoint(hit);
+}
+
+//------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, int normalMode,
   double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]) const
 {
   vtkirt::Vector3 inCell;
-  cellId = this->Source.FindCell(hit, inCell);
+  cellId = this->FindCell(hit, inCell);
   std::copy_n(inCell.begin(), 3, pcoords);
   isovalue = this->GetIsovalue(hit);
   const vtkirt::Vector3 point =
@@ -286,6 +318,7 @@ int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformati
   if (port == 0)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
   else
   {
@@ -440,6 +473,59 @@ int vtkIsosurfaceRayTraceMapper::GetThreads()
 }
 
 //------------------------------------------------------------------------------
+double* vtkIsosurfaceRayTraceMapper::GetBounds()
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!blocks)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Update();
+  blocks->GetBounds(this->Bounds);
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
+{
+  const Internals& internal = *this->Internal;
+  const auto* block = internal.IsComposite ? internal.Blocks.FindBlock(cellId) : nullptr;
+  cellInBlock = block ? cellId - block->FirstCell : cellId;
+  flatIndex = block ? block->FlatIndex : 0;
+  return block ? block->Data.Get() : this->GetDataSetInput();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMapper::Internals::SelectGrid(vtkIsosurfaceRayTraceMapper* self)
+{
+  vtkDataObject* input = self->GetDataObjectInput();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  this->IsComposite = composite != nullptr;
+  this->Grid = vtkDataSet::SafeDownCast(input);
+  if (composite)
+  {
+    const std::string problem = this->Blocks.Update(composite,
+      { self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName,
+        self->ColorArrayName });
+    this->Grid = this->Blocks.GetGrid();
+    this->Scalars.Scalars = this->Blocks.GetScalars();
+    this->Scalars.AreOfCells = this->Blocks.AreOfCells();
+    return problem;
+  }
+  if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
+  {
+    return "There is no input. Give a vtkImageData, a vtkRectilinearGrid or composite data of them "
+           "with SetInputData, SetInputDataObject or SetInputConnection.";
+  }
+  int association = 0;
+  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, self->ScalarMode,
+    self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  this->Scalars.AreOfCells = association == 1;
+  return "";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
   vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property)
 {
@@ -448,16 +534,11 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
     return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
            "SetBlendModeToIsoSurface(), or use another volume mapper.";
   }
-  vtkDataSet* grid = self->GetDataSetInput();
-  if (!vtkImageData::SafeDownCast(grid) && !vtkRectilinearGrid::SafeDownCast(grid))
+  std::string problem = this->SelectGrid(self);
+  if (!problem.empty())
   {
-    return "There is no input. Give a vtkImageData or a vtkRectilinearGrid with SetInputData or "
-           "SetInputConnection.";
+    return problem;
   }
-  int association = 0;
-  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(
-    grid, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
-  this->Scalars.AreOfCells = association == 1;
   this->PropertyComponent = 0;
   if (self->VectorMode == DISABLED)
   {
@@ -478,7 +559,7 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : self->VectorComponent;
   }
-  std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(grid, this->Scalars);
+  problem = vtkIsosurfaceRayTraceSource::FindProblem(this->Grid, this->Scalars);
   problem += problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : "";
   problem += problem.empty() ? this->SelectColors(self) : "";
   return problem;
@@ -494,8 +575,8 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectColors(vtkIsosurfaceRa
   {
     return "";
   }
-  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(
-    second ? second : self->GetDataSetInput(), self->ColorArrayName);
+  this->ColorArray =
+    vtkIsosurfaceRayTraceColors::FindArray(second ? second : this->Grid, self->ColorArrayName);
   if (this->ColorArray)
   {
     return "";
@@ -532,8 +613,7 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   settings.BrickGroupSize = this->BrickGroupSize;
 
   const Clock::time_point start = Clock::now();
-  if (internal.Source.Update(
-        this->GetDataSetInput(), internal.Scalars, settings, this->GetThreads()))
+  if (internal.Source.Update(internal.Grid, internal.Scalars, settings, this->GetThreads()))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
@@ -669,11 +749,13 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
   if (selector)
   {
-    vtkDataSet* grid = this->GetDataSetInput();
+    const bool isComposite = internal.IsComposite;
     selector->BeginRenderProp();
     selector->RenderCompositeIndex(1);
-    selector->UpdateMaximumCellId(grid->GetNumberOfCells());
-    selector->UpdateMaximumPointId(grid->GetNumberOfPoints());
+    selector->UpdateMaximumCellId(
+      isComposite ? internal.Blocks.GetNumberOfCells() : internal.Grid->GetNumberOfCells());
+    selector->UpdateMaximumPointId(
+      isComposite ? internal.Blocks.GetNumberOfPoints() : internal.Grid->GetNumberOfPoints());
     internal.WriteIds(selector, scene);
     opaque = true;
   }
@@ -745,13 +827,13 @@ vtkIdType vtkIsosurfaceRayTraceMapper::Internals::GetId(
   switch (selector->GetCurrentPass())
   {
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return this->Source.FindPoint(hit);
+      return this->FindPoint(hit);
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return this->Source.FindPoint(hit) >> 24;
+      return this->FindPoint(hit) >> 24;
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return this->Source.FindCell(hit, parametric);
+      return this->FindCell(hit, parametric);
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return this->Source.FindCell(hit, parametric) >> 24;
+      return this->FindCell(hit, parametric) >> 24;
     default:
       break;
   }

@@ -40,6 +40,17 @@
  * the time. Smooth normals are interpolated from the slopes of parabolas through neighbouring
  * samples, which is exact for quadrics, however uneven the spacing.
  *
+ * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
+ * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection). Blocks of vtkImageData that
+ * lie on one lattice, however nested, with or without layers of ghosts, are drawn as the one image
+ * that they are pieces of: the surface and its normals have no seams, and translucent surfaces come
+ * in the order of each ray. That takes a copy of their samples over the box around all of them, and
+ * 2 bytes for every cell where blocks are missing; nothing is drawn there. Blocks that are empty
+ * or do not have the scalars are passed over. A vtkRectilinearGrid must be the only block. Blocks
+ * of another lattice are an error: give each lattice a mapper and a vtkVolume; opaque surfaces are
+ * then exact by depth, translucent ones are drawn in the order of the volumes. Cells and points are
+ * numbered through all blocks: see FindBlock.
+ *
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane stands
  * across an axis of the image, at origin + spacing * index (for a rectilinear grid, at that
  * coordinate); it belongs to the region in the middle.
@@ -76,6 +87,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkLightCollection;
 class vtkPoints;
@@ -403,6 +415,22 @@ public:
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Finds the block of composite input that has a cell by its number through all blocks, as all
+   * that tells a cell of composite input gives it, and its number in the block. The flat index is
+   * that of vtkCompositeDataIterator. For other input the block is the input itself, and the flat
+   * index 0.
+   */
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
+
+  ///@{
+  /**
+   * The bounds of the input, of composite input those of all blocks.
+   */
+  using vtkVolumeMapper::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  ///@}
 
   /**
    * Casts rays, given by origins and directions in the world, on all threads, as IntersectWithLine

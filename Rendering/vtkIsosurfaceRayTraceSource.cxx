@@ -339,7 +339,7 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
+vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hit& hit) const
 {
   vtkirt::Index3 point;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -348,7 +348,14 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
     const bool isNext = this->Built->AreOfCells || hit.Parametric[axis] >= 0.5;
     point[axis] = hit.Cell[axis] + (isNext ? 1 : 0);
   }
-  return static_cast<vtkIdType>(vtkirt::Offset(point, this->GetNumberOfPoints()));
+  return point;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
+{
+  return static_cast<vtkIdType>(
+    vtkirt::Offset(this->FindStructuredPoint(hit), this->GetNumberOfPoints()));
 }
 
 VTK_ABI_NAMESPACE_END

@@ -73,6 +73,8 @@ public:
     const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
   /// The point of the grid that is nearest to a hit.
+  vtkIsosurfaceRayTracing::Index3 FindStructuredPoint(
+    const vtkIsosurfaceRayTracing::Hit& hit) const;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
 private:
