@@ -822,43 +822,10 @@ private:
     return gradient;
   }
 
-  /// The slope at a sample along an axis of uneven planes: that of the parabola through the sample
-  /// and its neighbours, which is the mean of the slopes to both, the nearer of which counts more.
-  /// (The difference of the neighbours over their distance is off by half the difference of the two
-  /// widths, times the second derivative; one would see it.) At the border of the volume and beside
-  /// a flat cell, the slope to the other side.
-  double GetUnevenSlope(Index3 sample, std::size_t axis) const
-  {
-    const int place = sample[axis];
-    const auto value = static_cast<double>(*this->TheSamples.At(sample));
-    double widths[2] = { 0.0, 0.0 };
-    double slopes[2] = { 0.0, 0.0 };
-    for (int side = 0; side < 2; ++side)
-    {
-      const int cell = place - 1 + side;
-      if (cell < 0 || cell > this->TheSamples.GetDimensions()[axis] - 2)
-      {
-        continue;
-      }
-      widths[side] = this->Want.Planes->GetWidth(axis, cell);
-      sample[axis] = place - 1 + 2 * side;
-      const double rise = static_cast<double>(*this->TheSamples.At(sample)) - value;
-      slopes[side] = widths[side] > 0.0 ? rise * (2 * side - 1) / widths[side] : 0.0;
-    }
-    if (!(widths[0] > 0.0) || !(widths[1] > 0.0))
-    {
-      return slopes[0] + slopes[1];
-    }
-    return (slopes[0] * widths[1] + slopes[1] * widths[0]) / (widths[0] + widths[1]);
-  }
-
-  /// The central difference at a sample; at the border of the volume, the one-sided difference.
+  /// The slope at a sample: the central difference, or what is that with uneven spacing; at the
+  /// border of the volume, the one-sided difference.
   double GetDifference(Index3 sample, std::size_t axis) const
   {
-    if (this->Want.Planes)
-    {
-      return this->GetUnevenSlope(sample, axis);
-    }
     const int place = sample[axis];
     const int next = std::min(place + 1, this->TheSamples.GetDimensions()[axis] - 1);
     const int previous = std::max(place - 1, 0);
@@ -866,6 +833,13 @@ private:
     const auto high = static_cast<double>(*this->TheSamples.At(sample));
     sample[axis] = previous;
     const auto low = static_cast<double>(*this->TheSamples.At(sample));
+    if (this->Want.Planes)
+    {
+      sample[axis] = place;
+      const auto middle = static_cast<double>(*this->TheSamples.At(sample));
+      const UnevenPlanes::SlopeWeights& weights = this->Want.Planes->GetSlopeWeights(axis, place);
+      return weights.Below * (middle - low) + weights.Above * (high - middle);
+    }
     return (high - low) / (next - previous);
   }
 

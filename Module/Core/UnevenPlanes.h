@@ -29,6 +29,16 @@ public:
   explicit UnevenPlanes(std::array<std::vector<double>, 3> places)
     : Places(std::move(places))
   {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int planes = static_cast<int>(this->Places[axis].size());
+      for (int plane = 0; plane < planes; ++plane)
+      {
+        const double below = plane > 0 ? this->GetWidth(axis, plane - 1) : 0.0;
+        const double above = plane < planes - 1 ? this->GetWidth(axis, plane) : 0.0;
+        this->Slopes[axis].push_back(ParabolaWeights(below, above));
+      }
+    }
   }
 
   /// Where a plane stands. Beyond the last plane it is the last one: macrocells may reach further.
@@ -47,6 +57,19 @@ public:
   {
     return !(this->GetWidth(0, cell[0]) > 0.0 && this->GetWidth(1, cell[1]) > 0.0 &&
       this->GetWidth(2, cell[2]) > 0.0);
+  }
+
+  /// What the rises of a field from the plane below and to the plane above are multiplied by, to
+  /// make its slope at a plane: that of the parabola through the three.
+  struct SlopeWeights
+  {
+    double Below;
+    double Above;
+  };
+
+  const SlopeWeights& GetSlopeWeights(std::size_t axis, int plane) const
+  {
+    return this->Slopes[axis][static_cast<std::size_t>(plane)];
   }
 
   /// The cell that a place is in; in a plane, that above. Beside the volume, the nearest.
@@ -70,7 +93,21 @@ public:
   }
 
 private:
+  /// The slope is the mean of those to both sides, of which the nearer counts more. (The rise
+  /// between the neighbours over their distance would be off by half the difference of the two
+  /// widths, times the second derivative; one would see it.) At the border of the volume and beside
+  /// a flat cell, the slope to the other side.
+  static SlopeWeights ParabolaWeights(double below, double above)
+  {
+    if (below > 0.0 && above > 0.0)
+    {
+      return { above / (below + above) / below, below / (below + above) / above };
+    }
+    return { below > 0.0 ? 1.0 / below : 0.0, above > 0.0 ? 1.0 / above : 0.0 };
+  }
+
   std::array<std::vector<double>, 3> Places;
+  std::array<std::vector<SlopeWeights>, 3> Slopes;
 };
 
 }
