@@ -110,6 +110,15 @@ Places Uneven(int count, double ratio)
   return places;
 }
 
+/// From -1 to 1, with steps that grow.
+Places Growing(int count)
+{
+  Places places = Even(count, 0.0, 1.0);
+  std::for_each(
+    places.begin(), places.end(), [](double& place) { place = 2.0 * place * place - 1.0; });
+  return places;
+}
+
 std::array<Places, 3> UnevenAxes()
 {
   return { Uneven(31, 5.0), Uneven(27, 20.0), Uneven(40, 8.0) };
@@ -508,7 +517,8 @@ void CheckCuttingAndPicking(Checks& check)
 /// shadows, its depth.
 void CheckLook(Checks& check)
 {
-  const auto draw = [](vtkDataObject* data, bool shadows)
+  std::vector<double> depths[2];
+  const auto draw = [&depths](vtkDataObject* data, bool shadows, int number)
   {
     Scene scene(data);
     scene.SetSurface(0.1, { 0.9, 0.8, 0.7 }, 1.0);
@@ -521,17 +531,31 @@ void CheckLook(Checks& check)
     scene.Mapper->SetShadows(shadows);
     scene.Mapper->SetCroppingRegionPlanes(-1.0, 1.0, -0.75, 1.0, -1.0, 1.0);
     scene.Mapper->SetCropping(1);
-    return RenderAndCapture(scene.Window);
+    const Picture picture = RenderAndCapture(scene.Window);
+    const DepthPicture depth(scene.Window, scene.Renderer);
+    depths[number].clear();
+    for (int i = 0; i < depth.GetWidth() * depth.GetHeight(); ++i)
+    {
+      depths[number].push_back(depth.GetDepth(i % depth.GetWidth(), i / depth.GetWidth()));
+    }
+    return picture;
   };
   const auto image = NewCube(81, Dent);
-  const auto grid = NewGrid({ Uneven(81, 4.0), Uneven(81, 6.0), Uneven(81, 9.0) }, Dent);
+  const auto grid = NewGrid({ Growing(121), Reversed(Growing(131)), Growing(141) }, Dent);
   for (const bool shadows : { false, true })
   {
-    const double difference = GetDifference(draw(grid, shadows), draw(image, shadows), 4);
+    const double difference = GetDifference(draw(grid, shadows, 0), draw(image, shadows, 1), 4);
+    std::size_t otherDepths = 0;
+    for (std::size_t i = 0; i < depths[0].size(); ++i)
+    {
+      otherDepths += std::abs(depths[0][i] - depths[1][i]) > 1e-3 ? 1 : 0;
+    }
+    check.That(otherDepths < depths[0].size() / 100, "a surface has the same depth");
     std::cout << "On uneven planes " << 100.0 * difference << " % of the pixels differ\n";
     check.That(difference < 0.01, "a surface looks the same on uneven planes");
   }
-  check.That(GetDifference(draw(grid, false), draw(grid, true), 8) > 0.01, "there is a shadow");
+  check.That(
+    GetDifference(draw(grid, false, 0), draw(grid, true, 1), 8) > 0.01, "there is a shadow");
 }
 
 //------------------------------------------------------------------------------
@@ -704,15 +728,8 @@ int TestIsosurfaceRayTraceMapperRectilinear(int argc, char* argv[])
   CheckErrors(check);
 
   // A gyroid on planes that stand closer and closer towards the eye; exact normals show its cells.
-  const auto towards = [](int count)
-  {
-    Places places = Even(count, 0.0, 1.0);
-    std::for_each(
-      places.begin(), places.end(), [](double& place) { place = 2.0 * place * place - 1.0; });
-    return places;
-  };
   const auto grid =
-    NewGrid({ Reversed(towards(28)), towards(30), towards(24) }, AnalyticFields::Gyroid{ 1.1 });
+    NewGrid({ Reversed(Growing(28)), Growing(30), Growing(24) }, AnalyticFields::Gyroid{ 1.1 });
   Scene scene(grid, 240, 240);
   scene.Mapper->SetNormalModeToInterpolantGradient();
   vtkNew<vtkPlane> plane;
