@@ -38,19 +38,19 @@ struct Doubles
 
 LANES_INLINE Mask operator&(Mask a, Mask b)
 {
-  return { static_cast<__mmask8>(a.Value & b.Value) };
+  return { _kand_mask8(a.Value, b.Value) };
 }
 LANES_INLINE Mask operator|(Mask a, Mask b)
 {
-  return { static_cast<__mmask8>(a.Value | b.Value) };
+  return { _kor_mask8(a.Value, b.Value) };
 }
 LANES_INLINE Mask operator^(Mask a, Mask b)
 {
-  return { static_cast<__mmask8>(a.Value ^ b.Value) };
+  return { _kxor_mask8(a.Value, b.Value) };
 }
 LANES_INLINE Mask AndNot(Mask a, Mask b)
 {
-  return { static_cast<__mmask8>(a.Value & ~b.Value) };
+  return { _kandn_mask8(b.Value, a.Value) };
 }
 LANES_INLINE unsigned int ToBits(Mask a)
 {

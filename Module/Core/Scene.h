@@ -83,7 +83,7 @@ struct Scene
 
   /// What the image is worked through in, and by how many threads.
   int TileWidth = 16;
-  int TileHeight = 16;
+  int TileHeight = 8;
   int Threads = 1;
 };
 
