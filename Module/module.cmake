@@ -14,7 +14,9 @@ list(TRANSFORM core_sources PREPEND "Module/Core/")
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
   Rendering/vtkIsosurfacePicker
-  Rendering/vtkIsosurfaceRayTraceMapper)
+  Rendering/vtkIsosurfaceRayTraceFactory
+  Rendering/vtkIsosurfaceRayTraceMapper
+  Rendering/vtkIsosurfaceVolume)
 
 set(private_classes
   Filters/vtkIsosurfaceComparisonErrors

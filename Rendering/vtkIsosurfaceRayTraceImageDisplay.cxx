@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -21,6 +26,9 @@ constexpr unsigned int GLOneMinusSourceAlpha = 0x0303;
 constexpr unsigned int GLLessOrEqual = 0x0203;
 constexpr unsigned int GLDepthTest = 0x0B71;
 constexpr unsigned int GLBlend = 0x0BE2;
+constexpr unsigned int GLViewport = 0x0BA2;
+constexpr unsigned int GLDepthComponent = 0x1902;
+constexpr unsigned int GLFloat = 0x1406;
 
 const char* const FragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
@@ -28,6 +36,7 @@ in vec2 texCoord;
 uniform sampler2D colors;
 uniform sampler2D depths;
 uniform int drawDepths;
+//Geometry::Dec
 void main()
 {
   vec4 color = texture(colors, texCoord);
@@ -38,8 +47,35 @@ void main()
   }
   gl_FragDepth = min(depth, 1.0);
   gl_FragData[0] = color;
+  //Geometry::Impl
 }
 )";
+
+// By the names that a vtkOpenGLRenderPass looks for in the shaders of polygons.
+const char* const GeometryDeclaration = R"(uniform sampler2D positions;
+uniform sampler2D normals;
+)";
+const char* const GeometryImplementation = R"(
+  vec4 vertexVC = vec4(texture(positions, texCoord).xyz, 1.0);
+  vec3 normalVCVSOutput = texture(normals, texCoord).xyz;
+  //VTK::Light::Impl
+)";
+
+/// The fragment shader that a render pass makes of ours.
+std::string MakeGeometryShader(const vtkIsosurfaceRayTraceImageDisplay::Geometry& geometry)
+{
+  std::string vertexShader;
+  std::string geometryShader;
+  std::string fragmentShader = FragmentShader;
+  vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Dec", GeometryDeclaration);
+  vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Impl", GeometryImplementation);
+  const vtkNew<vtkOpenGLPolyDataMapper> mapper; // Render passes know no others that have geometry.
+  geometry.Pass->PreReplaceShaderValues(
+    vertexShader, geometryShader, fragmentShader, mapper, geometry.Prop);
+  geometry.Pass->PostReplaceShaderValues(
+    vertexShader, geometryShader, fragmentShader, mapper, geometry.Prop);
+  return fragmentShader;
+}
 
 }
 
@@ -54,17 +90,54 @@ void vtkIsosurfaceRayTraceImageDisplay::ReleaseGraphicsResources(vtkWindow* wind
 {
   this->ColorTexture->ReleaseGraphicsResources(window);
   this->DepthTexture->ReleaseGraphicsResources(window);
+  this->PositionTexture->ReleaseGraphicsResources(window);
+  this->NormalTexture->ReleaseGraphicsResources(window);
   this->Quad.reset();
+  this->GeometryQuad.reset();
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceImageDisplay::Display(vtkOpenGLRenderWindow* window, const Image& image)
+std::array<int, 4> vtkIsosurfaceRayTraceImageDisplay::GetViewport(vtkOpenGLRenderWindow* window)
+{
+  std::array<int, 4> viewport;
+  window->GetState()->vtkglGetIntegerv(GLViewport, viewport.data());
+  return viewport;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceImageDisplay::ReadDepths(
+  vtkOpenGLRenderWindow* window, int x, int y, int width, int height, float* depths)
+{
+  unsigned int framebuffer = 0;
+  unsigned int buffer = 0;
+  window->GetState()->GetCurrentDrawFramebufferState(framebuffer, buffer);
+  if (framebuffer == window->GetRenderFramebuffer()->GetFBOIndex())
+  {
+    // The window knows what to do when it has several samples for a pixel.
+    window->GetZbufferData(x, y, x + width - 1, y + height - 1, depths);
+    return;
+  }
+  vtkNew<vtkPixelBufferObject> pixels;
+  pixels->SetContext(window);
+  int extent[4] = { x, x + width - 1, y, y + height - 1 };
+  vtkOpenGLFramebufferObject::Download(
+    extent, VTK_FLOAT, 1, static_cast<int>(GLFloat), static_cast<int>(GLDepthComponent), pixels);
+  unsigned int size[2] = { static_cast<unsigned int>(width), static_cast<unsigned int>(height) };
+  vtkIdType increments[2] = { 0, 0 };
+  pixels->Download2D(VTK_FLOAT, depths, size, 1, increments);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceImageDisplay::Display(
+  vtkOpenGLRenderWindow* window, const Image& image, const Geometry* geometry)
 {
   if (this->ColorTexture->GetContext() != window)
   {
     this->ReleaseGraphicsResources(this->ColorTexture->GetContext());
     this->ColorTexture->SetContext(window);
     this->DepthTexture->SetContext(window);
+    this->PositionTexture->SetContext(window);
+    this->NormalTexture->SetContext(window);
   }
   const auto width = static_cast<unsigned int>(image.Columns);
   const auto height = static_cast<unsigned int>(image.Rows);
@@ -87,7 +160,11 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(vtkOpenGLRenderWindow* window, c
   state->vtkglBlendFuncSeparate(GLOne, GLOneMinusSourceAlpha, GLOne, GLOneMinusSourceAlpha);
   state->vtkglDepthFunc(GLLessOrEqual);
 
-  if (image.Opaque)
+  if (geometry)
+  {
+    this->DrawGeometry(window, image, *geometry);
+  }
+  else if (image.Opaque)
   {
     this->Draw(window, true, true);
   }
@@ -110,24 +187,66 @@ void vtkIsosurfaceRayTraceImageDisplay::Draw(
   // The rays have been cut at the depth of the scene already; only what writes depth is tested.
   drawDepths ? state->vtkglEnable(GLDepthTest) : state->vtkglDisable(GLDepthTest);
 
-  if (!this->Quad)
+  if (vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, FragmentShader, this->Quad))
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, FragmentShader, nullptr);
+    this->Render(*this->Quad, drawDepths);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceImageDisplay::DrawGeometry(
+  vtkOpenGLRenderWindow* window, const Image& image, const Geometry& geometry)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglColorMask(1, 1, 1, 1);
+  state->vtkglDepthMask(1);
+  state->vtkglEnable(GLDepthTest);
+  const auto width = static_cast<unsigned int>(image.Columns);
+  const auto height = static_cast<unsigned int>(image.Rows);
+  this->PositionTexture->Create2DFromRaw(
+    width, height, 3, VTK_FLOAT, const_cast<float*>(geometry.Positions));
+  this->NormalTexture->Create2DFromRaw(
+    width, height, 3, VTK_FLOAT, const_cast<float*>(geometry.Normals));
+  if (!vtkIsosurfaceRayTraceImageDisplay::MakeReady(
+        window, MakeGeometryShader(geometry), this->GeometryQuad))
+  {
+    return;
+  }
+  const vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  geometry.Pass->SetShaderParameters(this->GeometryQuad->Program, mapper, geometry.Prop);
+  this->PositionTexture->Activate();
+  this->NormalTexture->Activate();
+  this->GeometryQuad->Program->SetUniformi("positions", this->PositionTexture->GetTextureUnit());
+  this->GeometryQuad->Program->SetUniformi("normals", this->NormalTexture->GetTextureUnit());
+  this->Render(*this->GeometryQuad, true);
+  this->NormalTexture->Deactivate();
+  this->PositionTexture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceImageDisplay::MakeReady(vtkOpenGLRenderWindow* window,
+  const std::string& fragmentShader, std::unique_ptr<vtkOpenGLQuadHelper>& quad)
+{
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader.c_str(), nullptr);
   }
   else
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   }
-  if (!this->Quad->Program)
-  {
-    return; // VTK has said why.
-  }
+  return quad->Program != nullptr; // If not, VTK has said why.
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceImageDisplay::Render(vtkOpenGLQuadHelper& quad, bool drawDepths)
+{
   this->ColorTexture->Activate();
   this->DepthTexture->Activate();
-  this->Quad->Program->SetUniformi("colors", this->ColorTexture->GetTextureUnit());
-  this->Quad->Program->SetUniformi("depths", this->DepthTexture->GetTextureUnit());
-  this->Quad->Program->SetUniformi("drawDepths", drawDepths ? 1 : 0);
-  this->Quad->Render();
+  quad.Program->SetUniformi("colors", this->ColorTexture->GetTextureUnit());
+  quad.Program->SetUniformi("depths", this->DepthTexture->GetTextureUnit());
+  quad.Program->SetUniformi("drawDepths", drawDepths ? 1 : 0);
+  quad.Render();
   this->DepthTexture->Deactivate();
   this->ColorTexture->Deactivate();
 }

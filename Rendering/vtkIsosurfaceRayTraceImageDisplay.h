@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Draws a picture with a depth for every pixel into an OpenGL render window.
+// Draws a picture with a depth for every pixel into what an OpenGL render window draws to now: the
+// window, or the framebuffer of a render pass.
 
 #ifndef vtkIsosurfaceRayTraceImageDisplay_h
 #define vtkIsosurfaceRayTraceImageDisplay_h
@@ -9,20 +10,24 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkNew.h"                        // for ivars
 
+#include <array>   // for std::array
 #include <cstdint> // for std::uint8_t
 #include <memory>  // for std::unique_ptr
+#include <string>  // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderPass;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkTextureObject;
 class vtkWindow;
 
 class vtkIsosurfaceRayTraceImageDisplay
 {
 public:
-  /// A picture and its place in the window, in pixels from the lower left. It may have fewer
+  /// A picture and its place in the framebuffer, in pixels from the lower left. It may have fewer
   /// columns and rows than that place.
   struct Image
   {
@@ -40,22 +45,49 @@ public:
     bool Opaque;
   };
 
+  /// What a render pass that looks at the geometry is told besides: for every pixel the point and
+  /// the normal of the surface, in coordinates of the view.
+  struct Geometry
+  {
+    vtkOpenGLRenderPass* Pass;
+    vtkProp* Prop;
+    const float* Positions;
+    const float* Normals;
+  };
+
   vtkIsosurfaceRayTraceImageDisplay();
   ~vtkIsosurfaceRayTraceImageDisplay();
   vtkIsosurfaceRayTraceImageDisplay(const vtkIsosurfaceRayTraceImageDisplay&) = delete;
   void operator=(const vtkIsosurfaceRayTraceImageDisplay&) = delete;
 
-  /// Blends the colours over what the window shows, and writes the depths where they are nearer.
-  void Display(vtkOpenGLRenderWindow* window, const Image& image);
+  /// Where drawing goes, in pixels of the framebuffer: x, y, width and height.
+  static std::array<int, 4> GetViewport(vtkOpenGLRenderWindow* window);
+
+  /// Reads the depths of what is drawn, in a rectangle of the framebuffer.
+  static void ReadDepths(
+    vtkOpenGLRenderWindow* window, int x, int y, int width, int height, float* depths);
+
+  /// Blends the colours over what the framebuffer shows, and writes the depths where they are
+  /// nearer. The geometry may be null; with it, the picture must be opaque.
+  void Display(vtkOpenGLRenderWindow* window, const Image& image, const Geometry* geometry);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   void Draw(vtkOpenGLRenderWindow* window, bool drawColors, bool drawDepths);
+  void DrawGeometry(vtkOpenGLRenderWindow* window, const Image& image, const Geometry& geometry);
+  /// Makes the quad, or the shaders of it current. Returns whether it can be drawn.
+  static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
+    std::unique_ptr<vtkOpenGLQuadHelper>& quad);
+  /// Draws a quad that is ready, with the textures of colours and depths.
+  void Render(vtkOpenGLQuadHelper& quad, bool drawDepths);
 
   vtkNew<vtkTextureObject> ColorTexture;
   vtkNew<vtkTextureObject> DepthTexture;
+  vtkNew<vtkTextureObject> PositionTexture;
+  vtkNew<vtkTextureObject> NormalTexture;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> GeometryQuad;
 };
 
 VTK_ABI_NAMESPACE_END

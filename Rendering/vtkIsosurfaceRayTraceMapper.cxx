@@ -13,16 +13,19 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkIntArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -30,6 +33,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAOPass.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -66,12 +70,42 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The pixels of the window that a renderer draws to.
+bool AreOpaque(const std::vector<vtkirt::Isosurface>& surfaces)
+{
+  return std::all_of(surfaces.begin(), surfaces.end(),
+    [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
+}
+
+/// The pixels of its window that a renderer covers.
 vtkirt::PixelRectangle GetViewport(vtkRenderer* renderer)
 {
   vtkirt::PixelRectangle viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   return viewport;
+}
+
+/// The pixels that are drawn to now: in a render pass, of a framebuffer that may begin elsewhere
+/// and have another size.
+vtkirt::PixelRectangle GetDrawnViewport(vtkOpenGLRenderWindow* window)
+{
+  const std::array<int, 4> viewport = vtkIsosurfaceRayTraceImageDisplay::GetViewport(window);
+  return { viewport[0], viewport[1], viewport[2], viewport[3] };
+}
+
+/// The render pass of a kind that draws a volume now, if there is one.
+template <typename Pass>
+Pass* FindPass(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  const int count = keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* pass = Pass::SafeDownCast(vtkOpenGLRenderPass::RenderPasses()->Get(keys, i)))
+    {
+      return pass;
+    }
+  }
+  return nullptr;
 }
 
 bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
@@ -86,11 +120,10 @@ bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
 class vtkIsosurfaceRayTraceMapper::Internals
 {
 public:
-  /// The aspect is width over height; the size is in pixels.
+  /// The size is in rays.
   struct View
   {
-    vtkCamera* Camera;
-    double Aspect;
+    vtkirt::Matrix4 ClipFromWorld;
     double Width;
     double Height;
   };
@@ -134,7 +167,7 @@ public:
     vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property, const View& view);
   /// The same for a renderer, with its lights.
   vtkirt::Scene MakeScene(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
-    vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
+    const View& view, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
   /// As AutoAdjustSampleDistances has it.
   vtkirt::PixelSampling ChooseSampling(vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const;
   /// The depth of what the window shows already, for every ray of a scene.
@@ -146,6 +179,10 @@ public:
   /// Turns the picture into that of the ids that a selector asks for.
   void WriteIds(vtkHardwareSelector* selector, const vtkirt::Scene& scene);
   vtkIdType GetId(vtkHardwareSelector* selector, const vtkirt::Hit& hit) const;
+  /// The points and normals of the nearest surfaces, in coordinates of the view, three numbers for
+  /// every ray.
+  void FindGeometry(vtkIsosurfaceRayTraceMapper* self, vtkCamera* camera,
+    std::vector<float>& positions, std::vector<float>& normals) const;
   /// Writes the picture and what is known of its pixels.
   void WriteImage(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
     const vtkirt::Scene& scene, vtkImageData* output) const;
@@ -312,6 +349,60 @@ vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
 vtkIsosurfaceRayTraceMapper::~vtkIsosurfaceRayTraceMapper() = default;
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* volumeMapper = vtkVolumeMapper::SafeDownCast(mapper))
+  {
+    this->CopyVolumeMapper(volumeMapper);
+  }
+  if (auto* other = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    this->RootSolver = other->RootSolver;
+    this->NumberOfInterpolations = other->NumberOfInterpolations;
+    this->NormalMode = other->NormalMode;
+    this->VectorMode = other->VectorMode;
+    this->VectorComponent = other->VectorComponent;
+    this->ColorArrayName = other->ColorArrayName;
+    this->Shadows = other->Shadows;
+    this->BrickLayout = other->BrickLayout;
+    this->BrickSize = other->BrickSize;
+    this->BrickGroupSize = other->BrickGroupSize;
+    this->MaximumBrickMemory = other->MaximumBrickMemory;
+    this->NumberOfMacrocellLevels = other->NumberOfMacrocellLevels;
+    std::copy_n(
+      other->MacrocellBranching, MaximumNumberOfMacrocellLevels, this->MacrocellBranching);
+    std::copy_n(other->TileSize, 2, this->TileSize);
+    this->AutoAdjustSampleDistances = other->AutoAdjustSampleDistances;
+    this->ImageSampleDistance = other->ImageSampleDistance;
+    this->MinimumImageSampleDistance = other->MinimumImageSampleDistance;
+    this->MaximumImageSampleDistance = other->MaximumImageSampleDistance;
+    this->NumberOfThreads = other->NumberOfThreads;
+  }
+  this->Superclass::ShallowCopy(mapper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const bool hasInput =
+      port < mapper->GetNumberOfInputPorts() && mapper->GetNumberOfInputConnections(port) > 0;
+    this->SetInputConnection(port, hasInput ? mapper->GetInputConnection(port, 0) : nullptr);
+  }
+  this->SetScalarMode(mapper->GetScalarMode());
+  this->SelectScalarArray(mapper->GetArrayId());
+  this->SelectScalarArray(mapper->GetArrayName());
+  this->SetArrayAccessMode(mapper->GetArrayAccessMode());
+  this->SetBlendMode(mapper->GetBlendMode());
+  this->SetAverageIPScalarRange(mapper->GetAverageIPScalarRange());
+  this->SetCropping(mapper->GetCropping());
+  this->SetCroppingRegionPlanes(mapper->GetCroppingRegionPlanes());
+  this->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -434,6 +525,13 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
     this->ReportOnce("The renderer is not in an OpenGL render window. Add it to a vtkRenderWindow, "
                      "and initialize the module vtkRenderingOpenGL2 (VTK_MODULE_INIT, "
                      "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).");
+    return;
+  }
+  if (FindPass<vtkDualDepthPeelingPass>(volume))
+  {
+    this->ReportOnce("The renderer peels volumes, which isosurfaces cannot be. Call "
+                     "UseDepthPeelingForVolumesOff() of the renderer, or, if every isosurface is "
+                     "opaque, put the mapper in a vtkIsosurfaceVolume.");
     return;
   }
   if (!this->UpdateVolume(volume))
@@ -589,7 +687,7 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectColors(vtkIsosurfaceRa
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
+void vtkIsosurfaceRayTraceMapper::UpdateInputs()
 {
   for (int port = 0; port < 2; ++port)
   {
@@ -598,6 +696,26 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
       this->GetInputAlgorithm(port, 0)->Update();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
+{
+  this->UpdateInputs();
+  Internals& internal = *this->Internal;
+  if (!volume || !internal.SelectScalars(this, volume->GetProperty()).empty())
+  {
+    return false;
+  }
+  const std::vector<vtkirt::Isosurface> surfaces =
+    vtkIsosurfaceRayTraceScene::GetSurfaces(volume->GetProperty(), internal.PropertyComponent);
+  return !surfaces.empty() && AreOpaque(surfaces);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
+{
+  this->UpdateInputs();
   Internals& internal = *this->Internal;
   vtkVolumeProperty* property = volume->GetProperty();
   if (this->ReportOnce(internal.SelectScalars(this, property)))
@@ -657,7 +775,7 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
     scene.ColorsOfHits = this->Colors.get();
   }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
-    view.Camera, view.Aspect, this->WorldFromIndex, view.Width, view.Height);
+    view.ClipFromWorld, this->WorldFromIndex, view.Width, view.Height);
   scene.Pixels =
     vtkIsosurfaceRayTraceScene::GetPixels(scene.View, this->Source.GetVolume()->GetDimensions());
   return scene;
@@ -665,14 +783,13 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
 
 //------------------------------------------------------------------------------
 vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRayTraceMapper* self,
-  vtkVolumeProperty* property, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling)
+  vtkVolumeProperty* property, const View& view, vtkRenderer* renderer,
+  const vtkirt::PixelSampling& sampling)
 {
-  const vtkirt::PixelRectangle viewport = GetViewport(renderer);
-  vtkirt::Scene scene = this->MakeScene(self, property,
-    { renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), sampling.ToRays(viewport.Width),
-      sampling.ToRays(viewport.Height) });
+  vtkirt::Scene scene = this->MakeScene(self, property, view);
   scene.Pixels = sampling.Align(scene.Pixels);
-  vtkIsosurfaceRayTraceScene::AddLights(renderer->GetLights(), nullptr, scene);
+  vtkIsosurfaceRayTraceScene::AddLights(
+    renderer->GetLights(), renderer->GetActiveCamera(), false, scene);
   scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   return scene;
 }
@@ -702,11 +819,9 @@ void vtkIsosurfaceRayTraceMapper::Internals::ReadDepths(vtkOpenGLRenderWindow* w
   vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   pixels.Width = std::min(pixels.Width, viewport.Width - pixels.X);
   pixels.Height = std::min(pixels.Height, viewport.Height - pixels.Y);
-  const int left = viewport.X + pixels.X;
-  const int bottom = viewport.Y + pixels.Y;
   this->SceneDepths.resize(vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
-  window->GetZbufferData(
-    left, bottom, left + pixels.Width - 1, bottom + pixels.Height - 1, this->SceneDepths.data());
+  vtkIsosurfaceRayTraceImageDisplay::ReadDepths(window, viewport.X + pixels.X,
+    viewport.Y + pixels.Y, pixels.Width, pixels.Height, this->SceneDepths.data());
   if (sampling.Pixels != 1 || sampling.Rays != 1)
   {
     this->SceneDepths = vtkirt::TakeAtRays(sampling, scene.Pixels, this->SceneDepths, pixels);
@@ -719,25 +834,34 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 {
   Internals& internal = *this->Internal;
   vtkHardwareSelector* selector = renderer->GetSelector();
-  const vtkirt::PixelSampling sampling =
+  vtkirt::PixelSampling sampling =
     selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, volume);
-  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, sampling);
+  vtkSSAOPass* occlusion = selector ? nullptr : FindPass<vtkSSAOPass>(volume);
+  if (occlusion)
+  {
+    sampling.Rays = 1; // A pixel has one point, and the pass softens edges itself.
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const vtkirt::PixelRectangle viewport = GetDrawnViewport(window);
+  const Internals::View view = { vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
+                                   renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+    sampling.ToRays(viewport.Width), sampling.ToRays(viewport.Height) };
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, sampling);
   if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
 
   const Clock::time_point depthStart = Clock::now();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const vtkirt::PixelRectangle viewport = GetViewport(renderer);
-  // With nothing drawn before, there is nothing to be hidden by.
-  if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer())
+  // With nothing drawn before, there is nothing to be hidden by. Render passes do not count.
+  if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
+    renderer->GetPass())
   {
     internal.ReadDepths(window, viewport, sampling, scene);
   }
   this->DisplayTime = SecondsSince(depthStart);
 
-  scene.KeepHits = selector != nullptr;
+  scene.KeepHits = selector || occlusion;
   if (!internal.Trace(this, scene,
         [this, window](double fraction) { return this->ReportProgress(window, fraction); }))
   {
@@ -745,8 +869,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point displayStart = Clock::now();
-  bool opaque = std::all_of(scene.Want.Surfaces.begin(), scene.Want.Surfaces.end(),
-    [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
+  bool opaque = AreOpaque(scene.Want.Surfaces);
   if (selector)
   {
     const bool isComposite = internal.IsComposite;
@@ -769,9 +892,26 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     opaque = false; // not where a surface ends
   }
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
-  internal.Display.Display(window,
-    { viewport.X + pixels.X, viewport.Y + pixels.Y, pixels.Width, pixels.Height, columns, rows,
-      internal.Picture.Colors.data(), internal.Picture.Depths.data(), opaque });
+  const vtkIsosurfaceRayTraceImageDisplay::Image image = { viewport.X + pixels.X,
+    viewport.Y + pixels.Y, pixels.Width, pixels.Height, columns, rows,
+    internal.Picture.Colors.data(), internal.Picture.Depths.data(), opaque };
+  if (occlusion && opaque)
+  {
+    std::vector<float> positions;
+    std::vector<float> normals;
+    internal.FindGeometry(this, renderer->GetActiveCamera(), positions, normals);
+    const vtkIsosurfaceRayTraceImageDisplay::Geometry geometry = { occlusion, volume,
+      positions.data(), normals.data() };
+    internal.Display.Display(window, image, &geometry);
+  }
+  else
+  {
+    if (occlusion)
+    {
+      occlusion->SetShaderParameters(nullptr, this, volume); // Only colours are drawn.
+    }
+    internal.Display.Display(window, image, nullptr);
+  }
   if (selector)
   {
     selector->EndRenderProp();
@@ -791,6 +931,40 @@ bool vtkIsosurfaceRayTraceMapper::Internals::Trace(vtkIsosurfaceRayTraceMapper* 
   self->TraceTime = times.Trace;
   self->ShadeTime = times.Shade;
   return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::Internals::FindGeometry(vtkIsosurfaceRayTraceMapper* self,
+  vtkCamera* camera, std::vector<float>& positions, std::vector<float>& normals) const
+{
+  vtkirt::Matrix4 viewFromWorld;
+  std::copy_n(
+    camera->GetModelViewTransformMatrix()->GetData(), viewFromWorld.size(), viewFromWorld.data());
+  const auto count = static_cast<int>(this->Picture.Hits.size());
+  positions.assign(3 * this->Picture.Hits.size(), 0.0F);
+  normals.assign(3 * this->Picture.Hits.size(), 0.0F);
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(self->GetThreads())
+  for (int i = 0; i < count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(i);
+    const vtkirt::Hit& hit = this->Picture.Hits[pixel];
+    if (hit.Surface == vtkirt::Hit::NoSurface)
+    {
+      continue;
+    }
+    using vtkirt::operator*;
+    const vtkirt::Vector3 position = vtkirt::TransformPoint(
+      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()));
+    vtkirt::Vector3 normal = vtkirt::Normalized(
+      vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit, self->NormalMode)));
+    // As of polygons: towards the viewer, whose side is that of positive z.
+    normal = normal[2] < 0.0 ? normal * -1.0 : normal;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      positions[3 * pixel + axis] = static_cast<float>(position[axis]);
+      normals[3 * pixel + axis] = static_cast<float>(normal[axis]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -907,8 +1081,11 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
     return 0;
   }
   Internals& internal = *this->Internal;
-  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), renderer, {});
   const vtkirt::PixelRectangle viewport = GetViewport(renderer);
+  const Internals::View view = { vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+                                   renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+    static_cast<double>(viewport.Width), static_cast<double>(viewport.Height) };
+  vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, {});
   const int pixelX = column - viewport.X;
   const int pixelY = row - viewport.Y;
   if (!Contains(scene.Pixels, pixelX, pixelY))
@@ -943,8 +1120,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   }
   Internals& internal = *this->Internal;
   vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(),
-    { camera, static_cast<double>(width) / height, static_cast<double>(width),
-      static_cast<double>(height) });
+    { vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height),
+      static_cast<double>(width), static_cast<double>(height) });
   vtkNew<vtkLightCollection> headlight;
   if (!lights)
   {
@@ -952,7 +1129,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
     light->SetLightTypeToHeadlight();
     headlight->AddItem(light);
   }
-  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, scene);
+  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, scene);
   scene.KeepHits = true;
   internal.Trace(this, scene,
     [this](double fraction)
@@ -1037,6 +1214,11 @@ bool vtkIsosurfaceRayTraceMapper::ReportProgress(vtkRenderWindow* window, double
 void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "ArrayAccessMode: " << (this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName")
+     << "\n";
+  os << indent << "ArrayId: " << this->ArrayId << "\n";
+  os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
      << "\n";

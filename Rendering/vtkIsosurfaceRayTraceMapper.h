@@ -18,7 +18,8 @@
  *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
  * light of the renderer; so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
- * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel.
+ * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. Put the
+ * mapper in a vtkIsosurfaceVolume, and so does translucent geometry.
  *
  * What the mapper keeps: a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for
@@ -70,7 +71,8 @@
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
- * @sa vtkVolumeProperty vtkContourValues vtkFlyingEdges3D vtkIsosurfaceComparisonFilter
+ * @sa vtkIsosurfaceVolume vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
+ * @sa vtkIsosurfaceComparisonFilter
  */
 
 #ifndef vtkIsosurfaceRayTraceMapper_h
@@ -406,6 +408,15 @@ public:
   ///@}
 
   /**
+   * Returns whether there are isosurfaces to draw of a volume, and each of them is opaque: its
+   * property has an opacity of at least one at every isovalue that it does not hide. What cannot be
+   * drawn is not opaque; Render says why.
+   *
+   * @sa vtkIsosurfaceVolume
+   */
+  bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
+
+  /**
    * Finds the first isosurface that a line from p1 to p2 (world coordinates) meets, as the picture
    * of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs no window
    * and no OpenGL. Returns 1 if there is a hit, else 0 and nothing is changed.
@@ -447,9 +458,10 @@ public:
 
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
-   * the lower left: the nearest isosurface, to the very bits that are drawn. Other props are not
-   * asked. Needs no window to have been drawn. Returns 1 if there is a surface, else 0 and nothing
-   * is changed. What is found is described as by IntersectWithLine.
+   * the lower left: the nearest isosurface, to the very bits that are drawn (in stereo, that a
+   * window without it would show, as for all pickers of VTK). Other props are not asked. Needs no
+   * window to have been drawn. Returns 1 if there is a surface, else 0 and nothing is changed. What
+   * is found is described as by IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */
@@ -474,6 +486,15 @@ public:
     int height, vtkImageData* output);
 
   /**
+   * Takes the inputs and all settings of another mapper, of which inputs and clipping planes are
+   * shared. Of a volume mapper of another class it takes those that all volume mappers have.
+   *
+   * (vtkVolume::ShallowCopy makes another volume of the same mapper. Give the copy one of its own
+   * to change it by itself.)
+   */
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Trace the isosurfaces of the volume into the window of the renderer.
    */
@@ -496,6 +517,8 @@ private:
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
 
   int GetThreads();
+  void UpdateInputs();
+  void CopyVolumeMapper(vtkVolumeMapper* mapper);
   /// Says what the problem is, if there is one and it was not said before. Returns whether there
   /// is.
   bool ReportOnce(const std::string& problem);

@@ -32,15 +32,18 @@ namespace vtkIsosurfaceRayTraceScene
 namespace
 {
 
-vtkirt::Light ConvertLight(vtkLight* light)
+vtkirt::Light ConvertLight(vtkLight* light, const vtkirt::Matrix4& worldFromLights)
 {
   using vtkirt::operator*;
   using vtkirt::operator-;
   vtkirt::Light result;
+  vtkirt::Vector3 position;
   vtkirt::Vector3 focus;
-  light->GetTransformedPosition(result.Position.data());
+  light->GetTransformedPosition(position.data());
   light->GetTransformedFocalPoint(focus.data());
-  result.Direction = vtkirt::Normalized(result.Position - focus);
+  result.Position = vtkirt::TransformPoint(worldFromLights, position);
+  result.Direction =
+    vtkirt::Normalized(result.Position - vtkirt::TransformPoint(worldFromLights, focus));
   light->GetDiffuseColor(result.DiffuseColor.data());
   light->GetSpecularColor(result.SpecularColor.data());
   result.DiffuseColor = result.DiffuseColor * light->GetIntensity();
@@ -193,8 +196,12 @@ vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
 }
 
 //------------------------------------------------------------------------------
-void AddLights(vtkLightCollection* lights, vtkCamera* followed, vtkirt::Scene& scene)
+void AddLights(
+  vtkLightCollection* lights, vtkCamera* camera, bool areFollowing, vtkirt::Scene& scene)
 {
+  // The model transform of a camera moves the props and not the lights.
+  vtkirt::Matrix4 worldFromLights;
+  vtkMatrix4x4::Invert(camera->GetModelTransformMatrix()->GetData(), worldFromLights.data());
   for (vtkLight* light : vtk::Range(lights))
   {
     if (!light->GetSwitch())
@@ -203,16 +210,16 @@ void AddLights(vtkLightCollection* lights, vtkCamera* followed, vtkirt::Scene& s
     }
     vtkNew<vtkLight> own;
     own->DeepCopy(light);
-    if (followed && light->LightTypeIsHeadlight())
+    if (areFollowing && light->LightTypeIsHeadlight())
     {
-      own->SetPosition(followed->GetPosition());
-      own->SetFocalPoint(followed->GetFocalPoint());
+      own->SetPosition(camera->GetPosition());
+      own->SetFocalPoint(camera->GetFocalPoint());
     }
-    else if (followed && light->LightTypeIsCameraLight())
+    else if (areFollowing && light->LightTypeIsCameraLight())
     {
-      own->SetTransformMatrix(followed->GetCameraLightTransformMatrix());
+      own->SetTransformMatrix(camera->GetCameraLightTransformMatrix());
     }
-    scene.Lights.push_back(ConvertLight(own));
+    scene.Lights.push_back(ConvertLight(own, worldFromLights));
   }
 }
 
@@ -226,12 +233,31 @@ vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& phys
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Camera MakeCamera(vtkCamera* camera, double aspect, const vtkirt::Matrix4& worldFromIndex,
-  double width, double height)
+vtkirt::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspect)
 {
-  vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  // This one leaves stereo out.
+  const double* matrix =
+    camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData();
+  vtkirt::Matrix4 clipFromWorld;
+  std::copy_n(matrix, clipFromWorld.size(), clipFromWorld.data());
+  return clipFromWorld;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double aspect)
+{
+  vtkirt::Matrix4 clipFromWorld;
+  vtkMatrix4x4::Multiply4x4(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData(),
+    camera->GetModelViewTransformMatrix()->GetData(), clipFromWorld.data());
+  return clipFromWorld;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
+  const vtkirt::Matrix4& worldFromIndex, double width, double height)
+{
   vtkirt::Matrix4 clipFromIndex;
-  vtkMatrix4x4::Multiply4x4(clipFromWorld->GetData(), worldFromIndex.data(), clipFromIndex.data());
+  vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromIndex.data(), clipFromIndex.data());
   vtkirt::Matrix4 indexFromClip;
   vtkMatrix4x4::Invert(clipFromIndex.data(), indexFromClip.data());
   return { clipFromIndex, indexFromClip, worldFromIndex, width, height };

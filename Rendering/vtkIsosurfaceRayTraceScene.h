@@ -39,16 +39,22 @@ vtkIsosurfaceRayTracing::Vector3 GetColor(
   vtkVolumeProperty* property, int component, double isovalue);
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
 
-/// Adds the lights that are on. With a camera, headlights and lights of the camera follow it, as a
+/// Adds the lights that are on. If asked to, headlights and lights of the camera follow it, as a
 /// renderer makes them do before it draws.
-void AddLights(
-  vtkLightCollection* lights, vtkCamera* followed, vtkIsosurfaceRayTracing::Scene& scene);
+void AddLights(vtkLightCollection* lights, vtkCamera* camera, bool areFollowing,
+  vtkIsosurfaceRayTracing::Scene& scene);
 
 vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
   vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex);
 
-/// The aspect is that of the picture, width over height.
-vtkIsosurfaceRayTracing::Camera MakeCamera(vtkCamera* camera, double aspect,
+/// What a camera shows of the world, for both eyes together, in a picture of an aspect (width over
+/// height).
+vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspect);
+
+/// The same for the eye that the window of the camera draws now, in stereo.
+vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double aspect);
+
+vtkIsosurfaceRayTracing::Camera MakeCamera(const vtkIsosurfaceRayTracing::Matrix4& clipFromWorld,
   const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, double width, double height);
 
 /// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.

@@ -11,6 +11,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
+#include <vtkTransform.h>
 
 #include <functional>
 
@@ -38,6 +39,54 @@ std::vector<Setting> GetSettings()
       {
         renderer->GetActiveCamera()->ParallelProjectionOn();
         renderer->GetActiveCamera()->SetViewShear(0.3, 0.2, 1.0);
+      } },
+    { "sheared in perspective",
+      [](vtkRenderer* renderer) { renderer->GetActiveCamera()->SetViewShear(0.2, -0.1, 1.0); } },
+    { "with a user transform",
+      [](vtkRenderer* renderer)
+      {
+        vtkNew<vtkTransform> transform;
+        transform->Scale(0.8, 1.1, 1.0);
+        transform->RotateZ(20.0);
+        transform->Translate(0.1, 0.05, 0.0);
+        renderer->GetActiveCamera()->SetUserTransform(transform);
+      } },
+    { "with a user view transform",
+      [](vtkRenderer* renderer)
+      {
+        vtkNew<vtkTransform> transform;
+        transform->RotateX(5.0);
+        transform->Translate(0.2, 0.1, 0.1);
+        renderer->GetActiveCamera()->SetUserViewTransform(transform);
+      } },
+    { "with a model transform",
+      [](vtkRenderer* renderer)
+      {
+        vtkNew<vtkTransform> transform;
+        transform->RotateY(30.0);
+        transform->Translate(0.2, 0.0, -0.1);
+        transform->Scale(1.1, 1.1, 1.1);
+        renderer->GetActiveCamera()->SetModelTransformMatrix(transform->GetMatrix());
+      } },
+    { "with a projection of its own",
+      [](vtkRenderer* renderer)
+      {
+        vtkCamera* camera = renderer->GetActiveCamera();
+        vtkNew<vtkMatrix4x4> projection;
+        projection->DeepCopy(camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0));
+        projection->SetElement(0, 0, 0.7 * projection->GetElement(0, 0));
+        projection->SetElement(0, 2, 0.1);
+        camera->SetExplicitProjectionTransformMatrix(projection);
+        camera->UseExplicitProjectionTransformMatrixOn();
+      } },
+    { "off its axis",
+      [](vtkRenderer* renderer)
+      {
+        vtkCamera* camera = renderer->GetActiveCamera();
+        camera->UseOffAxisProjectionOn();
+        camera->SetScreenBottomLeft(-0.4, -0.3, -1.0);
+        camera->SetScreenBottomRight(0.25, -0.3, -1.0);
+        camera->SetScreenTopRight(0.25, 0.35, -1.0);
       } },
     { "rolled and near",
       [](vtkRenderer* renderer)

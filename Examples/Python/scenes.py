@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Make pictures of isosurfaces in scenes of VTK: scenes.py VOLUME.mhd ISOVALUE FOLDER"""
+
+import os
+import sys
+
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+from vtkmodules.vtkRenderingOpenGL2 import vtkEDLShading, vtkRenderStepsPass
+from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
+from vtkIsosurfaceRayTracing import (
+    vtkIsosurfaceRayTraceFactory,
+    vtkIsosurfaceRayTraceMapper,
+    vtkIsosurfaceVolume,
+)
+
+
+class Scene:
+    """A window that shows an ivory isosurface, as opaque geometry, from a corner."""
+
+    def __init__(self, image, isovalue, size):
+        self.image = image
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.SetInputData(image)
+        self.volume = vtkIsosurfaceVolume()
+        self.volume.SetMapper(mapper)
+        surface = self.volume.GetProperty()
+        surface.ShadeOn()
+        surface.SetDiffuse(0.9)
+        surface.GetIsoSurfaceValues().SetValue(0, isovalue)
+        surface.GetRGBTransferFunction().AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
+        surface.GetScalarOpacity().AddPoint(isovalue, 1.0)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(0.16, 0.18, 0.22)
+        self.renderer.AddVolume(self.volume)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(-0.5, 1.1, 0.35)
+        camera.SetViewUp(0.0, 0.0, 1.0)
+        self.renderer.ResetCamera()
+        camera.Zoom(1.5)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(size, size)
+        self.window.AddRenderer(self.renderer)
+
+    def add_screen(self, fraction, color):
+        """A translucent square across y, at a fraction of the volume's bounds."""
+        bounds = self.image.GetBounds()
+        y = bounds[2] + fraction * (bounds[3] - bounds[2])
+        middle = 0.5 * (bounds[4] + bounds[5])
+        plane = vtkPlaneSource()
+        plane.SetOrigin(bounds[0], y, bounds[4])
+        plane.SetPoint1(bounds[1], y, bounds[4])
+        plane.SetPoint2(bounds[0], y, middle)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(plane.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().LightingOff()
+        actor.GetProperty().SetColor(color)
+        actor.GetProperty().SetOpacity(0.4)
+        self.renderer.AddActor(actor)
+
+    def write(self, file_name):
+        self.window.Render()
+        picture = vtkWindowToImageFilter()
+        picture.SetInput(self.window)
+        picture.ReadFrontBufferOff()
+        writer = vtkPNGWriter()
+        writer.SetInputConnection(picture.GetOutputPort())
+        writer.SetFileName(file_name)
+        writer.Write()
+
+
+def translucent_polygons(scene):
+    scene.add_screen(0.2, (0.3, 0.5, 1.0))
+    scene.add_screen(0.5, (0.3, 0.9, 0.4))
+    scene.add_screen(1.1, (1.0, 0.4, 0.3))
+    scene.renderer.UseDepthPeelingOn()
+    scene.renderer.SetMaximumNumberOfPeels(10)
+    scene.renderer.ResetCameraClippingRange()
+
+
+def ambient_occlusion(scene):
+    scene.renderer.UseSSAOOn()
+    scene.renderer.SetSSAORadius(0.1 * scene.image.GetLength())
+    scene.renderer.SetSSAOKernelSize(128)
+    scene.renderer.SSAOBlurOn()
+
+
+def eye_dome_lighting(scene):
+    shading = vtkEDLShading()
+    shading.SetDelegatePass(vtkRenderStepsPass())
+    scene.renderer.SetPass(shading)
+
+
+def anaglyph(scene):
+    scene.window.SetStereoTypeToAnaglyph()
+    scene.window.StereoRenderOn()
+
+
+def smart_mapper(scene):
+    vtkIsosurfaceRayTraceFactory.SwitchOn()
+    mapper = vtkSmartVolumeMapper()
+    mapper.SetInputData(scene.image)
+    mapper.SetBlendModeToIsoSurface()
+    mapper.SetRequestedRenderModeToOSPRay()
+    scene.volume.SetMapper(mapper)
+
+
+SCENES = (translucent_polygons, ambient_occlusion, eye_dome_lighting, anaglyph, smart_mapper)
+
+
+def write_all(image, isovalue, folder, size):
+    os.makedirs(folder, exist_ok=True)
+    for furnish in SCENES:
+        scene = Scene(image, isovalue, size)
+        furnish(scene)
+        file_name = os.path.join(folder, furnish.__name__ + ".png")
+        scene.write(file_name)
+        print(file_name)
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    volume_file, isovalue, folder = sys.argv[1], float(sys.argv[2]), sys.argv[3]
+    reader = vtkImageReader2Factory.CreateImageReader2(volume_file)
+    if reader is None:
+        sys.exit(f"VTK has no image reader for {volume_file}")
+    reader.SetFileName(volume_file)
+    reader.Update()
+    write_all(reader.GetOutput(), isovalue, folder, 480)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceVolume.h"
+
+#include "vtkIsosurfaceRayTraceMapper.h"
+
+#include "vtkObjectFactory.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkIsosurfaceVolume);
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceVolume::vtkIsosurfaceVolume() = default;
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceVolume::~vtkIsosurfaceVolume() = default;
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkIsosurfaceVolume::HasOpaqueGeometry()
+{
+  auto* mapper = vtkIsosurfaceRayTraceMapper::SafeDownCast(this->Mapper);
+  return mapper && mapper->HasOnlyOpaqueSurfaces(this) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  // What draws a volume does not depend on when it is called.
+  return this->HasOpaqueGeometry() ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceVolume::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  return this->HasOpaqueGeometry() ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HasOpaqueGeometry: " << this->HasOpaqueGeometry() << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Opaque isosurfaces take part in the scene as their polygons do: beside translucent polygons, in
+// render passes, for GetZ and selectors, and once per frame.
+
+#include "MapperTesting.h"
+
+#include "vtkIsosurfaceVolume.h"
+
+#include <vtkActor.h>
+#include <vtkCameraPass.h>
+#include <vtkDataObject.h>
+#include <vtkDepthOfFieldPass.h>
+#include <vtkEDLShading.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkFramebufferPass.h>
+#include <vtkGaussianBlurPass.h>
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkLightsPass.h>
+#include <vtkOpaquePass.h>
+#include <vtkOutlineSource.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkSSAAPass.h>
+#include <vtkSSAOPass.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkSequencePass.h>
+#include <vtkVolumetricPass.h>
+
+#include <functional>
+#include <set>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+constexpr double Radius = 0.7;
+
+vtkSmartPointer<vtkActor> NewActor(vtkPolyDataAlgorithm* source)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// A square across the view, so far towards the camera.
+vtkSmartPointer<vtkActor> NewScreen(double y, const std::array<double, 3>& color, double opacity)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.2, y, -0.9);
+  plane->SetPoint1(0.9, y, -0.9);
+  plane->SetPoint2(-0.2, y, 0.5);
+  auto actor = NewActor(plane);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetOpacity(opacity);
+  return actor;
+}
+
+/// A ball in a vtkIsosurfaceVolume, and polygons of the same ball to put in its place.
+struct BallScene : Scene
+{
+  explicit BallScene(vtkImageData* image)
+    : Scene(image)
+  {
+    this->Isosurface->SetMapper(this->Mapper);
+    this->Isosurface->SetProperty(this->Property());
+    this->Property()->SetAmbient(0.0);
+    this->Property()->SetDiffuse(1.0);
+    this->Property()->SetSpecular(0.0);
+    this->Renderer->RemoveAllViewProps();
+    this->Polygons = NewSphere(Radius, { 0.0, 0.0, 0.0 }, 300);
+    this->Polygons->GetProperty()->SetColor(0.9, 0.8, 0.7);
+    this->Show(this->Isosurface);
+    // Both scenes have the bounds of the volume: vtkEDLShading looks at them.
+    this->Renderer->AddActor(NewActor(vtkNew<vtkOutlineSource>()));
+  }
+
+  /// Of the two balls, the one given.
+  void Show(vtkProp* ball)
+  {
+    this->Renderer->RemoveViewProp(this->Isosurface);
+    this->Renderer->RemoveViewProp(this->Polygons);
+    this->Renderer->AddViewProp(ball);
+  }
+
+  vtkNew<vtkIsosurfaceVolume> Isosurface;
+  vtkSmartPointer<vtkActor> Polygons;
+};
+
+struct Setting
+{
+  std::string Name;
+  std::function<void(vtkRenderer*)> Apply;
+};
+
+void AddScreens(vtkRenderer* renderer)
+{
+  renderer->AddActor(NewScreen(-0.9, { 1.0, 0.2, 0.2 }, 0.4));
+  renderer->AddActor(NewScreen(0.0, { 0.2, 1.0, 0.2 }, 0.5));
+  renderer->AddActor(NewScreen(0.9, { 0.2, 0.2, 1.0 }, 0.6));
+  renderer->ResetCameraClippingRange();
+}
+
+void PeelDepths(vtkRenderer* renderer)
+{
+  renderer->UseDepthPeelingOn();
+  renderer->SetMaximumNumberOfPeels(20);
+  renderer->SetOcclusionRatio(0.0);
+}
+
+/// Adds a pass over VTK's usual ones.
+template <typename Pass>
+vtkSmartPointer<Pass> AddPass(vtkRenderer* renderer)
+{
+  vtkNew<vtkRenderStepsPass> steps;
+  auto pass = vtkSmartPointer<Pass>::New();
+  pass->SetDelegatePass(steps);
+  renderer->SetPass(pass);
+  return pass;
+}
+
+void AddSequence(vtkRenderer* renderer)
+{
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(vtkNew<vtkLightsPass>());
+  passes->AddItem(vtkNew<vtkOpaquePass>());
+  passes->AddItem(vtkNew<vtkVolumetricPass>());
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  renderer->SetPass(camera);
+}
+
+std::vector<Setting> GetSettings()
+{
+  return {
+    { "plain", [](vtkRenderer*) {} },
+    { "translucent polygons", AddScreens },
+    { "depth peeling",
+      [](vtkRenderer* renderer)
+      {
+        AddScreens(renderer);
+        PeelDepths(renderer);
+      } },
+    { "depth peeling for volumes",
+      [](vtkRenderer* renderer)
+      {
+        AddScreens(renderer);
+        PeelDepths(renderer);
+        renderer->UseDepthPeelingForVolumesOn();
+      } },
+    { "FXAA", [](vtkRenderer* renderer) { renderer->UseFXAAOn(); } },
+    { "a viewport and a pass",
+      [](vtkRenderer* renderer)
+      {
+        renderer->SetViewport(0.21, 0.12, 0.83, 0.97);
+        AddPass<vtkEDLShading>(renderer);
+      } },
+    { "a sequence of passes", AddSequence },
+    { "vtkEDLShading", [](vtkRenderer* renderer) { AddPass<vtkEDLShading>(renderer); } },
+    { "vtkEDLShading and translucent polygons",
+      [](vtkRenderer* renderer)
+      {
+        AddScreens(renderer);
+        AddPass<vtkEDLShading>(renderer);
+      } },
+    { "vtkSSAOPass",
+      [](vtkRenderer* renderer)
+      {
+        renderer->AddActor(NewScreen(0.4, { 1.0, 1.0, 1.0 }, 1.0));
+        AddPass<vtkSSAOPass>(renderer)->SetRadius(0.8);
+      } },
+    { "UseSSAO",
+      [](vtkRenderer* renderer)
+      {
+        renderer->AddActor(NewScreen(0.4, { 1.0, 1.0, 1.0 }, 1.0));
+        renderer->UseSSAOOn();
+        renderer->SetSSAORadius(0.8);
+      } },
+    { "vtkSSAAPass", [](vtkRenderer* renderer) { AddPass<vtkSSAAPass>(renderer); } },
+    { "vtkDepthOfFieldPass",
+      [](vtkRenderer* renderer) { AddPass<vtkDepthOfFieldPass>(renderer); } },
+    { "vtkGaussianBlurPass",
+      [](vtkRenderer* renderer) { AddPass<vtkGaussianBlurPass>(renderer); } },
+  };
+}
+
+/// It looks as its polygons do, and is drawn once.
+void CheckAgainstPolygons(Checks& check, vtkImageData* image, const Setting& setting)
+{
+  BallScene scene(image);
+  scene.Renderer->SetBackground(0.3, 0.3, 0.3);
+  setting.Apply(scene.Renderer);
+  // The first frame of a vtkDepthOfFieldPass is black, whatever the scene.
+  scene.Show(scene.Polygons);
+  scene.Window->Render();
+  scene.Show(scene.Isosurface);
+  vtkNew<EventCounter> starts;
+  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, starts);
+  const Picture traced = RenderAndCapture(scene.Window);
+  check.Equal(starts->Count, 1, setting.Name + ": the number of times it is drawn");
+  scene.Show(scene.Polygons);
+  const Picture polygons = RenderAndCapture(scene.Window);
+  const double difference = GetDifference(traced, polygons, 6);
+  std::cout << setting.Name << ": " << 100.0 * difference << " % of the pixels differ\n";
+  check.That(difference < 0.005, setting.Name + ": it looks as its polygons do");
+}
+
+/// A scene with a translucent surface, one within, and a screen through both.
+struct TranslucentScene : Scene
+{
+  explicit TranslucentScene(vtkImageData* image)
+    : Scene(image)
+  {
+    this->SetSurface(0.0, { 0.9, 0.8, 0.7 }, 0.5);
+    this->AddSurface(0.3, { 0.3, 0.8, 0.9 }, 1.0);
+    this->Renderer->AddActor(NewScreen(0.0, { 0.2, 1.0, 0.2 }, 1.0));
+    this->Renderer->SetViewport(0.21, 0.12, 0.83, 0.97);
+  }
+};
+
+/// With a translucent surface it is a volume, drawn once and last, also into the framebuffer of a
+/// pass, of which it must read the depths.
+void CheckTranslucent(Checks& check, vtkImageData* image)
+{
+  TranslucentScene scene(image);
+  const Picture expected = RenderAndCapture(scene.Window);
+  vtkNew<vtkIsosurfaceVolume> volume;
+  volume->ShallowCopy(scene.Volume);
+  check.That(!volume->HasOpaqueGeometry(), "it is not opaque");
+  scene.Renderer->RemoveViewProp(scene.Volume);
+  scene.Renderer->AddViewProp(volume);
+  vtkNew<EventCounter> starts;
+  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, starts);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference of a translucent one from a vtkVolume");
+  check.Equal(starts->Count, 1, "the number of times a translucent one is drawn");
+
+  TranslucentScene inFramebuffer(image);
+  AddPass<vtkFramebufferPass>(inFramebuffer.Renderer);
+  check.Equal(GetDifference(RenderAndCapture(inFramebuffer.Window), expected, 1), 0.0,
+    "the difference of a translucent one in a framebuffer");
+}
+
+/// VTK cannot peel it, and says so once; what else there is, is drawn.
+void CheckPeeling(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  scene.SetSurface(0.0, { 0.9, 0.8, 0.7 }, 0.5);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  AddScreens(scene.Renderer);
+  PeelDepths(scene.Renderer);
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  const Picture expected = RenderAndCapture(scene.Window);
+  scene.Renderer->AddVolume(scene.Volume);
+  vtkNew<EventCounter> errors;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference with a volume that cannot be peeled");
+  check.Equal(errors->Count, 1, "the number of errors");
+  check.That(errors->Text.find("UseDepthPeelingForVolumesOff") != std::string::npos,
+    "the error has the remedy");
+}
+
+/// What the mapper says of opacity is what it draws: isovalues that are hidden do not count, the
+/// component counts that is drawn.
+void CheckOpacity(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  vtkNew<vtkIsosurfaceVolume> volume;
+  check.That(!volume->HasOpaqueGeometry(), "without a mapper nothing is opaque");
+  volume->ShallowCopy(scene.Volume);
+  check.That(volume->HasOpaqueGeometry(), "an opaque surface");
+  scene.AddSurface(0.3, { 1.0, 1.0, 1.0 }, 0.0);
+  check.That(volume->HasOpaqueGeometry(), "an opaque surface and one that is hidden");
+  scene.AddSurface(0.2, { 1.0, 1.0, 1.0 }, 0.9);
+  check.That(!volume->HasOpaqueGeometry(), "an opaque surface and a translucent one");
+  scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 0.0);
+  check.That(!volume->HasOpaqueGeometry(), "a hidden surface alone");
+  scene.Property()->GetIsoSurfaceValues()->SetNumberOfContours(0);
+  check.That(!volume->HasOpaqueGeometry(), "no surface");
+  scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
+  scene.Mapper->SetBlendModeToComposite();
+  check.That(!volume->HasOpaqueGeometry(), "a mapper that cannot draw");
+  scene.Mapper->SetBlendModeToIsoSurface();
+
+  vtkNew<vtkDoubleArray> two;
+  two->SetNumberOfComponents(2);
+  two->SetNumberOfTuples(image->GetNumberOfPoints());
+  two->CopyComponent(0, image->GetPointData()->GetScalars(), 0);
+  two->CopyComponent(1, image->GetPointData()->GetScalars(), 0);
+  vtkNew<vtkImageData> vectors;
+  vectors->CopyStructure(image);
+  vectors->GetPointData()->SetScalars(two);
+  scene.Mapper->SetInputData(vectors);
+  scene.Property()->GetScalarOpacity(1)->AddPoint(0.0, 0.5);
+  check.That(volume->HasOpaqueGeometry(), "the first component");
+  scene.Property()->SetComponentWeight(0, 0.5);
+  check.That(!volume->HasOpaqueGeometry(), "the second component");
+}
+
+/// The depth at a pixel is that of the hit.
+void CheckDepth(Checks& check, vtkImageData* image)
+{
+  BallScene scene(image);
+  scene.Window->Render();
+  double x[3];
+  double pcoords[3];
+  double normal[3];
+  double isovalue;
+  vtkIdType cell;
+  check.Equal(scene.Mapper->PickPixel(
+                scene.Renderer, scene.Isosurface, 70, 90, x, pcoords, cell, isovalue, normal),
+    1, "the pick of a pixel");
+  scene.Renderer->SetWorldPoint(x[0], x[1], x[2], 1.0);
+  scene.Renderer->WorldToDisplay();
+  check.Near(scene.Renderer->GetZ(70, 90), scene.Renderer->GetDisplayPoint()[2], 1e-6,
+    "the depth at a pixel");
+}
+
+/// A selector finds the same cells as in a vtkVolume.
+std::set<vtkIdType> SelectCells(vtkRenderer* renderer, vtkProp* prop)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(0, 0, 159, 159);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
+    {
+      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    }
+  }
+  return ids;
+}
+
+void CheckSelector(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  vtkSmartPointer<vtkActor> screen = NewScreen(-0.5, { 1.0, 0.0, 0.0 }, 1.0);
+  scene.Renderer->AddActor(screen);
+  scene.Window->Render();
+  const std::set<vtkIdType> expected = SelectCells(scene.Renderer, scene.Volume);
+  vtkNew<vtkIsosurfaceVolume> volume;
+  volume->ShallowCopy(scene.Volume);
+  scene.Renderer->RemoveViewProp(scene.Volume);
+  scene.Renderer->AddViewProp(volume);
+  scene.Window->Render();
+  check.That(expected.size() > 100, "hundreds of cells are selected");
+  check.That(SelectCells(scene.Renderer, volume) == expected, "the same cells are selected");
+  check.That(SelectCells(scene.Renderer, screen) == std::set<vtkIdType>{ 0 },
+    "the cell of the screen is selected");
+}
+
+/// With another mapper it is a vtkVolume.
+void CheckOtherMapper(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(image);
+  scene.Volume->SetMapper(mapper);
+  const Picture expected = RenderAndCapture(scene.Window);
+  check.That(GetDifference(expected, Picture(expected.size(), 0), 60) > 0.1, "a cloud is drawn");
+  vtkNew<vtkIsosurfaceVolume> volume;
+  volume->ShallowCopy(scene.Volume);
+  scene.Renderer->RemoveViewProp(scene.Volume);
+  scene.Renderer->AddViewProp(volume);
+  check.That(!volume->HasOpaqueGeometry(), "another mapper's volume is not opaque");
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference with another mapper");
+}
+
+}
+
+int TestIsosurfaceVolume(int argc, char* argv[])
+{
+  Checks check;
+  const auto image = NewBall(65, Radius);
+  for (const Setting& setting : GetSettings())
+  {
+    CheckAgainstPolygons(check, image, setting);
+  }
+  CheckTranslucent(check, image);
+  CheckPeeling(check, image);
+  CheckOpacity(check, image);
+  CheckDepth(check, image);
+  CheckSelector(check, image);
+  CheckOtherMapper(check, image);
+  BallScene scene(image);
+  AddScreens(scene.Renderer);
+  PeelDepths(scene.Renderer);
+  check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
+  return check.Result();
+}
