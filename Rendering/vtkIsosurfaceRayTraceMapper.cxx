@@ -954,7 +954,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::FindGeometry(vtkIsosurfaceRayTraceM
     }
     using vtkirt::operator*;
     const vtkirt::Vector3 position = vtkirt::TransformPoint(
-      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()));
+      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes)));
     vtkirt::Vector3 normal = vtkirt::Normalized(
       vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit, self->NormalMode)));
     // As of polygons: towards the viewer, whose side is that of positive z.

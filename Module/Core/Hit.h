@@ -26,7 +26,7 @@ struct Hit
   static constexpr int NoSurface = -1;
 
   /// Where it is in the space that rays go through: see Ray::Planes.
-  Vector3 GetPoint(const UnevenPlanes* planes = nullptr) const
+  Vector3 GetPoint(const UnevenPlanes* planes) const
   {
     if (planes)
     {

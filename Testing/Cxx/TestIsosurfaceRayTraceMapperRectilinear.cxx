@@ -7,6 +7,7 @@
 #include "MapperTesting.h"
 
 #include "vtkIsosurfacePicker.h"
+#include "vtkIsosurfaceVolume.h"
 
 #include <vtkCellData.h>
 #include <vtkDataObject.h>
@@ -558,6 +559,31 @@ void CheckLook(Checks& check)
     GetDifference(draw(grid, false, 0), draw(grid, true, 1), 8) > 0.01, "there is a shadow");
 }
 
+/// Passes of VTK are told of the same places.
+void CheckRenderPass(Checks& check)
+{
+  const auto draw = [](vtkDataObject* data, bool occluded)
+  {
+    Scene scene(data);
+    vtkNew<vtkIsosurfaceVolume> volume;
+    volume->SetMapper(scene.Mapper);
+    volume->SetProperty(scene.Property());
+    scene.Renderer->RemoveVolume(scene.Volume);
+    scene.Renderer->AddVolume(volume);
+    scene.Renderer->SetUseSSAO(occluded);
+    scene.Renderer->SetSSAORadius(0.8);
+    return RenderAndCapture(scene.Window);
+  };
+  const auto image = NewCube(61, AnalyticFields::Gyroid{ 1.3 });
+  const auto grid =
+    NewGrid({ Growing(121), Reversed(Growing(131)), Growing(141) }, AnalyticFields::Gyroid{ 1.3 });
+  const Picture expected = draw(image, true);
+  check.That(GetDifference(expected, draw(image, false), 8) > 0.2, "there is ambient occlusion");
+  const double difference = GetDifference(draw(grid, true), expected, 8);
+  std::cout << "With ambient occlusion " << 100.0 * difference << " % of the pixels differ\n";
+  check.That(difference < 0.02, "ambient occlusion is the same on uneven planes");
+}
+
 //------------------------------------------------------------------------------
 void CheckHiddenCells(Checks& check)
 {
@@ -721,6 +747,7 @@ int TestIsosurfaceRayTraceMapperRectilinear(int argc, char* argv[])
   CheckAgainstPolygons(check);
   CheckCuttingAndPicking(check);
   CheckLook(check);
+  CheckRenderPass(check);
   CheckHiddenCells(check);
   CheckColors(check);
   CheckWalls(check);
