@@ -174,6 +174,8 @@ struct ShadedHits
   alignas(64) double Direction[3][RayGroup::Capacity];
   /// That of the surface first, then that of the hit.
   alignas(64) double Color[3][RayGroup::Capacity];
+  /// Those where the ray goes in, and so sees the outside of the surface.
+  RaySet Rising;
   /// Those whose vectors are too short or too long for the arithmetic of the kernel.
   RaySet Extreme;
 };

@@ -1145,10 +1145,10 @@ void Shade(const Phong& phong, ShadedHits& hits)
     hits.Extreme.Words[i >> 6] |= static_cast<std::uint64_t>(extreme) << (i & 63);
     if (phong.TwoSidedLighting)
     {
-      const Mask isBehind = Dot(normal, toViewer) < zero;
+      const Mask isOutside = LanesOf(GetLanes(hits.Rising, i));
       for (int axis = 0; axis < 3; ++axis)
       {
-        normal[axis] = Select(isBehind, normal[axis] * Broadcast(-1.0), normal[axis]);
+        normal[axis] = Select(isOutside, normal[axis], normal[axis] * Broadcast(-1.0));
       }
     }
     Reflections reflections = { { zero, zero, zero }, { zero, zero, zero } };

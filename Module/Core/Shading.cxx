@@ -140,6 +140,7 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
   }
   ShadedHits some;
   some.Count = 0;
+  some.Rising = {};
   std::size_t first = 0;
   for (int ray = 0; ray < rays.Count; ++ray)
   {
@@ -155,6 +156,10 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         continue;
       }
       const int place = some.Count++;
+      if (hit.Rising)
+      {
+        Add(place, some.Rising);
+      }
       const Vector3 color = this->GetColor(hit);
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -166,6 +171,7 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         this->ShadeSome(&hits.Hits[first], some, &colors[first]);
         first = i + 1;
         some.Count = 0;
+        some.Rising = {};
       }
     }
   }
@@ -322,7 +328,8 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* sh
   const Vector3 gradient = this->Volume.GetGradient(hit, scene.Normals);
   Vector3 normal =
     Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient))) * -1.0;
-  if (scene.TwoSidedLighting && Dot(normal, toViewer) < 0.0)
+  // Which side is seen, the hit knows; a smooth normal may be turned away from both.
+  if (scene.TwoSidedLighting && !hit.Rising)
   {
     normal = normal * -1.0;
   }

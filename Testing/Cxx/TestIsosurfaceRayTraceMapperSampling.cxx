@@ -84,6 +84,92 @@ void CheckDepth(Checks& check)
   }
 }
 
+/// A ray that pixels share ends at what stands in their middle; where it does not, each pixel shows
+/// the surface if it is nearer than what stands there.
+void CheckOccluder(Checks& check)
+{
+  constexpr int distance = 5;
+  Scene scene(NewBall(33, 0.7), 200, 200);
+  const auto sphere = NewSphere(0.4, { 0.5, -0.6, 0.3 });
+  scene.Renderer->AddActor(sphere);
+  scene.Renderer->ResetCameraClippingRange();
+  scene.Volume->VisibilityOff();
+  const Picture ofSphere = RenderAndCapture(scene.Window);
+  const DepthPicture sphereDepths(scene.Window, scene.Renderer);
+  scene.Volume->VisibilityOn();
+  sphere->VisibilityOff();
+  SetDistance(scene, distance);
+  const Picture ofSurface = RenderAndCapture(scene.Window);
+  const DepthPicture surfaceDepths(scene.Window, scene.Renderer);
+  sphere->VisibilityOn();
+  const Picture both = RenderAndCapture(scene.Window);
+  int wrong = 0;
+  int cut = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      const double surface = surfaceDepths.GetDepth(x, y);
+      const double middle = sphereDepths.GetDepth(
+        x / distance * distance + distance / 2, y / distance * distance + distance / 2);
+      const bool isSeen = surface < middle && surface < sphereDepths.GetDepth(x, y);
+      cut += surface < sphereDepths.GetDepth(x, y) && !isSeen ? 1 : 0;
+      const Picture& expected = isSeen || sphereDepths.IsEmpty(x, y) ? ofSurface : ofSphere;
+      const auto here = static_cast<std::size_t>(3 * (x + y * 200));
+      for (std::size_t channel = here; channel < here + 3; ++channel)
+      {
+        // A ray that ends before the surface leaves the background.
+        const int other = surface >= middle ? ofSphere[channel] : expected[channel];
+        wrong +=
+          std::abs(both[channel] - expected[channel]) > 1 && std::abs(both[channel] - other) > 1
+          ? 1
+          : 0;
+      }
+    }
+  }
+  check.That(cut > 20, "rays are cut by what stands in the middle: " + std::to_string(cut));
+  check.Equal(wrong, 0, "the number of wrong pixels behind and before a sphere");
+}
+
+/// Several rays for a pixel are those of a larger window: their mean colour, and their least depth.
+void CheckMean(Checks& check)
+{
+  const auto image = NewBall(33, 0.7);
+  Scene large(image, 200, 200);
+  const Picture fine = RenderAndCapture(large.Window);
+  const DepthPicture fineDepths(large.Window, large.Renderer);
+  Scene small(image, 100, 100);
+  SetDistance(small, 0.5);
+  const Picture mean = RenderAndCapture(small.Window);
+  const DepthPicture depths(small.Window, small.Renderer);
+  int wrong = 0;
+  for (int y = 0; y < 100; ++y)
+  {
+    for (int x = 0; x < 100; ++x)
+    {
+      double least = 1.0;
+      int sums[3] = { 0, 0, 0 };
+      for (int ray = 0; ray < 4; ++ray)
+      {
+        const int column = 2 * x + ray % 2;
+        const int row = 2 * y + ray / 2;
+        least = std::min(least, fineDepths.GetDepth(column, row));
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          sums[channel] += fine[static_cast<std::size_t>(3 * (column + row * 200) + channel)];
+        }
+      }
+      wrong += std::abs(depths.GetDepth(x, y) - least) > 1e-6 ? 1 : 0;
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const int color = mean[static_cast<std::size_t>(3 * (x + y * 100) + channel)];
+        wrong += std::abs(4 * color - sums[channel]) > 8 ? 1 : 0;
+      }
+    }
+  }
+  check.Equal(wrong, 0, "the number of pixels that are not the mean of a larger window");
+}
+
 /// Several rays for a pixel are its mean: at the edge of a ball as much colour as it is covered.
 void CheckSmooth(Checks& check)
 {
@@ -140,6 +226,8 @@ int TestIsosurfaceRayTraceMapperSampling(int, char*[])
   Checks check;
   CheckCoarse(check);
   CheckDepth(check);
+  CheckOccluder(check);
+  CheckMean(check);
   CheckSmooth(check);
   CheckHurry(check);
   return check.Result();

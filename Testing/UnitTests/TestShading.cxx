@@ -182,6 +182,22 @@ TEST(Shading, LightsTheBackOnlyIfBothSidesAreLit)
   ExpectNear(plane.Shade(3.0, 3.0), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
 }
 
+// A smooth normal may look away from a viewer who sees the outside: the hit tells which side it is.
+TEST(Shading, KnowsTheSideByTheHit)
+{
+  PlaneScene plane;
+  Scene& scene = plane.TheScene;
+  Light light;
+  light.Direction = { -1.0, 0.0, 0.0 };
+  scene.Lights = { light };
+  const Shader shader(scene, *plane.Traced);
+  const Vector3 direction = Unit({ -0.1, 1.0, 0.0 });
+  Hit hit = { 1.0, { 4, 3, 3 }, 0, { 0.0, 0.5, 0.5 }, true };
+  ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 1.0, 0.0, scene.Look), 1e-14);
+  hit.Rising = false;
+  ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
+}
+
 //------------------------------------------------------------------------------
 TEST(Shading, FollowsPhongForALampWithAttenuationAndCone)
 {
