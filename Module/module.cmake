@@ -31,7 +31,8 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene
-  Rendering/vtkIsosurfaceRayTraceSource)
+  Rendering/vtkIsosurfaceRayTraceSource
+  Rendering/vtkIsosurfaceRayTraceValueColors)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 

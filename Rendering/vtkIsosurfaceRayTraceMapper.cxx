@@ -7,6 +7,7 @@
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSource.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -84,6 +85,20 @@ vtkirt::PixelRectangle GetViewport(vtkRenderer* renderer)
   return viewport;
 }
 
+/// What a blend mode looks for along rays, if not for surfaces.
+std::optional<vtkirt::Extremum> GetProjection(int blendMode)
+{
+  switch (blendMode)
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return vtkirt::Extremum::Largest;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return vtkirt::Extremum::Smallest;
+    default:
+      return std::nullopt;
+  }
+}
+
 /// The pixels that are drawn to now: in a render pass, of a framebuffer that may begin elsewhere
 /// and have another size.
 vtkirt::PixelRectangle GetDrawnViewport(vtkOpenGLRenderWindow* window)
@@ -148,9 +163,18 @@ public:
   /// The hits of rays given in the world, up to tEnd times their direction.
   vtkirt::RayHits Cast(const std::vector<vtkirt::Vector3>& origins,
     const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads);
-  double GetIsovalue(const vtkirt::Hit& hit) const
+  /// The isovalue of a surface, or the value of a projection.
+  double GetValue(const vtkirt::Hit& hit) const
   {
-    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+    return this->Want.Projection
+      ? hit.Value
+      : this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  }
+  /// Whether the picture shows anything at a pixel. A value may have no opacity.
+  bool IsSeen(std::size_t pixel) const
+  {
+    return this->Picture.Hits[pixel].Surface != vtkirt::Hit::NoSurface &&
+      (!this->Want.Projection || this->Picture.Colors[4 * pixel + 3] > 0);
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
@@ -201,6 +225,8 @@ public:
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
+  /// What a projection is coloured by.
+  std::unique_ptr<vtkIsosurfaceRayTraceValueColors> ValueColors;
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
   vtkirt::Matrix4 WorldFromIndex;
@@ -272,7 +298,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, in
   vtkirt::Vector3 inCell;
   cellId = this->FindCell(hit, inCell);
   std::copy_n(inCell.begin(), 3, pcoords);
-  isovalue = this->GetIsovalue(hit);
+  isovalue = this->GetValue(hit);
   const vtkirt::Vector3 point =
     vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes));
   std::copy_n(point.begin(), 3, x);
@@ -364,6 +390,9 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->VectorComponent = other->VectorComponent;
     this->ColorArrayName = other->ColorArrayName;
     this->Shadows = other->Shadows;
+    this->AmbientOcclusion = other->AmbientOcclusion;
+    this->NumberOfAmbientOcclusionRays = other->NumberOfAmbientOcclusionRays;
+    this->AmbientOcclusionRadius = other->AmbientOcclusionRadius;
     this->BrickLayout = other->BrickLayout;
     this->BrickSize = other->BrickSize;
     this->BrickGroupSize = other->BrickGroupSize;
@@ -627,10 +656,12 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectGrid(vtkIsosurfaceRayT
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
   vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property)
 {
-  if (self->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  const int mode = self->GetBlendMode();
+  if (mode != vtkVolumeMapper::ISOSURFACE_BLEND && !GetProjection(mode))
   {
-    return "The blend mode is not ISOSURFACE_BLEND, the only one this mapper has. Call "
-           "SetBlendModeToIsoSurface(), or use another volume mapper.";
+    return "The blend mode is one that this mapper does not have. Call SetBlendModeToIsoSurface(), "
+           "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
+           "volume mapper.";
   }
   std::string problem = this->SelectGrid(self);
   if (!problem.empty())
@@ -703,7 +734,8 @@ bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
 {
   this->UpdateInputs();
   Internals& internal = *this->Internal;
-  if (!volume || !internal.SelectScalars(this, volume->GetProperty()).empty())
+  if (!volume || GetProjection(this->BlendMode) ||
+    !internal.SelectScalars(this, volume->GetProperty()).empty())
   {
     return false;
   }
@@ -739,8 +771,10 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   internal.WorldFromIndex =
     vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, geometry.GetPhysicalFromIndex());
   internal.Want.Planes = geometry.GetPlanes();
-  internal.Want.Surfaces =
-    vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
+  internal.Want.Projection = GetProjection(this->BlendMode);
+  internal.Want.Surfaces = internal.Want.Projection
+    ? std::vector<vtkirt::Isosurface>()
+    : vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
   internal.Want.Seen =
@@ -768,11 +802,22 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
   }
   scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(property, this->PropertyComponent);
   scene.Shadows = self->Shadows;
+  scene.OcclusionRays = self->AmbientOcclusion ? self->NumberOfAmbientOcclusionRays : 0;
+  if (self->AmbientOcclusionRadius > 0.0)
+  {
+    scene.OcclusionRadius = self->AmbientOcclusionRadius;
+  }
   if (this->ColorArray)
   {
     this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(
       this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
+  }
+  if (scene.Want.Projection)
+  {
+    this->ValueColors =
+      std::make_unique<vtkIsosurfaceRayTraceValueColors>(property, this->PropertyComponent);
+    scene.ColorsOfValues = this->ValueColors.get();
   }
   scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
     view.ClipFromWorld, this->WorldFromIndex, view.Width, view.Height);
@@ -847,7 +892,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
                                    renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
     sampling.ToRays(viewport.Width), sampling.ToRays(viewport.Height) };
   vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, sampling);
-  if (scene.Want.Surfaces.empty() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  if (scene.Want.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -869,7 +914,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point displayStart = Clock::now();
-  bool opaque = AreOpaque(scene.Want.Surfaces);
+  bool opaque = !scene.Want.Projection && AreOpaque(scene.Want.Surfaces);
   if (selector)
   {
     const bool isComposite = internal.IsComposite;
@@ -976,9 +1021,10 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
   {
     const vtkirt::Hit& hit = picture.Hits[pixel];
     std::uint8_t* color = &picture.Colors[4 * pixel];
+    const bool isSeen = this->IsSeen(pixel);
     std::fill_n(color, 4, std::uint8_t{ 0 });
     picture.Depths[pixel] = vtkirt::Frame::NoSurface;
-    if (hit.Surface == vtkirt::Hit::NoSurface)
+    if (!isSeen)
     {
       continue;
     }
@@ -1095,12 +1141,12 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   scene.Pixels = { pixelX, pixelY, 1, 1 };
   scene.KeepHits = true;
   internal.Trace(this, scene, [](double) { return true; });
-  const vtkirt::Hit& hit = internal.Picture.Hits.front();
-  if (hit.Surface == vtkirt::Hit::NoSurface)
+  if (!internal.IsSeen(0))
   {
     return 0;
   }
-  internal.Describe(hit, this->NormalMode, x, pcoords, cellId, isovalue, normal);
+  internal.Describe(
+    internal.Picture.Hits.front(), this->NormalMode, x, pcoords, cellId, isovalue, normal);
   return 1;
 }
 
@@ -1165,12 +1211,20 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkIdTypeArray> cellIds;
   vtkNew<vtkIntArray> isovalueIds;
+  vtkNew<vtkDoubleArray> values;
   add(colors, "Colors", 4, 0.0);
   add(depths, "Depth", 1, 1.0);
   add(normals, "Normals", 3, nan);
   add(positions, "Position", 3, nan);
   add(cellIds, "CellId", 1, -1.0);
-  add(isovalueIds, "IsovalueId", 1, -1.0);
+  if (scene.Want.Projection)
+  {
+    add(values, "Value", 1, nan);
+  }
+  else
+  {
+    add(isovalueIds, "IsovalueId", 1, -1.0);
+  }
   output->GetPointData()->SetActiveScalars("Colors");
 
   const vtkirt::PixelRectangle& pixels = scene.Pixels;
@@ -1190,15 +1244,25 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
       vtkirt::Vector3 parametric;
       vtkirt::Vector3 normal;
       vtkIdType cellId = -1;
-      double isovalue = 0.0;
+      double value = 0.0;
       this->Describe(
-        hit, self->NormalMode, position.data(), parametric.data(), cellId, isovalue, normal.data());
+        hit, self->NormalMode, position.data(), parametric.data(), cellId, value, normal.data());
       colors->SetTypedTuple(to, &this->Picture.Colors[4 * from]);
-      depths->SetValue(to, std::min(this->Picture.Depths[from], 1.0F));
       normals->SetTypedTuple(to, normal.data());
       positions->SetTypedTuple(to, position.data());
       cellIds->SetValue(to, cellId);
-      isovalueIds->SetValue(to, vtkIsosurfaceRayTraceScene::FindIsovalue(property, isovalue));
+      if (scene.Want.Projection)
+      {
+        // A picture of values hides nothing in a window, but each has its place.
+        depths->SetValue(
+          to, static_cast<float>(scene.View.GetDepth(hit.GetPoint(this->Want.Planes))));
+        values->SetValue(to, value);
+      }
+      else
+      {
+        depths->SetValue(to, std::min(this->Picture.Depths[from], 1.0F));
+        isovalueIds->SetValue(to, vtkIsosurfaceRayTraceScene::FindIsovalue(property, value));
+      }
     }
   }
 }
@@ -1232,6 +1296,9 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
+  os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "on" : "off") << "\n";
+  os << indent << "NumberOfAmbientOcclusionRays: " << this->NumberOfAmbientOcclusionRays << "\n";
+  os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "BrickSize: " << this->BrickSize << "\n";
   os << indent << "BrickGroupSize: " << this->BrickGroupSize << "\n";
   os << indent << "MaximumBrickMemory: " << this->MaximumBrickMemory << "\n";

@@ -16,6 +16,13 @@
  * which each ray meets them. A property without isovalues draws nothing. Points whose value is
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
+ * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
+ * shows the largest (smallest) value of the same interpolant along all of it that is seen, exact to
+ * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
+ * do: not lit, not multiplied by any length, and without a depth in the window. Where several
+ * places have that value, the first one counts. Everything below that is not about light or about
+ * surfaces' colours holds alike.
+ *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
  * light of the renderer; so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
  * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. Put the
@@ -63,7 +70,7 @@
  * for bit, for any number of threads, any layout and any hierarchy.
  *
  * The colour of a surface may come from another array or another image (ColorArrayName), and
- * surfaces may cast shadows (Shadows).
+ * surfaces may cast shadows (Shadows) and keep ambient light from each other (AmbientOcclusion).
  *
  * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits.
  *
@@ -239,6 +246,39 @@ public:
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
   vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether surfaces keep ambient light from each other and from themselves: the ambient
+   * term of the shading, and no other, is multiplied by how much of the sky above a hit is open, on
+   * the side that is seen. A translucent surface lets through one minus its opacity. Cut off parts
+   * let through all. Shading must be on (vtkVolumeProperty::ShadeOn), and the ambient light strong
+   * enough to see what is missing of it: vtkVolumeProperty::SetAmbient(0.5); the default of 0.1 is
+   * not. Default: off, which costs nothing.
+   */
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of rays that look for it from each hit, more of them upwards than to the
+   * sides, as a matt surface sees the sky. Where they go differs from hit to hit, and is the same
+   * in every picture: few rays give grain. Range: 1 to 4096. Default: 32.
+   */
+  vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
+  vtkGetMacro(NumberOfAmbientOcclusionRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far they look, in units of the world; what is farther away darkens nothing. 0 sets
+   * no limit. Range: from 0. Default: 0.
+   */
+  vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AmbientOcclusionRadius, double);
   ///@}
 
   /**
@@ -424,6 +464,9 @@ public:
    * t is the fraction of the way from p1 to p2, x the point in the world, pcoords the point in the
    * cell, cellId the cell of the input, isovalue that of the surface, normal its normal of length
    * one in the world, by NormalMode, on the side of smaller values.
+   *
+   * Of a projection (maximum or minimum intensity) the one hit is the place of the extreme value,
+   * whatever its opacity; isovalue is that value, and normal that of its isosurface.
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
@@ -460,8 +503,9 @@ public:
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, to the very bits that are drawn (in stereo, that a
    * window without it would show, as for all pickers of VTK). Other props are not asked. Needs no
-   * window to have been drawn. Returns 1 if there is a surface, else 0 and nothing is changed. What
-   * is found is described as by IntersectWithLine.
+   * window to have been drawn. Returns 1 if there is a surface (or, of a projection, a value with
+   * any opacity), else 0 and nothing is changed. What is found is described as by
+   * IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */
@@ -480,6 +524,8 @@ public:
    * Then, of the nearest surface, translucent or not: Normals (3, as IntersectWithLine has them),
    * Position (3, in the world), CellId and IsovalueId (the number of the isovalue in
    * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN and -1.
+   * Of a projection, Depth and all others are those of the place of the extreme value, whatever its
+   * opacity, and instead of IsovalueId there is Value (double; NaN where there is none).
    * Returns whether there is a picture; if not, the error says why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
@@ -535,6 +581,9 @@ private:
   int VectorComponent = 0;
   std::string ColorArrayName;
   bool Shadows = false;
+  bool AmbientOcclusion = false;
+  int NumberOfAmbientOcclusionRays = 32;
+  double AmbientOcclusionRadius = 0.0;
   int BrickLayout = APRON_BRICKS;
   int BrickSize = 8;
   int BrickGroupSize = 4;

@@ -71,6 +71,12 @@ def shadows(picture, image, isovalue):
     picture.mapper.ShadowsOn()
 
 
+def occluded(picture, image, isovalue):
+    picture.mapper.AmbientOcclusionOn()
+    picture.surface.SetAmbient(0.7)
+    picture.surface.SetDiffuse(0.4)
+
+
 def translucent(picture, image, isovalue):
     low = image.GetScalarRange()[0]
     picture.add_surface(0.5 * (low + isovalue), (0.9, 0.55, 0.4), 0.35)
@@ -108,6 +114,19 @@ def coloured(picture, image, isovalue):
     function.AddRGBPoint(low, 0.2, 0.3, 0.8)
     function.AddRGBPoint(0.5 * (low + high), 0.9, 0.9, 0.85)
     function.AddRGBPoint(high, 0.8, 0.2, 0.15)
+
+
+def projected(picture, image, isovalue):
+    picture.mapper.SetBlendModeToMaximumIntensity()
+    low, high = 0.25 * isovalue, image.GetScalarRange()[1]
+    function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
+    function.RemoveAllPoints()
+    opacity.RemoveAllPoints()
+    function.AddRGBPoint(low, 0.3, 0.2, 0.1)
+    function.AddRGBPoint(0.5 * high, 0.9, 0.8, 0.6)
+    function.AddRGBPoint(high, 1.0, 1.0, 1.0)
+    opacity.AddPoint(low, 0.0)
+    opacity.AddPoint(0.5 * high, 1.0)
 
 
 def rectilinear(picture, image, isovalue):
@@ -162,7 +181,8 @@ def main():
     reader.SetFileName(volume_file)
     reader.Update()
     os.makedirs(folder, exist_ok=True)
-    for scene in (plain, shadows, translucent, clipped, cropped, coloured, rectilinear, blocks):
+    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected,
+                  rectilinear, blocks):
         picture = Picture(reader.GetOutput(), isovalue)
         scene(picture, reader.GetOutput(), isovalue)
         picture.write(os.path.join(folder, scene.__name__ + ".png"))

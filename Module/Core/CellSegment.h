@@ -4,7 +4,9 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
+#include "Hit.h"
 #include "Ray.h"
+#include "TrilinearCell.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,16 +25,36 @@ struct CellSegment
   Vector3 Exit;
 };
 
+/// Where the planes of a cell stand.
+struct CellBox
+{
+  Vector3 Lower;
+  Vector3 Upper;
+};
+
+inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
+{
+  CellBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = planes ? planes->Get(axis, cell[axis]) : cell[axis];
+    box.Upper[axis] = planes ? planes->Get(axis, cell[axis] + 1) : cell[axis] + 1;
+  }
+  return box;
+}
+
 /// Where the ray is in the cell at t. On the plane it crosses there, the coordinate is exactly 0 or
 /// 1: the two cells that share the face then interpolate between the same four samples with the
 /// same weights, and agree on the sign of every point of it to the last bit. No ray slips between
 /// them.
-inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& place)
+inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Place& place)
 {
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    p[axis] = std::min(1.0, std::max(0.0, ray.CoordinateInCell(axis, cell[axis], place.T)));
+    const double above = ray.Coordinate(axis, place.T) - box.Lower[axis];
+    const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
+    p[axis] = std::min(1.0, std::max(0.0, share));
   }
   return p;
 }
@@ -41,6 +63,7 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
 /// cell is not among those the ray passes. However the cell was found, the answer is the same.
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
+  const CellBox box = GetBox(cell, ray.Planes);
   Place entry{ -std::numeric_limits<double>::infinity(), 0 };
   Place exit{ std::numeric_limits<double>::infinity(), Place::StartAxis };
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -54,8 +77,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
       continue;
     }
     const bool up = ray.Step[axis] > 0;
-    const Place in{ ray.Crossing(axis, cell[axis] + (up ? 0 : 1)), static_cast<int>(axis) };
-    const Place out{ ray.Crossing(axis, cell[axis] + (up ? 1 : 0)), static_cast<int>(axis) };
+    const Place in{ ray.CrossingAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
+      static_cast<int>(axis) };
+    const Place out{ ray.CrossingAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
+      static_cast<int>(axis) };
     entry = std::max(entry, in);
     exit = std::min(exit, out);
   }
@@ -76,8 +101,8 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   segment.Begin = begin.T;
   segment.BeginAxis = begin.Axis;
   segment.End = end.T;
-  segment.Entry = PointInCell(ray, cell, begin);
-  segment.Exit = PointInCell(ray, cell, end);
+  segment.Entry = PointInCell(ray, box, begin);
+  segment.Exit = PointInCell(ray, box, end);
   if (entersThroughFace)
   {
     const auto axis = static_cast<std::size_t>(entry.Axis);
@@ -89,6 +114,20 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
     segment.Exit[axis] = ray.Step[axis] > 0 ? 1.0 : 0.0;
   }
   return true;
+}
+
+/// A hit at a fraction of the segment of a ray in a cell.
+inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, double fraction,
+  int surface, bool rising)
+{
+  Vector3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], fraction);
+  }
+  // Written so that it never falls as the fraction grows.
+  const double t = segment.Begin + (segment.End - segment.Begin) * fraction;
+  return { ray.Base + std::min(t, segment.End), cell, surface, point, rising };
 }
 
 }

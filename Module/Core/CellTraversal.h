@@ -138,13 +138,15 @@ struct CellRegion
 
 /// The active macrocells of the finest level that a ray passes, in order, each as the region of its
 /// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the walk.
+/// Which ones are active is asked when the walk comes to them, and may change on the way.
+template <typename Macrocells>
 class MacrocellWalk
 {
 public:
   /// More than any volume has use for.
   static constexpr std::size_t MaximumLevels = 8;
 
-  MacrocellWalk(const Ray& ray, const ActiveMacrocells& active)
+  MacrocellWalk(const Ray& ray, const Macrocells& active)
     : TheRay(&ray)
     , Active(&active)
     , Top(active.GetLattice().Levels.size())
@@ -234,7 +236,7 @@ private:
   }
 
   const Ray* TheRay;
-  const ActiveMacrocells* Active;
+  const Macrocells* Active;
   std::size_t Top;
   /// Where the walk is; the top when it has not begun or is over.
   std::size_t Level;

@@ -10,7 +10,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Where a ray meets an isosurface. Everything that is ever said about a hit is derived from this.
+/// Where a ray meets an isosurface, or has its extreme value. Everything that is ever said about a
+/// hit is derived from this.
 struct Hit
 {
   /// On the ray as it was given.
@@ -22,6 +23,8 @@ struct Hit
   Vector3 Parametric;
   /// Whether the ray goes in there: from below the isovalue to at or above it.
   bool Rising;
+  /// The value there, where no surface but an extreme value is looked for.
+  double Value = 0.0;
 
   static constexpr int NoSurface = -1;
 

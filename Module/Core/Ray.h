@@ -43,21 +43,18 @@ struct Ray
   /// Step.
   double Crossing(std::size_t axis, int k) const
   {
-    const double place = this->Planes ? this->Planes->Get(axis, k) : k;
+    return this->CrossingAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
+  }
+
+  /// The same for the plane at a place.
+  double CrossingAt(std::size_t axis, double place) const
+  {
     return (place - this->Origin[axis]) * this->Inverse[axis];
   }
 
   double Coordinate(std::size_t axis, double t) const
   {
     return this->Origin[axis] + t * this->Direction[axis];
-  }
-
-  /// Where the ray is along an axis of a cell at t: from 0 to 1 within it.
-  double CoordinateInCell(std::size_t axis, int cell, double t) const
-  {
-    return this->Planes ? (this->Coordinate(axis, t) - this->Planes->Get(axis, cell)) /
-        this->Planes->GetWidth(axis, cell)
-                        : this->Coordinate(axis, t) - cell;
   }
 };
 

@@ -116,6 +116,21 @@ void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, 
   rgba[3] = ToByte(1.0 - transmittance);
 }
 
+/// Colours the extreme value of one ray, if it has one.
+void ColorPixel(const Scene& scene, const Hit* hits, std::size_t count, std::uint8_t rgba[4])
+{
+  std::fill_n(rgba, 4, std::uint8_t{ 0 });
+  if (count > 0)
+  {
+    const std::array<double, 4> color = scene.ColorsOfValues->Get(hits[0].Value);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      rgba[channel] = ToByte(std::clamp(color[channel], 0.0, 1.0) * color[3]);
+    }
+    rgba[3] = ToByte(color[3]);
+  }
+}
+
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
 {
@@ -129,7 +144,10 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
     }
     return;
   }
-  shader.Shade(rays, hits, colors);
+  if (!scene.Want.Projection)
+  {
+    shader.Shade(rays, hits, colors);
+  }
   std::size_t ray = 0;
   for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
   {
@@ -137,9 +155,18 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
     {
       const std::size_t pixel = PixelOffset(scene, x, y);
       const std::size_t first = hits.First[ray];
-      CompositePixel(scene, hits.Hits.data() + first, colors.data() + first,
-        hits.First[ray + 1] - first, &frame.Colors[4 * pixel], frame.Depths[pixel]);
-      if (scene.KeepHits && hits.First[ray + 1] > first)
+      const std::size_t count = hits.First[ray + 1] - first;
+      if (scene.Want.Projection)
+      {
+        ColorPixel(scene, hits.Hits.data() + first, count, &frame.Colors[4 * pixel]);
+        frame.Depths[pixel] = Frame::NoSurface;
+      }
+      else
+      {
+        CompositePixel(scene, hits.Hits.data() + first, colors.data() + first, count,
+          &frame.Colors[4 * pixel], frame.Depths[pixel]);
+      }
+      if (scene.KeepHits && count > 0)
       {
         frame.Hits[pixel] = hits.Hits[first];
       }

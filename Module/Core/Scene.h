@@ -7,6 +7,8 @@
 #include "Camera.h"
 #include "TracedVolume.h"
 
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -47,6 +49,15 @@ public:
   virtual Vector3 Get(const Hit& hit) const = 0;
 };
 
+/// What values look like.
+class ValueColors
+{
+public:
+  virtual ~ValueColors() = default;
+  /// Red, green, blue and opacity of a value. Many threads ask at once.
+  virtual std::array<double, 4> Get(double value) const = 0;
+};
+
 /// A rectangle of pixels, counted from the lower left of the viewport.
 struct PixelRectangle
 {
@@ -72,12 +83,18 @@ struct Scene
   std::vector<Vector3> Colors;
   /// If there is one, it says the colours instead.
   const HitColors* ColorsOfHits = nullptr;
+  /// For a projection: it is not lit, and has none of what follows.
+  const ValueColors* ColorsOfValues = nullptr;
   NormalMode Normals = NormalMode::CentralDifferences;
   Material Look;
   std::vector<Light> Lights;
   bool TwoSidedLighting = true;
   /// Whether the surfaces cast shadows on each other.
   bool Shadows = false;
+  /// How many rays look from a hit for what is in the way of ambient light; 0 does without. They
+  /// look so far, in the world.
+  int OcclusionRays = 0;
+  double OcclusionRadius = std::numeric_limits<double>::infinity();
   /// Whether the first hit of every pixel is wanted besides its colour.
   bool KeepHits = false;
 

@@ -3,11 +3,13 @@
 
 #include "Shading.h"
 
+#include "Hemisphere.h"
 #include "RayGroup.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -47,6 +49,25 @@ Illumination Illuminate(const Light& light, const Vector3& point)
 Vector3 Product(const Vector3& a, const Vector3& b)
 {
   return { a[0] * b[0], a[1] * b[1], a[2] * b[2] };
+}
+
+/// One of 96 numbers, the same for directions that are much the same: a part of a face of a cube.
+int GetWay(const Vector3& direction)
+{
+  std::size_t axis = 0;
+  for (std::size_t other = 1; other < 3; ++other)
+  {
+    axis = std::abs(direction[other]) > std::abs(direction[axis]) ? other : axis;
+  }
+  const double length = std::abs(direction[axis]);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return 0; // no ray
+  }
+  const auto part = [&direction, length](std::size_t other)
+  { return std::min(3, static_cast<int>(2.0 * (direction[other] / length + 1.0))); };
+  const int face = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
+  return 16 * face + 4 * part((axis + 1) % 3) + part((axis + 2) % 3);
 }
 
 Vector3 Cross(const Vector3& a, const Vector3& b)
@@ -116,8 +137,8 @@ Shader::Shader(const Scene& scene, TracedVolume& volume)
 bool Shader::CanUseKernels() const
 {
   const Scene& scene = this->TheScene;
-  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && this->WholePower >= 0 &&
-    this->DistantLights.size() == scene.Lights.size();
+  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && scene.OcclusionRays == 0 &&
+    this->WholePower >= 0 && this->DistantLights.size() == scene.Lights.size();
 }
 
 //------------------------------------------------------------------------------
@@ -138,6 +159,11 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
   {
     shares = this->CastShadows(hits.Hits);
   }
+  std::vector<double> openness;
+  if (this->TheScene.OcclusionRays > 0 && this->TheScene.Look.Shade)
+  {
+    openness = this->FindOpenness(hits.Hits);
+  }
   ShadedHits some;
   some.Count = 0;
   some.Rising = {};
@@ -152,7 +178,8 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         rays.Direction[2][ray] };
       if (!canUseKernels)
       {
-        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights]);
+        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights],
+          openness.empty() ? 1.0 : openness[i]);
         continue;
       }
       const int place = some.Count++;
@@ -211,8 +238,13 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
     const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
     for (std::size_t light = 0; light < lights; ++light)
     {
+      ShadowRay rays[RayGroup::Capacity];
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        rays[i] = this->MakeShadowRay(this->TheScene.Lights[light], hits[first + i]);
+      }
       double some[RayGroup::Capacity];
-      this->CastShadows(this->TheScene.Lights[light], &hits[first], static_cast<int>(count), some);
+      this->FindShares(rays, &hits[first], static_cast<int>(count), some);
       for (std::size_t i = 0; i < count; ++i)
       {
         shares[(first + i) * lights + light] = some[i];
@@ -223,7 +255,82 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
 }
 
 //------------------------------------------------------------------------------
-void Shader::CastShadows(const Light& light, const Hit* hits, int count, double* shares) const
+std::vector<double> Shader::FindOpenness(const std::vector<Hit>& hits) const
+{
+  const int count = this->TheScene.OcclusionRays;
+  std::vector<Hemisphere> skies;
+  for (const Hit& hit : hits)
+  {
+    // The exact normal: about another one, rays would go into the surface that they leave.
+    const Vector3 gradient = this->Volume.GetGradient(hit, NormalMode::InterpolantGradient);
+    const Vector3 normal =
+      Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
+    skies.emplace_back(hit.Rising ? normal * -1.0 : normal, count, HitNumbers(hit));
+  }
+  // Some rays of all hits at a time, so that among them are many that go the same way.
+  constexpr int atOnce = 32;
+  std::vector<double> openness(hits.size());
+  std::vector<Hit> starts;
+  std::vector<ShadowRay> rays;
+  std::vector<double> shares;
+  for (int first = 0; first < count; first += atOnce)
+  {
+    starts.clear();
+    rays.clear();
+    const int some = std::min(atOnce, count - first);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      for (int number = 0; number < some; ++number)
+      {
+        starts.push_back(hits[i]);
+        rays.push_back(this->MakeOcclusionRay(skies[i].Next(), hits[i]));
+      }
+    }
+    this->FindSharesSorted(rays, starts, shares);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+    {
+      openness[i / static_cast<std::size_t>(some)] += shares[i] / count;
+    }
+  }
+  return openness;
+}
+
+//------------------------------------------------------------------------------
+/// How much comes through along any number of rays, of which those that go about the same way are
+/// traced together. What is found does not depend on that.
+void Shader::FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vector<Hit>& starts,
+  std::vector<double>& shares) const
+{
+  std::vector<std::pair<int, std::size_t>> order(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    order[i] = { GetWay(rays[i].Direction), i };
+  }
+  std::sort(order.begin(), order.end());
+  shares.resize(rays.size());
+  for (std::size_t first = 0; first < order.size(); first += RayGroup::Capacity)
+  {
+    const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, order.size() - first);
+    ShadowRay someRays[RayGroup::Capacity];
+    Hit someStarts[RayGroup::Capacity];
+    double someShares[RayGroup::Capacity];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      someRays[i] = rays[order[first + i].second];
+      someStarts[i] = starts[order[first + i].second];
+    }
+    this->FindShares(someRays, someStarts, static_cast<int>(count), someShares);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      shares[order[first + i].second] = someShares[i];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// How much comes through to hits along rays, one for each.
+void Shader::FindShares(
+  const ShadowRay* shadowRays, const Hit* hits, int count, double* shares) const
 {
   RayGroup rays;
   rays.Count = 0;
@@ -232,7 +339,7 @@ void Shader::CastShadows(const Light& light, const Hit* hits, int count, double*
   for (int i = 0; i < count; ++i)
   {
     shares[i] = 1.0;
-    const ShadowRay ray = this->MakeShadowRay(light, hits[i]);
+    const ShadowRay& ray = shadowRays[i];
     const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
     goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
     AddRay(ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions(),
@@ -290,6 +397,16 @@ Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) cons
 }
 
 //------------------------------------------------------------------------------
+/// From a hit in a direction of length one in the world, in index space.
+Shader::ShadowRay Shader::MakeOcclusionRay(const Vector3& direction, const Hit& hit) const
+{
+  const Vector3 inIndex = TransposeTransformDirection(this->WorldFromGradient, direction);
+  const double unit = Length(TransformDirection(this->TheScene.View.GetWorldFromIndex(), inIndex));
+  return { hit.GetPoint(this->TheScene.Want.Planes), inIndex,
+    this->TheScene.OcclusionRadius / unit };
+}
+
+//------------------------------------------------------------------------------
 double Shader::GetOpacity(const Hit& hit) const
 {
   return this->TheScene.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
@@ -313,7 +430,8 @@ double Shader::Highlight(double cosine) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* shares) const
+Vector3 Shader::Shade(
+  const Hit& hit, const Vector3& direction, const double* shares, double openness) const
 {
   const Scene& scene = this->TheScene;
   const Vector3 color = this->GetColor(hit);
@@ -352,7 +470,8 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const double* sh
     const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));
     specular = specular + light.SpecularColor * (highlight * illumination.Strength);
   }
-  return color * look.Ambient + Product(color, diffuse) * look.Diffuse + specular * look.Specular;
+  return color * (look.Ambient * openness) + Product(color, diffuse) * look.Diffuse +
+    specular * look.Specular;
 }
 
 }

@@ -21,8 +21,13 @@ public:
   Shader(const Scene& scene, TracedVolume& volume);
 
   /// The colour of a hit of a ray with a direction in index space. For each light, shares has how
-  /// much of it comes through to the hit; null where there are no shadows.
-  Vector3 Shade(const Hit& hit, const Vector3& direction, const double* shares = nullptr) const;
+  /// much of it comes through to the hit; null where there are no shadows. Openness is the same for
+  /// ambient light.
+  Vector3 Shade(const Hit& hit, const Vector3& direction, const double* shares = nullptr,
+    double openness = 1.0) const;
+
+  /// How much ambient light comes to hits: all, 1, from a sky without surfaces.
+  std::vector<double> FindOpenness(const std::vector<Hit>& hits) const;
 
   /// The colours of the hits of a group of rays, the same but faster.
   void Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
@@ -39,8 +44,11 @@ private:
   Vector3 GetColor(const Hit& hit) const;
   void ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const;
   std::vector<double> CastShadows(const std::vector<Hit>& hits) const;
-  void CastShadows(const Light& light, const Hit* hits, int count, double* shares) const;
   ShadowRay MakeShadowRay(const Light& light, const Hit& hit) const;
+  ShadowRay MakeOcclusionRay(const Vector3& direction, const Hit& hit) const;
+  void FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vector<Hit>& starts,
+    std::vector<double>& shares) const;
+  void FindShares(const ShadowRay* shadowRays, const Hit* hits, int count, double* shares) const;
   double GetOpacity(const Hit& hit) const;
   double Highlight(double cosine) const;
 

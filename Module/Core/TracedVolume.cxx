@@ -15,6 +15,7 @@
 #include "LinearSolver.h"
 #include "MacrocellHierarchy.h"
 #include "MarmittSolver.h"
+#include "Projection.h"
 #include "RayGroup.h"
 #include "RobustSolver.h"
 #include "TrilinearCell.h"
@@ -50,17 +51,6 @@ bool HasSurface(const Value corners[8], const std::vector<Isosurface>& surfaces)
       return static_cast<double>(low) < surface.Isovalue &&
         surface.Isovalue <= static_cast<double>(high);
     });
-}
-
-/// A cell with a corner that is NaN or infinite is empty.
-template <typename Value>
-bool IsFinite(const Value corners[8])
-{
-  if constexpr (std::is_floating_point_v<Value>)
-  {
-    return std::all_of(corners, corners + 8, [](Value v) { return std::isfinite(v); });
-  }
-  return true;
 }
 
 /// The power of two by which values are multiplied before the isovalue is taken off: 1, unless the
@@ -125,15 +115,7 @@ private:
 
 Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, const Root& root)
 {
-  const double u = root.Fraction;
-  Vector3 point;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
-  }
-  // Written so that it never falls as u grows.
-  const double t = segment.Begin + (segment.End - segment.Begin) * u;
-  return { ray.Base + std::min(t, segment.End), cell, root.Surface, point, root.Rising };
+  return MakeHit(ray, cell, segment, root.Fraction, root.Surface, root.Rising);
 }
 
 template <typename Visit>
@@ -224,7 +206,7 @@ struct Follower
   /// Its number among all rays.
   std::size_t Number;
   const Ray* TheRay;
-  MacrocellWalk Macrocells;
+  MacrocellWalk<ActiveMacrocells> Macrocells;
   RayProgress Progress;
   /// The walk over the cells of the macrocell that the ray is in, if any.
   LatticeWalk Cells;
@@ -309,7 +291,11 @@ public:
     {
       CutRays(half, rays);
     }
-    if (this->Want.Solver == RootSolver::Fast)
+    if (this->Want.Projection)
+    {
+      this->Project(rays, hits);
+    }
+    else if (this->Want.Solver == RootSolver::Fast)
     {
       this->TraceTogether(rays, hits);
     }
@@ -410,6 +396,20 @@ private:
     const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
     this->Masks.BeginFrame(forMasks);
     this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
+  void Project(const RayGroup& rays, RayHits& hits)
+  {
+    if (*this->Want.Projection == Extremum::Largest)
+    {
+      Projector<T, Layout, Extremum::Largest>(this->Hierarchy, this->Bricks, this->Want)
+        .Project(rays, hits);
+    }
+    else
+    {
+      Projector<T, Layout, Extremum::Smallest>(this->Hierarchy, this->Bricks, this->Want)
+        .Project(rays, hits);
+    }
   }
 
   /// Looks at a cell of a ray. Returns whether the ray may hit a surface there; then the corners
@@ -697,7 +697,7 @@ private:
         rays.push_back(this->TakeRay(group, i));
         going.push_back(followers.size());
         followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
-          MacrocellWalk(rays.back(), this->Active), this->NewProgress(), {} });
+          MacrocellWalk<ActiveMacrocells>(rays.back(), this->Active), this->NewProgress(), {} });
       }
     }
     std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));

@@ -69,6 +69,13 @@ struct Isosurface
   double Opacity;
 };
 
+/// Which value along a ray is looked for.
+enum class Extremum
+{
+  Largest,
+  Smallest
+};
+
 /// What to look for along rays, and how.
 struct Wanted
 {
@@ -86,7 +93,10 @@ struct Wanted
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.
   int Interpolations = 3;
-  /// What of the surfaces is seen at all.
+  /// If there is one, no surfaces are traced: a ray has one hit, the first of the places where the
+  /// interpolant has its extreme value along all that is seen of the ray.
+  std::optional<Extremum> Projection;
+  /// What of the volume is seen at all.
   Visibility Seen;
   /// Where the samples stand; null if at whole numbers. Rays must be made with the same.
   const UnevenPlanes* Planes = nullptr;
@@ -96,6 +106,8 @@ struct Wanted
   /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
   /// that were not used lately make room, and rays do without: the hits are the same.
   std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
+
+  bool IsNothing() const { return this->Surfaces.empty() && !this->Projection; }
 };
 
 /// The hits of a number of rays: ray i has those from First[i] to First[i + 1], front to back.

@@ -7,6 +7,10 @@
 #include "BrickCounters.h"
 #include "VolumeView.h"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -20,6 +24,17 @@ void LoadCorners(const Samples<T>& samples, const Index3& cell, Stored<T> corner
     corners[corner] = static_cast<Stored<T>>(first[(corner & 1) * samples.GetStride(0) +
       (corner >> 1 & 1) * samples.GetStride(1) + (corner >> 2) * samples.GetStride(2)]);
   }
+}
+
+/// A cell with a corner that is NaN or infinite is empty.
+template <typename Value>
+bool IsFinite(const Value corners[8])
+{
+  if constexpr (std::is_floating_point_v<Value>)
+  {
+    return std::all_of(corners, corners + 8, [](Value v) { return std::isfinite(v); });
+  }
+  return true;
 }
 
 /// A layout that is none: rays read the array of the user as it is.

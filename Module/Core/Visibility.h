@@ -8,6 +8,7 @@
 #include "RayGroup.h"
 #include "Vector.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -67,6 +68,42 @@ struct Visibility
       !(this->HiddenCells && this->HiddenCells[Offset(hit.Cell, cells)] != 0);
   }
 };
+
+/// Calls visit(piece) for the pieces of a ray, in order, that lie in regions that are seen.
+template <typename Visit>
+void ForEachSeenPiece(const Ray& ray, const CroppingRegions& regions, const Visit& visit)
+{
+  if (regions.Seen == CroppingRegions::All)
+  {
+    visit(ray);
+    return;
+  }
+  std::vector<double> cuts = { ray.Begin, ray.End };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double plane : regions.Planes[axis])
+    {
+      const double t = (plane - ray.Origin[axis]) / ray.Direction[axis];
+      if (t > ray.Begin && t < ray.End)
+      {
+        cuts.push_back(t);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
+    if (regions.Contain(
+          { ray.Coordinate(0, middle), ray.Coordinate(1, middle), ray.Coordinate(2, middle) }))
+    {
+      Ray piece = ray;
+      piece.Begin = cuts[i - 1];
+      piece.End = cuts[i];
+      visit(piece);
+    }
+  }
+}
 
 /// Cuts rays to a half-space. Those that have nothing there do not exist any more.
 inline void CutRays(const HalfSpace& half, RayGroup& rays)

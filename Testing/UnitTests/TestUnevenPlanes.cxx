@@ -289,6 +289,41 @@ TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
   EXPECT_LT(worst, 1e-10);
 }
 
+// The largest value of a ray is no smaller than any along it, and is taken where it is said to be.
+TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
+{
+  RandomNumbers random(6);
+  const Index3 size = { 20, 9, 10 };
+  for (int round = 0; round < 10; ++round)
+  {
+    const TestVolume<double> volume = Noise(random, size, false);
+    const UnevenPlanes planes = RandomPlanes(random, size, false);
+    Wanted wanted;
+    wanted.Planes = &planes;
+    wanted.Projection = Extremum::Largest;
+    const auto traced = NewTraced(volume, wanted);
+    for (int i = 0; i < 50; ++i)
+    {
+      const Line line = RandomLine(random, size);
+      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::optional<Ray> ray =
+        ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
+      ASSERT_TRUE(ray);
+      ASSERT_EQ(hits.size(), 1U) << ToText(line);
+      double largest = -Infinity;
+      constexpr int steps = 4000;
+      for (int step = 0; step <= steps; ++step)
+      {
+        const double t = ray->Base + ray->Begin + (ray->End - ray->Begin) * step / steps;
+        largest = std::max(largest, Evaluate(volume, planes, line.Origin + line.Direction * t));
+      }
+      EXPECT_GE(hits[0].Value, largest - 1e-9) << ToText(line);
+      EXPECT_NEAR(Evaluate(volume, planes, hits[0].GetPoint(&planes)), hits[0].Value, 1e-9)
+        << ToText(line);
+    }
+  }
+}
+
 // Both normals are exact for a plane, and smooth ones for a quadric at its samples.
 TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
 {

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Ambient occlusion of a floor by a ball above it, pixel by pixel, beside the known part of the sky
+// that a ball takes.
+
+#include "MapperTesting.h"
+
+#include <functional>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+using AnalyticFields::Point;
+
+constexpr int Size = 200;
+constexpr double Radius = 0.3;
+constexpr double Ground = -0.5;
+constexpr double Height = 0.4;
+
+/// A ball above a floor.
+double Field(const Point& p)
+{
+  return std::max(Ground - p[2], Radius - std::hypot(p[0], p[1], p[2] - Ground - Height));
+}
+
+/// Of the sky over a place of the floor, by the cosine, all that a ball wholly above it leaves.
+double GetOpenness(const Point& place)
+{
+  const double distance = std::hypot(place[0], place[1], Height);
+  return 1.0 - Radius * Radius * Height / (distance * distance * distance);
+}
+
+void SetLook(Scene& scene)
+{
+  scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
+  scene.Property()->SetAmbient(1.0);
+  scene.Property()->SetDiffuse(0.0);
+  scene.Property()->SetSpecular(0.0);
+  scene.Mapper->AmbientOcclusionOn();
+}
+
+/// The mean of the first channel less what geometry says, over the floor, and the largest such
+/// difference.
+std::array<double, 2> Compare(Scene& scene, const std::function<double(const Point&)>& openness)
+{
+  vtkNew<vtkImageData> picture;
+  scene.Mapper->RenderToImage(
+    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture);
+  vtkPointData* data = picture->GetPointData();
+  double sum = 0.0;
+  double largest = 0.0;
+  int count = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    Point place;
+    data->GetArray("Position")->GetTuple(i, place.data());
+    if (!(std::abs(place[2] - Ground) < 1e-6))
+    {
+      continue;
+    }
+    const double difference = data->GetArray("Colors")->GetTuple(i)[0] / 255.0 - openness(place);
+    sum += difference;
+    largest = std::max(largest, std::abs(difference));
+    ++count;
+  }
+  return { count > 3000 ? sum / count : 1.0, largest };
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperOcclusion(int argc, char* argv[])
+{
+  Checks check;
+  const auto image = NewCube(61, Field);
+  Scene scene(image, Size, Size);
+  SetLook(scene);
+  check.Equal(scene.Mapper->GetNumberOfAmbientOcclusionRays(), 32, "the number of rays");
+  scene.Mapper->SetNumberOfAmbientOcclusionRays(256);
+  const auto exact = Compare(scene, GetOpenness);
+  check.Near(exact[0], 0.0, 0.004, "the mean error of 256 rays");
+  check.Near(exact[1], 0.0, 0.04, "the largest error of 256 rays");
+  scene.Mapper->SetNumberOfAmbientOcclusionRays(16);
+  const auto rough = Compare(scene, GetOpenness);
+  check.Near(rough[0], 0.0, 0.006, "the mean error of 16 rays");
+  check.Near(rough[1], 0.0, 0.3, "the largest error of 16 rays");
+
+  // Nothing is nearer than the lowest point of the ball.
+  scene.Mapper->SetAmbientOcclusionRadius(0.9 * (Height - Radius));
+  check.Equal(Compare(scene, [](const Point&) { return 1.0; })[1], 0.0,
+    "the occlusion within a small radius");
+  scene.Mapper->SetAmbientOcclusionRadius(0.0);
+  scene.Mapper->AmbientOcclusionOff();
+  check.Equal(
+    Compare(scene, [](const Point&) { return 1.0; })[1], 0.0, "the occlusion without occlusion");
+
+  // The same bits in whatever tiles, by whatever number of threads.
+  scene.Mapper->AmbientOcclusionOn();
+  scene.Property()->SetAmbient(0.6);
+  scene.Property()->SetDiffuse(0.5);
+  const Picture expected = RenderAndCapture(scene.Window);
+  for (const int threads : { 1, 3 })
+  {
+    scene.Mapper->SetNumberOfThreads(threads);
+    scene.Mapper->SetTileSize(7 * threads, 5);
+    check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+      "the difference with " + std::to_string(threads) + " threads");
+  }
+  scene.Property()->ShadeOff();
+  scene.Mapper->AmbientOcclusionOff();
+  const Picture unlit = RenderAndCapture(scene.Window);
+  scene.Mapper->AmbientOcclusionOn();
+  check.Equal(
+    GetDifference(RenderAndCapture(scene.Window), unlit, 0), 0.0, "the occlusion without shading");
+
+  scene.Property()->ShadeOn();
+  scene.Mapper->SetNumberOfAmbientOcclusionRays(64);
+  check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
+  return check.Result();
+}

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Maximum and minimum intensity: the values are those of geometry, the pictures those of VTK's ray
+// casters with many samples, and whatever else is said of a pixel belongs to its value.
+
+#include "MapperTesting.h"
+
+#include "vtkIsosurfacePicker.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkMath.h>
+#include <vtkPlane.h>
+#include <vtkProperty.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+
+#include <functional>
+#include <limits>
+
+using namespace MapperTesting;
+
+namespace
+{
+
+using AnalyticFields::Point;
+
+constexpr int Size = 160;
+
+/// A ball of fog, 1 in the middle.
+double Fog(const Point& p)
+{
+  return std::exp(-4.0 * vtkMath::Dot(p, p));
+}
+
+/// A skull of sorts, with an arch of bright teeth and a dark vessel.
+double Head(const Point& p)
+{
+  const double radius = std::hypot(p[0] / 0.75, p[1] / 0.9, p[2] / 0.8);
+  double value = radius < 1.0 ? 0.15 : 0.0;
+  value = std::max(value, 0.6 * std::exp(-std::pow((radius - 0.9) / 0.08, 2)));
+  for (int tooth = -3; tooth <= 3; ++tooth)
+  {
+    const double angle = 0.3 * tooth;
+    const double distance =
+      std::hypot(p[0] - 0.5 * std::sin(angle), p[1] + 0.65 * std::cos(angle), p[2] + 0.45);
+    value = std::max(value, std::min(1.0, (0.11 - distance) * 20.0));
+  }
+  return value;
+}
+
+/// Grey for what is above 0.1, blue below, and the less opaque the smaller.
+void SetLook(vtkVolumeProperty* property)
+{
+  property->SetInterpolationTypeToLinear();
+  property->GetRGBTransferFunction()->RemoveAllPoints();
+  property->GetRGBTransferFunction()->AddRGBPoint(0.0, 0.2, 0.3, 0.9);
+  property->GetRGBTransferFunction()->AddRGBPoint(0.2, 0.5, 0.45, 0.4);
+  property->GetRGBTransferFunction()->AddRGBPoint(1.0, 1.0, 1.0, 0.95);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(0.05, 0.0);
+  property->GetScalarOpacity()->AddPoint(0.7, 1.0);
+}
+
+struct ProjectedScene : Scene
+{
+  explicit ProjectedScene(vtkImageData* image)
+    : Scene(image, Size, Size)
+  {
+    this->Mapper->SetBlendModeToMaximumIntensity();
+    SetLook(this->Property());
+  }
+
+  vtkSmartPointer<vtkImageData> RenderToImage()
+  {
+    auto output = vtkSmartPointer<vtkImageData>::New();
+    this->Mapper->RenderToImage(
+      this->Volume, this->Renderer->GetActiveCamera(), nullptr, Size, Size, output);
+    return output;
+  }
+};
+
+double GetValue(vtkImageData* picture, const char* name, vtkIdType pixel)
+{
+  return picture->GetPointData()->GetArray(name)->GetTuple1(pixel);
+}
+
+//------------------------------------------------------------------------------
+/// Along a ray that passes the middle of fog at a distance, the fog is densest there.
+void CheckValues(Checks& check)
+{
+  ProjectedScene scene(NewCube(81, Fog));
+  const auto picture = scene.RenderToImage();
+  double eye[3];
+  scene.Renderer->GetActiveCamera()->GetPosition(eye);
+  int inside = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    Point place;
+    picture->GetPointData()->GetArray("Position")->GetTuple(i, place.data());
+    if (std::isnan(place[0]) || Fog(place) < 0.1)
+    {
+      continue; // nothing, or where rays are cut by the border of the cube
+    }
+    ++inside;
+    check.Near(GetValue(picture, "Value", i), Fog(place), 2e-3, "the value at its place");
+    // The place nearest to the middle sees it at a right angle.
+    Point toEye;
+    vtkMath::Subtract(eye, place.data(), toEye.data());
+    vtkMath::Normalize(toEye.data());
+    check.Near(vtkMath::Dot(toEye, place), 0.0, 0.02, "how much nearer the ray comes elsewhere");
+    double clip[4] = { place[0], place[1], place[2], 1.0 };
+    scene.Renderer->GetActiveCamera()
+      ->GetCompositeProjectionTransformMatrix(1.0, 0.0, 1.0)
+      ->MultiplyPoint(clip, clip);
+    check.Near(GetValue(picture, "Depth", i), clip[2] / clip[3], 1e-6, "the depth of the place");
+  }
+  check.That(inside > 4000, "there is fog to see");
+  check.That(!picture->GetPointData()->HasArray("IsovalueId"), "there are no isovalues");
+}
+
+//------------------------------------------------------------------------------
+/// The smallest value is minus the largest of the negated field.
+void CheckMinimum(Checks& check)
+{
+  ProjectedScene largest(NewCube(33, Head));
+  ProjectedScene smallest(NewCube(33, [](const Point& p) { return -Head(p); }));
+  smallest.Mapper->SetBlendModeToMinimumIntensity();
+  const auto a = largest.RenderToImage();
+  const auto b = smallest.RenderToImage();
+  int different = 0;
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    const double value = GetValue(a, "Value", i);
+    different += std::isnan(value) ? 0 : (value == -GetValue(b, "Value", i) ? 0 : 1);
+  }
+  check.Equal(different, 0, "the number of smallest values that are not minus the largest");
+}
+
+//------------------------------------------------------------------------------
+/// VTK's ray casters with so many samples that they find nearly the same values. The one that
+/// computes in 15 bits is at a loss where values are steep.
+void CheckAgainstRayCasters(Checks& check, const std::string& name, vtkImageData* image,
+  const std::function<void(vtkVolumeMapper*)>& setUp, vtkActor* actor = nullptr)
+{
+  ProjectedScene scene(image);
+  if (actor)
+  {
+    scene.Renderer->AddActor(actor);
+  }
+  setUp(scene.Mapper);
+  const Picture ours = RenderAndCapture(scene.Window);
+  const auto compare = [&](vtkVolumeMapper* caster, int tolerance, double share)
+  {
+    caster->SetInputDataObject(image);
+    caster->SetBlendMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+    setUp(caster);
+    scene.Volume->SetMapper(caster);
+    const double difference = GetDifference(RenderAndCapture(scene.Window), ours, tolerance);
+    check.That(difference <= share,
+      name + " looks as with " + caster->GetClassName() + ", but " +
+        std::to_string(100.0 * difference) + " % of it");
+  };
+  // For a cropped box, that one moves the planes.
+  if (scene.Mapper->GetCropping() == 0 ||
+    scene.Mapper->GetCroppingRegionFlags() != VTK_CROP_SUBVOLUME)
+  {
+    vtkNew<vtkGPUVolumeRayCastMapper> gpu;
+    gpu->SetAutoAdjustSampleDistances(0);
+    gpu->SetSampleDistance(0.005F);
+    compare(gpu, 4, 0.01);
+  }
+  vtkNew<vtkFixedPointVolumeRayCastMapper> fixedPoint;
+  fixedPoint->SetAutoAdjustSampleDistances(0);
+  fixedPoint->SetSampleDistance(0.005F);
+  compare(fixedPoint, 16, 0.01);
+
+  scene.Volume->VisibilityOff();
+  check.That(GetDifference(RenderAndCapture(scene.Window), ours, 16) > 0.1, name + " is seen");
+}
+
+void CheckAgainstRayCasters(Checks& check)
+{
+  const auto head = NewCube(41, Head);
+  CheckAgainstRayCasters(check, "the head", head, [](vtkVolumeMapper*) {});
+  CheckAgainstRayCasters(check, "the hollow",
+    NewCube(41, [](const Point& p) { return 1.0 - Head(p); }),
+    [](vtkVolumeMapper* mapper) { mapper->SetBlendModeToMinimumIntensity(); });
+  const auto sphere = NewSphere(0.5, { 0.1, -0.2, -0.1 }, 32);
+  CheckAgainstRayCasters(
+    check, "a head with a ball in it", head, [](vtkVolumeMapper*) {}, sphere);
+  CheckAgainstRayCasters(check, "a head with a clipping plane", head,
+    [](vtkVolumeMapper* mapper)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(1.0, 1.0, 0.3);
+      mapper->AddClippingPlane(plane);
+    });
+  for (const int regions : { VTK_CROP_SUBVOLUME, VTK_CROP_FENCE, VTK_CROP_CROSS })
+  {
+    CheckAgainstRayCasters(check, "a head cropped to " + std::to_string(regions), head,
+      [regions](vtkVolumeMapper* mapper)
+      {
+        mapper->CroppingOn();
+        mapper->SetCroppingRegionPlanes(-0.43, 0.37, -0.68, 0.42, -0.51, 0.38);
+        mapper->SetCroppingRegionFlags(regions);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The window shows what RenderToImage has, and picks it; but not what has no opacity.
+void CheckPixels(Checks& check)
+{
+  ProjectedScene scene(NewCube(33, Head));
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  scene.Window->Render();
+  const Picture window = Capture(scene.Window);
+  const auto picture = scene.RenderToImage();
+  vtkNew<vtkIsosurfacePicker> picker;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  check.That(selector->CaptureBuffers(), "buffers are captured");
+  int wrong = 0;
+  int picked = 0;
+  int passedOver = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); i += 41)
+  {
+    const int x = static_cast<int>(i % Size);
+    const int y = static_cast<int>(i / Size);
+    double color[4];
+    picture->GetPointData()->GetArray("Colors")->GetTuple(i, color);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      wrong += std::abs(color[channel] - window[3 * static_cast<std::size_t>(i) + channel]) > 1.0;
+    }
+    const double value = GetValue(picture, "Value", i);
+    const bool isSeen = !std::isnan(value) && color[3] > 0.0;
+    passedOver += !std::isnan(value) && !isSeen ? 1 : 0;
+    const int isPicked = picker->Pick(x, y, 0.0, scene.Renderer);
+    check.Equal(isPicked != 0, isSeen, "whether pixel " + std::to_string(i) + " is picked");
+    const unsigned int position[2] = { static_cast<unsigned int>(x), static_cast<unsigned int>(y) };
+    const auto selected = selector->GetPixelInformation(position, 0);
+    check.Equal(selected.Valid, isSeen, "whether pixel " + std::to_string(i) + " is selected");
+    if (isSeen)
+    {
+      ++picked;
+      Point place;
+      picture->GetPointData()->GetArray("Position")->GetTuple(i, place.data());
+      check.Equal(picker->GetIsovalue(), value, "the value picked");
+      check.That(std::equal(place.begin(), place.end(), picker->GetPickPosition()),
+        "its place is picked to the last bit");
+      check.Equal(static_cast<double>(picker->GetCellId()), GetValue(picture, "CellId", i),
+        "the cell picked");
+      check.Equal(static_cast<double>(selected.AttributeID), GetValue(picture, "CellId", i),
+        "the cell selected");
+    }
+  }
+  check.Equal(wrong, 0, "the number of pixels that differ between window and image");
+  check.That(picked > 100 && passedOver > 20, "some pixels are picked and some are not");
+
+  double t;
+  double x[3];
+  double pcoords[3];
+  double value;
+  double normal[3];
+  vtkIdType cell;
+  const double from[3] = { 0.0, -3.0, -0.45 };
+  const double to[3] = { 0.0, 3.0, -0.45 };
+  check.Equal(
+    scene.Mapper->IntersectWithLine(scene.Volume, from, to, t, x, pcoords, cell, value, normal), 1,
+    "whether a line has a largest value");
+  check.Near(value, 1.0, 0.3, "the value of a tooth");
+  check.Near(x[1], -0.65, 0.1, "where the tooth is");
+}
+
+//------------------------------------------------------------------------------
+/// A window shows no depth of values: what is drawn behind them is not hidden.
+void CheckDepth(Checks& check)
+{
+  ProjectedScene scene(NewCube(17, Fog));
+  scene.Window->Render();
+  const DepthPicture depths(scene.Window, scene.Renderer);
+  int near = 0;
+  for (int i = 0; i < Size; ++i)
+  {
+    near += depths.IsEmpty(i, i) ? 0 : 1;
+  }
+  check.Equal(near, 0, "the number of pixels with a depth");
+  scene.AddSurface(1.0, { 1.0, 1.0, 1.0 }, 1.0);
+  check.That(!scene.Mapper->HasOnlyOpaqueSurfaces(scene.Volume), "values are no opaque surfaces");
+}
+
+}
+
+int TestIsosurfaceRayTraceMapperProjection(int argc, char* argv[])
+{
+  Checks check;
+  CheckValues(check);
+  CheckMinimum(check);
+  CheckAgainstRayCasters(check);
+  CheckPixels(check);
+  CheckDepth(check);
+
+  ProjectedScene scene(NewCube(65, Head));
+  const auto sphere = NewSphere(0.25, { 0.5, -0.7, 0.5 }, 32);
+  sphere->GetProperty()->SetColor(0.8, 0.3, 0.2);
+  scene.Renderer->AddActor(sphere);
+  check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
+  return check.Result();
+}

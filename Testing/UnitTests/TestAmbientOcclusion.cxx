@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How open the sky is above a surface, beside what geometry says: a sum over a fine grid of
+// directions that shares no code with what is tested.
+
+#include "Hemisphere.h"
+#include "Matrices.h"
+#include "RandomNumbers.h"
+#include "RenderTiles.h"
+#include "Shading.h"
+#include "TestVolume.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int Edge = 41;
+
+/// A floor at z = 4.5 that ends at a wall at x = 4.5, which is as high and as long as the volume.
+double Corner(const AnalyticFields::Point& p)
+{
+  return std::max(4.5 - p[2], 4.5 - p[0]);
+}
+
+double Floor(const AnalyticFields::Point& p)
+{
+  return 4.5 - p[2];
+}
+
+/// A scene in a world that is twice as high as the volume.
+struct OpenScene
+{
+  template <typename Field>
+  explicit OpenScene(const Field& field, double opacity = 1.0)
+    : Volume(TestVolume<double>::Of({ Edge, Edge, Edge }, field))
+    , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
+  {
+    const Matrix4 worldFromIndex = Scaling({ 1.0, 1.0, 2.0 });
+    this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+    this->TheScene.Want.Surfaces = { { 0.0, opacity } };
+    this->TheScene.Colors = { { 0.8, 0.5, 0.3 } };
+    this->TheScene.Look = { true, 0.5, 0.4, 0.0, 1.0 };
+    this->TheScene.OcclusionRays = 4096;
+    this->Traced->Select(this->TheScene.Want, 1);
+  }
+
+  /// The first hit of a ray.
+  Hit Find(const Vector3& origin, const Vector3& direction)
+  {
+    RayHits hits;
+    this->Traced->Trace(
+      { ClipToVolume(origin, direction, 0.0, Infinity, { Edge, Edge, Edge }) }, hits);
+    EXPECT_FALSE(hits.Hits.empty());
+    return hits.Hits.at(0);
+  }
+
+  double GetOpenness(const Hit& hit)
+  {
+    return Shader(this->TheScene, *this->Traced).FindOpenness({ hit }).at(0);
+  }
+
+  TestVolume<double> Volume;
+  std::unique_ptr<TracedVolume> Traced;
+  Scene TheScene;
+};
+
+/// The share of the sky above z that comes through, given how much of it does in each direction.
+double Integrate(const std::function<double(const Vector3&)>& share)
+{
+  constexpr int steps = 1500;
+  constexpr double twoPi = 6.28318530717958647693;
+  double sum = 0.0;
+  for (int ring = 0; ring < steps; ++ring)
+  {
+    const double square = (ring + 0.5) / steps;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double angle = twoPi * (i + 0.5) / steps;
+      sum += share({ std::sqrt(square) * std::cos(angle), std::sqrt(square) * std::sin(angle),
+        std::sqrt(1.0 - square) });
+    }
+  }
+  return sum / steps / steps;
+}
+
+/// Whether a line from the floor, at a distance from the wall, meets the wall in the volume before
+/// a length is over. All of it is in the world.
+bool MeetsWall(const Vector3& direction, double distance, double length)
+{
+  const double t = -distance / direction[0];
+  return direction[0] < 0.0 && t <= length && std::abs(t * direction[1]) <= 0.5 * (Edge - 1) &&
+    t * direction[2] <= 2.0 * (Edge - 1 - 4.5);
+}
+
+//------------------------------------------------------------------------------
+TEST(AmbientOcclusion, LeavesAPlaneAlone)
+{
+  OpenScene scene(Floor);
+  for (const double slant : { 0.0, 0.3, -0.4 })
+  {
+    EXPECT_EQ(scene.GetOpenness(scene.Find({ 20.0, 20.0, 45.0 }, { slant, 0.1, -1.0 })), 1.0);
+    // From below it is open, too, to the side that is seen.
+    EXPECT_EQ(scene.GetOpenness(scene.Find({ 20.0, 20.0, -5.0 }, { slant, 0.1, 1.0 })), 1.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AmbientOcclusion, IsHalfInACorner)
+{
+  OpenScene scene(Corner);
+  for (const double distance : { 1.0, 3.0, 10.0, 25.0 })
+  {
+    const Hit hit = scene.Find({ 4.5 + distance, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
+    for (const double radius : { Infinity, 12.0, 0.5 })
+    {
+      scene.TheScene.OcclusionRadius = radius;
+      const double expected = 1.0 -
+        Integrate([distance, radius](const Vector3& direction)
+          { return MeetsWall(direction, distance, radius) ? 1.0 : 0.0; });
+      EXPECT_NEAR(scene.GetOpenness(hit), expected, 0.004) << distance << " " << radius;
+      if (distance == 1.0 && radius == Infinity)
+      {
+        EXPECT_NEAR(expected, 0.5, 0.02);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AmbientOcclusion, LetsThroughWhatSurfacesLetThrough)
+{
+  OpenScene scene(Corner, 0.4);
+  const Hit hit = scene.Find({ 7.5, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
+  const double hidden = Integrate(
+    [](const Vector3& direction) { return MeetsWall(direction, 3.0, Infinity) ? 1.0 : 0.0; });
+  EXPECT_NEAR(scene.GetOpenness(hit), 1.0 - 0.4 * hidden, 0.002);
+}
+
+//------------------------------------------------------------------------------
+TEST(AmbientOcclusion, TakesFromTheAmbientTermAlone)
+{
+  OpenScene scene(Corner);
+  scene.TheScene.Lights = { Light() };
+  const Hit hit = scene.Find({ 6.0, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
+  const Shader shader(scene.TheScene, *scene.Traced);
+  const Vector3 direction = { 0.0, 0.0, -1.0 };
+  const Vector3 open = shader.Shade(hit, direction);
+  const Vector3 closed = shader.Shade(hit, direction, nullptr, 0.25);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double ambient = 0.5 * scene.TheScene.Colors[0][i];
+    EXPECT_NEAR(open[i] - closed[i], 0.75 * ambient, 1e-12);
+    EXPECT_GT(closed[i], 0.3 * scene.TheScene.Colors[0][i]);
+  }
+
+  // And the colours of a group of rays have it.
+  RayGroup rays;
+  rays.Count = 0;
+  rays.Exists = {};
+  AddRay(ClipToVolume({ 6.0, 20.0, 45.0 }, direction, 0.0, Infinity, { Edge, Edge, Edge }), rays);
+  RayHits hits;
+  scene.Traced->Trace(rays, hits);
+  std::vector<Vector3> colors;
+  shader.Shade(rays, hits, colors);
+  ASSERT_EQ(colors.size(), 1U);
+  EXPECT_EQ(colors[0], shader.Shade(hit, direction, nullptr, scene.GetOpenness(hit)));
+}
+
+//------------------------------------------------------------------------------
+TEST(AmbientOcclusion, IsTheSameInWhateverCompany)
+{
+  OpenScene scene(AnalyticFields::Gyroid{ 9.0 }, 0.6);
+  scene.TheScene.OcclusionRays = 41;
+  RandomNumbers random(5);
+  std::vector<Hit> hits;
+  while (hits.size() < 300)
+  {
+    RayHits found;
+    scene.Traced->Trace({ ClipToVolume(random.PointInBox({ 0.0, 0.0, 0.0 }, { 40.0, 40.0, 40.0 }),
+                          random.Direction(), 0.0, Infinity, { Edge, Edge, Edge }) },
+      found);
+    hits.insert(hits.end(), found.Hits.begin(), found.Hits.end());
+  }
+  const std::vector<double> together = Shader(scene.TheScene, *scene.Traced).FindOpenness(hits);
+  double least = 1.0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    EXPECT_EQ(scene.GetOpenness(hits[i]), together[i]);
+    least = std::min(least, together[i]);
+    most = std::max(most, together[i]);
+  }
+  EXPECT_LT(least, 0.2);
+  EXPECT_GT(most, 0.7);
+}
+
+//------------------------------------------------------------------------------
+TEST(Hemisphere, HasTheDirectionsThatAMattSurfaceSees)
+{
+  RandomNumbers random(8);
+  for (int i = 0; i < 50; ++i)
+  {
+    const Vector3 normal =
+      i == 0 ? Vector3{ 0.0, 0.0, -1.0 } : (i == 1 ? Vector3{ 0.0, 0.0, 1.0 } : random.Direction());
+    const Hit hit = { random.Uniform(0.0, 9.0), { i, 2, 3 }, 0, { 0.1, 0.2, 0.3 }, true };
+    constexpr int count = 256;
+    Hemisphere sky(normal, count, HitNumbers(hit));
+    Vector3 sum = { 0.0, 0.0, 0.0 };
+    for (int number = 0; number < count; ++number)
+    {
+      const Vector3 direction = sky.Next();
+      EXPECT_NEAR(Dot(direction, direction), 1.0, 1e-12);
+      EXPECT_GE(Dot(direction, normal), 0.0);
+      sum = sum + direction;
+    }
+    // The mean height is that of a cosine lobe, and they lean to no side.
+    EXPECT_LT(Length(sum * (1.0 / count) - normal * (2.0 / 3.0)), 0.01);
+  }
+}
+
+}
+}
