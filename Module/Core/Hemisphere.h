@@ -23,7 +23,7 @@ public:
   explicit HitNumbers(const Hit& hit, int frame = 0)
     : State(static_cast<std::uint64_t>(frame) * 0x9e3779b97f4a7c15U)
   {
-    for (const double coordinate : hit.GetPoint())
+    for (const double coordinate : hit.GetPoint(nullptr))
     {
       // Surfaces often lie at simple fractions of a cell; the steps do not.
       const double step = std::floor(1024.0 * coordinate + 0.37);

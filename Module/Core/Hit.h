@@ -4,6 +4,7 @@
 #ifndef Hit_h
 #define Hit_h
 
+#include "UnevenPlanes.h"
 #include "Vector.h"
 
 namespace vtkIsosurfaceRayTracing
@@ -27,8 +28,13 @@ struct Hit
 
   static constexpr int NoSurface = -1;
 
-  Vector3 GetPoint() const
+  /// Where it is in the space that rays go through: see Ray::Planes.
+  Vector3 GetPoint(const UnevenPlanes* planes) const
   {
+    if (planes)
+    {
+      return planes->GetPoint(this->Cell, this->Parametric);
+    }
     return { this->Cell[0] + this->Parametric[0], this->Cell[1] + this->Parametric[1],
       this->Cell[2] + this->Parametric[2] };
   }
