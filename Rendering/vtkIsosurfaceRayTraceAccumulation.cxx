@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceAccumulation.h"
 
-#include "vtkIsosurfaceRayTraceMapper.h"
-
-#include "vtkDataObject.h"
-#include "vtkVolumeProperty.h"
+#include "vtkObject.h"
 
 #include <algorithm>
 #include <array>
@@ -73,17 +70,16 @@ void AppendLight(const vtkirt::Light& light, std::vector<double>& numbers)
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAccumulation::Key::Key(
-  vtkIsosurfaceRayTraceMapper* mapper, vtkVolumeProperty* property, const vtkirt::Scene& scene)
-  : Property(property)
-  , Times({ mapper->GetMTime(), property->GetMTime() })
-  , View(scene.View)
+  const std::vector<vtkObject*>& objects, double distance, const vtkirt::Scene& scene)
+  : View(scene.View)
+  , Numbers({ distance, scene.TwoSidedLighting ? 1.0 : 0.0 })
 {
-  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  for (vtkObject* object : objects)
   {
-    vtkDataObject* input =
-      mapper->GetNumberOfInputConnections(port) > 0 ? mapper->GetInputDataObject(port, 0) : nullptr;
-    this->Times.push_back(input ? input->GetMTime() : 0);
+    this->Objects.emplace_back(object, object ? object->GetMTime() : 0);
   }
+  const vtkirt::PixelRectangle& pixels = scene.Pixels;
+  Append(std::array<int, 4>{ pixels.X, pixels.Y, pixels.Width, pixels.Height }, this->Numbers);
   for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
   {
     Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, this->Numbers);
@@ -97,24 +93,18 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
   {
     AppendLight(light, this->Numbers);
   }
-  this->Numbers.push_back(scene.TwoSidedLighting ? 1.0 : 0.0);
-  Append(
-    std::array<int, 4>{ scene.Pixels.X, scene.Pixels.Y, scene.Pixels.Width, scene.Pixels.Height },
-    this->Numbers);
-  this->Numbers.push_back(static_cast<double>(mapper->GetImageSampleDistance())); // It has no time.
   if (scene.Depth)
   {
     this->Depths.assign(
-      scene.Depth, scene.Depth + vtkirt::Count({ scene.Pixels.Width, scene.Pixels.Height, 1 }));
+      scene.Depth, scene.Depth + vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceAccumulation::Key::operator==(const Key& other) const
 {
-  return this->Property == other.Property && this->Times == other.Times &&
-    this->Numbers == other.Numbers && AreTheSame(this->View, other.View) &&
-    AreTheSame(this->Depths, other.Depths);
+  return this->Objects == other.Objects && this->Numbers == other.Numbers &&
+    AreTheSame(this->View, other.View) && AreTheSame(this->Depths, other.Depths);
 }
 
 //------------------------------------------------------------------------------

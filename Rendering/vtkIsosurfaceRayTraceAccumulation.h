@@ -13,12 +13,12 @@
 #include "RenderTiles.h"
 
 #include <cstdint> // for std::uint16_t
+#include <utility> // for std::pair
 #include <vector>  // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkIsosurfaceRayTraceMapper;
-class vtkVolumeProperty;
+class vtkObject;
 
 class vtkIsosurfaceRayTraceAccumulation
 {
@@ -32,13 +32,12 @@ public:
   struct Key
   {
     Key() = default;
-    /// The scene has the depth of so many rays, or none.
-    Key(vtkIsosurfaceRayTraceMapper* mapper, vtkVolumeProperty* property,
+    /// Some of the objects may be null. The distance of rays is in pixels.
+    Key(const std::vector<vtkObject*>& objects, double distance,
       const vtkIsosurfaceRayTracing::Scene& scene);
     bool operator==(const Key& other) const;
 
-    const vtkVolumeProperty* Property = nullptr;
-    std::vector<vtkMTimeType> Times;
+    std::vector<std::pair<const vtkObject*, vtkMTimeType>> Objects;
     vtkIsosurfaceRayTracing::Camera View;
     std::vector<double> Numbers;
     std::vector<float> Depths;

@@ -205,6 +205,9 @@ public:
   /// them, or without tracing any if there are enough.
   bool TraceFrame(vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer,
     vtkVolumeProperty* property, const vtkirt::PixelSampling& sampling, vtkirt::Scene& scene);
+  /// What pictures are made from, besides what a scene has as numbers.
+  std::vector<vtkObject*> GetObjects(
+    vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property) const;
   /// Turns the picture into that of the ids that a selector asks for.
   void WriteIds(vtkHardwareSelector* selector, const vtkirt::Scene& scene);
   vtkIdType GetId(vtkHardwareSelector* selector, const vtkirt::Hit& hit) const;
@@ -986,6 +989,20 @@ bool vtkIsosurfaceRayTraceMapper::Internals::Trace(vtkIsosurfaceRayTraceMapper* 
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkObject*> vtkIsosurfaceRayTraceMapper::Internals::GetObjects(
+  vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property) const
+{
+  std::vector<vtkObject*> objects = { self, property, this->Grid, this->Scalars.Scalars,
+    this->ColorImage, this->ColorArray };
+  if (auto* uneven = vtkRectilinearGrid::SafeDownCast(this->Grid))
+  {
+    objects.insert(objects.end(),
+      { uneven->GetXCoordinates(), uneven->GetYCoordinates(), uneven->GetZCoordinates() });
+  }
+  return objects;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::Internals::TraceFrame(vtkIsosurfaceRayTraceMapper* self,
   vtkRenderer* renderer, vtkVolumeProperty* property, const vtkirt::PixelSampling& sampling,
   vtkirt::Scene& scene)
@@ -997,7 +1014,8 @@ bool vtkIsosurfaceRayTraceMapper::Internals::TraceFrame(vtkIsosurfaceRayTraceMap
   vtkIsosurfaceRayTraceAccumulation::Key key;
   if (accumulates)
   {
-    key = { self, property, scene };
+    key = { this->GetObjects(self, property), static_cast<double>(self->ImageSampleDistance),
+      scene };
     self->NumberOfAccumulatedFrames = accumulation.GetNumberOfFrames(key);
     vtkIsosurfaceRayTraceAccumulation::SetFrame(self->NumberOfAccumulatedFrames, scene);
   }

@@ -266,7 +266,8 @@ public:
   /**
    * Set/Get the number of rays that look for it from each hit, more of them upwards than to the
    * sides, as a matt surface sees the sky. Where they go differs from hit to hit, and is the same
-   * in every picture: few rays give grain. Range: 1 to 4096. Default: 32.
+   * in every picture: few rays give grain. (In the further frames of ProgressiveAccumulation they
+   * go elsewhere.) Range: 1 to 4096. Default: 32.
    */
   vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
   vtkGetMacro(NumberOfAmbientOcclusionRays, int);

@@ -9,7 +9,9 @@
 #include <vtkHardwareSelector.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPlane.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkSelection.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -201,6 +203,49 @@ void CheckRestarts(Checks& check, vtkImageData* image)
       std::string("the difference of the picture after a change of ") + change.Name);
     scene.Mapper->ProgressiveAccumulationOn();
   }
+}
+
+/// The samples of a block, and the coordinates of a grid, are no part of the time of the input.
+void CheckInputs(Checks& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto image = NewBall(33, 0.7);
+  blocks->SetBlock(0, image);
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(33, 33, 33);
+  vtkNew<vtkDoubleArray> places;
+  for (int i = 0; i < 33; ++i)
+  {
+    places->InsertNextValue(i / 16.0 - 1.0);
+  }
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  grid->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
+  const auto checkChange = [&check](Scene& scene, const std::function<void()>& change)
+  {
+    scene.Mapper->ProgressiveAccumulationOn();
+    RenderTimes(scene.Window, 2);
+    check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 2, "the number of frames of a grid");
+    change();
+    scene.Window->Render();
+    check.Equal(
+      scene.Mapper->GetNumberOfAccumulatedFrames(), 1, "the number of frames of a changed grid");
+  };
+  Scene uneven(grid);
+  checkChange(uneven,
+    [&]
+    {
+      places->SetValue(10, places->GetValue(10) + 0.03);
+      places->Modified();
+    });
+  Scene composite(blocks);
+  checkChange(composite,
+    [&]
+    {
+      image->GetPointData()->GetScalars()->SetTuple1(33 * 33 * 16, -1.0);
+      image->GetPointData()->GetScalars()->Modified();
+    });
 }
 
 /// Aborts every frame.
@@ -398,6 +443,7 @@ int TestIsosurfaceRayTraceMapperAccumulation(int argc, char* argv[])
   CheckSupersampled(check, image);
   CheckEnd(check, image);
   CheckRestarts(check, NewBall(33, 0.7));
+  CheckInputs(check);
   CheckIntact(check, image);
   CheckHurry(check, image);
   CheckScreenshot(check, image);
