@@ -118,7 +118,25 @@ def smart_mapper(scene):
     scene.volume.SetMapper(mapper)
 
 
-SCENES = (translucent_polygons, ambient_occlusion, eye_dome_lighting, anaglyph, smart_mapper)
+def at_rest(scene):
+    scene.volume.GetProperty().SetAmbient(0.6)
+    scene.volume.GetProperty().SetDiffuse(0.3)
+    mapper = scene.volume.GetMapper()
+    mapper.AmbientOcclusionOn()
+    mapper.SetNumberOfAmbientOcclusionRays(8)
+    mapper.ProgressiveAccumulationOn()
+    while mapper.GetNumberOfAccumulatedFrames() < mapper.GetMaximumNumberOfAccumulatedFrames():
+        scene.window.Render()
+
+
+SCENES = (
+    translucent_polygons,
+    ambient_occlusion,
+    eye_dome_lighting,
+    anaglyph,
+    smart_mapper,
+    at_rest,
+)
 
 
 def write_all(image, isovalue, folder, size):
