@@ -393,7 +393,7 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const double place = parametric[axis] + this->FirstSample;
-      const int step = place >= 1.0 ? 1 : 0;
+      const int step = hit.IsNearUpper(axis) ? 1 : 0;
       cell[axis] += step;
       parametric[axis] = place - step;
     }
@@ -407,7 +407,8 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
   vtkirt::Index3 point;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    point[axis] = hit.Cell[axis] + static_cast<int>(hit.Parametric[axis] + this->FirstSample + 0.5);
+    // Between the centres of two cells it is the one between these.
+    point[axis] = hit.Cell[axis] + (this->FirstSample != 0.0 || hit.IsNearUpper(axis) ? 1 : 0);
   }
   return static_cast<vtkIdType>(
     vtkirt::Offset(point, { this->Cells[0] + 1, this->Cells[1] + 1, this->Cells[2] + 1 }));

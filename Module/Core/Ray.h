@@ -42,6 +42,12 @@ struct Ray
     return (k - this->Origin[axis]) * this->Inverse[axis];
   }
 
+  /// The same for the plane in the middle between the lattice planes k and k + 1.
+  double MiddleCrossing(std::size_t axis, int k) const
+  {
+    return (k + 0.5 - this->Origin[axis]) * this->Inverse[axis];
+  }
+
   double Coordinate(std::size_t axis, double t) const
   {
     return this->Origin[axis] + t * this->Direction[axis];
