@@ -26,7 +26,9 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonRow
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
+  Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
+  Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSource

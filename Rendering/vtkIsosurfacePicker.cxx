@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfacePicker.h"
 
+#include "vtkIsosurfaceRayTraceGeometry.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
-#include "vtkImageData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -118,18 +122,20 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
     return t;
   }
   this->ResetPickInfo();
-  auto* image = vtkImageData::SafeDownCast(isosurfaces->GetDataSetInput());
+  unsigned int flatIndex = 0;
+  vtkDataSet* grid = isosurfaces->FindBlock(cell, cell, flatIndex);
   this->Mapper = mapper;
-  this->DataSet = image;
+  this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(isosurfaces->GetDataObjectInput());
+  this->FlatBlockIndex = this->CompositeDataSet ? static_cast<vtkIdType>(flatIndex) : -1;
+  this->DataSet = grid;
   this->Isovalue = isovalue;
   std::copy_n(position, 3, this->SurfacePosition);
   std::copy_n(normal, 3, this->SurfaceNormal);
   std::copy_n(inData, 3, this->MapperPosition);
   this->Transform->GetLinearInverse()->TransformNormal(normal, this->MapperNormal);
-  // From the cell of the image to the place among the points of its extent.
-  int extent[6];
-  image->GetExtent(extent);
-  const int* dimensions = image->GetDimensions();
+  // From the cell of the grid to the place among the points of its extent.
+  const int* extent = grid->GetInformation()->Get(vtkDataObject::DATA_EXTENT());
+  const auto dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const vtkIdType columns = dimensions[0] - 1;
   const vtkIdType rows = dimensions[1] - 1;
   const double place[3] = { extent[0] + cell % columns + parametric[0],

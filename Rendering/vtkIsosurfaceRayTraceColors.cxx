@@ -3,8 +3,10 @@
 #include "vtkIsosurfaceRayTraceColors.h"
 
 #include "vtkIsosurfaceRayTraceScene.h"
+#include "vtkIsosurfaceRayTraceSource.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
@@ -16,19 +18,21 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkImageData* image, const std::string& name)
+vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std::string& name)
 {
-  vtkPointData* data = image->GetPointData();
+  vtkPointData* data = grid->GetPointData();
   vtkDataArray* array = name.empty() ? data->GetScalars() : data->GetArray(name.c_str());
-  return array && array->GetNumberOfTuples() == image->GetNumberOfPoints() ? array : nullptr;
+  return array && array->GetNumberOfTuples() == grid->GetNumberOfPoints() ? array : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-  const vtkirt::Matrix4& physicalFromIndex, vtkVolumeProperty* property, int component)
+  const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component)
   : Image(image)
   , Array(array)
-  , PhysicalFromIndex(physicalFromIndex)
+  , Source(source)
+  , Dimensions(
+      image ? vtkIsosurfaceRayTraceGeometry::GetDimensions(image) : source.GetNumberOfPoints())
   , Property(property)
   , Component(component)
   , IsDirect(array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
@@ -36,24 +40,39 @@ vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(vtkImageData* image, vt
 }
 
 //------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceColors::Sample(const double index[3], int component) const
+vtkirt::Vector3 vtkIsosurfaceRayTraceColors::GetPlace(const vtkirt::Hit& hit) const
 {
+  vtkirt::Vector3 place;
+  if (!this->Image)
+  {
+    const vtkirt::Index3 cell = this->Source.FindStructuredCell(hit, place);
+    return { cell[0] + place[0], cell[1] + place[1], cell[2] + place[2] };
+  }
+  const vtkIsosurfaceRayTraceGeometry& geometry = this->Source.GetGeometry();
+  const vtkirt::Vector3 point =
+    vtkirt::TransformPoint(geometry.GetPhysicalFromIndex(), hit.GetPoint(geometry.GetPlanes()));
+  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), place.data());
   const int* extent = this->Image->GetExtent();
-  const int* dimensions = this->Image->GetDimensions();
+  return { place[0] - extent[0], place[1] - extent[2], place[2] - extent[4] };
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int component) const
+{
   vtkIdType corner = 0;
   vtkIdType stride = 1;
   vtkIdType steps[3];
   double weights[3];
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Beside the image its border goes on.
-    const double place =
-      std::clamp(index[axis] - extent[2 * axis], 0.0, static_cast<double>(dimensions[axis] - 1));
-    const int first = std::min(static_cast<int>(place), std::max(0, dimensions[axis] - 2));
+    const int dimension = this->Dimensions[axis];
+    const double place = std::clamp(index[axis], 0.0, static_cast<double>(dimension - 1));
+    const int first = std::min(static_cast<int>(place), std::max(0, dimension - 2));
     weights[axis] = place - first;
     corner += first * stride;
-    steps[axis] = dimensions[axis] > 1 ? stride : 0;
-    stride *= dimensions[axis];
+    steps[axis] = dimension > 1 ? stride : 0;
+    stride *= dimension;
   }
   double sum = 0.0;
   for (int i = 0; i < 8; ++i)
@@ -75,18 +94,16 @@ double vtkIsosurfaceRayTraceColors::Sample(const double index[3], int component)
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceColors::Get(const vtkirt::Hit& hit) const
 {
-  const vtkirt::Vector3 point = vtkirt::TransformPoint(this->PhysicalFromIndex, hit.GetPoint());
-  double index[3];
-  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index);
+  const vtkirt::Vector3 place = this->GetPlace(hit);
   if (!this->IsDirect)
   {
     return vtkIsosurfaceRayTraceScene::GetColor(
-      this->Property, this->Component, this->Sample(index, 0));
+      this->Property, this->Component, this->Sample(place, 0));
   }
   vtkirt::Vector3 color;
   for (int channel = 0; channel < 3; ++channel)
   {
-    color[static_cast<std::size_t>(channel)] = this->Sample(index, channel) / 255.0;
+    color[static_cast<std::size_t>(channel)] = this->Sample(place, channel) / 255.0;
   }
   return color;
 }

@@ -15,29 +15,34 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
+class vtkIsosurfaceRayTraceSource;
 class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceColors : public vtkIsosurfaceRayTracing::HitColors
 {
 public:
-  /// The array of a name, or the point scalars of the image if it is empty; null if there is none.
-  static vtkDataArray* FindArray(vtkImageData* image, const std::string& name);
+  /// The array of a name, or the point scalars of the grid if it is empty; null if there is none.
+  static vtkDataArray* FindArray(vtkDataSet* grid, const std::string& name);
 
-  /// The matrix leads from the indices of hits to the coordinates of the image. A component of the
+  /// The array is of an image of its own; with null, of the grid that is traced. A component of the
   /// property turns values into colours, unless the array has colours of 8 bits.
   vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-    const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex, vtkVolumeProperty* property,
-    int component);
+    const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component);
 
   vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const override;
 
 private:
-  double Sample(const double index[3], int component) const;
+  /// The place of a hit among the points of the array, in indices counted from the first point.
+  vtkIsosurfaceRayTracing::Vector3 GetPlace(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  double Sample(const vtkIsosurfaceRayTracing::Vector3& place, int component) const;
 
   vtkImageData* Image;
   vtkDataArray* Array;
-  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromIndex;
+  const vtkIsosurfaceRayTraceSource& Source;
+  /// The number of points.
+  vtkIsosurfaceRayTracing::Index3 Dimensions;
   vtkVolumeProperty* Property;
   int Component;
   bool IsDirect;

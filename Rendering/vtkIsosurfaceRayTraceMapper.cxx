@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkIsosurfaceRayTraceBlocks.h"
 #include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -10,6 +11,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkDualDepthPeelingPass.h"
@@ -29,6 +31,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
@@ -140,6 +143,9 @@ public:
     double Height;
   };
 
+  /// Finds the input, of which blocks are put together. Returns what stands in the way.
+  std::string SelectGrid(vtkIsosurfaceRayTraceMapper* self);
+
   /// Chooses what to trace. Returns what stands in the way; empty if nothing does.
   std::string SelectScalars(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property);
 
@@ -172,6 +178,9 @@ public:
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
+  /// The cell that a hit is in and the point nearest to it, as users know them.
+  vtkIdType FindCell(const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const;
+  vtkIdType FindPoint(const vtkirt::Hit& hit) const;
   /// All that is said of a hit.
   void Describe(const vtkirt::Hit& hit, int normalMode, double x[3], double pcoords[3],
     vtkIdType& cellId, double& isovalue, double normal[3]) const;
@@ -202,11 +211,17 @@ public:
   void WriteImage(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
     const vtkirt::Scene& scene, vtkImageData* output) const;
 
+  /// The blocks of the input, if it is composite.
+  bool IsComposite = false;
+  vtkIsosurfaceRayTraceBlocks Blocks;
+  /// The input, or what its blocks make.
+  vtkDataSet* Grid = nullptr;
   vtkIsosurfaceRayTraceSource::Selection Scalars;
   /// The component of the property that says what they look like.
   int PropertyComponent = 0;
   vtkIsosurfaceRayTraceSource Source;
-  /// What surfaces are coloured by; the array is null if by their isovalues.
+  /// What surfaces are coloured by; the array is null if by their isovalues, the image if it is an
+  /// array of the input.
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
@@ -241,7 +256,7 @@ vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
     using vtkirt::operator-;
     rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
       vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd,
-      this->Source.GetVolume()->GetDimensions());
+      this->Source.GetVolume()->GetDimensions(), this->Want.Planes);
   }
   this->Source.GetVolume()->Select(this->Want, threads);
   return vtkirt::CastRays(*this->Source.GetVolume(), rays, threads);
@@ -258,14 +273,34 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceMapper::Internals::GetNormal(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return this->IsComposite
+    ? this->Blocks.GetCellId(this->Source.FindStructuredCell(hit, parametric))
+    : this->Source.FindCell(hit, parametric);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMapper::Internals::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  return this->IsComposite
+    ? this->Blocks.GetPointId(
+        this->Source.FindStructuredCell(hit, parametric), this->Source.FindStructuredPoint(hit))
+    : this->Source.FindPoint(hit);
+}
+
+//------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, int normalMode,
   double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]) const
 {
   vtkirt::Vector3 inCell;
-  cellId = this->Source.FindCell(hit, inCell);
+  cellId = this->FindCell(hit, inCell);
   std::copy_n(inCell.begin(), 3, pcoords);
   isovalue = this->GetValue(hit);
-  const vtkirt::Vector3 point = vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint());
+  const vtkirt::Vector3 point =
+    vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes));
   std::copy_n(point.begin(), 3, x);
   const vtkirt::Vector3 outward = this->GetNormal(hit, normalMode);
   std::copy_n(outward.begin(), 3, normal);
@@ -401,7 +436,12 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
 int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  if (port == 1)
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  else
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -561,6 +601,59 @@ int vtkIsosurfaceRayTraceMapper::GetThreads()
 }
 
 //------------------------------------------------------------------------------
+double* vtkIsosurfaceRayTraceMapper::GetBounds()
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!blocks)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Update();
+  blocks->GetBounds(this->Bounds);
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
+{
+  const Internals& internal = *this->Internal;
+  const auto* block = internal.IsComposite ? internal.Blocks.FindBlock(cellId) : nullptr;
+  cellInBlock = block ? cellId - block->FirstCell : cellId;
+  flatIndex = block ? block->FlatIndex : 0;
+  return block ? block->Data.Get() : this->GetDataSetInput();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMapper::Internals::SelectGrid(vtkIsosurfaceRayTraceMapper* self)
+{
+  vtkDataObject* input = self->GetDataObjectInput();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  this->IsComposite = composite != nullptr;
+  this->Grid = vtkDataSet::SafeDownCast(input);
+  if (composite)
+  {
+    const std::string problem = this->Blocks.Update(composite,
+      { self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName,
+        self->ColorArrayName });
+    this->Grid = this->Blocks.GetGrid();
+    this->Scalars.Scalars = this->Blocks.GetScalars();
+    this->Scalars.AreOfCells = this->Blocks.AreOfCells();
+    return problem;
+  }
+  if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
+  {
+    return "There is no input. Give a vtkImageData, a vtkRectilinearGrid or composite data of them "
+           "with SetInputData, SetInputDataObject or SetInputConnection.";
+  }
+  int association = 0;
+  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, self->ScalarMode,
+    self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  this->Scalars.AreOfCells = association == 1;
+  return "";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
   vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property)
 {
@@ -571,15 +664,11 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
            "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
            "volume mapper.";
   }
-  auto* image = vtkImageData::SafeDownCast(self->GetDataSetInput());
-  if (!image)
+  std::string problem = this->SelectGrid(self);
+  if (!problem.empty())
   {
-    return "There is no input. Give a vtkImageData with SetInputData or SetInputConnection.";
+    return problem;
   }
-  int association = 0;
-  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(
-    image, self->ScalarMode, self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
-  this->Scalars.AreOfCells = association == 1;
   this->PropertyComponent = 0;
   if (self->VectorMode == DISABLED)
   {
@@ -600,7 +689,7 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : self->VectorComponent;
   }
-  std::string problem = vtkIsosurfaceRayTraceSource::FindProblem(image, this->Scalars);
+  problem = vtkIsosurfaceRayTraceSource::FindProblem(this->Grid, this->Scalars);
   problem += problem.empty() ? vtkIsosurfaceRayTraceScene::FindCroppingProblem(self) : "";
   problem += problem.empty() ? this->SelectColors(self) : "";
   return problem;
@@ -610,13 +699,14 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
 std::string vtkIsosurfaceRayTraceMapper::Internals::SelectColors(vtkIsosurfaceRayTraceMapper* self)
 {
   auto* second = vtkImageData::SafeDownCast(self->GetInputDataObject(1, 0));
-  this->ColorImage = second ? second : vtkImageData::SafeDownCast(self->GetDataSetInput());
+  this->ColorImage = second;
   this->ColorArray = nullptr;
   if (!second && self->ColorArrayName.empty())
   {
     return "";
   }
-  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(this->ColorImage, self->ColorArrayName);
+  this->ColorArray =
+    vtkIsosurfaceRayTraceColors::FindArray(second ? second : this->Grid, self->ColorArrayName);
   if (this->ColorArray)
   {
     return "";
@@ -674,13 +764,14 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   settings.BrickGroupSize = this->BrickGroupSize;
 
   const Clock::time_point start = Clock::now();
-  if (internal.Source.Update(vtkImageData::SafeDownCast(this->GetDataSetInput()), internal.Scalars,
-        settings, this->GetThreads()))
+  if (internal.Source.Update(internal.Grid, internal.Scalars, settings, this->GetThreads()))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
+  const vtkIsosurfaceRayTraceGeometry& geometry = internal.Source.GetGeometry();
   internal.WorldFromIndex =
-    vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, internal.Source.GetPhysicalFromIndex());
+    vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, geometry.GetPhysicalFromIndex());
+  internal.Want.Planes = geometry.GetPlanes();
   internal.Want.Projection = GetProjection(this->BlendMode);
   internal.Want.Surfaces = internal.Want.Projection
     ? std::vector<vtkirt::Isosurface>()
@@ -720,8 +811,8 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
   }
   if (this->ColorArray)
   {
-    this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(this->ColorImage, this->ColorArray,
-      this->Source.GetPhysicalFromIndex(), property, this->PropertyComponent);
+    this->Colors = std::make_unique<vtkIsosurfaceRayTraceColors>(
+      this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
   }
   if (scene.Want.Projection)
@@ -828,11 +919,13 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   bool opaque = !scene.Want.Projection && AreOpaque(scene.Want.Surfaces);
   if (selector)
   {
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+    const bool isComposite = internal.IsComposite;
     selector->BeginRenderProp();
     selector->RenderCompositeIndex(1);
-    selector->UpdateMaximumCellId(image->GetNumberOfCells());
-    selector->UpdateMaximumPointId(image->GetNumberOfPoints());
+    selector->UpdateMaximumCellId(
+      isComposite ? internal.Blocks.GetNumberOfCells() : internal.Grid->GetNumberOfCells());
+    selector->UpdateMaximumPointId(
+      isComposite ? internal.Blocks.GetNumberOfPoints() : internal.Grid->GetNumberOfPoints());
     internal.WriteIds(selector, scene);
     opaque = true;
   }
@@ -908,7 +1001,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::FindGeometry(vtkIsosurfaceRayTraceM
     }
     using vtkirt::operator*;
     const vtkirt::Vector3 position = vtkirt::TransformPoint(
-      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint()));
+      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes)));
     vtkirt::Vector3 normal = vtkirt::Normalized(
       vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit, self->NormalMode)));
     // As of polygons: towards the viewer, whose side is that of positive z.
@@ -943,8 +1036,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    picture.Depths[pixel] =
-      static_cast<float>(std::clamp(scene.View.GetDepth(hit.GetPoint()), 0.0, 1.0));
+    picture.Depths[pixel] = static_cast<float>(
+      std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
   }
 }
 
@@ -956,13 +1049,13 @@ vtkIdType vtkIsosurfaceRayTraceMapper::Internals::GetId(
   switch (selector->GetCurrentPass())
   {
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return this->Source.FindPoint(hit);
+      return this->FindPoint(hit);
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return this->Source.FindPoint(hit) >> 24;
+      return this->FindPoint(hit) >> 24;
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return this->Source.FindCell(hit, parametric);
+      return this->FindCell(hit, parametric);
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return this->Source.FindCell(hit, parametric) >> 24;
+      return this->FindCell(hit, parametric) >> 24;
     default:
       break;
   }
@@ -1163,7 +1256,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
       if (scene.Want.Projection)
       {
         // A picture of values hides nothing in a window, but each has its place.
-        depths->SetValue(to, static_cast<float>(scene.View.GetDepth(hit.GetPoint())));
+        depths->SetValue(
+          to, static_cast<float>(scene.View.GetDepth(hit.GetPoint(this->Want.Planes))));
         values->SetValue(to, value);
       }
       else

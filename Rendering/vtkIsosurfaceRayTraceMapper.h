@@ -4,10 +4,11 @@
  * @class   vtkIsosurfaceRayTraceMapper
  * @brief   ray trace isosurfaces straight from image data, on the CPU
  *
- * A volume mapper that draws the isosurfaces of a vtkImageData without extracting a polygon. Every
- * ray is intersected with the trilinear interpolant of the data: inside a cell that is a cubic
- * along the ray, and its first root is the hit. (Or samples are boxes, and faces between them are
- * hit: see InterpolationMode.) A new isovalue, colour or camera costs a frame and nothing else.
+ * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
+ * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside
+ * a cell that is a cubic along the ray, and its first root is the hit. (Or samples are boxes, and
+ * faces between them are hit: see InterpolationMode.) A new isovalue, colour or camera costs a
+ * frame and nothing else.
  *
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
@@ -41,8 +42,27 @@
  * drawn in cells that are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are
  * duplicates of those of another piece.
  *
+ * The coordinates of a vtkRectilinearGrid may be of any type, rise or fall, and repeat: where they
+ * repeat and the values differ, the surface is a wall, as in vtkRectilinearSynchronizedTemplates.
+ * What is said of images holds for these grids; where their planes are evenly spaced to within the
+ * rounding of double precision, they are traced as images are, else cell by cell, at several times
+ * the time. Smooth normals are interpolated from the slopes of parabolas through neighbouring
+ * samples, which is exact for quadrics, however uneven the spacing.
+ *
+ * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
+ * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection). Blocks of vtkImageData that
+ * lie on one lattice, however nested, with or without layers of ghosts, are drawn as the one image
+ * that they are pieces of: the surface and its normals have no seams, and translucent surfaces come
+ * in the order of each ray. That takes a copy of their samples over the box around all of them, and
+ * 2 bytes for every cell where blocks are missing; nothing is drawn there. Blocks that are empty
+ * or do not have the scalars are passed over. A vtkRectilinearGrid must be the only block. Blocks
+ * of another lattice are an error: give each lattice a mapper and a vtkVolume; opaque surfaces are
+ * then exact by depth, translucent ones are drawn in the order of the volumes. Cells and points are
+ * numbered through all blocks: see FindBlock.
+ *
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane stands
- * across an axis of the image, at origin + spacing * index; it belongs to the region in the middle.
+ * across an axis of the image, at origin + spacing * index (for a rectilinear grid, at that
+ * coordinate); it belongs to the region in the middle.
  * There may be any number of clipping planes. Pictures, IntersectWithLine and CastRays are cut
  * alike.
  *
@@ -77,6 +97,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkLightCollection;
 class vtkPoints;
@@ -109,11 +130,11 @@ public:
    * among them; a hit lies exactly in the plane of a face, whose normal is that of both
    * NormalModes, and is found without a RootSolver. A face that parts several isovalues is met once
    * for each of them. Nothing is drawn beside a sample that is NaN or infinite, nor at the border
-   * of the volume. The boxes of cell scalars are the cells, of which those at the border are drawn
-   * from their centres on. A cell in the names of arrays and of picks is one between samples, as it
-   * is with TRILINEAR, and a face lies in the middle of four of them: blanked cells hide their part
-   * of it. Of the two samples beside a hit, the point selected is the one inside. Intensity
-   * projections and the colours of ColorArrayName are trilinear as ever.
+   * of the volume. The boxes of cell scalars are the cells (of a rectilinear grid with uneven
+   * spacing, they end half way between the centres); those at the border are drawn from their
+   * centres on. Of the two points beside a face, the one selected is inside, and so is the cell of
+   * cell scalars. A face between points lies in the middle of four cells, and is hidden in those
+   * that are blanked. Intensity projections and the colours of ColorArrayName stay trilinear.
    *
    * vtkVolumeProperty::GetInterpolationType() is not asked: it is nearest unless it is set, and
    * those who draw isosurfaces with VTK without setting it get smooth ones. Default: TRILINEAR.
@@ -484,6 +505,22 @@ public:
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Finds the block of composite input that has a cell by its number through all blocks, as all
+   * that tells a cell of composite input gives it, and its number in the block. The flat index is
+   * that of vtkCompositeDataIterator. For other input the block is the input itself, and the flat
+   * index 0.
+   */
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
+
+  ///@{
+  /**
+   * The bounds of the input, of composite input those of all blocks.
+   */
+  using vtkVolumeMapper::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  ///@}
 
   /**
    * Casts rays, given by origins and directions in the world, on all threads, as IntersectWithLine

@@ -94,8 +94,8 @@ void AddCropping(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceSource& sou
   std::array<std::array<double, 2>, 3> between;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    between[axis] = { source.GetIndex(axis, planes[2 * axis]),
-      source.GetIndex(axis, planes[2 * axis + 1]) };
+    between[axis] = { source.GetGeometry().GetIndex(axis, planes[2 * axis]),
+      source.GetGeometry().GetIndex(axis, planes[2 * axis + 1]) };
     // Spacing may be negative.
     if (between[axis][0] > between[axis][1])
     {

@@ -3,10 +3,8 @@
 #include "vtkIsosurfaceRayTraceSource.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -116,55 +114,6 @@ bool HasFlagAtCorner(
 }
 
 //------------------------------------------------------------------------------
-/// Where an image lies, without the volume's own matrix.
-struct vtkIsosurfaceRayTraceSource::Geometry
-{
-  std::array<double, 3> Origin;
-  std::array<double, 3> Spacing;
-  std::array<double, 9> Direction;
-  std::array<int, 3> FirstIndex;
-
-  explicit Geometry(vtkImageData* image)
-  {
-    image->GetOrigin(this->Origin.data());
-    image->GetSpacing(this->Spacing.data());
-    std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction.begin());
-    const int* extent = image->GetExtent();
-    this->FirstIndex = { extent[0], extent[2], extent[4] };
-  }
-
-  bool operator==(const Geometry& other) const
-  {
-    return this->Origin == other.Origin && this->Spacing == other.Spacing &&
-      this->Direction == other.Direction && this->FirstIndex == other.FirstIndex;
-  }
-
-  /// From indices, counted from so many samples behind the first point, to the coordinates of the
-  /// image. The place of the first sample is computed first: an extent far from zero costs no
-  /// digits.
-  vtkirt::Matrix4 GetPhysicalFromIndex(double behind) const
-  {
-    vtkirt::Matrix4 matrix;
-    vtkImageData::ComputeIndexToPhysicalMatrix(
-      this->Origin.data(), this->Spacing.data(), this->Direction.data(), matrix.data());
-    const vtkirt::Vector3 first = vtkirt::TransformPoint(matrix,
-      { this->FirstIndex[0] + behind, this->FirstIndex[1] + behind, this->FirstIndex[2] + behind });
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      matrix[4 * axis + 3] = first[axis];
-    }
-    return matrix;
-  }
-
-  bool IsUsable() const
-  {
-    const vtkirt::Matrix4 m = this->GetPhysicalFromIndex(0.0);
-    return std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }) &&
-      vtkMath::Determinant3x3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]) != 0.0;
-  }
-};
-
-//------------------------------------------------------------------------------
 /// What a volume was built from, and how. While it is the same, so is the volume.
 struct vtkIsosurfaceRayTraceSource::Key
 {
@@ -190,15 +139,14 @@ vtkIsosurfaceRayTraceSource::vtkIsosurfaceRayTraceSource() = default;
 vtkIsosurfaceRayTraceSource::~vtkIsosurfaceRayTraceSource() = default;
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceSource::FindProblem(
-  vtkImageData* image, const Selection& selection)
+std::string vtkIsosurfaceRayTraceSource::FindProblem(vtkDataSet* grid, const Selection& selection)
 {
   std::ostringstream problem;
   vtkDataArray* scalars = selection.Scalars;
-  const int* dimensions = image->GetDimensions();
+  const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const int least = selection.AreOfCells ? 3 : 2;
   const vtkIdType tuples =
-    selection.AreOfCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+    selection.AreOfCells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
   if (!scalars)
   {
     problem
@@ -229,10 +177,9 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
             << " components, numbered from 0; there is no component " << selection.Component
             << " (SetVectorComponent).";
   }
-  else if (!Geometry(image).IsUsable())
+  else
   {
-    problem << "The origin, spacing and direction of the input leave it without a finite volume. "
-               "Give finite numbers, a spacing other than 0 and a direction matrix of full rank.";
+    problem << vtkIsosurfaceRayTraceGeometry::FindProblem(grid);
   }
   return problem.str();
 }
@@ -263,8 +210,8 @@ vtkDataArray* vtkIsosurfaceRayTraceSource::GetPlainScalars(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceSource::Update(vtkImageData* image, const Selection& selection,
-  const vtkirt::VolumeSettings& settings, int threads)
+bool vtkIsosurfaceRayTraceSource::Update(
+  vtkDataSet* grid, const Selection& selection, const vtkirt::VolumeSettings& settings, int threads)
 {
   vtkDataArray* scalars = selection.Scalars;
   Key key;
@@ -274,25 +221,24 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkImageData* image, const Selection& s
   key.AreOfCells = selection.AreOfCells;
   key.Component = selection.Component;
   key.Settings = settings;
-  const int fewer = selection.AreOfCells ? 1 : 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  key.Dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
+  for (int& dimension : key.Dimensions)
   {
-    key.Dimensions[axis] = image->GetDimensions()[axis] - fewer;
+    dimension -= selection.AreOfCells ? 1 : 0;
   }
 
-  // Those who write into the scalars often tell the image, not the array. So a change of the image
+  // Those who write into the scalars often tell the grid, not the array. So a change of the grid
   // counts as one of the scalars, unless its geometry has changed, which explains it.
-  const Geometry geometry(image);
-  const bool sameGeometry = this->ImageGeometry && *this->ImageGeometry == geometry;
-  const bool isNewer = image->GetMTime() != this->ImageTime;
-  const bool imageChanged = isNewer && sameGeometry;
+  vtkIsosurfaceRayTraceGeometry geometry(grid, selection.AreOfCells);
+  const bool isNewer = grid->GetMTime() != this->GridTime;
+  const bool gridChanged = isNewer && geometry.HasSamePoints(this->Geometry);
   if (isNewer || !this->Built || this->Built->AreOfCells != key.AreOfCells)
   {
-    this->UpdateHiddenCells(image, selection.AreOfCells);
+    this->UpdateHiddenCells(grid, selection.AreOfCells);
   }
-  this->ImageTime = image->GetMTime();
-  this->UpdateGeometry(geometry, selection.AreOfCells);
-  if (this->Volume && this->Built && *this->Built == key && !imageChanged)
+  this->GridTime = grid->GetMTime();
+  this->Geometry = std::move(geometry);
+  if (this->Volume && this->Built && *this->Built == key && !gridChanged)
   {
     return false;
   }
@@ -311,22 +257,13 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkImageData* image, const Selection& s
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceSource::UpdateGeometry(const Geometry& geometry, bool areOfCells)
+void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOfCells)
 {
-  this->ImageGeometry = std::make_unique<Geometry>(geometry);
-  this->FirstSample = areOfCells ? 0.5 : 0.0;
-  this->PhysicalFromIndex = geometry.GetPhysicalFromIndex(this->FirstSample);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkImageData* image, bool areOfCells)
-{
-  const int* dimensions = image->GetDimensions();
-  const vtkirt::Index3 points = { dimensions[0], dimensions[1], dimensions[2] };
+  const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   this->Cells = { points[0] - 1, points[1] - 1, points[2] - 1 };
   this->HiddenCells.clear();
-  vtkUnsignedCharArray* pointFlags = image->GetPointGhostArray();
-  vtkUnsignedCharArray* cellFlags = image->GetCellGhostArray();
+  vtkUnsignedCharArray* pointFlags = grid->GetPointGhostArray();
+  vtkUnsignedCharArray* cellFlags = grid->GetCellGhostArray();
   if (!cellFlags && (areOfCells || !pointFlags))
   {
     return;
@@ -369,49 +306,57 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkImageData* image, bool ar
 }
 
 //------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceSource::GetIndex(std::size_t axis, double place) const
-{
-  const Geometry& geometry = *this->ImageGeometry;
-  return (place - geometry.Origin[axis]) / geometry.Spacing[axis] - geometry.FirstIndex[axis] -
-    this->FirstSample;
-}
-
-//------------------------------------------------------------------------------
 const unsigned char* vtkIsosurfaceRayTraceSource::GetHiddenCells() const
 {
   return this->HiddenCells.empty() ? nullptr : this->HiddenCells.data();
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
+vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
   vtkirt::Index3 cell = hit.Cell;
   parametric = hit.Parametric;
-  if (this->FirstSample != 0.0)
+  for (std::size_t axis = 0; this->Built->AreOfCells && axis < 3; ++axis)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double place = parametric[axis] + this->FirstSample;
-      const int step = hit.IsNearUpper(axis) ? 1 : 0;
-      cell[axis] += step;
-      parametric[axis] = place - step;
-    }
+    // From the centre of one cell to that of the next.
+    const double place = parametric[axis];
+    const double border = this->Geometry.GetShareOfFirst(axis, cell[axis]);
+    const bool isBeyond = place > border || (place == border && !hit.FallsAlong(axis));
+    const bool isInNext = isBeyond && border < 1.0;
+    cell[axis] += isInNext ? 1 : 0;
+    parametric[axis] =
+      isInNext ? 0.5 * (place - border) / (1.0 - border) : 0.5 + 0.5 * place / border;
   }
-  return static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
+  return cell;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
+vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return static_cast<vtkIdType>(
+    vtkirt::Offset(this->FindStructuredCell(hit, parametric), this->Cells));
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hit& hit) const
 {
   vtkirt::Index3 point;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Between the centres of two cells it is the one between these.
-    point[axis] = hit.Cell[axis] + (this->FirstSample != 0.0 || hit.IsNearUpper(axis) ? 1 : 0);
+    const bool isNext = this->Built->AreOfCells || hit.IsNearUpper(axis);
+    point[axis] = hit.Cell[axis] + (isNext ? 1 : 0);
   }
+  return point;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceSource::FindPoint(const vtkirt::Hit& hit) const
+{
   return static_cast<vtkIdType>(
-    vtkirt::Offset(point, { this->Cells[0] + 1, this->Cells[1] + 1, this->Cells[2] + 1 }));
+    vtkirt::Offset(this->FindStructuredPoint(hit), this->GetNumberOfPoints()));
 }
 
 VTK_ABI_NAMESPACE_END

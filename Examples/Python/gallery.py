@@ -6,9 +6,15 @@
 import os
 import sys
 
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPlane,
+    vtkRectilinearGrid,
+)
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
@@ -123,6 +129,48 @@ def projected(picture, image, isovalue):
     opacity.AddPoint(0.5 * high, 1.0)
 
 
+def rectilinear(picture, image, isovalue):
+    """Fewer and fewer slices towards the top, and the planes stand where the slices are."""
+    size, samples = image.GetDimensions(), image.GetPointData().GetScalars()
+    slices = [z for z in range(size[2]) if z < size[2] // 2 or z % (8 * z // size[2] - 2) == 0]
+    if slices[-1] != size[2] - 1:
+        slices.append(size[2] - 1)
+    kept = samples.NewInstance()
+    kept.SetNumberOfTuples(size[0] * size[1] * len(slices))
+    for i, z in enumerate(slices):
+        kept.InsertTuples(i * size[0] * size[1], size[0] * size[1], z * size[0] * size[1], samples)
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(size[0], size[1], len(slices))
+    axes = (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)
+    for axis, (set_coordinates, planes) in enumerate(
+            zip(axes, (range(size[0]), range(size[1]), slices))):
+        coordinates = vtkDoubleArray()
+        for i in planes:
+            coordinates.InsertNextValue(
+                image.GetBounds()[2 * axis] + i * image.GetSpacing()[axis])
+        set_coordinates(coordinates)
+    grid.GetPointData().SetScalars(kept)
+    picture.mapper.SetInputDataObject(grid)
+
+
+def blocks(picture, image, isovalue):
+    """Eight blocks that share the points between them, of which one is missing."""
+    extent = image.GetExtent()
+    halves = [((extent[2 * axis], sum(extent[2 * axis:2 * axis + 2]) // 2),
+               (sum(extent[2 * axis:2 * axis + 2]) // 2, extent[2 * axis + 1]))
+              for axis in range(3)]
+    pieces = vtkMultiBlockDataSet()
+    for i in range(8):
+        if i == 6:
+            continue
+        cut = vtkExtractVOI()
+        cut.SetInputData(image)
+        cut.SetVOI(halves[0][i & 1] + halves[1][i >> 1 & 1] + halves[2][i >> 2])
+        cut.Update()
+        pieces.SetBlock(i, cut.GetOutput())
+    picture.mapper.SetInputDataObject(pieces)
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -133,7 +181,8 @@ def main():
     reader.SetFileName(volume_file)
     reader.Update()
     os.makedirs(folder, exist_ok=True)
-    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected):
+    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected,
+                  rectilinear, blocks):
         picture = Picture(reader.GetOutput(), isovalue)
         scene(picture, reader.GetOutput(), isovalue)
         picture.write(os.path.join(folder, scene.__name__ + ".png"))

@@ -61,7 +61,9 @@ bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
     const auto i = static_cast<std::size_t>(axis);
     if (ray.Step[i] == 0)
     {
-      corner |= PointInCell(ray, cell, { 0.0, Place::StartAxis })[i] >= 0.5 ? 1 << axis : 0;
+      corner |= PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Place::StartAxis })[i] >= 0.5
+        ? 1 << axis
+        : 0;
       continue;
     }
     corner |= ray.Step[i] < 0 ? 1 << axis : 0;
@@ -108,7 +110,8 @@ bool VisitFaceHits(const Ray& ray, const Index3& cell, const Value corners[8],
         return false;
       }
       const auto axis = static_cast<std::size_t>(crossing.Axis);
-      Hit hit{ ray.Base + crossing.T, cell, 0, PointInCell(ray, cell, crossing), before < behind };
+      Hit hit{ ray.Base + crossing.T, cell, 0, PointInCell(ray, GetBox(cell, ray.Planes), crossing),
+        before < behind };
       hit.Parametric[axis] = 0.5;
       hit.Jump = hit.Rising == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
       const auto count = static_cast<int>(surfaces.size());

@@ -25,16 +25,36 @@ struct CellSegment
   Vector3 Exit;
 };
 
+/// Where the planes of a cell stand.
+struct CellBox
+{
+  Vector3 Lower;
+  Vector3 Upper;
+};
+
+inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
+{
+  CellBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = planes ? planes->Get(axis, cell[axis]) : cell[axis];
+    box.Upper[axis] = planes ? planes->Get(axis, cell[axis] + 1) : cell[axis] + 1;
+  }
+  return box;
+}
+
 /// Where the ray is in the cell at t. On the plane it crosses there, the coordinate is exactly 0 or
 /// 1: the two cells that share the face then interpolate between the same four samples with the
 /// same weights, and agree on the sign of every point of it to the last bit. No ray slips between
 /// them.
-inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& place)
+inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Place& place)
 {
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    p[axis] = std::min(1.0, std::max(0.0, ray.Coordinate(axis, place.T) - cell[axis]));
+    const double above = ray.Coordinate(axis, place.T) - box.Lower[axis];
+    const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
+    p[axis] = std::min(1.0, std::max(0.0, share));
   }
   return p;
 }
@@ -43,6 +63,7 @@ inline Vector3 PointInCell(const Ray& ray, const Index3& cell, const Place& plac
 /// cell is not among those the ray passes. However the cell was found, the answer is the same.
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
+  const CellBox box = GetBox(cell, ray.Planes);
   Place entry{ -std::numeric_limits<double>::infinity(), 0 };
   Place exit{ std::numeric_limits<double>::infinity(), Place::StartAxis };
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -56,8 +77,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
       continue;
     }
     const bool up = ray.Step[axis] > 0;
-    const Place in{ ray.Crossing(axis, cell[axis] + (up ? 0 : 1)), static_cast<int>(axis) };
-    const Place out{ ray.Crossing(axis, cell[axis] + (up ? 1 : 0)), static_cast<int>(axis) };
+    const Place in{ ray.CrossingAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
+      static_cast<int>(axis) };
+    const Place out{ ray.CrossingAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
+      static_cast<int>(axis) };
     entry = std::max(entry, in);
     exit = std::min(exit, out);
   }
@@ -67,7 +90,10 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   const bool leavesThroughFace = exit.T <= ray.End;
   const Place begin = entersThroughFace ? entry : Place{ ray.Begin, Place::StartAxis };
   const Place end = leavesThroughFace ? exit : Place{ ray.End, Place::StartAxis };
-  if (!(begin < end) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
+  // A flat cell is passed at one place.
+  const bool isFlat = ray.Planes && entersThroughFace && leavesThroughFace && entry.T == exit.T &&
+    entry.Axis == exit.Axis;
+  if (!(begin < end || isFlat) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
   {
     return false;
   }
@@ -75,8 +101,8 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   segment.Begin = begin.T;
   segment.BeginAxis = begin.Axis;
   segment.End = end.T;
-  segment.Entry = PointInCell(ray, cell, begin);
-  segment.Exit = PointInCell(ray, cell, end);
+  segment.Entry = PointInCell(ray, box, begin);
+  segment.Exit = PointInCell(ray, box, end);
   if (entersThroughFace)
   {
     const auto axis = static_cast<std::size_t>(entry.Axis);

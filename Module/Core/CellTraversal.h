@@ -86,11 +86,18 @@ private:
   int Locate(std::size_t axis, const Place& start) const
   {
     const int step = this->TheRay->Step[axis];
-    const double coordinate =
-      step == 0 ? this->TheRay->Origin[axis] : this->TheRay->Coordinate(axis, start.T);
-    const double guess = std::floor(coordinate / this->Edge);
     const int lowest = this->First[axis];
     const int highest = this->Last[axis] - 1;
+    const UnevenPlanes* planes = this->TheRay->Planes;
+    if (planes && start.Axis == static_cast<int>(axis))
+    {
+      // The ray has just crossed the border of the region, but not the flat cells behind it.
+      return step > 0 ? lowest : highest;
+    }
+    const double coordinate =
+      step == 0 ? this->TheRay->Origin[axis] : this->TheRay->Coordinate(axis, start.T);
+    const double guess =
+      std::floor((planes ? planes->FindCell(axis, coordinate) : coordinate) / this->Edge);
     int block = static_cast<int>(
       std::clamp(guess, static_cast<double>(lowest), static_cast<double>(highest)));
     if (step == 0)

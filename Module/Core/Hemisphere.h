@@ -22,7 +22,7 @@ class HitNumbers
 public:
   explicit HitNumbers(const Hit& hit)
   {
-    for (const double coordinate : hit.GetPoint())
+    for (const double coordinate : hit.GetPoint(nullptr))
     {
       // Surfaces often lie at simple fractions of a cell; the steps do not.
       const double step = std::floor(1024.0 * coordinate + 0.37);

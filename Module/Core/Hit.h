@@ -4,6 +4,7 @@
 #ifndef Hit_h
 #define Hit_h
 
+#include "UnevenPlanes.h"
 #include "Vector.h"
 
 namespace vtkIsosurfaceRayTracing
@@ -30,15 +31,23 @@ struct Hit
 
   static constexpr int NoSurface = -1;
 
+  /// Whether values fall along an axis from the box of one sample to that of the next.
+  bool FallsAlong(std::size_t axis) const { return this->Jump == -1 - static_cast<int>(axis); }
+
   /// Whether the upper of the two samples along an axis of the cell is nearer. Of the boxes on both
   /// sides of a hit, it is the one inside.
   bool IsNearUpper(std::size_t axis) const
   {
-    return this->Parametric[axis] >= 0.5 && this->Jump != -1 - static_cast<int>(axis);
+    return this->Parametric[axis] >= 0.5 && !this->FallsAlong(axis);
   }
 
-  Vector3 GetPoint() const
+  /// Where it is in the space that rays go through: see Ray::Planes.
+  Vector3 GetPoint(const UnevenPlanes* planes) const
   {
+    if (planes)
+    {
+      return planes->GetPoint(this->Cell, this->Parametric);
+    }
     return { this->Cell[0] + this->Parametric[0], this->Cell[1] + this->Parametric[1],
       this->Cell[2] + this->Parametric[2] };
   }

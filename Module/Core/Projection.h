@@ -77,10 +77,11 @@ class Projector
 {
 public:
   /// All must outlive the projector, which is for one thread.
-  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const Visibility& seen)
+  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const Wanted& wanted)
     : Hierarchy(hierarchy)
     , Reader(bricks)
-    , Seen(seen)
+    , Seen(wanted.Seen)
+    , Planes(wanted.Planes)
     , Cells(hierarchy.GetLattice().Cells)
   {
   }
@@ -92,7 +93,9 @@ public:
     {
       if (Has(rays.Exists, i))
       {
-        this->Project(GetRay(rays, i), hits);
+        Ray ray = GetRay(rays, i);
+        ray.Planes = this->Planes;
+        this->Project(ray, hits);
       }
       hits.First.push_back(hits.Hits.size());
     }
@@ -136,7 +139,7 @@ private:
     if (hit.Surface != Hit::NoSurface)
     {
       hits.Hits.push_back(hit);
-      this->Last = hit.GetPoint();
+      this->Last = hit.GetPoint(this->Planes);
     }
   }
 
@@ -154,8 +157,10 @@ private:
     Index3 cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      cell[axis] = static_cast<int>(std::clamp(
-        std::floor(ray.Coordinate(axis, t)), 0.0, static_cast<double>(this->Cells[axis] - 1)));
+      const double place = ray.Coordinate(axis, t);
+      cell[axis] = this->Planes ? this->Planes->FindCell(axis, place)
+                                : static_cast<int>(std::clamp(std::floor(place), 0.0,
+                                    static_cast<double>(this->Cells[axis] - 1)));
     }
     Hit hit;
     if (this->Visit(ray, cell, hit))
@@ -204,6 +209,7 @@ private:
   const MacrocellHierarchy<T>& Hierarchy;
   typename Layout::Reader Reader;
   const Visibility& Seen;
+  const UnevenPlanes* Planes;
   Index3 Cells;
   /// Only what exceeds this is of interest.
   double Best = 0.0;

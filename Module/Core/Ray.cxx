@@ -35,11 +35,12 @@ bool ClipToSlabs(Ray& ray, const Index3& dimensions)
 }
 
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
-  double tEnd, const Index3& dimensions)
+  double tEnd, const Index3& dimensions, const UnevenPlanes* planes)
 {
   Ray ray;
   ray.Origin = origin;
   ray.Direction = direction;
+  ray.Planes = planes;
   bool isRay = false;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -78,7 +79,8 @@ std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction,
     if (ray.Step[axis] == 0)
     {
       const double last = dimensions[axis] - 2;
-      ray.Inverse[axis] = std::min(std::floor(ray.Origin[axis]), last);
+      ray.Inverse[axis] = planes ? planes->FindCell(axis, ray.Origin[axis])
+                                 : std::min(std::floor(ray.Origin[axis]), last);
     }
   }
   return ray;

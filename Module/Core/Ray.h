@@ -4,6 +4,7 @@
 #ifndef Ray_h
 #define Ray_h
 
+#include "UnevenPlanes.h"
 #include "Vector.h"
 
 #include <optional>
@@ -11,7 +12,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A ray in index space, where samples stand at whole numbers, cut to a volume.
+/// A ray in index space, where samples stand at whole numbers, cut to a volume. Where samples are
+/// not evenly spaced, they stand in the UnevenPlanes instead, and the same is said of these.
 ///
 /// The origin of the ray may be far away (1e9 cells), where a double resolves no small fraction of
 /// a cell. So the ray is given a new origin near its entry into the volume, and all arithmetic is
@@ -19,7 +21,7 @@ namespace vtkIsosurfaceRayTracing
 struct Ray
 {
   Vector3 Origin;
-  /// In cells per unit of t.
+  /// In cells (uneven: cells of mean size) per unit of t.
   Vector3 Direction;
   /// One over the direction. Where the ray is parallel to the planes of an axis there is no such
   /// number; there it is the place of the cells along the axis that the ray stays in. (In a face
@@ -32,6 +34,8 @@ struct Ray
   double End;
   /// The t of Origin on the ray as the caller gave it.
   double Base;
+  /// Where the lattice planes stand; null if plane k stands at k.
+  const UnevenPlanes* Planes = nullptr;
 
   /// The t at which the ray crosses the lattice plane k of an axis it is not parallel to. Every t
   /// of a crossing comes from here, and never from a running sum: neighbouring cells agree on it to
@@ -39,13 +43,21 @@ struct Ray
   /// Step.
   double Crossing(std::size_t axis, int k) const
   {
-    return (k - this->Origin[axis]) * this->Inverse[axis];
+    return this->CrossingAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
+  }
+
+  /// The same for the plane at a place.
+  double CrossingAt(std::size_t axis, double place) const
+  {
+    return (place - this->Origin[axis]) * this->Inverse[axis];
   }
 
   /// The same for the plane in the middle between the lattice planes k and k + 1.
   double MiddleCrossing(std::size_t axis, int k) const
   {
-    return (k + 0.5 - this->Origin[axis]) * this->Inverse[axis];
+    const double place =
+      this->Planes ? this->Planes->Get(axis, k) + 0.5 * this->Planes->GetWidth(axis, k) : k + 0.5;
+    return (place - this->Origin[axis]) * this->Inverse[axis];
   }
 
   double Coordinate(std::size_t axis, double t) const
@@ -74,9 +86,10 @@ struct Place
 };
 
 /// Cuts a ray (index space, tBegin <= t <= tEnd) to the box of a volume's samples. Nothing is
-/// returned if it misses, or if the ray is no ray: not finite, or without direction.
+/// returned if it misses, or if the ray is no ray: not finite, or without direction. The planes, if
+/// any, must outlive the ray.
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
-  double tEnd, const Index3& dimensions);
+  double tEnd, const Index3& dimensions, const UnevenPlanes* planes = nullptr);
 
 }
 

@@ -44,7 +44,9 @@ void MakeRays(
       const float depth = scene.Depth ? scene.Depth[PixelOffset(scene, x, y)] : 1.0F;
       const Camera::PixelRay pixel =
         scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, static_cast<double>(depth));
-      AddRay(ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, dimensions), rays);
+      AddRay(
+        ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, dimensions, scene.Want.Planes),
+        rays);
     }
   }
 }
@@ -53,7 +55,7 @@ void MakeRays(
 void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
   RayGroup& rays, RayHits& hits)
 {
-  if (!scene.Want.BeamKernels)
+  if (!scene.Want.BeamKernels || scene.Want.Planes)
   {
     MakeRays(scene, pixels, volume.GetDimensions(), rays);
     volume.Trace(rays, hits);
@@ -104,7 +106,8 @@ void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, 
     transmittance *= 1.0 - opacity;
     if (opacity >= 1.0)
     {
-      depth = static_cast<float>(std::clamp(scene.View.GetDepth(hits[i].GetPoint()), 0.0, 1.0));
+      depth = static_cast<float>(
+        std::clamp(scene.View.GetDepth(hits[i].GetPoint(scene.Want.Planes)), 0.0, 1.0));
     }
   }
   rgba[0] = ToByte(color[0]);

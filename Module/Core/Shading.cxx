@@ -342,8 +342,9 @@ void Shader::FindShares(
     const ShadowRay& ray = shadowRays[i];
     const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
     goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
-    AddRay(
-      ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions()), rays);
+    AddRay(ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions(),
+             this->TheScene.Want.Planes),
+      rays);
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
   // tells: a first crossing to the side that the ray is on already is none. Where the surface is
@@ -384,7 +385,7 @@ void Shader::FindShares(
 Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) const
 {
   const Matrix4& toWorld = this->TheScene.View.GetWorldFromIndex();
-  const Vector3 origin = hit.GetPoint();
+  const Vector3 origin = hit.GetPoint(this->TheScene.Want.Planes);
   const Vector3 toLight =
     light.Positional ? light.Position - TransformPoint(toWorld, origin) : light.Direction;
   // The gradient's matrix is the inverse of the transposed, up to a factor.
@@ -401,7 +402,8 @@ Shader::ShadowRay Shader::MakeOcclusionRay(const Vector3& direction, const Hit& 
 {
   const Vector3 inIndex = TransposeTransformDirection(this->WorldFromGradient, direction);
   const double unit = Length(TransformDirection(this->TheScene.View.GetWorldFromIndex(), inIndex));
-  return { hit.GetPoint(), inIndex, this->TheScene.OcclusionRadius / unit };
+  return { hit.GetPoint(this->TheScene.Want.Planes), inIndex,
+    this->TheScene.OcclusionRadius / unit };
 }
 
 //------------------------------------------------------------------------------
@@ -450,7 +452,7 @@ Vector3 Shader::Shade(
     normal = normal * -1.0;
   }
 
-  const Vector3 point = TransformPoint(toWorld, hit.GetPoint());
+  const Vector3 point = TransformPoint(toWorld, hit.GetPoint(scene.Want.Planes));
   Vector3 diffuse = { 0.0, 0.0, 0.0 };
   Vector3 specular = { 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < scene.Lights.size(); ++i)

@@ -165,7 +165,8 @@ public:
   /// Appends a hit, if it is seen. Returns true if nothing of the ray is left behind it.
   bool Pass(const Hit& hit, std::vector<Hit>& hits)
   {
-    if (!this->Want->Seen.IsConvex() && !this->Want->Seen.Shows(hit, this->Dimensions))
+    if (!this->Want->Seen.IsConvex() &&
+      !this->Want->Seen.Shows(hit, this->Dimensions, this->Want->Planes))
     {
       return false;
     }
@@ -302,7 +303,8 @@ public:
     }
     else if (this->Want.Field == Interpolant::Nearest)
     {
-      ForEachRay(rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
     }
     else if (this->Want.Solver == RootSolver::Fast)
     {
@@ -314,7 +316,8 @@ public:
     }
     else
     {
-      ForEachRay(rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
     }
   }
 
@@ -324,7 +327,8 @@ public:
     {
       return GetJumpDirection(hit);
     }
-    if (mode == NormalMode::CentralDifferences)
+    const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hit.Cell);
+    if (mode == NormalMode::CentralDifferences && !isFlat)
     {
       const Vector3 gradient = this->GetSmoothGradient(hit);
       if (std::isfinite(gradient[0]) && std::isfinite(gradient[1]) && std::isfinite(gradient[2]))
@@ -337,14 +341,15 @@ public:
     LoadCorners(this->TheSamples, hit.Cell, values);
     CellCorners corners;
     std::copy(values, values + 8, corners.begin());
-    return InterpolantGradient(corners, hit.Parametric);
+    const Vector3 gradient = InterpolantGradient(corners, hit.Parametric);
+    return this->Want.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
   }
 
   void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
     double (*gradients)[RayGroup::Capacity]) const override
   {
-    // Where no cell is inner, none is asked for.
-    const bool areSmooth = mode == NormalMode::CentralDifferences &&
+    // Kernels know even spacing only. Where no cell is inner, none is asked for.
+    const bool areSmooth = mode == NormalMode::CentralDifferences && !this->Want.Planes &&
       this->Want.Field != Interpolant::Nearest && this->IsInner({ 1, 1, 1 });
     if (areSmooth)
     {
@@ -406,12 +411,12 @@ private:
   {
     if (*this->Want.Projection == Extremum::Largest)
     {
-      Projector<T, Layout, Extremum::Largest>(this->Hierarchy, this->Bricks, this->Want.Seen)
+      Projector<T, Layout, Extremum::Largest>(this->Hierarchy, this->Bricks, this->Want)
         .Project(rays, hits);
     }
     else
     {
-      Projector<T, Layout, Extremum::Smallest>(this->Hierarchy, this->Bricks, this->Want.Seen)
+      Projector<T, Layout, Extremum::Smallest>(this->Hierarchy, this->Bricks, this->Want)
         .Project(rays, hits);
     }
   }
@@ -462,7 +467,15 @@ private:
     return RayProgress(this->Want, this->TheSamples.GetDimensions());
   }
 
-  /// Beams take macrocells of 8^3 cells, and rays of ordinary length.
+  /// A ray of a group that exists.
+  Ray TakeRay(const RayGroup& rays, int i) const
+  {
+    Ray ray = GetRay(rays, i);
+    ray.Planes = this->Want.Planes;
+    return ray;
+  }
+
+  /// Beams take even spacing, macrocells of 8^3 cells, and rays of ordinary length.
   bool CanUseBeams(const RayGroup& rays) const
   {
     bool isFinite = true;
@@ -471,7 +484,7 @@ private:
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->HasTree && this->Want.BeamKernels;
+    return isFinite && this->HasTree && this->Want.BeamKernels && !this->Want.Planes;
   }
 
   void TraceBeams(RayGroup& rays, RayHits& hits)
@@ -659,13 +672,13 @@ private:
 
   /// Calls trace(ray) for the rays of a group that exist, of which each appends its hits.
   template <typename Trace>
-  static void ForEachRay(const RayGroup& rays, RayHits& hits, const Trace& trace)
+  void ForEachRay(const RayGroup& rays, RayHits& hits, const Trace& trace) const
   {
     for (int i = 0; i < rays.Count; ++i)
     {
       if (Has(rays.Exists, i))
       {
-        trace(GetRay(rays, i));
+        trace(this->TakeRay(rays, i));
       }
       hits.First.push_back(hits.Hits.size());
     }
@@ -719,7 +732,7 @@ private:
     {
       if (Has(group.Exists, i))
       {
-        rays.push_back(GetRay(group, i));
+        rays.push_back(this->TakeRay(group, i));
         going.push_back(followers.size());
         followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
           MacrocellWalk<ActiveMacrocells>(rays.back(), this->Active), this->NewProgress(), {} });
@@ -834,7 +847,21 @@ private:
     }
   }
 
-  /// The central difference at a sample; at the border of the volume, the one-sided difference.
+  /// From differences along the edges of a cell to the gradient. In a flat cell only its flat axes
+  /// count: there the gradient is infinite, and this is its direction.
+  Vector3 DivideByWidths(Vector3 gradient, const Index3& cell) const
+  {
+    const bool isFlat = this->Want.Planes->IsFlat(cell);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double width = this->Want.Planes->GetWidth(axis, cell[axis]);
+      gradient[axis] = isFlat ? (width > 0.0 ? 0.0 : gradient[axis]) : gradient[axis] / width;
+    }
+    return gradient;
+  }
+
+  /// The slope at a sample: the central difference, or what is that with uneven spacing; at the
+  /// border of the volume, the one-sided difference.
   double GetDifference(Index3 sample, std::size_t axis) const
   {
     const int place = sample[axis];
@@ -844,6 +871,13 @@ private:
     const auto high = static_cast<double>(*this->TheSamples.At(sample));
     sample[axis] = previous;
     const auto low = static_cast<double>(*this->TheSamples.At(sample));
+    if (this->Want.Planes)
+    {
+      sample[axis] = place;
+      const auto middle = static_cast<double>(*this->TheSamples.At(sample));
+      const UnevenPlanes::SlopeWeights& weights = this->Want.Planes->GetSlopeWeights(axis, place);
+      return weights.Below * (middle - low) + weights.Above * (high - middle);
+    }
     return (high - low) / (next - previous);
   }
 

@@ -109,6 +109,8 @@ struct Wanted
   std::optional<Extremum> Projection;
   /// What of the volume is seen at all.
   Visibility Seen;
+  /// Where the samples stand; null if at whole numbers. Rays must be made with the same.
+  const UnevenPlanes* Planes = nullptr;
   /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
   /// goes by itself, cell after cell; the hits are the same.
   const Kernels* BeamKernels = &GetBestKernels();
@@ -168,7 +170,8 @@ public:
   /// The same for any number of rays.
   void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits);
 
-  /// The gradient of the samples at a hit, per cell edge along each axis.
+  /// The gradient of the samples at a hit, in the space that rays go through; in a flat cell, as
+  /// long as it likes.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
 
   /// The same for up to as many hits as a group of rays has, with kernels.

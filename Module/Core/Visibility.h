@@ -47,7 +47,8 @@ struct CroppingRegions
   }
 };
 
-/// Which parts of a volume are seen, in index space. A surface that is cut off hides nothing.
+/// Which parts of a volume are seen, in the space that rays go through. A surface that is cut off
+/// hides nothing.
 struct Visibility
 {
   /// Rays are cut to what is in all of them.
@@ -60,10 +61,10 @@ struct Visibility
   bool IsConvex() const { return this->Regions.Seen == CroppingRegions::All && !this->HiddenCells; }
 
   /// Whether a hit of a ray that is cut is seen, in a volume of so many samples.
-  bool Shows(const Hit& hit, const Index3& dimensions) const
+  bool Shows(const Hit& hit, const Index3& dimensions, const UnevenPlanes* planes) const
   {
     const Index3 cells = { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 };
-    return this->Regions.Contain(hit.GetPoint()) &&
+    return this->Regions.Contain(hit.GetPoint(planes)) &&
       !(this->HiddenCells && this->HiddenCells[Offset(hit.Cell, cells)] != 0);
   }
 };

@@ -145,9 +145,9 @@ inline vtkSmartPointer<vtkActor> NewSphere(
 /// A volume with its mapper in a renderer of a small window. Its surface is at 0, ivory and opaque.
 struct Scene
 {
-  explicit Scene(vtkImageData* image, int width = 160, int height = 160)
+  explicit Scene(vtkDataObject* data, int width = 160, int height = 160)
   {
-    this->Mapper->SetInputData(image);
+    this->Mapper->SetInputDataObject(0, data);
     this->Volume->SetMapper(this->Mapper);
     this->Property()->ShadeOn();
     this->SetSurface(0.0, { 0.9, 0.8, 0.7 }, 1.0);

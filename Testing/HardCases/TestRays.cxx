@@ -324,8 +324,8 @@ TEST(TestRays, CameraInsideOnVertexOnSurface)
       const RayHits hits = tracer.Cast({ fromInside.back() }, isovalue);
       for (const Hit& hit : hits.Hits)
       {
-        fromSurface.push_back({ hit.GetPoint(), dice.Direction() });
-        fromSurface.push_back({ Nudged(dice, hit.GetPoint()), dice.Direction() });
+        fromSurface.push_back({ hit.GetPoint(nullptr), dice.Direction() });
+        fromSurface.push_back({ Nudged(dice, hit.GetPoint(nullptr)), dice.Direction() });
         for (const double off : { -1e-6, -1e-12, 1e-12, 1e-6 })
         {
           clipped.push_back(fromInside.back());
@@ -366,7 +366,7 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
     const RayHits hits = tracer.Cast(primary, isovalue, RootSolver::Robust, Reach::First);
     for (const Hit& hit : hits.Hits)
     {
-      const Line line = { hit.GetPoint(), dice.Direction() };
+      const Line line = { hit.GetPoint(nullptr), dice.Direction() };
       // The side is that of the direction, unless it grazes.
       const auto slope = static_cast<double>(Oracle::SlopeAt(field, isovalue, line, hit.Cell, 0));
       if (std::abs(slope) < 1e-6)

@@ -212,7 +212,8 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
         invented += count > layer.Places.size() ? 1 : 0;
         for (std::size_t k = 0; k < std::min(count, layer.Places.size()); ++k)
         {
-          tally.AddError(std::abs(hits.Hits[hits.First[ray] + k].GetPoint()[2] - layer.Places[k]));
+          tally.AddError(
+            std::abs(hits.Hits[hits.First[ray] + k].GetPoint(nullptr)[2] - layer.Places[k]));
         }
       }
       tally.Count(lines.size(), hits.Hits.size(), missed, invented);

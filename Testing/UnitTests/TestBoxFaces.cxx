@@ -9,6 +9,7 @@
 #include "TestLines.h"
 #include "TestVolume.h"
 #include "TracedVolume.h"
+#include "UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>
@@ -57,11 +58,12 @@ std::unique_ptr<TracedVolume> NewTraced(
   return traced;
 }
 
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Infinity)
+std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Infinity,
+  const UnevenPlanes* planes = nullptr)
 {
   RayHits hits;
   volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions()) }, hits);
+    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions(), planes) }, hits);
   return hits.Hits;
 }
 
@@ -106,11 +108,25 @@ void AddCrossings(const TestVolume<T>& volume, const Line& line, long double t, 
   crossings.insert(crossings.end(), own.begin(), own.end());
 }
 
+/// Where the box of a sample ends along an axis, at its upper side.
+long double GetEnd(const Index3& size, const UnevenPlanes* planes, std::size_t axis, int sample)
+{
+  if (sample < 0 || sample >= size[axis] - 1)
+  {
+    return sample < 0 ? 0.0L : size[axis] - 1.0L;
+  }
+  return planes
+    ? (planes->Get(axis, sample) + static_cast<long double>(planes->Get(axis, sample + 1))) / 2
+    : sample + 0.5L;
+}
+
 /// All crossings of a line, by looking at every face. Nothing is returned where the line comes so
 /// near to an edge of a box that this cannot tell.
 template <typename T>
-std::optional<std::vector<Crossing>> LookAtEveryFace(const TestVolume<T>& volume, const Line& line)
+std::optional<std::vector<Crossing>> LookAtEveryFace(
+  const TestVolume<T>& volume, const Line& line, const UnevenPlanes* planes = nullptr)
 {
+  const Index3& size = volume.Dimensions;
   std::vector<Crossing> crossings;
   bool isClear = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -124,8 +140,8 @@ std::optional<std::vector<Crossing>> LookAtEveryFace(const TestVolume<T>& volume
     ForEachPlace(faces,
       [&](const Index3& lower)
       {
-        const long double t =
-          (lower[axis] + 0.5L - line.Origin[axis]) / static_cast<long double>(line.Direction[axis]);
+        const long double t = (GetEnd(size, planes, axis, lower[axis]) - line.Origin[axis]) /
+          static_cast<long double>(line.Direction[axis]);
         bool isHit = t > 0.0L;
         bool isNear = std::abs(t) < 1e-9L;
         for (std::size_t other = 0; other < 3; ++other)
@@ -135,10 +151,10 @@ std::optional<std::vector<Crossing>> LookAtEveryFace(const TestVolume<T>& volume
             continue;
           }
           const long double place = line.Origin[other] + t * line.Direction[other];
-          const long double begin = std::max(0.0L, lower[other] - 0.5L);
-          const long double end = std::min(volume.Dimensions[other] - 1.0L, lower[other] + 0.5L);
+          const long double begin = GetEnd(size, planes, other, lower[other] - 1);
+          const long double end = GetEnd(size, planes, other, lower[other]);
           const bool isParallel = line.Direction[other] == 0.0;
-          isNear = isNear || place == lower[other] + 0.5L || place == lower[other] - 0.5L ||
+          isNear = isNear ||
             (!isParallel && std::min(std::abs(place - begin), std::abs(place - end)) < 1e-9L);
           isHit = isHit && place >= begin && place <= end;
         }
@@ -214,7 +230,7 @@ std::optional<std::vector<Crossing>> WalkFromBoxToBox(const TestVolume<T>& volum
 }
 
 void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hits,
-  const std::vector<Crossing>& expected, double tolerance)
+  const std::vector<Crossing>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
 {
   ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
   for (std::size_t i = 0; i < hits.size(); ++i)
@@ -226,12 +242,12 @@ void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hit
     EXPECT_EQ(hit.Rising, crossing.Rising) << ToText(line);
     EXPECT_EQ(hit.Parametric[crossing.Axis], 0.5) << ToText(line);
     const Vector3 onRay = line.Origin + line.Direction * hit.T;
-    EXPECT_LE(Length(onRay - hit.GetPoint()), 1e-9) << ToText(line);
+    EXPECT_LE(Length(onRay - hit.GetPoint(planes)), 1e-9) << ToText(line);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       // The sample inside; along the plane it is the nearest, where one is nearest.
       const int nearest = hit.Cell[axis] + (hit.IsNearUpper(axis) ? 1 : 0);
-      const bool isBetween = std::abs(hit.Parametric[axis] - 0.5) < 1e-9;
+      const bool isBetween = std::abs(hit.Parametric[axis] - 0.5) < 1e-5;
       if (axis == crossing.Axis)
       {
         EXPECT_EQ(hit.Cell[axis], crossing.Lower[axis]) << ToText(line);
@@ -399,6 +415,37 @@ TEST(BoxFacesOfRays, AreNotBesideWhatIsNoNumber)
       Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(BoxFacesOfRays, AreHalfWayBetweenUnevenPlanes)
+{
+  const auto volume = Noise<float>({ 12, 9, 10 }, 41);
+  RandomNumbers random(42);
+  std::array<std::vector<double>, 3> places;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = volume.Dimensions[axis] - 1;
+    for (int i = 0; i <= last; ++i)
+    {
+      places[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
+    }
+  }
+  const UnevenPlanes planes(places);
+  Wanted wanted = Want();
+  wanted.Planes = &planes;
+  const auto traced = NewTraced(volume, wanted);
+  int compared = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    const Line line = RandomLine(random, volume.Dimensions);
+    if (const auto expected = LookAtEveryFace(volume, line, &planes))
+    {
+      compared += expected->empty() ? 0 : 1;
+      Compare(*traced, line, Trace(*traced, line, Infinity, &planes), *expected, 1e-9, &planes);
+    }
+  }
+  EXPECT_GT(compared, 300);
 }
 
 //------------------------------------------------------------------------------

@@ -173,7 +173,7 @@ void Compare(const TestVolume<T>& volume, TracedVolume& traced, const Line& line
   const long double value = SampleCell(volume, hit->Cell, { inCell[0], inCell[1], inCell[2] });
   EXPECT_NEAR(static_cast<double>(value), hit->Value, 1e-9) << ToText(line);
   const Vector3 onRay = line.Origin + line.Direction * hit->T;
-  EXPECT_LT(Length(onRay - hit->GetPoint()), 1e-9) << ToText(line);
+  EXPECT_LT(Length(onRay - hit->GetPoint(nullptr)), 1e-9) << ToText(line);
 }
 
 //------------------------------------------------------------------------------

@@ -286,7 +286,7 @@ public:
       ++this->Hits;
       const double error = std::abs(hits[i].T - exact[i].T);
       ASSERT_LE(error, exact[i].Slack) << this->What << ": " << ToText(line);
-      const Vector3 off = hits[i].GetPoint() - (line.Origin + line.Direction * exact[i].T);
+      const Vector3 off = hits[i].GetPoint(nullptr) - (line.Origin + line.Direction * exact[i].T);
       ASSERT_LE(std::sqrt(Dot(off, off)), exact[i].Slack * (1.0 + speed))
         << this->What << ": " << ToText(line);
       if (exact[i].Slack < 1e-9)
@@ -358,7 +358,7 @@ TEST(TracedVolume, FindsThePlaneWhereItIs)
     for (const Hit& hit : Trace(*traced, line))
     {
       ++hits;
-      const Vector3 point = hit.GetPoint();
+      const Vector3 point = hit.GetPoint(nullptr);
       const double slope =
         Dot(line.Direction, { Slope.Normal[0], Slope.Normal[1], Slope.Normal[2] });
       ASSERT_NEAR(Slope(point), 0.0, 1e-13) << ToText(line);
@@ -934,7 +934,7 @@ TEST(TracedVolume, FindsFromFarAwayWhatItFindsFromNear)
     for (std::size_t k = 0; k < 2; ++k)
     {
       ++compared;
-      const Vector3 off = nearHits[k].GetPoint() - farHits[k].GetPoint();
+      const Vector3 off = nearHits[k].GetPoint(nullptr) - farHits[k].GetPoint(nullptr);
       largest = std::max(largest, std::sqrt(Dot(off, off)));
       ASSERT_NEAR(farHits[k].T, exact[k].T, 2.5e-7);
     }
@@ -972,7 +972,7 @@ TEST(TracedVolume, LosesNothingOfARayFromFarAway)
     for (std::size_t k = 0; k < nearHits.size(); ++k)
     {
       ++compared;
-      const Vector3 off = nearHits[k].GetPoint() - farHits[k].GetPoint();
+      const Vector3 off = nearHits[k].GetPoint(nullptr) - farHits[k].GetPoint(nullptr);
       const double steep = std::abs(
         Dot(traced->GetGradient(nearHits[k], NormalMode::InterpolantGradient), line.Direction));
       largest = std::max(largest, std::sqrt(Dot(off, off)) * std::min(1.0, steep));

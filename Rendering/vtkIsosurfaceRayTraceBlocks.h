@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The blocks of composite data, put together as the one grid that they are pieces of.
+
+#ifndef vtkIsosurfaceRayTraceBlocks_h
+#define vtkIsosurfaceRayTraceBlocks_h
+
+#include "vtkDataSet.h"                    // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"               // for ivars
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Vector.h"
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCompositeDataSet;
+class vtkDataArray;
+class vtkImageData;
+
+/// Blocks lie on one lattice if their samples stand at the same places, or at whole numbers of
+/// cells from each other; they may overlap. The grid they make has the samples of all, so that
+/// neither the surface nor its normals know where a block ends; cells that no block has are hidden
+/// in it. It costs a copy of the samples over the box of the blocks. A block that is alone is the
+/// grid itself.
+class vtkIsosurfaceRayTraceBlocks
+{
+public:
+  struct Block
+  {
+    vtkSmartPointer<vtkDataSet> Data;
+    unsigned int FlatIndex;
+    /// How many points and cells the blocks before it have.
+    vtkIdType FirstPoint;
+    vtkIdType FirstCell;
+    /// Its scalars; and what to colour by, which may be null.
+    vtkDataArray* Scalars;
+    vtkDataArray* Colors;
+    /// The place of its first point among those of the lattice.
+    vtkIsosurfaceRayTracing::Index3 First;
+  };
+
+  /// What is taken from the blocks, by the words of vtkAbstractMapper.
+  struct Choice
+  {
+    int ScalarMode;
+    int ArrayAccessMode;
+    int ArrayId;
+    const char* ArrayName;
+    /// Empty for none.
+    std::string ColorArrayName;
+  };
+
+  /// Puts the blocks together, unless they are the same as before. Returns what stands in the way;
+  /// empty if nothing does.
+  std::string Update(vtkCompositeDataSet* input, const Choice& choice);
+
+  /// What the blocks make: an image, or a block that is alone.
+  vtkDataSet* GetGrid() const { return this->Grid; }
+  vtkDataArray* GetScalars() const { return this->Scalars; }
+  bool AreOfCells() const { return this->OfCells; }
+
+  /// How many points and cells all blocks have.
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+
+  /// The number of a cell of the grid, counted through all blocks: in the block that shows it.
+  vtkIdType GetCellId(const vtkIsosurfaceRayTracing::Index3& cell) const;
+
+  /// The number of a corner of that cell: the point has the cell's place, or one more.
+  vtkIdType GetPointId(const vtkIsosurfaceRayTracing::Index3& cell,
+    const vtkIsosurfaceRayTracing::Index3& point) const;
+
+  /// The block that has a cell, by its number through all blocks; null if there is none.
+  const Block* FindBlock(vtkIdType cellId) const;
+
+private:
+  std::string Collect(vtkCompositeDataSet* input, const Choice& choice);
+  std::string PlaceBlocks();
+  void Join();
+  vtkSmartPointer<vtkDataArray> JoinArray(bool isColor) const;
+  void CopySamples(const Block& block, vtkDataArray* from, bool ofCells, bool onlyOwn,
+    vtkDataArray* to, std::vector<bool>& known) const;
+  void HideMissingCells(vtkImageData* image) const;
+  const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
+
+  std::vector<Block> Blocks;
+  /// The times of the blocks and of their arrays, of which the grid was made.
+  std::vector<vtkMTimeType> Times;
+  /// The number of points along each axis.
+  vtkIsosurfaceRayTracing::Index3 Dimensions = {};
+  vtkSmartPointer<vtkDataSet> Grid;
+  vtkSmartPointer<vtkDataArray> Scalars;
+  bool OfCells = false;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceGeometry.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkRectilinearGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Places = std::vector<double>;
+
+vtkDataArray* GetCoordinateArray(vtkRectilinearGrid* grid, std::size_t axis)
+{
+  return axis == 0 ? grid->GetXCoordinates()
+                   : (axis == 1 ? grid->GetYCoordinates() : grid->GetZCoordinates());
+}
+
+Places GetCoordinates(vtkRectilinearGrid* grid, std::size_t axis)
+{
+  vtkDataArray* array = GetCoordinateArray(grid, axis);
+  Places places;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    places.push_back(array->GetComponent(i, 0));
+  }
+  return places;
+}
+
+/// What is wrong with the coordinates of an axis; empty if nothing is.
+std::string FindProblemOfAxis(const Places& places, int points, char name)
+{
+  std::ostringstream problem;
+  if (places.size() != static_cast<std::size_t>(points))
+  {
+    problem << "The rectilinear grid has " << places.size() << " " << name << " coordinates for "
+            << points << " points along " << name << ". Give one for each.";
+    return problem.str();
+  }
+  const double length = places.back() - places.front();
+  if (!std::all_of(places.begin(), places.end(), [](double v) { return std::isfinite(v); }) ||
+    !std::isfinite(length) || !(std::abs(length) >= std::numeric_limits<double>::min() * points))
+  {
+    problem << "The " << name << " coordinates of the rectilinear grid leave it without a finite "
+            << "volume: they must be finite numbers, and the last must not be the first.";
+    return problem.str();
+  }
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    if ((places[i] - places[i - 1]) * std::copysign(1.0, length) < 0.0)
+    {
+      problem << "The " << name
+              << " coordinates of the rectilinear grid are not in order: " << places[i - 1]
+              << " (number " << i - 1 << ") is followed by " << places[i]
+              << ". Let them rise, or fall, throughout.";
+      return problem.str();
+    }
+  }
+  return "";
+}
+
+/// The matrix of an image, with the place of the sample that is counted 0.
+vtkirt::Matrix4 GetPhysicalFromIndex(const double origin[3], const double spacing[3],
+  const double direction[9], const vtkirt::Vector3& firstSample)
+{
+  vtkirt::Matrix4 matrix;
+  vtkImageData::ComputeIndexToPhysicalMatrix(origin, spacing, direction, matrix.data());
+  // The place of the first sample is computed first: an extent far from zero costs no digits.
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(matrix, firstSample);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    matrix[4 * axis + 3] = first[axis];
+  }
+  return matrix;
+}
+
+/// Moves places to where the first stands at 0 and the last, number n, at n. Returns whether all of
+/// them stand at whole numbers then, but for the rounding of the coordinates.
+bool Normalize(Places& places)
+{
+  const double first = places.front();
+  const auto last = static_cast<double>(places.size() - 1);
+  const double spacing = (places.back() - first) / last;
+  const double slack = 4.0 * std::numeric_limits<double>::epsilon() *
+    (std::max(std::abs(first), std::abs(places.back())) / std::abs(spacing) + last);
+  bool isEven = true;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i] = std::min((places[i] - first) / spacing, last);
+    isEven = isEven && std::abs(places[i] - static_cast<double>(i)) <= slack;
+  }
+  for (std::size_t i = 0; isEven && i < places.size(); ++i)
+  {
+    places[i] = static_cast<double>(i);
+  }
+  places.back() = last;
+  return isEven;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Index3 vtkIsosurfaceRayTraceGeometry::GetDimensions(vtkDataSet* grid)
+{
+  vtkirt::Index3 dimensions = { 0, 0, 0 };
+  if (auto* image = vtkImageData::SafeDownCast(grid))
+  {
+    image->GetDimensions(dimensions.data());
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
+  {
+    rectilinear->GetDimensions(dimensions.data());
+  }
+  return dimensions;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceGeometry::FindProblem(vtkDataSet* grid)
+{
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
+  {
+    const vtkirt::Index3 points = GetDimensions(grid);
+    std::string problem;
+    for (std::size_t axis = 0; axis < 3 && problem.empty(); ++axis)
+    {
+      problem = FindProblemOfAxis(GetCoordinates(rectilinear, axis), points[axis], "xyz"[axis]);
+    }
+    return problem;
+  }
+  const vtkIsosurfaceRayTraceGeometry geometry(grid, false);
+  const vtkirt::Matrix4& m = geometry.PhysicalFromIndex;
+  const bool isUsable =
+    std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }) &&
+    vtkMath::Determinant3x3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]) != 0.0;
+  return isUsable ? ""
+                  : "The origin, spacing and direction of the input leave it without a finite "
+                    "volume. Give finite "
+                    "numbers, a spacing other than 0 and a direction matrix of full rank.";
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceGeometry::vtkIsosurfaceRayTraceGeometry(vtkDataSet* grid, bool atCenters)
+  : AtCenters(atCenters)
+{
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
+  {
+    this->SetRectilinear(rectilinear);
+  }
+  else
+  {
+    this->SetImage(vtkImageData::SafeDownCast(grid));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceGeometry::SetImage(vtkImageData* image)
+{
+  image->GetOrigin(this->Origin.data());
+  image->GetSpacing(this->Spacing.data());
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction.begin());
+  const int* extent = image->GetExtent();
+  this->FirstIndex = { extent[0], extent[2], extent[4] };
+  this->FirstSample = this->AtCenters ? 0.5 : 0.0;
+  this->PhysicalFromIndex =
+    ::GetPhysicalFromIndex(this->Origin.data(), this->Spacing.data(), this->Direction.data(),
+      { this->FirstIndex[0] + this->FirstSample, this->FirstIndex[1] + this->FirstSample,
+        this->FirstIndex[2] + this->FirstSample });
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceGeometry::SetRectilinear(vtkRectilinearGrid* grid)
+{
+  std::array<Places, 3> samples;
+  bool isEven = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Places& places = samples[axis];
+    places = GetCoordinates(grid, axis);
+    this->Coordinates[axis] = places;
+    if (this->AtCenters)
+    {
+      std::transform(places.begin() + 1, places.end(), places.begin(), places.begin(),
+        [](double upper, double lower) { return lower + 0.5 * (upper - lower); });
+      places.pop_back();
+    }
+    this->Origin[axis] = places.front();
+    this->Spacing[axis] = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+    isEven = Normalize(places) && isEven;
+  }
+  this->Direction = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  this->PhysicalFromIndex = ::GetPhysicalFromIndex(
+    this->Origin.data(), this->Spacing.data(), this->Direction.data(), { 0.0, 0.0, 0.0 });
+  if (!isEven)
+  {
+    this->Planes.emplace(std::move(samples));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGeometry::HasSamePoints(const vtkIsosurfaceRayTraceGeometry& other) const
+{
+  if (!this->Coordinates[0].empty())
+  {
+    return this->Coordinates == other.Coordinates;
+  }
+  return this->Origin == other.Origin && this->Spacing == other.Spacing &&
+    this->Direction == other.Direction && this->FirstIndex == other.FirstIndex &&
+    other.Coordinates[0].empty();
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceGeometry::GetIndex(std::size_t axis, double place) const
+{
+  return (place - this->Origin[axis]) / this->Spacing[axis] - this->FirstIndex[axis] -
+    this->FirstSample;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceGeometry::ComputeShareOfFirst(std::size_t axis, int sample) const
+{
+  const double* points = &this->Coordinates[axis][static_cast<std::size_t>(sample)];
+  const double both = points[2] - points[0];
+  return both != 0.0 ? (points[1] - points[0]) / both : 0.5;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,460 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Volumes whose samples are not evenly spaced: rays miss nothing in them, and gradients are those
+// of their space.
+
+#include "CastRays.h"
+#include "RandomNumbers.h"
+#include "TestLines.h"
+#include "TestVolume.h"
+#include "TracedVolume.h"
+#include "TrilinearCell.h"
+#include "UnevenPlanes.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// So little that a ray goes through any number of such surfaces.
+constexpr double Glass = 1e-9;
+
+/// Places from 0 to n - 1, some steps a thousand times as long as others; none, if asked, for about
+/// one cell in four. The first and the last cell are not flat.
+std::vector<double> RandomPlaces(RandomNumbers& random, int count, bool withFlatCells)
+{
+  std::vector<double> places = { 0.0 };
+  for (int i = 1; i < count; ++i)
+  {
+    const bool isFlat = withFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
+    places.push_back(places.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, 10.0))));
+  }
+  const double scale = (count - 1) / places.back();
+  for (double& place : places)
+  {
+    place *= scale;
+  }
+  places.back() = count - 1;
+  return places;
+}
+
+UnevenPlanes RandomPlanes(RandomNumbers& random, const Index3& size, bool withFlatCells)
+{
+  return UnevenPlanes({ RandomPlaces(random, size[0], withFlatCells),
+    RandomPlaces(random, size[1], withFlatCells), RandomPlaces(random, size[2], withFlatCells) });
+}
+
+std::vector<double> WholeNumbers(int count)
+{
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i)
+  {
+    places.push_back(i);
+  }
+  return places;
+}
+
+template <typename T>
+std::unique_ptr<TracedVolume> NewTraced(
+  const TestVolume<T>& volume, const Wanted& wanted, const VolumeSettings& settings = {})
+{
+  auto traced = TracedVolume::New(volume.View(), settings, 1);
+  traced->Select(wanted, 1);
+  return traced;
+}
+
+std::vector<Hit> Trace(TracedVolume& volume, const Line& line, const UnevenPlanes* planes)
+{
+  RayHits hits;
+  volume.Trace({ ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity,
+                 volume.GetDimensions(), planes) },
+    hits);
+  return hits.Hits;
+}
+
+/// Lines through the volume, with an eye for its planes, edges and corners.
+Line AnyLine(RandomNumbers& random, const Index3& size, const UnevenPlanes& planes)
+{
+  Line line = random.Integer(0, 1) == 0 ? RandomLine(random, size) : LatticeLine(random, size);
+  if (random.Integer(0, 2) == 0)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      line.Origin[axis] = planes.Get(axis, random.Integer(0, size[axis] - 1));
+    }
+  }
+  return line;
+}
+
+/// The interpolant of the volume at a point, found without anything of the ray tracer.
+double Evaluate(const TestVolume<double>& volume, const UnevenPlanes& planes, const Vector3& point)
+{
+  Index3 cell;
+  Vector3 p;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    int i = 0;
+    while (i < volume.Dimensions[axis] - 2 && planes.Get(axis, i + 1) <= point[axis])
+    {
+      ++i;
+    }
+    cell[axis] = i;
+    p[axis] = (point[axis] - planes.Get(axis, i)) / (planes.Get(axis, i + 1) - planes.Get(axis, i));
+  }
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Index3 up = { corner & 1, corner >> 1 & 1, corner >> 2 };
+    double weight = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      weight *= up[axis] == 1 ? p[axis] : 1.0 - p[axis];
+    }
+    sum += weight * volume.At({ cell[0] + up[0], cell[1] + up[1], cell[2] + up[2] });
+  }
+  return sum;
+}
+
+TestVolume<double> Noise(RandomNumbers& random, const Index3& size, bool isClosed)
+{
+  TestVolume<double> volume(size, std::vector<double>(Count(size), -1.0));
+  ForEachPlace(size,
+    [&](const Index3& i)
+    {
+      bool isBorder = false;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        isBorder = isBorder || i[axis] == 0 || i[axis] == size[axis] - 1;
+      }
+      if (!isClosed || !isBorder)
+      {
+        volume.At(i) = random.Uniform(-1.0, 1.0);
+      }
+    });
+  return volume;
+}
+
+}
+
+TEST(UnevenPlanes, FindsCells)
+{
+  const UnevenPlanes planes(
+    { std::vector<double>{ 0.0, 0.25, 0.25, 3.0 }, WholeNumbers(3), WholeNumbers(2) });
+  EXPECT_EQ(planes.FindCell(0, -1.0), 0);
+  EXPECT_EQ(planes.FindCell(0, 0.1), 0);
+  EXPECT_EQ(planes.FindCell(0, 0.25), 2);
+  EXPECT_EQ(planes.FindCell(0, 3.0), 2);
+  EXPECT_EQ(planes.FindCell(0, 9.0), 2);
+  EXPECT_EQ(planes.FindCell(1, 1.0), 1);
+  EXPECT_EQ(planes.FindCell(2, 1.0), 0);
+  EXPECT_TRUE(planes.IsFlat({ 1, 0, 0 }));
+  EXPECT_FALSE(planes.IsFlat({ 2, 1, 0 }));
+  EXPECT_EQ(planes.Get(0, 8), 3.0);
+  EXPECT_EQ(planes.GetPoint({ 2, 1, 0 }, { 1.0, 0.5, 0.0 }), (Vector3{ 3.0, 1.5, 0.0 }));
+}
+
+// Even planes, said plane by plane, are even planes.
+TEST(UnevenPlanes, WholeNumbersChangeNothing)
+{
+  RandomNumbers random(1);
+  const Index3 size = { 21, 18, 15 };
+  const TestVolume<double> volume = Noise(random, size, false);
+  const UnevenPlanes planes(
+    { WholeNumbers(size[0]), WholeNumbers(size[1]), WholeNumbers(size[2]) });
+  Wanted wanted({ { 0.0, Glass }, { 0.5, Glass } });
+  const auto even = NewTraced(volume, wanted);
+  wanted.Planes = &planes;
+  const auto uneven = NewTraced(volume, wanted);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Line line = AnyLine(random, size, planes);
+    const std::vector<Hit> expected = Trace(*even, line, nullptr);
+    const std::vector<Hit> hits = Trace(*uneven, line, &planes);
+    ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
+    for (std::size_t k = 0; k < hits.size(); ++k)
+    {
+      EXPECT_TRUE(AreSame(hits[k], expected[k])) << ToText(line);
+      EXPECT_EQ(hits[k].GetPoint(&planes), expected[k].GetPoint(nullptr)) << ToText(line);
+    }
+  }
+}
+
+// A closed surface is entered as often as left, whatever the planes, and the macrocells hide
+// nothing.
+TEST(UnevenPlanes, NoRaySlipsThrough)
+{
+  RandomNumbers random(2);
+  const Index3 size = { 20, 19, 12 };
+  std::size_t found = 0;
+  for (int round = 0; round < 40; ++round)
+  {
+    const TestVolume<double> volume = Noise(random, size, true);
+    const UnevenPlanes planes = RandomPlanes(random, size, round % 2 == 1);
+    Wanted wanted({ { 0.1, Glass } });
+    wanted.Planes = &planes;
+    VolumeSettings cellByCell;
+    cellByCell.MacrocellBranching.clear();
+    VolumeSettings small;
+    small.MacrocellBranching = { 2, 3 };
+    const auto traced = NewTraced(volume, wanted);
+    const auto simple = NewTraced(volume, wanted, cellByCell);
+    const auto other = NewTraced(volume, wanted, small);
+    for (int i = 0; i < 400; ++i)
+    {
+      const Line line = AnyLine(random, size, planes);
+      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      found += hits.size();
+      ASSERT_EQ(hits.size() % 2, 0U) << ToText(line);
+      for (std::size_t k = 0; k < hits.size(); ++k)
+      {
+        ASSERT_EQ(hits[k].Rising, k % 2 == 0) << ToText(line);
+        ASSERT_TRUE(k == 0 || hits[k].T >= hits[k - 1].T) << ToText(line);
+      }
+      for (TracedVolume* volumeToo : { simple.get(), other.get() })
+      {
+        const std::vector<Hit> too = Trace(*volumeToo, line, &planes);
+        ASSERT_EQ(too.size(), hits.size()) << ToText(line);
+        for (std::size_t k = 0; k < too.size(); ++k)
+        {
+          ASSERT_TRUE(AreSame(hits[k], too[k])) << ToText(line);
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 10000U);
+}
+
+// Where the ray tracer finds a hit, the interpolant has the isovalue; and walking along the ray in
+// small steps finds no change of sign that it has not.
+TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
+{
+  RandomNumbers random(3);
+  const Index3 size = { 12, 9, 10 };
+  double worst = 0.0;
+  std::size_t found = 0;
+  for (int round = 0; round < 10; ++round)
+  {
+    const TestVolume<double> volume = Noise(random, size, false);
+    const UnevenPlanes planes = RandomPlanes(random, size, false);
+    Wanted wanted({ { 0.1, Glass } });
+    wanted.Planes = &planes;
+    const auto traced = NewTraced(volume, wanted);
+    for (int i = 0; i < 50; ++i)
+    {
+      const Line line = RandomLine(random, size);
+      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::optional<Ray> ray =
+        ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
+      ASSERT_TRUE(ray);
+      std::size_t next = 0;
+      double before = -1.0;
+      double tBefore = ray->Base + ray->Begin;
+      constexpr int steps = 4000;
+      for (int step = 0; step <= steps; ++step)
+      {
+        const double t = ray->Base + ray->Begin + (ray->End - ray->Begin) * step / steps;
+        const double value = Evaluate(volume, planes, line.Origin + line.Direction * t) - 0.1;
+        if (step > 0 && (before >= 0.0) != (value >= 0.0))
+        {
+          while (next < hits.size() && hits[next].T < tBefore)
+          {
+            ++next;
+          }
+          ASSERT_TRUE(next < hits.size() && hits[next].T <= t) << ToText(line);
+        }
+        before = value;
+        tBefore = t;
+      }
+      for (const Hit& hit : hits)
+      {
+        const Vector3 point = hit.GetPoint(&planes);
+        worst = std::max(worst, std::abs(Evaluate(volume, planes, point) - 0.1));
+        worst = std::max(worst, Length(point - (line.Origin + line.Direction * hit.T)));
+        ++found;
+      }
+    }
+  }
+  EXPECT_GT(found, 1000U);
+  EXPECT_LT(worst, 1e-10);
+}
+
+// The largest value of a ray is no smaller than any along it, and is taken where it is said to be.
+TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
+{
+  RandomNumbers random(6);
+  const Index3 size = { 20, 9, 10 };
+  for (int round = 0; round < 10; ++round)
+  {
+    const TestVolume<double> volume = Noise(random, size, false);
+    const UnevenPlanes planes = RandomPlanes(random, size, false);
+    Wanted wanted;
+    wanted.Planes = &planes;
+    wanted.Projection = Extremum::Largest;
+    const auto traced = NewTraced(volume, wanted);
+    for (int i = 0; i < 50; ++i)
+    {
+      const Line line = RandomLine(random, size);
+      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::optional<Ray> ray =
+        ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
+      ASSERT_TRUE(ray);
+      ASSERT_EQ(hits.size(), 1U) << ToText(line);
+      double largest = -Infinity;
+      constexpr int steps = 4000;
+      for (int step = 0; step <= steps; ++step)
+      {
+        const double t = ray->Base + ray->Begin + (ray->End - ray->Begin) * step / steps;
+        largest = std::max(largest, Evaluate(volume, planes, line.Origin + line.Direction * t));
+      }
+      EXPECT_GE(hits[0].Value, largest - 1e-9) << ToText(line);
+      EXPECT_NEAR(Evaluate(volume, planes, hits[0].GetPoint(&planes)), hits[0].Value, 1e-9)
+        << ToText(line);
+    }
+  }
+}
+
+// Both normals are exact for a plane, and smooth ones for a quadric at its samples.
+TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
+{
+  RandomNumbers random(4);
+  const Index3 size = { 9, 8, 7 };
+  const UnevenPlanes planes = RandomPlanes(random, size, false);
+  const auto make = [&](const auto& field)
+  {
+    TestVolume<double> volume(size, std::vector<double>(Count(size)));
+    ForEachPlace(size,
+      [&](const Index3& i)
+      { volume.At(i) = field(planes.Get(0, i[0]), planes.Get(1, i[1]), planes.Get(2, i[2])); });
+    return volume;
+  };
+  Wanted wanted({ { 0.0, 1.0 } });
+  wanted.Planes = &planes;
+  const auto linear = make([](double x, double y, double z) { return 3.0 * x - 2.0 * y + z; });
+  const auto traced = NewTraced(linear, wanted);
+  const auto quadric = make([](double x, double y, double z) { return x * x - y * y + x * z; });
+  const auto curved = NewTraced(quadric, wanted);
+  std::vector<Hit> hits;
+  ForEachPlace({ size[0] - 1, size[1] - 1, size[2] - 1 },
+    [&](const Index3& cell)
+    {
+      const Hit hit = { 0.0, cell, 0, { 0.0, 0.0, 0.0 }, true };
+      hits.push_back({ 0.0, cell, 0, { 0.3, 0.6, 0.2 }, true });
+      for (const NormalMode mode :
+        { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
+      {
+        const Vector3 off = traced->GetGradient(hits.back(), mode) - Vector3{ 3.0, -2.0, 1.0 };
+        EXPECT_LT(Length(off), 1e-9);
+      }
+      if (cell[0] > 0 && cell[1] > 0 && cell[2] > 0)
+      {
+        const Vector3 p = hit.GetPoint(&planes);
+        const Vector3 off = curved->GetGradient(hit, NormalMode::CentralDifferences) -
+          Vector3{ 2.0 * p[0] + p[2], -2.0 * p[1], p[0] };
+        EXPECT_LT(Length(off), 1e-8);
+      }
+    });
+  // Those of many hits at a time are the same.
+  double gradients[3][RayGroup::Capacity];
+  curved->GetGradients(
+    hits.data(), RayGroup::Capacity, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+  for (std::size_t i = 0; i < RayGroup::Capacity; ++i)
+  {
+    const Vector3 one = curved->GetGradient(hits[i], NormalMode::CentralDifferences);
+    EXPECT_EQ((Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }), one);
+  }
+}
+
+// Where two planes coincide and the values beside them differ, there is a wall.
+TEST(UnevenPlanes, FlatCellsAreWalls)
+{
+  const Index3 size = { 20, 4, 4 };
+  for (int flat = 1; flat < size[0] - 2; ++flat)
+  {
+    std::vector<double> places;
+    for (int i = 0; i < size[0]; ++i)
+    {
+      places.push_back((i <= flat ? i : i - 1) * (size[0] - 1.0) / (size[0] - 2.0));
+    }
+    places.back() = size[0] - 1.0;
+    const UnevenPlanes planes({ places, WholeNumbers(4), WholeNumbers(4) });
+    TestVolume<float> volume(size, std::vector<float>(Count(size)));
+    ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
+    Wanted wanted({ { 0.25, 1.0 } });
+    wanted.Planes = &planes;
+    for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
+           RootSolver::Marmitt, RootSolver::Linear })
+    {
+      wanted.Solver = solver;
+      const auto traced = NewTraced(volume, wanted);
+      for (const double direction : { 1.0, -1.0 })
+      {
+        const auto hits =
+          Trace(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } }, &planes);
+        ASSERT_EQ(hits.size(), 1U) << "flat cell " << flat;
+        EXPECT_EQ(hits[0].Cell[0], flat);
+        EXPECT_NEAR(hits[0].Parametric[0], 0.25, 1e-6);
+        EXPECT_EQ(hits[0].Rising, direction > 0.0);
+        EXPECT_EQ(hits[0].GetPoint(&planes)[0], planes.Get(0, flat));
+        for (const NormalMode mode :
+          { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
+        {
+          const Vector3 gradient = traced->GetGradient(hits[0], mode);
+          EXPECT_GT(gradient[0], 0.0);
+          EXPECT_EQ(gradient[1], 0.0);
+          EXPECT_EQ(gradient[2], 0.0);
+        }
+      }
+    }
+  }
+}
+
+// Cropping is said in the space of the rays.
+TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
+{
+  RandomNumbers random(5);
+  const Index3 size = { 12, 9, 10 };
+  const TestVolume<double> volume = Noise(random, size, false);
+  const UnevenPlanes planes = RandomPlanes(random, size, false);
+  Wanted wanted({ { 0.0, Glass } });
+  wanted.Planes = &planes;
+  const auto all = NewTraced(volume, wanted);
+  wanted.Seen.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
+  wanted.Seen.Regions.Seen = 0x5ab3c17;
+  const auto cropped = NewTraced(volume, wanted);
+  std::size_t seen = 0;
+  std::size_t unseen = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Line line = RandomLine(random, size);
+    std::vector<Hit> expected;
+    for (const Hit& hit : Trace(*all, line, &planes))
+    {
+      if (wanted.Seen.Regions.Contain(hit.GetPoint(&planes)))
+      {
+        expected.push_back(hit);
+      }
+      else
+      {
+        ++unseen;
+      }
+    }
+    const std::vector<Hit> hits = Trace(*cropped, line, &planes);
+    ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
+    seen += hits.size();
+  }
+  EXPECT_GT(seen, 100U);
+  EXPECT_GT(unseen, 100U);
+}
+
+}
