@@ -45,7 +45,7 @@
  * The coordinates of a vtkRectilinearGrid may be of any type, rise or fall, and repeat: where they
  * repeat and the values differ, the surface is a wall, as in vtkRectilinearSynchronizedTemplates.
  * What is said of images holds for these grids; where their planes are evenly spaced to within the
- * rounding of double precision, they are traced as images are, else cell by cell, at several times
+ * rounding of double precision, they are traced as images are, else cell by cell, at ten times
  * the time. Smooth normals are interpolated from the slopes of parabolas through neighbouring
  * samples, which is exact for quadrics, however uneven the spacing.
  *
