@@ -393,6 +393,7 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
   }
   if (auto* other = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
   {
+    this->InterpolationMode = other->InterpolationMode;
     this->RootSolver = other->RootSolver;
     this->NumberOfInterpolations = other->NumberOfInterpolations;
     this->NormalMode = other->NormalMode;
@@ -792,6 +793,7 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   internal.Want.Surfaces = internal.Want.Projection
     ? std::vector<vtkirt::Isosurface>()
     : vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
+  internal.Want.Field = static_cast<vtkirt::Interpolant>(this->InterpolationMode);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
   internal.Want.Seen =
@@ -1351,6 +1353,9 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
+     << "\n";
+  os << indent
+     << "InterpolationMode: " << (this->InterpolationMode == TRILINEAR ? "Trilinear" : "Nearest")
      << "\n";
   const char* const solvers[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
   os << indent << "RootSolver: " << solvers[this->RootSolver] << "\n";

@@ -6,8 +6,9 @@
  *
  * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
  * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside
- * a cell that is a cubic along the ray, and its first root is the hit. A new isovalue, colour or
- * camera costs a frame and nothing else.
+ * a cell that is a cubic along the ray, and its first root is the hit. (Or samples are boxes, and
+ * faces between them are hit: see InterpolationMode.) A new isovalue, colour or camera costs a
+ * frame and nothing else.
  *
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
@@ -109,6 +110,40 @@ public:
   static vtkIsosurfaceRayTraceMapper* New();
   vtkTypeMacro(vtkIsosurfaceRayTraceMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What is between the samples.
+   */
+  enum InterpolationModes
+  {
+    /// In a cell, the trilinear interpolant of its eight corners.
+    TRILINEAR = 0,
+    /// The value of the nearest sample: every sample is a box of one value, which ends half way to
+    /// the next sample, or at the border of the volume. An isosurface is the faces between boxes
+    /// below the isovalue and boxes at or above it.
+    NEAREST = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get what is between the samples. With NEAREST one sees the samples as they are, labels
+   * among them; a hit lies exactly in the plane of a face, whose normal is that of both
+   * NormalModes, and is found without a RootSolver. A face that parts several isovalues is met once
+   * for each of them. Nothing is drawn beside a sample that is NaN or infinite, nor at the border
+   * of the volume. The boxes of cell scalars are the cells (of a rectilinear grid with uneven
+   * spacing, they end half way between the centres); those at the border are drawn from their
+   * centres on. Of the two points beside a face, the one selected is inside, and so is the cell of
+   * cell scalars. A face between points lies in the middle of four cells, and is hidden in those
+   * that are blanked. Intensity projections and the colours of ColorArrayName stay trilinear.
+   *
+   * vtkVolumeProperty::GetInterpolationType() is not asked: it is nearest unless it is set, and
+   * those who draw isosurfaces with VTK without setting it get smooth ones. Default: TRILINEAR.
+   */
+  vtkSetClampMacro(InterpolationMode, int, TRILINEAR, NEAREST);
+  vtkGetMacro(InterpolationMode, int);
+  void SetInterpolationModeToTrilinear() { this->SetInterpolationMode(TRILINEAR); }
+  void SetInterpolationModeToNearest() { this->SetInterpolationMode(NEAREST); }
+  ///@}
 
   /**
    * How the place where a ray meets the surface in a cell is found.
@@ -613,6 +648,7 @@ private:
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume);
   bool ReportProgress(vtkRenderWindow* window, double fraction);
 
+  int InterpolationMode = TRILINEAR;
   int RootSolver = ROBUST;
   int NumberOfInterpolations = 3;
   int NormalMode = CENTRAL_DIFFERENCES;

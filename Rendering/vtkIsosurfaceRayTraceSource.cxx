@@ -322,7 +322,8 @@ vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredCell(
     // From the centre of one cell to that of the next.
     const double place = parametric[axis];
     const double border = this->Geometry.GetShareOfFirst(axis, cell[axis]);
-    const bool isInNext = place >= border && border < 1.0;
+    const bool isBeyond = place > border || (place == border && !hit.FallsAlong(axis));
+    const bool isInNext = isBeyond && border < 1.0;
     cell[axis] += isInNext ? 1 : 0;
     parametric[axis] =
       isInNext ? 0.5 * (place - border) / (1.0 - border) : 0.5 + 0.5 * place / border;
@@ -345,7 +346,7 @@ vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hi
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Between the centres of two cells it is the one between these.
-    const bool isNext = this->Built->AreOfCells || hit.Parametric[axis] >= 0.5;
+    const bool isNext = this->Built->AreOfCells || hit.IsNearUpper(axis);
     point[axis] = hit.Cell[axis] + (isNext ? 1 : 0);
   }
   return point;

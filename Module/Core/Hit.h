@@ -23,10 +23,23 @@ struct Hit
   Vector3 Parametric;
   /// Whether the ray goes in there: from below the isovalue to at or above it.
   bool Rising;
+  /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
+  /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
+  int Jump = 0;
   /// The value there, where no surface but an extreme value is looked for.
   double Value = 0.0;
 
   static constexpr int NoSurface = -1;
+
+  /// Whether values fall along an axis from the box of one sample to that of the next.
+  bool FallsAlong(std::size_t axis) const { return this->Jump == -1 - static_cast<int>(axis); }
+
+  /// Whether the upper of the two samples along an axis of the cell is nearer. Of the boxes on both
+  /// sides of a hit, it is the one inside.
+  bool IsNearUpper(std::size_t axis) const
+  {
+    return this->Parametric[axis] >= 0.5 && !this->FallsAlong(axis);
+  }
 
   /// Where it is in the space that rays go through: see Ray::Planes.
   Vector3 GetPoint(const UnevenPlanes* planes) const

@@ -52,6 +52,14 @@ struct Ray
     return (place - this->Origin[axis]) * this->Inverse[axis];
   }
 
+  /// The same for the plane in the middle between the lattice planes k and k + 1.
+  double MiddleCrossing(std::size_t axis, int k) const
+  {
+    const double place =
+      this->Planes ? this->Planes->Get(axis, k) + 0.5 * this->Planes->GetWidth(axis, k) : k + 0.5;
+    return (place - this->Origin[axis]) * this->Inverse[axis];
+  }
+
   double Coordinate(std::size_t axis, double t) const
   {
     return this->Origin[axis] + t * this->Direction[axis];

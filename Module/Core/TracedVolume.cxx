@@ -7,6 +7,7 @@
 #include "ApronBricks.h"
 #include "BeamTracer.h"
 #include "BlockTree.h"
+#include "BoxFaces.h"
 #include "CellMasks.h"
 #include "CellSegment.h"
 #include "CellTraversal.h"
@@ -153,21 +154,26 @@ public:
   {
     for (const Root& root : roots.Get())
     {
-      const Hit hit = MakeHit(ray, cell, segment, root);
-      if (!this->Want->Seen.IsConvex() &&
-        !this->Want->Seen.Shows(hit, this->Dimensions, this->Want->Planes))
-      {
-        continue;
-      }
-      hits.push_back(hit);
-      this->Transmittance *=
-        1.0 - this->Want->Surfaces[static_cast<std::size_t>(root.Surface)].Opacity;
-      if (this->Transmittance < NegligibleTransmittance)
+      if (this->Pass(MakeHit(ray, cell, segment, root), hits))
       {
         return true;
       }
     }
     return false;
+  }
+
+  /// Appends a hit, if it is seen. Returns true if nothing of the ray is left behind it.
+  bool Pass(const Hit& hit, std::vector<Hit>& hits)
+  {
+    if (!this->Want->Seen.IsConvex() &&
+      !this->Want->Seen.Shows(hit, this->Dimensions, this->Want->Planes))
+    {
+      return false;
+    }
+    hits.push_back(hit);
+    this->Transmittance *=
+      1.0 - this->Want->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    return this->Transmittance < NegligibleTransmittance;
   }
 
 private:
@@ -295,6 +301,11 @@ public:
     {
       this->Project(rays, hits);
     }
+    else if (this->Want.Field == Interpolant::Nearest)
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
+    }
     else if (this->Want.Solver == RootSolver::Fast)
     {
       this->TraceTogether(rays, hits);
@@ -305,19 +316,17 @@ public:
     }
     else
     {
-      for (int i = 0; i < rays.Count; ++i)
-      {
-        if (Has(rays.Exists, i))
-        {
-          this->TraceAlone(this->TakeRay(rays, i), hits.Hits);
-        }
-        hits.First.push_back(hits.Hits.size());
-      }
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
     }
   }
 
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override
   {
+    if (hit.Jump != 0)
+    {
+      return GetJumpDirection(hit);
+    }
     const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hit.Cell);
     if (mode == NormalMode::CentralDifferences && !isFlat)
     {
@@ -340,8 +349,8 @@ public:
     double (*gradients)[RayGroup::Capacity]) const override
   {
     // Kernels know even spacing only. Where no cell is inner, none is asked for.
-    const bool areSmooth =
-      mode == NormalMode::CentralDifferences && !this->Want.Planes && this->IsInner({ 1, 1, 1 });
+    const bool areSmooth = mode == NormalMode::CentralDifferences && !this->Want.Planes &&
+      this->Want.Field != Interpolant::Nearest && this->IsInner({ 1, 1, 1 });
     if (areSmooth)
     {
       InnerCells cells;
@@ -659,6 +668,35 @@ private:
     hit = MakeHit(ray, cell, segment, roots.Get().front());
     begin = { segment.Begin, segment.BeginAxis };
     return true;
+  }
+
+  /// Calls trace(ray) for the rays of a group that exist, of which each appends its hits.
+  template <typename Trace>
+  void ForEachRay(const RayGroup& rays, RayHits& hits, const Trace& trace) const
+  {
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(rays.Exists, i))
+      {
+        trace(this->TakeRay(rays, i));
+      }
+      hits.First.push_back(hits.Hits.size());
+    }
+  }
+
+  /// Follows one ray to its end, from face to face between the boxes of samples.
+  void TraceFaces(const Ray& ray, std::vector<Hit>& hits)
+  {
+    typename Layout::Reader reader(this->Bricks);
+    RayProgress progress = this->NewProgress();
+    TraverseCells(ray, this->Active,
+      [&](const Index3& cell)
+      {
+        typename Layout::Value corners[8];
+        reader.Load(cell, corners);
+        return VisitFaceHits(ray, cell, corners, this->Want.Surfaces,
+          [&progress, &hits](const Hit& hit) { return progress.Pass(hit, hits); });
+      });
   }
 
   /// Follows one ray to its end, solving cell by cell.

@@ -62,6 +62,14 @@ enum class RootSolver
   Linear
 };
 
+/// What is between the samples.
+enum class Interpolant
+{
+  Trilinear,
+  /// The value of the nearest sample; see BoxFaces.h.
+  Nearest
+};
+
 /// An isosurface to trace. Opacity is in (0, 1]; what is not seen at all is not traced.
 struct Isosurface
 {
@@ -90,6 +98,9 @@ struct Wanted
 
   /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
+  /// What the surfaces are of. A projection is always of the trilinear one.
+  Interpolant Field = Interpolant::Trilinear;
+  /// For Interpolant::Trilinear.
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.
   int Interpolations = 3;
