@@ -11,20 +11,17 @@
 #include <vtkCellPicker.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
-#include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
-#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
 #include <vtkPlane.h>
 #include <vtkProp3DCollection.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 #include <vtkWorldPointPicker.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <set>
 
 using namespace MapperTesting;
@@ -33,6 +30,7 @@ namespace
 {
 
 constexpr int Size = 120;
+constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
 /// What RenderToImage says.
 struct Image
@@ -228,27 +226,6 @@ void CheckPicker(Checks& check)
   check.That(std::isfinite(cells->GetPickPosition()[0]), "vtkCellPicker behaves");
 }
 
-/// The ids that are selected in the whole window, of a prop.
-std::set<vtkIdType> Select(Scene& scene, int association, vtkProp* prop)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetArea(0, 0, Size - 1, Size - 1);
-  selector->SetFieldAssociation(association);
-  const auto selection = vtk::TakeSmartPointer(selector->Select());
-  std::set<vtkIdType> ids;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
-    {
-      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
-    }
-  }
-  return ids;
-}
-
 std::set<vtkIdType> GetCells(Scene& scene)
 {
   Image picture;
@@ -268,10 +245,10 @@ void CheckSelector(Checks& check)
   const Picture before = RenderAndCapture(scene.Window);
   const std::set<vtkIdType> expected = GetCells(scene);
   check.That(expected.size() > 100, "hundreds of cells are seen");
-  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
-    "the cells selected are those seen");
+  check.That(
+    Select(scene.Renderer, scene.Volume, Cells) == expected, "the cells selected are those seen");
   const std::set<vtkIdType> points =
-    Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, scene.Volume);
+    Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
   int near = 0;
   for (const vtkIdType point : points)
   {
@@ -288,9 +265,8 @@ void CheckSelector(Checks& check)
   const auto actor = NewSphere(0.3, { 0.5, -1.2, 0.4 });
   scene.Renderer->AddActor(actor);
   scene.Window->Render();
-  const auto cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  const std::set<vtkIdType> ofActor = Select(scene, cells, actor);
-  const std::set<vtkIdType> left = Select(scene, cells, scene.Volume);
+  const std::set<vtkIdType> ofActor = Select(scene.Renderer, actor, Cells);
+  const std::set<vtkIdType> left = Select(scene.Renderer, scene.Volume, Cells);
   check.That(!ofActor.empty() && *ofActor.rbegin() < 96, "the cells of the sphere are its own");
   check.That(!left.empty() && left.size() < expected.size() &&
       std::includes(expected.begin(), expected.end(), left.begin(), left.end()),
@@ -314,8 +290,8 @@ void CheckLargeIds(Checks& check)
   scene.Window->Render();
   const std::set<vtkIdType> expected = GetCells(scene);
   check.That(!expected.empty() && *expected.begin() > 1 << 24, "the ids are large");
-  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
-    "large ids are selected whole");
+  check.That(
+    Select(scene.Renderer, scene.Volume, Cells) == expected, "large ids are selected whole");
 }
 
 }

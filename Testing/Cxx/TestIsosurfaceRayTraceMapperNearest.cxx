@@ -10,15 +10,11 @@
 
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkHardwareSelector.h>
-#include <vtkIdTypeArray.h>
 #include <vtkLight.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 #include <vtkThreshold.h>
 
 #include <algorithm>
@@ -136,22 +132,6 @@ void CheckPolygons(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-std::set<vtkIdType> SelectPoints(Scene& scene)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetArea(0, 0, Size - 1, Size - 1);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  const auto selection = vtk::TakeSmartPointer(selector->Select());
-  auto* list = selection && selection->GetNumberOfNodes() == 1
-    ? vtkIdTypeArray::SafeDownCast(selection->GetNode(0)->GetSelectionList())
-    : nullptr;
-  return list
-    ? std::set<vtkIdType>(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples())
-    : std::set<vtkIdType>();
-}
-
-//------------------------------------------------------------------------------
 /// Positions in the planes of faces, normals across them, the same by every way to ask.
 void CheckPixels(Checks& check)
 {
@@ -220,7 +200,8 @@ void CheckPixels(Checks& check)
     directions->InsertNextTuple(direction);
   }
   check.That(shown > 1000, "faces are seen");
-  const std::set<vtkIdType> selected = SelectPoints(scene);
+  const std::set<vtkIdType> selected =
+    Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
   check.That(std::includes(insideSeen.begin(), insideSeen.end(), selected.begin(), selected.end()),
     "the points selected are samples inside");
   check.That(selected.size() > 0.95 * static_cast<double>(insideSeen.size()),
