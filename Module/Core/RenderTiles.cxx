@@ -221,7 +221,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   const Clock::time_point start = Clock::now();
   double traceSeconds = 0.0;
   double shadeSeconds = 0.0;
-  std::atomic<int> done{ 0 };
+  std::atomic<std::size_t> done{ 0 };
   std::atomic<bool> going{ true };
 
 #pragma omp parallel num_threads(scene.Threads) reduction(+ : traceSeconds, shadeSeconds)
@@ -232,28 +232,29 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < tiles; ++i)
     {
-      // A loop of OpenMP cannot be left early: the tiles that remain are passed over.
-      if (!going.load(std::memory_order_relaxed))
-      {
-        continue;
-      }
       const PixelRectangle tile = GetTile(scene, i, tilesPerRow);
       ForEachBlock(tile,
         [&](const PixelRectangle& block)
         {
+          // A loop of OpenMP cannot be left early: what remains is passed over.
+          if (!going.load(std::memory_order_relaxed))
+          {
+            return;
+          }
           const Clock::time_point begin = Clock::now();
           TraceBlock(scene, volume, block, rays, hits);
           const Clock::time_point traced = Clock::now();
           ShadeBlock(scene, shader, block, rays, hits, colors, frame);
           traceSeconds += Seconds(traced - begin);
           shadeSeconds += Seconds(Clock::now() - traced);
+          const std::size_t some = Count({ block.Width, block.Height, 1 });
+          const std::size_t finished = done.fetch_add(some, std::memory_order_relaxed) + some;
+          if (omp_get_thread_num() == 0 && finished < count &&
+            !keepGoing(static_cast<double>(finished) / static_cast<double>(count)))
+          {
+            going.store(false, std::memory_order_relaxed);
+          }
         });
-      const int finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (omp_get_thread_num() == 0 && finished < tiles &&
-        !keepGoing(static_cast<double>(finished) / tiles))
-      {
-        going.store(false, std::memory_order_relaxed);
-      }
     }
   }
 
@@ -264,7 +265,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   times.Bricks = share * brickSeconds;
   times.Trace = share * (traceSeconds - brickSeconds);
   times.Shade = share * shadeSeconds;
-  // Whoever did the last tile, the end is told.
+  // Whoever did the last pixels, the end is told.
   return going.load() && keepGoing(1.0);
 }
 
