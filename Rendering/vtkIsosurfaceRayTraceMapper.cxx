@@ -124,6 +124,14 @@ Pass* FindPass(vtkVolume* volume)
   return nullptr;
 }
 
+/// Whether a frame in stereo has shown another eye already.
+bool IsSecondEye(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetStereoRender() != 0 && window->GetStereoType() != VTK_STEREO_RIGHT &&
+    renderer->GetActiveCamera()->GetLeftEye() == 0;
+}
+
 bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
 {
   return x >= pixels.X && x < pixels.X + pixels.Width && y >= pixels.Y &&
@@ -194,7 +202,8 @@ public:
   vtkirt::Scene MakeScene(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
     const View& view, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
   /// As AutoAdjustSampleDistances has it.
-  vtkirt::PixelSampling ChooseSampling(vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const;
+  vtkirt::PixelSampling ChooseSampling(
+    vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer, vtkVolume* volume) const;
   /// The depth of what the window shows already, for every ray of a scene.
   void ReadDepths(vtkOpenGLRenderWindow* window, const vtkirt::PixelRectangle& viewport,
     const vtkirt::PixelSampling& sampling, vtkirt::Scene& scene);
@@ -860,10 +869,11 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRay
 
 //------------------------------------------------------------------------------
 vtkirt::PixelSampling vtkIsosurfaceRayTraceMapper::Internals::ChooseSampling(
-  vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const
+  vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer, vtkVolume* volume) const
 {
   const double allocated = volume->GetAllocatedRenderTime();
-  if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0)
+  // Eyes that see the same in other pixels would quarrel.
+  if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0 && !IsSecondEye(renderer))
   {
     // Rays become fewer with the square of their distance.
     const double enough = std::sqrt(this->SecondsOfFullFrame / allocated);
@@ -899,7 +909,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   Internals& internal = *this->Internal;
   vtkHardwareSelector* selector = renderer->GetSelector();
   vtkirt::PixelSampling sampling =
-    selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, volume);
+    selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, renderer, volume);
   vtkSSAOPass* occlusion = selector ? nullptr : FindPass<vtkSSAOPass>(volume);
   if (occlusion)
   {

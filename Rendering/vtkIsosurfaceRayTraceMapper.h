@@ -413,7 +413,7 @@ public:
    * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
    * so that the frame is drawn in the time allocated to it: coarser pictures while one turns the
    * scene (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every
-   * pixel when it is still. Default: on.
+   * pixel when it is still. In stereo it is chosen once for both eyes. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
