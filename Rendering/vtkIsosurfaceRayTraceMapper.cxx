@@ -14,6 +14,7 @@
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFloatArray.h"
@@ -871,6 +872,13 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRay
 vtkirt::PixelSampling vtkIsosurfaceRayTraceMapper::Internals::ChooseSampling(
   vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer, vtkVolume* volume) const
 {
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // A selection of points begins with a usual frame, and shows ids where they have its depth.
+    return selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS
+      ? vtkirt::PixelSampling::FromDistance(static_cast<double>(self->ImageSampleDistance))
+      : vtkirt::PixelSampling{};
+  }
   const double allocated = volume->GetAllocatedRenderTime();
   // Eyes that see the same in other pixels would quarrel.
   if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0 && !IsSecondEye(renderer))
@@ -908,8 +916,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 {
   Internals& internal = *this->Internal;
   vtkHardwareSelector* selector = renderer->GetSelector();
-  vtkirt::PixelSampling sampling =
-    selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, renderer, volume);
+  vtkirt::PixelSampling sampling = internal.ChooseSampling(this, renderer, volume);
   vtkSSAOPass* occlusion = selector ? nullptr : FindPass<vtkSSAOPass>(volume);
   if (occlusion)
   {
@@ -927,9 +934,12 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point depthStart = Clock::now();
-  // With nothing drawn before, there is nothing to be hidden by. Render passes do not count.
-  if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
-    renderer->GetPass())
+  // With nothing drawn before, there is nothing to be hidden by. Render passes do not count. For a
+  // selection of points the depth is also that of our own surfaces, rounded; there, the depth test
+  // decides.
+  const bool isHidden = renderer->GetNumberOfPropsRendered() > 0 ||
+    renderer->GetPreserveDepthBuffer() || renderer->GetPass();
+  if (isHidden && (!selector || scene.Want.Projection))
   {
     internal.ReadDepths(window, viewport, sampling, scene);
   }
@@ -955,7 +965,11 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     selector->UpdateMaximumPointId(
       isComposite ? internal.Blocks.GetNumberOfPoints() : internal.Grid->GetNumberOfPoints());
     internal.WriteIds(selector, scene);
-    opaque = true;
+    if (sampling.Rays > 1)
+    {
+      vtkirt::TakeNearestRays(sampling.Rays, scene.Pixels.Width, internal.Picture);
+    }
+    opaque = !scene.Want.Projection;
   }
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   const vtkIsosurfaceRayTraceImageDisplay::Image image = { viewport.X + pixels.X,
@@ -1039,7 +1053,7 @@ bool vtkIsosurfaceRayTraceMapper::Internals::TraceFrame(vtkIsosurfaceRayTraceMap
     {
       return false;
     }
-    if (sampling.Rays > 1)
+    if (sampling.Rays > 1 && !scene.KeepHits)
     {
       vtkirt::AverageRays(sampling.Rays, scene.Pixels.Width, this->Picture);
     }
@@ -1112,8 +1126,11 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    picture.Depths[pixel] = static_cast<float>(
-      std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
+    if (!this->Want.Projection) // of which a picture has no depth either
+    {
+      picture.Depths[pixel] = static_cast<float>(
+        std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
+    }
   }
 }
 

@@ -73,7 +73,8 @@
  * The colour of a surface may come from another array or another image (ColorArrayName), and
  * surfaces may cast shadows (Shadows) and keep ambient light from each other (AmbientOcclusion).
  *
- * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits.
+ * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Of
+ * points, it selects those of the rays that the picture is made of, by ImageSampleDistance.)
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering

@@ -237,6 +237,28 @@ std::set<vtkIdType> GetCells(Scene& scene)
   return ids;
 }
 
+/// The points of an image that are nearest to what is seen.
+std::set<vtkIdType> GetNearestPoints(Scene& scene, vtkImageData* image)
+{
+  Image picture;
+  scene.Mapper->RenderToImage(
+    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+  vtkNew<vtkMatrix4x4> dataFromWorld;
+  vtkMatrix4x4::Invert(scene.Volume->GetMatrix(), dataFromWorld);
+  std::set<vtkIdType> ids;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    double position[4] = { 0.0, 0.0, 0.0, 1.0 };
+    picture.Get<vtkDoubleArray>("Position")->GetTypedTuple(i, position);
+    if (std::isfinite(position[0]))
+    {
+      dataFromWorld->MultiplyPoint(position, position);
+      ids.insert(image->FindPoint(position));
+    }
+  }
+  return ids;
+}
+
 void CheckSelector(Checks& check)
 {
   const auto image = NewBall(33, 0.8);
@@ -249,15 +271,7 @@ void CheckSelector(Checks& check)
     Select(scene.Renderer, scene.Volume, Cells) == expected, "the cells selected are those seen");
   const std::set<vtkIdType> points =
     Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  int near = 0;
-  for (const vtkIdType point : points)
-  {
-    // No point that is nearest to the surface is a cell edge away from it.
-    const double value = image->GetPointData()->GetScalars()->GetTuple1(point);
-    near += std::abs(value) < 0.0625 ? 1 : 0;
-  }
-  check.That(points.size() > 100 && near == static_cast<int>(points.size()),
-    "the points selected are near the surface");
+  check.That(points == GetNearestPoints(scene, image), "the points selected are nearest to hits");
   check.Equal(GetDifference(RenderAndCapture(scene.Window), before, 0), 0.0,
     "the difference after a selection");
 
@@ -271,6 +285,61 @@ void CheckSelector(Checks& check)
   check.That(!left.empty() && left.size() < expected.size() &&
       std::includes(expected.begin(), expected.end(), left.begin(), left.end()),
     "the sphere hides some cells");
+  const std::set<vtkIdType> pointsLeft =
+    Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  check.That(!pointsLeft.empty() && pointsLeft.size() < points.size() &&
+      std::includes(points.begin(), points.end(), pointsLeft.begin(), pointsLeft.end()),
+    "the sphere hides some points");
+}
+
+/// The number of pixels in which the volume is selected.
+int CountSelected(Scene& scene, int association)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(association);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  return selection && selection->GetNumberOfNodes() == 1
+    ? selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT())
+    : 0;
+}
+
+/// Cells and points are selected in all pixels that show something: before those of points, VTK
+/// draws the usual picture, whose depth may be one of fewer or more rays.
+void CheckSelectedPixels(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  for (const bool isProjection : { false, true })
+  {
+    Scene scene(image, Size, Size);
+    Furnish(scene);
+    if (isProjection)
+    {
+      scene.Mapper->SetBlendModeToMaximumIntensity();
+      scene.Property()->GetScalarOpacity()->AddPoint(-0.1, 0.0); // nothing but the ball
+    }
+    Image picture;
+    scene.Mapper->RenderToImage(
+      scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+    int shown = 0;
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      shown += picture.Get<vtkUnsignedCharArray>("Colors")->GetTypedComponent(i, 3) > 0 ? 1 : 0;
+    }
+    check.That(shown > 2000, "thousands of pixels show something");
+    scene.Mapper->AutoAdjustSampleDistancesOff();
+    for (const float distance : { 1.0F, 4.0F, 0.5F })
+    {
+      scene.Mapper->SetImageSampleDistance(distance);
+      scene.Window->Render();
+      check.Equal(CountSelected(scene, Cells), shown, "the number of pixels of cells");
+      const int ofPoints = CountSelected(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+      // With other rays the edge is another.
+      check.Near(
+        ofPoints, shown, distance == 1.0F ? 0.0 : 0.05 * shown, "the number of pixels of points");
+    }
+  }
 }
 
 /// Ids beyond 24 bits.
@@ -302,6 +371,7 @@ int TestIsosurfacePicking(int, char*[])
   CheckPictures(check);
   CheckPicker(check);
   CheckSelector(check);
+  CheckSelectedPixels(check);
   CheckLargeIds(check);
   return check.Result();
 }

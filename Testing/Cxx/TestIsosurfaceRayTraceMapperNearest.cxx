@@ -202,10 +202,7 @@ void CheckPixels(Checks& check)
   check.That(shown > 1000, "faces are seen");
   const std::set<vtkIdType> selected =
     Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  check.That(std::includes(insideSeen.begin(), insideSeen.end(), selected.begin(), selected.end()),
-    "the points selected are samples inside");
-  check.That(selected.size() > 0.95 * static_cast<double>(insideSeen.size()),
-    "nearly all of these are selected");
+  check.That(selected == insideSeen, "the points selected are the samples inside that are seen");
   vtkNew<vtkPolyData> hits;
   scene.Mapper->CastRays(scene.Volume, origins, directions, hits);
   int first = 0;
