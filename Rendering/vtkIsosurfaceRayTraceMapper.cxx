@@ -676,6 +676,10 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectGrid(vtkIsosurfaceRayT
   int association = 0;
   this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, self->ScalarMode,
     self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  if (association == vtkDataObject::FIELD_ASSOCIATION_NONE)
+  {
+    this->Scalars.Scalars = nullptr; // Field data lie nowhere.
+  }
   this->Scalars.AreOfCells = association == 1;
   return "";
 }
