@@ -338,6 +338,8 @@ void CheckSelectedPixels(Checks& check)
       // With other rays the edge is another.
       check.Near(
         ofPoints, shown, distance == 1.0F ? 0.0 : 0.05 * shown, "the number of pixels of points");
+      // One of four rays is enough.
+      check.That(distance >= 1.0F || ofPoints > shown, "pixels at the edge are selected");
     }
   }
 }
