@@ -225,7 +225,7 @@ void CheckShadows(Checks& check)
   const auto box = [](const Point& p) {
     return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) < 0.5 ? 1.0 : -1.0;
   };
-  const auto table = [&box](const Point& p)
+  const auto table = [](const Point& p)
   {
     const bool isTop = std::max(std::abs(p[0]), std::abs(p[1])) < 0.3 && p[2] > 0.3 && p[2] < 0.7;
     const bool isFloor =
