@@ -13,7 +13,7 @@
 #include "VolumeView.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -51,23 +51,25 @@ public:
     const Index3& block, const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
   {
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
-    Index3 first;
-    Index3 count;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
+      block[2] * BlockMask::Edge };
+    const BlockRanges ranges = this->GetRanges(first);
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    for (int z = 0; z < std::min(BlockMask::Edge, dimensions[2] - 1 - first[2]); ++z)
     {
-      first[axis] = block[axis] * BlockMask::Edge;
-      count[axis] =
-        std::min(BlockMask::Edge, this->TheSamples.GetDimensions()[axis] - 1 - first[axis]);
-    }
-    for (int z = 0; z < count[2]; ++z)
-    {
-      for (int y = 0; y < count[1]; ++y)
+      for (int y = 0; y < std::min(BlockMask::Edge, dimensions[1] - 1 - first[1]); ++y)
       {
-        for (int x = 0; x < count[0]; ++x)
+        for (int x = 0; x < std::min(BlockMask::Edge, dimensions[0] - 1 - first[0]); ++x)
         {
-          const Index3 cell = { first[0] + x, first[1] + y, first[2] + z };
-          const auto has = static_cast<std::uint64_t>(this->MayHaveSurface(cell, isovalues));
-          mask.Slices[2][z] |= has << (x + BlockMask::Edge * y);
+          const ValueRange<T>& range = ranges[Offset({ x, y, z }, RangesSize)];
+          const bool has = std::any_of(isovalues.begin(), isovalues.end(),
+            [&](const ScaledIsovalue& isovalue)
+            {
+              TricubicCell cell;
+              return range.Straddles(isovalue.Isovalue, this->Edges.GetOvershoot()) &&
+                this->Load({ first[0] + x, first[1] + y, first[2] + z }, isovalue, cell);
+            });
+          mask.Slices[2][z] |= static_cast<std::uint64_t>(has) << (x + BlockMask::Edge * y);
         }
       }
     }
@@ -81,7 +83,7 @@ public:
     const Visit& visit) const
   {
     TricubicCell coefficients;
-    if (this->Load(cell, coefficients) && this->HasSurface(cell, isovalue, coefficients))
+    if (this->Load(cell, isovalue, coefficients))
     {
       Nonic::ForEachRoot(NonicAlongSegment(coefficients, segment.Entry, segment.Exit), visit);
     }
@@ -123,35 +125,62 @@ private:
     return check == 0.0;
   }
 
-  bool MayHaveSurface(const Index3& cell, const std::vector<ScaledIsovalue>& isovalues) const
+  /// Makes the coefficients of a cell, with an isovalue taken off. Returns whether the surface may
+  /// pass the cell: all samples are finite, and coefficients are on both sides.
+  bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
   {
-    TricubicCell samples;
-    if (!this->Load(cell, samples))
+    if (!this->Load(cell, coefficients))
     {
       return false;
     }
-    const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-    const ValueRange<double> range = { *low, *high };
-    return std::any_of(isovalues.begin(), isovalues.end(),
-      [this, &cell, &samples, &range](const ScaledIsovalue& isovalue)
-      {
-        TricubicCell own = samples;
-        return range.Straddles(isovalue.Isovalue, this->Edges.GetOvershoot()) &&
-          this->HasSurface(cell, isovalue, own);
-      });
-  }
-
-  /// Makes coefficients of the samples around a cell, with the isovalue taken off. Returns whether
-  /// they are on both sides.
-  bool HasSurface(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& samples) const
-  {
-    for (double& sample : samples)
+    for (double& sample : coefficients)
     {
       sample = Difference(sample, isovalue.Isovalue, isovalue.Scale);
     }
-    InterpolateSamples(this->Edges, cell, samples);
-    return std::any_of(samples.begin(), samples.end(), IsInside) &&
-      !std::all_of(samples.begin(), samples.end(), IsInside);
+    InterpolateSamples(this->Edges, cell, coefficients);
+    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside);
+    return inside > 0 && inside < 64;
+  }
+
+  /// For the cells of a block, x fastest, the ranges of the 4^3 samples around them.
+  static constexpr Index3 RangesSize = { BlockMask::Edge + 3, BlockMask::Edge + 3,
+    BlockMask::Edge + 3 };
+  using BlockRanges = std::array<ValueRange<T>, RangesSize[0] * RangesSize[1] * RangesSize[2]>;
+
+  /// At first each sample has a range of its own, from the one before the block on. Then, along one
+  /// axis after the other, each takes in the next three.
+  BlockRanges GetRanges(const Index3& first) const
+  {
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    BlockRanges ranges;
+    std::size_t i = 0;
+    for (int z = 0; z < RangesSize[2]; ++z)
+    {
+      for (int y = 0; y < RangesSize[1]; ++y)
+      {
+        for (int x = 0; x < RangesSize[0]; ++x)
+        {
+          const T sample =
+            *this->TheSamples.At({ std::clamp(first[0] + x - 1, 0, dimensions[0] - 1),
+              std::clamp(first[1] + y - 1, 0, dimensions[1] - 1),
+              std::clamp(first[2] + z - 1, 0, dimensions[2] - 1) });
+          ranges[i++].Include(sample, sample);
+        }
+      }
+    }
+    std::size_t step = 1;
+    for (const int length : RangesSize)
+    {
+      for (i = 0; i + 3 * step < ranges.size(); ++i)
+      {
+        for (std::size_t next = i + step; next <= i + 3 * step; next += step)
+        {
+          ranges[i].Include(ranges[next].Min, ranges[next].Max);
+        }
+      }
+      step *= static_cast<std::size_t>(length);
+    }
+    return ranges;
   }
 
   Samples<T> TheSamples;
