@@ -50,22 +50,23 @@ public:
   /// The planes are null where samples stand at whole numbers.
   CubicEdges(const Index3& dimensions, const UnevenPlanes* planes)
   {
+    double product = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const int last = dimensions[axis] - 1;
       double largest = 1.0;
       for (int cell = 0; cell < last; ++cell)
       {
-        CubicEdge edge =
+        const CubicEdge edge =
           planes ? UnevenEdge(*planes, axis, cell) : EvenEdge(cell > 0, cell + 1 < last);
         largest = std::max({ largest, SumOfWeights(edge.LowerBefore, edge.LowerWithin),
           SumOfWeights(edge.UpperBehind, edge.UpperWithin) });
         this->Edges[axis].push_back(edge);
       }
-      this->Overshoot *= largest;
+      product *= largest;
     }
     // A little more than can be, for rounding.
-    this->Overshoot = 0.5 * (this->Overshoot - 1.0) + 1e-9;
+    this->Overshoot = 0.5 * (product - 1.0) + 1e-9;
   }
 
   const CubicEdge& Get(std::size_t axis, int cell) const
@@ -108,7 +109,7 @@ private:
   }
 
   std::array<std::vector<CubicEdge>, 3> Edges;
-  double Overshoot = 1.0;
+  double Overshoot = 0.0;
 };
 
 /// The interpolant of a cell by its Bernstein coefficients, (i, j, k) in {0, ..., 3}^3 at i + 4 j +

@@ -14,7 +14,7 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 SCRIPT = os.path.join(os.path.dirname(__file__), "../../Examples/Python/gallery.py")
 NAMES = ["plain", "shadows", "occluded", "translucent", "clipped", "cropped", "coloured",
-         "projected", "rectilinear", "blocks", "coarse", "cubic"]
+         "projected", "rectilinear", "blocks", "near", "cubic"]
 
 
 def write_volume(file_name):
