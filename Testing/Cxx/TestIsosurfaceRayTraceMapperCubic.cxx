@@ -19,6 +19,7 @@
 #include <vtkPlane.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRectilinearGrid.h>
 
 #include <algorithm>
 #include <functional>
@@ -444,6 +445,52 @@ void CheckDeterminism(Checks& check)
 }
 
 //------------------------------------------------------------------------------
+/// A ball of squares, which the interpolant reproduces on planes however spaced.
+void CheckUnevenSpacing(Checks& check)
+{
+  constexpr int planes = 14;
+  vtkNew<vtkDoubleArray> coordinates;
+  for (int i = 0; i < planes; ++i)
+  {
+    coordinates->InsertNextValue(-1.0 + 2.0 * std::pow(i / (planes - 1.0), 1.4));
+  }
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(planes, planes, planes);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
+  vtkNew<vtkDoubleArray> scalars;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const double* p = grid->GetPoint(i);
+    scalars->InsertNextValue(0.5 - p[0] * p[0] - p[1] * p[1] - p[2] * p[2]);
+  }
+  grid->GetPointData()->SetScalars(scalars);
+  CubicScene scene(grid);
+  const vtkSmartPointer<vtkImageData> picture = scene.RenderToImage();
+  int shown = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    Point normal;
+    picture->GetPointData()->GetArray("Position")->GetTuple(i, p.data());
+    picture->GetPointData()->GetArray("Normals")->GetTuple(i, normal.data());
+    if (std::isnan(p[0]))
+    {
+      continue;
+    }
+    ++shown;
+    const double radius = std::hypot(p[0], p[1], p[2]);
+    check.Near(radius, std::sqrt(0.5), 1e-9, "the radius");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      check.Near(normal[axis], p[axis] / radius, 1e-9, "the normal with uneven spacing");
+    }
+  }
+  check.That(shown > 3000, "the ball is seen");
+}
+
+//------------------------------------------------------------------------------
 /// Two blocks and the image they are halves of; one of them alone; scalars of cells and of points.
 void CheckInputs(Checks& check)
 {
@@ -507,6 +554,7 @@ int TestIsosurfaceRayTraceMapperCubic(int argc, char* argv[])
   CheckErrors(check);
   CheckShadows(check);
   CheckDeterminism(check);
+  CheckUnevenSpacing(check);
   CheckInputs(check);
 
   CubicScene scene(NewCube(12, Ripples));
