@@ -660,6 +660,35 @@ TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
 }
 
 //------------------------------------------------------------------------------
+TEST(TricubicRays, MeetWhatOnlyOtherPlanesHave)
+{
+  // A layer of 1 among 0. Where it is near to the next, the steep slope there swings far above 1
+  // before it.
+  const Index3 size = { 9, 9, 9 };
+  const auto volume = TestVolume<float>::Of(
+    size, [](const AnalyticFields::Point& p) { return p[1] == 4.0 ? 1.0 : 0.0; });
+  std::array<std::vector<double>, 3> places;
+  for (int i = 0; i < 9; ++i)
+  {
+    places[0].push_back(i);
+    places[1].push_back(i == 4 ? 4.9 : i);
+    places[2].push_back(i);
+  }
+  const UnevenPlanes planes(places);
+  Wanted wanted({ { 2.0, 1e-9 } });
+  wanted.Field = Interpolant::Tricubic;
+  const auto traced = NewTraced(volume, wanted);
+  const Line line = { { 4.3, -2.0, 4.2 }, { 0.01, 1.0, 0.02 } };
+  EXPECT_TRUE(Trace(*traced, line).empty());
+  wanted.Planes = &planes;
+  traced->Select(wanted, 1);
+  EXPECT_EQ(Trace(*traced, line, Infinity, &planes).size(), 2U);
+  wanted.Planes = nullptr;
+  traced->Select(wanted, 1);
+  EXPECT_TRUE(Trace(*traced, line).empty());
+}
+
+//------------------------------------------------------------------------------
 TEST(TricubicRays, ShowWhatIsSeen)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
