@@ -503,6 +503,51 @@ TEST(TricubicRays, DoNotSlipThroughEdgesAndCorners)
 }
 
 //------------------------------------------------------------------------------
+TEST(TricubicRays, DoNotSlipThroughWhereTheSurfaceIsInAFace)
+{
+  // Rays through places in faces of cells that the surface passes to within rounding: both cells
+  // must say the same of them, so that a ray never goes in, or out, twice in turn.
+  const Index3 size = { 9, 8, 10 };
+  RandomNumbers random(81);
+  TestVolume<double> volume(size, std::vector<double>(Count(size)));
+  for (double& value : volume.Values)
+  {
+    value = random.Uniform(-1.0, 1.0);
+  }
+  Wanted wanted({ { 0.1, 1e-9 } });
+  wanted.Field = Interpolant::Tricubic;
+  const auto traced = NewTraced(volume, wanted);
+  const Reference<double> reference(volume);
+  int through = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    Line within = RandomLine(random, size);
+    const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+    within.Origin[axis] = random.Integer(1, size[axis] - 2);
+    within.Direction[axis] = 0.0;
+    for (const Hit& hit : Trace(*traced, within))
+    {
+      for (int k = 0; k < 20; ++k)
+      {
+        const Vector3 direction = random.Direction();
+        const Line line = { hit.GetPoint(nullptr) - direction * 32.0, direction };
+        const std::vector<Hit> hits = Trace(*traced, line);
+        for (std::size_t next = 1; next < hits.size(); ++next)
+        {
+          ASSERT_NE(hits[next].Rising, hits[next - 1].Rising) << ToText(line);
+        }
+        const auto ray = ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, size);
+        const double begin = static_cast<double>(reference.At(line, ray->Base + ray->Begin).Value);
+        const double end = static_cast<double>(reference.At(line, ray->Base + ray->End).Value);
+        ASSERT_EQ(hits.size() % 2 == 1, (begin >= 0.1) != (end >= 0.1)) << ToText(line);
+        ++through;
+      }
+    }
+  }
+  EXPECT_GT(through, 3000);
+}
+
+//------------------------------------------------------------------------------
 TEST(TricubicRays, SeeNothingWithinTwoSamplesOfNoNumber)
 {
   auto volume = Noise<float>({ 12, 9, 10 }, 31);
@@ -633,15 +678,19 @@ TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
   {
     Interpolant Field;
     double Shift;
+    double Isovalue;
   };
-  for (const Turn& turn : { Turn{ Interpolant::Trilinear, 0.0 }, { Interpolant::Tricubic, 0.0 },
-         { Interpolant::Tricubic, 0.9 }, { Interpolant::Tricubic, -0.9 },
-         { Interpolant::Trilinear, -0.9 }, { Interpolant::Tricubic, -0.9 },
-         { Interpolant::Nearest, 0.0 }, { Interpolant::Tricubic, 0.0 } })
+  for (const Turn& turn :
+    { Turn{ Interpolant::Trilinear, 0.0, 20.0 }, { Interpolant::Tricubic, 0.0, 20.0 },
+      { Interpolant::Trilinear, 0.0, -5.0 }, { Interpolant::Tricubic, 0.0, -5.0 },
+      { Interpolant::Tricubic, 0.9, -5.0 }, { Interpolant::Tricubic, -0.9, -5.0 },
+      { Interpolant::Trilinear, -0.9, 20.0 }, { Interpolant::Tricubic, -0.9, 20.0 },
+      { Interpolant::Nearest, 0.0, -5.0 }, { Interpolant::Tricubic, 0.0, -5.0 } })
   {
     places[1][4] = 4.0 + turn.Shift;
     planes.emplace(places); // in the same place in memory
     Wanted wanted = Want();
+    wanted.Surfaces.front().Isovalue = turn.Isovalue;
     wanted.Field = turn.Field;
     wanted.Planes = turn.Shift == 0.0 ? nullptr : &*planes;
     changing->Select(wanted, 1);
