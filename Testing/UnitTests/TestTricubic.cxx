@@ -690,7 +690,7 @@ TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
     places[1][4] = 4.0 + turn.Shift;
     planes.emplace(places); // in the same place in memory
     Wanted wanted = Want();
-    wanted.Surfaces.front().Isovalue = turn.Isovalue;
+    wanted.Surfaces = { { turn.Isovalue, 1e-9 } };
     wanted.Field = turn.Field;
     wanted.Planes = turn.Shift == 0.0 ? nullptr : &*planes;
     changing->Select(wanted, 1);
