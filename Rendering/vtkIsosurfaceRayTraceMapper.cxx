@@ -695,6 +695,11 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
            "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
            "volume mapper.";
   }
+  if (GetProjection(mode) && self->InterpolationMode == CUBIC)
+  {
+    return "Intensity projections are those of the trilinear interpolant. Call "
+           "SetInterpolationModeToTrilinear(), or SetBlendModeToIsoSurface().";
+  }
   std::string problem = this->SelectGrid(self);
   if (!problem.empty())
   {
@@ -1385,9 +1390,8 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
      << "\n";
-  os << indent
-     << "InterpolationMode: " << (this->InterpolationMode == TRILINEAR ? "Trilinear" : "Nearest")
-     << "\n";
+  const char* const interpolationModes[] = { "Trilinear", "Nearest", "Cubic" };
+  os << indent << "InterpolationMode: " << interpolationModes[this->InterpolationMode] << "\n";
   const char* const solvers[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
   os << indent << "RootSolver: " << solvers[this->RootSolver] << "\n";
   os << indent << "NumberOfInterpolations: " << this->NumberOfInterpolations << "\n";

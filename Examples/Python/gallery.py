@@ -174,9 +174,15 @@ def boxes(picture, image, isovalue):
     picture.camera.Zoom(3.0)
 
 
-def exact_normals(picture, image, isovalue):
+def near(picture, image, isovalue):
+    """With the exact normals of the interpolant."""
+    picture.camera.Zoom(8.0)
     picture.mapper.SetNormalModeToInterpolantGradient()
-    picture.camera.Zoom(3.0)
+
+
+def cubic(picture, image, isovalue):
+    near(picture, image, isovalue)
+    picture.mapper.SetInterpolationModeToCubic()
 
 
 SCENES = (
@@ -191,7 +197,8 @@ SCENES = (
     rectilinear,
     blocks,
     boxes,
-    exact_normals,
+    near,
+    cubic,
 )
 
 

@@ -138,6 +138,17 @@ std::vector<Fault> GetFaults(vtkDataArray* good)
     { "another blend mode", "SetBlendModeToIsoSurface",
       [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToComposite(); },
       [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToIsoSurface(); } },
+    { "a projection of the tricubic interpolant", "SetInterpolationModeToTrilinear",
+      [](Scene& scene, vtkImageData*)
+      {
+        scene.Mapper->SetInterpolationModeToCubic();
+        scene.Mapper->SetBlendModeToMaximumIntensity();
+      },
+      [](Scene& scene, vtkImageData*)
+      {
+        scene.Mapper->SetInterpolationModeToTrilinear();
+        scene.Mapper->SetBlendModeToIsoSurface();
+      } },
   };
 }
 
