@@ -51,10 +51,37 @@ void MakeRays(
   }
 }
 
+/// Whether a ray through some pixels may hit anything: asks for those at the corners.
+bool MayHit(
+  const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels, RayGroup& corners)
+{
+  corners.Count = 0;
+  corners.Exists = {};
+  for (const int y : { pixels.Y, pixels.Y + pixels.Height - 1 })
+  {
+    for (const int x : { pixels.X, pixels.X + pixels.Width - 1 })
+    {
+      const Camera::PixelRay pixel = scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, 1.0);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        corners.Origin[axis][corners.Count] = pixel.Origin[axis];
+        corners.Direction[axis][corners.Count] = pixel.Direction[axis];
+      }
+      ++corners.Count;
+    }
+  }
+  return volume.MayHitBetween(corners);
+}
+
 /// Makes the rays of some pixels and finds what they hit.
 void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
   RayGroup& rays, RayHits& hits)
 {
+  if (!MayHit(scene, volume, pixels, rays))
+  {
+    hits.Clear();
+    return;
+  }
   if (!scene.Want.BeamKernels || scene.Want.Planes)
   {
     MakeRays(scene, pixels, volume.GetDimensions(), rays);
