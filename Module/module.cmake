@@ -47,7 +47,7 @@ set(no_contraction "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
 set(kernels "Module/Core/Kernels")
 set(kernel_options
   "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3>" "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno>"
-  "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
+  "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>" "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>")
 list(APPEND core_sources "${kernels}Baseline.cxx")
 set_source_files_properties("${kernels}Baseline.cxx" PROPERTIES COMPILE_OPTIONS "${kernel_options}")
 if (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -20,20 +20,68 @@ int FirstOf(const RaySet& set)
   return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
 }
 
+/// The axis along which a ray of a group mainly goes.
+int GetMainAxis(const RayGroup& group, int ray)
+{
+  int axis = 0;
+  for (int other = 1; other < 3; ++other)
+  {
+    if (std::abs(group.Direction[other][ray]) > std::abs(group.Direction[axis][ray]))
+    {
+      axis = other;
+    }
+  }
+  return axis;
+}
+
 }
 
 //------------------------------------------------------------------------------
+bool BeamTracer::MayMeet(
+  const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayGroup& lines)
+{
+  // Places on lines that begin farther away are not exact enough.
+  constexpr double farthest = 1e6;
+  const int axis = GetMainAxis(lines, 0);
+  for (int i = 0; i < lines.Count; ++i)
+  {
+    Add(i, lines.Exists);
+    for (const auto& origins : lines.Origin)
+    {
+      if (!(std::abs(origins[i]) < farthest))
+      {
+        return true;
+      }
+    }
+    const double inverse = 1.0 / lines.Direction[axis][i];
+    const double first = -lines.Origin[axis][i] * inverse;
+    const double last =
+      (dimensions[static_cast<std::size_t>(axis)] - 1 - lines.Origin[axis][i]) * inverse;
+    lines.Inverse[axis][i] = inverse;
+    lines.Begin[i] = std::min(first, last);
+    lines.End[i] = std::max(first, last);
+  }
+  Beam beam;
+  if (!kernels.Align(lines, lines.Exists, axis, beam) || BeamWalk::IsTooWide(beam))
+  {
+    return true;
+  }
+  bool meets = false;
+  BeamWalk(tree, beam).ForEachSlice([&meets](const Index3*, int) { return meets = true; });
+  return meets;
+}
+
 const GroupHits& BeamTracer::FindFirstHits(
   RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue)
 {
   this->Isovalue = isovalue;
   this->CornerSteps = cells.GetCornerSteps();
   this->Queue.Count = 0;
+  this->Waiting.Count = 0;
+  this->SurelyHit = {};
   this->Hits.Found = {};
-  this->Hits.Refined = {};
-  this->Hits.Rising = {};
   this->Trace(group, cells);
-  this->TheKernels.Refine(group, this->Hits);
+  this->SolveCandidates();
   return this->Hits;
 }
 
@@ -57,16 +105,7 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   {
     return;
   }
-  const int first = FirstOf(rays);
-  int axis = 0;
-  for (int other = 1; other < 3; ++other)
-  {
-    if (std::abs(this->Group->Direction[other][first]) >
-      std::abs(this->Group->Direction[axis][first]))
-    {
-      axis = other;
-    }
-  }
+  const int axis = GetMainAxis(*this->Group, FirstOf(rays));
   Beam beam;
   const bool isBeam = this->TheKernels.Align(*this->Group, rays, axis, beam);
   // All passages of a slice must have room if rays are to be followed in order.
@@ -86,7 +125,8 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
     return;
   }
   this->Going = rays;
-  this->Passed.Count = 0;
+  this->ClearPassages();
+  this->SetStepsInSlice(axis);
   BeamWalk(this->Tree, beam)
     .ForEachSlice(
       [this, &beam](const Index3* blocks, int blockCount)
@@ -104,6 +144,16 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
       });
 }
 
+void BeamTracer::SetStepsInSlice(int axis)
+{
+  const std::ptrdiff_t stepU = this->CornerSteps[static_cast<std::size_t>(BlockMask::U[axis])];
+  const std::ptrdiff_t stepV = this->CornerSteps[static_cast<std::size_t>(BlockMask::V[axis])];
+  for (int bit = 0; bit < 64; ++bit)
+  {
+    this->StepsInSlice[static_cast<std::size_t>(bit)] = bit % 8 * stepU + bit / 8 * stepV;
+  }
+}
+
 void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
 {
   BlockMask own;
@@ -118,13 +168,23 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     return;
   }
   const void* corner = this->Source->FindCorner(block);
-  this->AllInRows = this->AllInRows && corner;
-  std::fill(&this->Passed.Corner[before], &this->Passed.Corner[this->Passed.Count],
-    static_cast<const char*>(corner));
+  if (!corner)
+  {
+    this->SolveAlone(beam.Axis, before);
+    return;
+  }
+  this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
   {
-    this->SolvePassages(beam);
+    this->SiftPassages(beam);
   }
+}
+
+void BeamTracer::ClearPassages()
+{
+  this->Passed.Count = 0;
+  this->Passed.BlockCount = 0;
+  this->Passed.HasEnds = false;
 }
 
 /// Does what is to be done for the rays in a slice of blocks.
@@ -135,9 +195,11 @@ void BeamTracer::EndSlice(const Beam& beam)
     this->FollowPassages(beam);
     return;
   }
-  this->SolvePassages(beam);
-  this->Going.Words[0] &= ~this->Hits.Found.Words[0];
-  this->Going.Words[1] &= ~this->Hits.Found.Words[1];
+  this->SiftPassages(beam);
+  for (int word = 0; word < 2; ++word)
+  {
+    this->Going.Words[word] &= ~(this->SurelyHit.Words[word] | this->Hits.Found.Words[word]);
+  }
 }
 
 /// Follows each ray through the cells of all its passages.
@@ -149,7 +211,7 @@ void BeamTracer::FollowPassages(const Beam& beam)
   std::fill_n(first, RayGroup::Capacity, -1);
   for (int i = 0; i < this->Passed.Count; ++i)
   {
-    next[i] = std::exchange(first[this->Passed.Ray[i]], i);
+    next[i] = std::exchange(first[this->Passed.Ways[i].Ray], i);
   }
   std::vector<Index3>& cells = this->CellsOfRay;
   for (int ray = 0; ray < this->Group->Count; ++ray)
@@ -168,12 +230,12 @@ void BeamTracer::FollowPassages(const Beam& beam)
       Remove(ray, this->Going);
     }
   }
-  this->Passed.Count = 0;
+  this->ClearPassages();
 }
 
 void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) const
 {
-  const int* first = this->Passed.First[passage];
+  const int* first = this->Passed.First[this->Passed.Ways[passage].Block];
   for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
   {
     const int slice = __builtin_ctz(slices);
@@ -189,10 +251,10 @@ void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) con
   }
 }
 
-/// Finds the first hit of every passage. A ray needs the cells of a slice only if it hit nothing in
-/// the slices before. (Whether there is more to do for a ray is as good as random: counting is
-/// faster than branching.)
-void BeamTracer::SolvePassages(const Beam& beam)
+/// Finds the candidates of every passage, up to where it surely hits something. A ray needs the
+/// cells of a slice only if it does not in the slices before. (Whether there is more to do for a
+/// ray is as good as random: counting is faster than branching.)
+void BeamTracer::SiftPassages(const Beam& beam)
 {
   int waiting[Passages::Capacity];
   int left = this->Passed.Count;
@@ -210,15 +272,15 @@ void BeamTracer::SolvePassages(const Beam& beam)
       const int slice = beam.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
       const unsigned int others = slices & ~(1U << slice);
       this->Passed.Slices[passage] = others;
-      this->AddCandidates(beam.Axis, passage, slice);
+      this->AddCellsOfSlice(beam.Axis, passage, slice);
       waiting[next] = passage;
       next += others != 0 ? 1 : 0;
-      if (this->Queue.Count >= Candidates::Batch)
+      if (this->Queue.Count >= PassedCells::Batch)
       {
-        this->SolveQueue();
+        this->SiftQueue(beam);
       }
     }
-    this->SolveQueue();
+    this->SiftQueue(beam);
     left = 0;
     for (int i = 0; i < next; ++i)
     {
@@ -226,33 +288,23 @@ void BeamTracer::SolvePassages(const Beam& beam)
       left += this->Passed.Hits[waiting[i]] ? 0 : 1;
     }
   }
-  this->Passed.Count = 0;
-  this->AllInRows = true;
+  this->ClearPassages();
 }
 
-void BeamTracer::AddCandidates(int axis, int passage, int slice)
+void BeamTracer::AddCellsOfSlice(int axis, int passage, int slice)
 {
-  Candidates& queue = this->Queue;
-  const int* first = this->Passed.First[passage];
-  int* along = queue.Cell[axis];
-  int* acrossU = queue.Cell[BlockMask::U[axis]];
-  int* acrossV = queue.Cell[BlockMask::V[axis]];
-  const int firstU = first[BlockMask::U[axis]];
-  const int firstV = first[BlockMask::V[axis]];
-  const std::ptrdiff_t* steps = this->CornerSteps.data();
-  const std::ptrdiff_t toSlice = slice * steps[axis];
-  const std::ptrdiff_t stepU = steps[BlockMask::U[axis]];
-  const std::ptrdiff_t stepV = steps[BlockMask::V[axis]];
-  const char* corner = this->Passed.Corner[passage];
+  PassedCells& queue = this->Queue;
+  const unsigned int code =
+    static_cast<unsigned int>(passage) | static_cast<unsigned int>(slice) << 16;
+  const char* corner = this->Passed.Corner[this->Passed.Ways[passage].Block] +
+    slice * this->CornerSteps[static_cast<std::size_t>(axis)];
   const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
-    queue.Passage[place] = passage;
-    queue.Ray[place] = this->Passed.Ray[passage];
-    along[place] = first[axis] + slice;
-    acrossU[place] = firstU + bit % 8;
-    acrossV[place] = firstV + bit / 8;
-    queue.First[place] = corner ? corner + toSlice + bit % 8 * stepU + bit / 8 * stepV : nullptr;
+    queue.Codes[place] = code | static_cast<unsigned int>(bit) << 24;
+    queue.First[place] = corner + this->StepsInSlice[static_cast<std::size_t>(bit)];
+    __builtin_prefetch(queue.First[place]);
+    __builtin_prefetch(static_cast<const char*>(queue.First[place]) + this->CornerSteps[2]);
   };
   // Mostly there are one or two. Both are written, and then counted.
   std::uint64_t cells = this->Passed.Cells[passage][slice];
@@ -266,66 +318,103 @@ void BeamTracer::AddCandidates(int axis, int passage, int slice)
   }
 }
 
-void BeamTracer::SolveQueue()
+void BeamTracer::SiftQueue(const Beam& beam)
 {
   if (this->Queue.Count == 0)
   {
     return;
   }
-  for (int i = 0; i < 8; ++i)
-  {
-    this->Queue.Ray[this->Queue.Count + i] = 0;
-  }
-  if (this->AllInRows)
-  {
-    this->Source->GatherCorners(this->Queue);
-  }
-  else
-  {
-    this->Source->LoadCorners(this->Queue);
-  }
-  this->TheKernels.FindHits(
-    *this->Group, this->Queue, *this->Isovalue, this->Hits, this->Passed, this->Extremes);
-  for (int i = 0; i < this->Extremes.Count; ++i)
-  {
-    this->KeepExtreme(this->Extremes.Numbers[i]);
-  }
+  // The lanes behind the last cell look at the first.
+  std::fill_n(this->Queue.Codes + this->Queue.Count, 16, this->Queue.Codes[0]);
+  std::fill_n(this->Queue.First + this->Queue.Count, 16, this->Queue.First[0]);
+  this->Source->SiftCells(this->Queue, beam.Axis, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
+  if (this->Waiting.Count >= Candidates::Batch)
+  {
+    this->SolveCandidates();
+  }
 }
 
-/// Solves a candidate that the kernels do not, and keeps its hit as they do.
-void BeamTracer::KeepExtreme(int candidate)
+/// Solves the cells of passages, from the given one on, that are not kept in rows.
+void BeamTracer::SolveAlone(int axis, int firstPassage)
 {
-  const int ray = this->Queue.Ray[candidate];
+  for (int passage = firstPassage; passage < this->Passed.Count; ++passage)
+  {
+    this->CellsOfRay.clear();
+    this->AddCells(axis, passage, this->CellsOfRay);
+    for (const Index3& cell : this->CellsOfRay)
+    {
+      this->FindFirstHit(this->Passed.Ways[passage].Ray, cell);
+    }
+  }
+  this->Passed.Count = firstPassage;
+  --this->Passed.BlockCount;
+}
+
+void BeamTracer::SolveCandidates()
+{
+  if (this->Waiting.Count == 0)
+  {
+    return;
+  }
+  // The lanes behind the last candidate must have something to look at.
+  for (int i = this->Waiting.Count; i < this->Waiting.Count + 16; ++i)
+  {
+    this->Waiting.Ray[i] = this->Waiting.Ray[0];
+  }
+  this->Source->LoadCorners(this->Waiting);
+  this->TheKernels.Solve(*this->Group, this->Waiting, *this->Isovalue, this->Solved);
+  for (int word = 0; word < Solutions::Words; ++word)
+  {
+    for (std::uint64_t bits = this->Solved.Found[word]; bits != 0; bits &= bits - 1)
+    {
+      const int i = 64 * word + __builtin_ctzll(bits);
+      this->Keep(this->Waiting.Ray[i], this->GetHit(i),
+        { this->Solved.Begin[i], static_cast<int>(this->Solved.BeginAxis[i]) });
+    }
+    for (std::uint64_t bits = this->Solved.Extreme[word]; bits != 0; bits &= bits - 1)
+    {
+      const int i = 64 * word + __builtin_ctzll(bits);
+      this->FindFirstHit(this->Waiting.Ray[i],
+        { this->Waiting.Cell[0][i], this->Waiting.Cell[1][i], this->Waiting.Cell[2][i] });
+    }
+  }
+  this->Waiting.Count = 0;
+}
+
+Hit BeamTracer::GetHit(int candidate) const
+{
+  const Candidates& candidates = this->Waiting;
+  const Solutions& solved = this->Solved;
+  return { solved.T[candidate],
+    { candidates.Cell[0][candidate], candidates.Cell[1][candidate], candidates.Cell[2][candidate] },
+    0,
+    { solved.Parametric[0][candidate], solved.Parametric[1][candidate],
+      solved.Parametric[2][candidate] },
+    (solved.Rising[candidate / 64] >> (candidate % 64) & 1) != 0 };
+}
+
+/// Solves a cell that the kernels do not.
+void BeamTracer::FindFirstHit(int ray, const Index3& cell)
+{
   Hit hit;
   Place begin;
-  if (!this->Source->FindFirstHit(ray,
-        { this->Queue.Cell[0][candidate], this->Queue.Cell[1][candidate],
-          this->Queue.Cell[2][candidate] },
-        hit, begin))
+  if (this->Source->FindFirstHit(ray, cell, hit, begin))
   {
-    return;
+    this->Keep(ray, hit, begin);
   }
-  this->Passed.Hits[this->Queue.Passage[candidate]] = true;
-  GroupHits& hits = this->Hits;
-  if (Has(hits.Found, ray) &&
-    !(begin < Place{ hits.Begin[ray], static_cast<int>(hits.BeginAxis[ray]) }))
+}
+
+/// Keeps a hit of a ray, unless it has one in a cell before.
+void BeamTracer::Keep(int ray, const Hit& hit, const Place& begin)
+{
+  const auto number = static_cast<std::size_t>(ray);
+  if (!Has(this->Hits.Found, ray) || begin < this->Hits.Begin[number])
   {
-    return;
+    Add(ray, this->Hits.Found);
+    this->Hits.Hits[number] = hit;
+    this->Hits.Begin[number] = begin;
   }
-  Add(ray, hits.Found);
-  Add(ray, hits.Refined);
-  hits.Begin[ray] = begin.T;
-  hits.BeginAxis[ray] = begin.Axis;
-  hits.T[ray] = hit.T;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    hits.Cell[axis][ray] = hit.Cell[axis];
-    hits.Parametric[axis][ray] = hit.Parametric[axis];
-  }
-  const std::uint64_t bit = std::uint64_t{ 1 } << (ray % 64);
-  std::uint64_t& rising = hits.Rising.Words[ray / 64];
-  rising = hit.Rising ? rising | bit : rising & ~bit;
 }
 
 }

@@ -18,12 +18,24 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// The first hits of the rays of a group.
+struct GroupHits
+{
+  /// The rays that hit.
+  RaySet Found;
+  std::array<Hit, RayGroup::Capacity> Hits;
+  /// Where each ray comes into the cell of its hit.
+  std::array<Place, RayGroup::Capacity> Begin;
+};
+
 /// Leads the rays of a group through the volume together.
 ///
 /// They walk as a beam to the active macrocells; for each of them, all cells of a macrocell that
-/// the ray may pass and a surface does are found at once. What a cell has to say to a ray comes
-/// from the two alone (CellSegment.h), so that proposing too many cells costs time and changes
-/// nothing.
+/// the ray may pass and a surface does are found at once. For first hits, single precision tells of
+/// most of these cells whether the ray surely misses or surely hits the surface there; those it may
+/// hit are solved together, as exactly as for a ray by itself. What a cell has to say to a ray
+/// comes from the two alone (CellSegment.h), so that proposing too many cells costs time and
+/// changes nothing.
 class BeamTracer
 {
 public:
@@ -47,8 +59,9 @@ public:
     virtual const void* FindCorner(const Index3& block) = 0;
     /// How many bytes it is from there to the next along each axis.
     virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
-    /// Loads corners that are all kept in rows, or from wherever they are.
-    virtual void GatherCorners(Candidates& candidates) = 0;
+    /// Calls the kernels for corners that are kept in rows.
+    virtual void SiftCells(const PassedCells& cells, int axis, Passages& passages,
+      Candidates& candidates, RaySet& hits) = 0;
     virtual void LoadCorners(Candidates& candidates) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
     /// the ray comes into the cell. Returns false if there is none.
@@ -61,6 +74,10 @@ public:
   {
   }
 
+  /// Whether rays between lines may come to an active macrocell; see TracedVolume::MayHitBetween.
+  static bool MayMeet(
+    const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayGroup& lines);
+
   /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
   /// many rays are solved at once.
   const GroupHits& FindFirstHits(RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue);
@@ -71,14 +88,20 @@ public:
 private:
   void Trace(RayGroup& group, Cells& cells);
   void TraceSet(const RaySet& rays, int count);
+  void SetStepsInSlice(int axis);
   void VisitBlock(const Beam& beam, const Index3& block);
   void EndSlice(const Beam& beam);
-  void SolvePassages(const Beam& beam);
+  void ClearPassages();
+  void SiftPassages(const Beam& beam);
+  void AddCellsOfSlice(int axis, int passage, int slice);
+  void SiftQueue(const Beam& beam);
+  void SolveAlone(int axis, int firstPassage);
   void FollowPassages(const Beam& beam);
   void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
-  void AddCandidates(int axis, int passage, int slice);
-  void SolveQueue();
-  void KeepExtreme(int candidate);
+  void SolveCandidates();
+  void FindFirstHit(int ray, const Index3& cell);
+  Hit GetHit(int candidate) const;
+  void Keep(int ray, const Hit& hit, const Place& begin);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
@@ -90,12 +113,15 @@ private:
   /// The surface whose first hits are wanted; none when rays are followed.
   std::optional<ScaledIsovalue> Isovalue;
   GroupHits Hits;
+  /// The rays that surely hit something, wherever that turns out to be.
+  RaySet SurelyHit = {};
   Passages Passed;
-  /// Whether the corners of all passages are kept in rows.
-  bool AllInRows = true;
+  PassedCells Queue;
+  Candidates Waiting;
+  Solutions Solved;
   std::array<std::ptrdiff_t, 3> CornerSteps = {};
-  Candidates Queue;
-  ExtremeCandidates Extremes;
+  /// From the first corner of a slice of cells to that of each of its cells.
+  std::array<std::ptrdiff_t, 64> StepsInSlice = {};
   /// Kept for its memory.
   std::vector<Index3> CellsOfRay;
 };

@@ -44,6 +44,18 @@ struct RayGroup
   /// The part of the ray in the volume, along the axis, and a little more.
   alignas(64) double Low[Capacity];
   alignas(64) double High[Capacity];
+
+  /// What every eight rays sweep across the axis, the first included and as Beam says: the least
+  /// and the most coordinates at plane 0, and how they change from plane to plane. Good from
+  /// SweptLow to SweptHigh.
+  static constexpr int Bunch = 8;
+  static constexpr int Bunches = Capacity / Bunch;
+  double SweptLow;
+  double SweptHigh;
+  alignas(64) double LeastOffset[2][Bunches];
+  alignas(64) double LeastSlope[2][Bunches];
+  alignas(64) double MostOffset[2][Bunches];
+  alignas(64) double MostSlope[2][Bunches];
 };
 
 /// A rectangle of at most 128 pixels, and what is needed to send rays through them; see Camera.
@@ -90,27 +102,57 @@ struct Passages
   /// across). For so many rays, there is room without asking.
   static constexpr int RaysWithRoom = Capacity / 16;
 
+  /// The way of a ray through a block, counted from the first cell across the axis and from the
+  /// middle plane of the block along it.
+  struct Way
+  {
+    /// The two places across in the middle plane, and how they change from plane to plane.
+    float Line[4];
+    /// The lowest and the highest plane that the ray comes to, or planes beyond the block.
+    float Ends[2];
+    int Ray;
+    int Block;
+  };
+
   int Count;
-  int Ray[Capacity];
-  /// The first cell of the block, and where its first corner is kept.
-  int First[Capacity][3];
-  const char* Corner[Capacity];
+  alignas(64) Way Ways[Capacity];
   /// The slices across the axis that have cells left.
   unsigned int Slices[Capacity];
   std::uint64_t Cells[Capacity][8];
-  /// Whether the ray hit something there.
+  /// Whether the ray surely hits something there.
   bool Hits[Capacity];
+
+  /// Whether any of the rays begins or ends in its block.
+  bool HasEnds;
+
+  /// The first cell of each block that is passed, and where its first corner is kept.
+  int BlockCount;
+  int First[Capacity][3];
+  const char* Corner[Capacity];
+};
+
+/// Cells of passages, to be looked at.
+struct PassedCells
+{
+  static constexpr int Batch = 128;
+  /// A passage adds all its cells in a slice at once; behind the last there is room for a vector.
+  static constexpr int Capacity = Batch + 64 + 16;
+
+  int Count;
+  /// The passage, 2^16 times the slice, and 2^24 times the bit of the cell in it.
+  unsigned int Codes[Capacity];
+  /// Where the first corner of the cell is kept.
+  const void* First[Capacity];
 };
 
 /// Pairs of a ray and a cell, to be solved.
 struct Candidates
 {
-  static constexpr int Batch = 64;
-  /// A passage adds all its cells in a slice at once, which are not many.
-  static constexpr int Capacity = Batch + 64;
+  static constexpr int Batch = 128;
+  /// All of some passed cells may be added at once; behind the last there is room for two vectors.
+  static constexpr int Capacity = Batch + PassedCells::Capacity + 16;
 
   int Count;
-  int Passage[Capacity];
   int Ray[Capacity];
   int Cell[3][Capacity];
   /// Where the first corner of the cell is kept.
@@ -125,35 +167,22 @@ struct ScaledIsovalue
   double Scale;
 };
 
-/// The first hits of the rays of a group. Where a ray meets the surface is known first by the cell,
-/// and refined to a place when nothing before it can come any more.
-struct GroupHits
+/// What candidates turn out to be: the first root of each in its cell, as in Hit. One bit for each
+/// candidate in the sets.
+struct Solutions
 {
-  /// The rays that hit.
-  RaySet Found;
-  /// Those whose place is known.
-  RaySet Refined;
+  static constexpr int Words = (Candidates::Capacity + 63) / 64;
 
-  int Cell[3][RayGroup::Capacity];
-  /// The segment of the ray in the cell, as in CellSegment, and the cubic along it.
-  alignas(64) double Begin[RayGroup::Capacity];
-  alignas(64) double BeginAxis[RayGroup::Capacity];
-  alignas(64) double End[RayGroup::Capacity];
-  alignas(64) double Entry[3][RayGroup::Capacity];
-  alignas(64) double Exit[3][RayGroup::Capacity];
-  alignas(64) double Cubic[4][RayGroup::Capacity];
-
-  /// The place, as in Hit.
-  alignas(64) double T[RayGroup::Capacity];
-  alignas(64) double Parametric[3][RayGroup::Capacity];
-  RaySet Rising;
-};
-
-/// Candidates whose values are too large or too small for the arithmetic of the kernels.
-struct ExtremeCandidates
-{
-  int Count;
-  int Numbers[Candidates::Capacity];
+  /// Those with a root.
+  std::uint64_t Found[Words];
+  /// Those whose values are too large or too small for the arithmetic of the kernels.
+  std::uint64_t Extreme[Words];
+  std::uint64_t Rising[Words];
+  /// Where the ray comes into the cell, as in CellSegment.
+  alignas(64) double Begin[Candidates::Capacity];
+  alignas(64) double BeginAxis[Candidates::Capacity];
+  alignas(64) double T[Candidates::Capacity];
+  alignas(64) double Parametric[3][Candidates::Capacity];
 };
 
 /// Cells whose corners all have neighbours on both sides, and a place in each.
@@ -178,6 +207,15 @@ struct ShadedHits
   RaySet Rising;
   /// Those whose vectors are too short or too long for the arithmetic of the kernel.
   RaySet Extreme;
+};
+
+/// What opaque hits look like in the picture.
+struct HitPixels
+{
+  /// Red, green, blue and opacity, the first one lowest.
+  std::uint32_t Colors[RayGroup::Capacity];
+  /// As in the depth buffer.
+  float Depths[RayGroup::Capacity];
 };
 
 /// A light that is infinitely far; see Light.
@@ -220,19 +258,20 @@ struct Kernels
   void (*FindPassages)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], Passages& passages);
 
+  /// Adds those of some cells to the candidates in which a ray may hit the surface, as single
+  /// precision can tell; and marks the passages and the rays that surely hit it. Corners are kept
+  /// in rows, with so many values from neighbour to neighbour along each axis. One for every
+  /// ScalarType.
+  void (*SiftCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits);
+
   /// Loads the corners of candidates from where they are kept in rows, with so many values from
   /// neighbour to neighbour along each axis. One for every ScalarType.
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
-  /// Finds the candidates with a root, keeps of every ray the one where it comes in first, and
-  /// tells the passages.
-  void (*FindHits)(const RayGroup& group, const Candidates& candidates,
-    const ScaledIsovalue& isovalue, GroupHits& hits, Passages& passages,
-    ExtremeCandidates& extremes);
-
-  /// Finds the places of the hits that are not refined yet: the first root in the cell, exactly as
-  /// Robust::ForEachRoot does.
-  void (*Refine)(const RayGroup& group, GroupHits& hits);
+  /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
+  void (*Solve)(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+    Solutions& solutions);
 
   /// Interpolates the central differences at the corners of cells, which makes the gradients of
   /// NormalMode::CentralDifferences. Strides are those of Samples. One for every ScalarType.
@@ -241,6 +280,11 @@ struct Kernels
 
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);
+
+  /// Turns opaque hits with their last colours, and places in index space, to pixels, exactly as
+  /// RenderTiles does.
+  void (*MakePixels)(const double* clipFromIndex, const ShadedHits& hits,
+    const double (*points)[RayGroup::Capacity], HitPixels& pixels);
 
   /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
   /// One for every ScalarType.

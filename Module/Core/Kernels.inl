@@ -45,16 +45,22 @@ LANES_INLINE int SmallerOf(int a, int b)
   return a < b ? a : b;
 }
 
+LANES_INLINE int LargerOf(int a, int b)
+{
+  return a > b ? a : b;
+}
+
 LANES_INLINE double SmallestOf(Doubles values)
 {
-  double lanes[LaneCount];
-  Store(values, lanes);
-  double result = lanes[0];
-  for (int lane = 1; lane < LaneCount; ++lane)
-  {
-    result = lanes[lane] < result ? lanes[lane] : result;
-  }
-  return result;
+#if defined(LANES_AVX512)
+  return _mm512_reduce_min_pd(values.Value);
+#elif defined(LANES_AVX2)
+  const __m128d two =
+    _mm_min_pd(_mm256_castpd256_pd128(values.Value), _mm256_extractf128_pd(values.Value, 1));
+  return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
+#else
+  return values.Value[1] < values.Value[0] ? values.Value[1] : values.Value[0];
+#endif
 }
 
 LANES_INLINE double LargestOf(Doubles values)
@@ -241,6 +247,47 @@ void MakeRays(const PixelBlock& block, RayGroup& group)
 }
 
 //------------------------------------------------------------------------------
+/// Finds what the bunches of a group sweep along one of the axes across.
+LANES_INLINE void SweepBunches(RayGroup& group, const RaySet& rays, int j)
+{
+  const double low = group.SweptLow;
+  const double high = group.SweptHigh;
+  const double inverse = 1.0 / (high - low);
+  for (int bunch = 0; bunch < RayGroup::Bunches; ++bunch)
+  {
+    const int first = bunch * RayGroup::Bunch;
+    // Bunches without rays are nowhere.
+    group.LeastOffset[j][bunch] = Infinity;
+    group.LeastSlope[j][bunch] = 0.0;
+    group.MostOffset[j][bunch] = -Infinity;
+    group.MostSlope[j][bunch] = 0.0;
+    if ((rays.Words[first >> 6] >> (first & 63) & 0xFFU) == 0)
+    {
+      continue;
+    }
+    Doubles least[2] = { Broadcast(Infinity), Broadcast(Infinity) };
+    Doubles most[2] = { Broadcast(-Infinity), Broadcast(-Infinity) };
+    for (int i = first; i < first + RayGroup::Bunch; i += LaneCount)
+    {
+      const Mask mask = LanesOf(GetLanes(rays, i));
+      const Doubles slope = Load(&group.Slope[j][i]);
+      const Doubles offset = Load(&group.Offset[j][i]);
+      for (int end = 0; end < 2; ++end)
+      {
+        const Doubles place = offset + Broadcast(end == 0 ? low : high) * slope;
+        least[end] = Select(mask, Smaller(least[end], place), least[end]);
+        most[end] = Select(mask, Larger(most[end], place), most[end]);
+      }
+    }
+    const double leastAtLow = SmallestOf(least[0]);
+    const double mostAtLow = LargestOf(most[0]);
+    group.LeastSlope[j][bunch] = (SmallestOf(least[1]) - leastAtLow) * inverse;
+    group.MostSlope[j][bunch] = (LargestOf(most[1]) - mostAtLow) * inverse;
+    group.LeastOffset[j][bunch] = leastAtLow - low * group.LeastSlope[j][bunch];
+    group.MostOffset[j][bunch] = mostAtLow - low * group.MostSlope[j][bunch];
+  }
+}
+
 bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
 {
   const int across[2] = { AxisU[axis], AxisV[axis] };
@@ -295,31 +342,26 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
   {
     return false;
   }
+  group.SweptLow = beam.Low;
+  group.SweptHigh = beam.High;
   for (int j = 0; j < 2; ++j)
   {
-    Doubles least[2] = { Broadcast(Infinity), Broadcast(Infinity) };
-    Doubles most[2] = { Broadcast(-Infinity), Broadcast(-Infinity) };
-    for (int i = 0; i < group.Count; i += LaneCount)
-    {
-      const unsigned int lanes = GetLanes(rays, i);
-      if (lanes == 0)
-      {
-        continue;
-      }
-      const Mask mask = LanesOf(lanes);
-      const Doubles slope = Load(&group.Slope[j][i]);
-      const Doubles offset = Load(&group.Offset[j][i]);
-      for (int end = 0; end < 2; ++end)
-      {
-        const Doubles place = offset + Broadcast(end == 0 ? beam.Low : beam.High) * slope;
-        least[end] = Select(mask, Smaller(least[end], place), least[end]);
-        most[end] = Select(mask, Larger(most[end], place), most[end]);
-      }
-    }
+    SweepBunches(group, rays, j);
+    // The bunches together.
+    const double ends[2] = { beam.Low, beam.High };
     for (int end = 0; end < 2; ++end)
     {
-      beam.Least[j][end] = SmallestOf(least[end]) - Margin;
-      beam.Most[j][end] = LargestOf(most[end]) + Margin;
+      Doubles least = Broadcast(Infinity);
+      Doubles most = Broadcast(-Infinity);
+      for (int i = 0; i < RayGroup::Bunches; i += LaneCount)
+      {
+        const Doubles plane = Broadcast(ends[end]);
+        least =
+          Smaller(least, Load(&group.LeastOffset[j][i]) + plane * Load(&group.LeastSlope[j][i]));
+        most = Larger(most, Load(&group.MostOffset[j][i]) + plane * Load(&group.MostSlope[j][i]));
+      }
+      beam.Least[j][end] = SmallestOf(least) - Margin;
+      beam.Most[j][end] = LargestOf(most) + Margin;
     }
   }
   return true;
@@ -336,15 +378,11 @@ LANES_INLINE unsigned int FindCellsOfRay(
 {
   const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
     2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
-  const __m512i halves = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
   const __m512 margin = _mm512_set1_ps(static_cast<float>(Margin));
-  const auto spread = [halves](const float pair[2])
-  {
-    return _mm512_permutexvar_ps(halves,
-      _mm512_castps128_ps512(_mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(pair))));
-  };
+  const auto spread = [](const float pair[2])
+  { return _mm512_mask_blend_ps(0xFF00, _mm512_set1_ps(pair[0]), _mm512_set1_ps(pair[1])); };
   const __m512 slopes = spread(slope);
-  const __m512 near = _mm512_add_ps(spread(middle), _mm512_mul_ps(planes, slopes));
+  const __m512 near = _mm512_fmadd_ps(planes, slopes, spread(middle));
   const __m512 far = _mm512_add_ps(near, slopes);
   const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margin);
   const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margin);
@@ -457,6 +495,34 @@ struct Box
   double Extent[3];
 };
 
+/// The bunches of rays that may come into a box, counted from a first cell; a bit for each.
+LANES_INLINE unsigned int FindBunches(const RayGroup& group, const Box& box, const double first[3])
+{
+  const double low = first[0] + box.Middle[0] - box.Extent[0];
+  const double high = first[0] + box.Middle[0] + box.Extent[0];
+  const Doubles near = Broadcast(low < group.SweptLow ? group.SweptLow : low);
+  const Doubles far = Broadcast(high < group.SweptHigh ? high : group.SweptHigh);
+  unsigned int found = 0;
+  for (int i = 0; i < RayGroup::Bunches; i += LaneCount)
+  {
+    Mask meets = FirstLanes(LaneCount);
+    for (int j = 0; j < 2; ++j)
+    {
+      const double middle = first[1 + j] + box.Middle[1 + j];
+      const Doubles leastSlope = Load(&group.LeastSlope[j][i]);
+      const Doubles mostSlope = Load(&group.MostSlope[j][i]);
+      const Doubles least =
+        Load(&group.LeastOffset[j][i]) + Smaller(near * leastSlope, far * leastSlope);
+      const Doubles most =
+        Load(&group.MostOffset[j][i]) + Larger(near * mostSlope, far * mostSlope);
+      meets = meets & (least < Broadcast(middle + box.Extent[1 + j])) &
+        (Broadcast(middle - box.Extent[1 + j]) < most);
+    }
+    found |= ToBits(meets) << i;
+  }
+  return found;
+}
+
 LANES_INLINE Box FindBox(const std::uint64_t slices[8])
 {
   std::uint64_t any = 0;
@@ -480,6 +546,34 @@ LANES_INLINE Box FindBox(const std::uint64_t slices[8])
     box.Extent[i] = 0.5 * (last[i] + 1 - first[i]) + Margin;
   }
   return box;
+}
+
+/// Planes beyond a block, counted from its middle.
+constexpr float NoEnd[2] = { -8.0F, 8.0F };
+
+/// Appends the numbers of some lanes, counted from the first. There must be room for a vector.
+LANES_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
+{
+#if defined(LANES_AVX512)
+  const __m256i all =
+    _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(numbers),
+    _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), all));
+  return __builtin_popcount(lanes);
+#else
+  int count = 0;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    numbers[count] = first + lane;
+    count += static_cast<int>(lanes >> lane & 1U);
+  }
+  return count;
+#endif
+}
+
+LANES_INLINE void CopyPair(const float from[2], float to[2])
+{
+  __builtin_memcpy(to, from, 2 * sizeof(float));
 }
 
 void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
@@ -511,47 +605,301 @@ void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int
 #else
   const std::uint64_t* mask = slices;
 #endif
-  int count = passages.Count;
-  for (int i = 0; i < group.Count; i += LaneCount)
+  const double corner[3] = { static_cast<double>(first[axis]),
+    static_cast<double>(first[AxisU[axis]]), static_cast<double>(first[AxisV[axis]]) };
+  const Doubles margin = Broadcast(Margin);
+  // Ends so near to the block's own are none.
+  const Doubles lastBegin = Broadcast(first[axis] + 0x1p-20);
+  const Doubles firstEnd = Broadcast(first[axis] + 8 - 0x1p-20);
+  float middles[RayGroup::Capacity][2];
+  float ends[RayGroup::Capacity][2];
+  int found[RayGroup::Capacity + LaneCount];
+  int foundCount = 0;
+  for (unsigned int bunches = FindBunches(group, box, corner); bunches != 0; bunches &= bunches - 1)
   {
-    const unsigned int lanes = GetLanes(rays, i);
-    if (lanes == 0)
+    const int bunch = __builtin_ctz(bunches) * RayGroup::Bunch;
+    for (int i = bunch; i < bunch + RayGroup::Bunch; i += LaneCount)
     {
-      continue;
-    }
-    const Doubles slopeU = Load(&group.Slope[0][i]);
-    const Doubles slopeV = Load(&group.Slope[1][i]);
-    const Doubles offsetU = Load(&group.Offset[0][i]);
-    const Doubles offsetV = Load(&group.Offset[1][i]);
-    const Doubles u = offsetU + planes * slopeU - middle[0];
-    const Doubles v = offsetV + planes * slopeV - middle[1];
-    unsigned int meets = lanes &
-      ToBits((Magnitude(u) < reach[0] + extent * Magnitude(slopeU)) &
-        (Magnitude(v) < reach[1] + extent * Magnitude(slopeV)) & (Load(&group.Low[i]) < highest) &
-        (lowest < Load(&group.High[i])));
-    if (meets == 0)
-    {
-      continue;
-    }
-    float middles[LaneCount][2];
-    StorePairs(offsetU + middlePlanes * slopeU - firstOf[0],
-      offsetV + middlePlanes * slopeV - firstOf[1], middles);
-    while (meets != 0)
-    {
-      const int lane = __builtin_ctz(meets);
-      meets &= meets - 1;
-      const unsigned int any =
-        FindCellsOfRay(middles[lane], group.Slopes[i + lane], mask, passages.Cells[count]);
-      passages.Ray[count] = i + lane;
-      passages.First[count][0] = first[0];
-      passages.First[count][1] = first[1];
-      passages.First[count][2] = first[2];
-      passages.Slices[count] = any;
-      passages.Hits[count] = false;
-      count += any != 0 ? 1 : 0;
+      const Doubles slopeU = Load(&group.Slope[0][i]);
+      const Doubles slopeV = Load(&group.Slope[1][i]);
+      const Doubles offsetU = Load(&group.Offset[0][i]);
+      const Doubles offsetV = Load(&group.Offset[1][i]);
+      const Doubles low = Load(&group.Low[i]);
+      const Doubles high = Load(&group.High[i]);
+      const Doubles u = offsetU + planes * slopeU - middle[0];
+      const Doubles v = offsetV + planes * slopeV - middle[1];
+      const unsigned int meets = GetLanes(rays, i) &
+        ToBits((Magnitude(u) < reach[0] + extent * Magnitude(slopeU)) &
+          (Magnitude(v) < reach[1] + extent * Magnitude(slopeV)) & (low < highest) &
+          (lowest < high));
+      if (meets == 0)
+      {
+        continue;
+      }
+      StorePairs(offsetU + middlePlanes * slopeU - firstOf[0],
+        offsetV + middlePlanes * slopeV - firstOf[1], &middles[i]);
+      const Doubles begin = low + margin;
+      const Doubles end = high - margin;
+      if ((meets & ToBits((lastBegin < begin) | (end < firstEnd))) != 0)
+      {
+        passages.HasEnds = true;
+        StorePairs(begin - middlePlanes, end - middlePlanes, &ends[i]);
+      }
+      else
+      {
+        StorePairs(Broadcast(NoEnd[0]), Broadcast(NoEnd[1]), &ends[i]);
+      }
+      foundCount += AppendLanes(i, meets, &found[foundCount]);
     }
   }
+  int count = passages.Count;
+  for (int k = 0; k < foundCount; ++k)
+  {
+    const int ray = found[k];
+    const unsigned int any =
+      FindCellsOfRay(middles[ray], group.Slopes[ray], mask, passages.Cells[count]);
+    Passages::Way& way = passages.Ways[count];
+    CopyPair(middles[ray], way.Line);
+    CopyPair(group.Slopes[ray], way.Line + 2);
+    CopyPair(ends[ray], way.Ends);
+    way.Ray = ray;
+    way.Block = passages.BlockCount;
+    passages.Slices[count] = any;
+    passages.Hits[count] = false;
+    count += any != 0 ? 1 : 0;
+  }
+  if (count > passages.Count)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      passages.First[passages.BlockCount][i] = first[i];
+    }
+    ++passages.BlockCount;
+  }
   passages.Count = count;
+}
+
+//------------------------------------------------------------------------------
+/// Passed cells, each with the way of the ray: as in Passages::Way, but counted from the corner of
+/// the cell across.
+struct RoughCells
+{
+  /// The lower plane of the cell, from the middle plane of the block.
+  Floats Plane;
+  Floats Place[2];
+  Floats Slope[2];
+  Floats Ends[2];
+};
+
+LANES_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned int* codes)
+{
+  const float* lines[FloatCount];
+  for (int lane = 0; lane < FloatCount; ++lane)
+  {
+    lines[lane] = passages.Ways[codes[lane] & 0xFFFFU].Line;
+  }
+  Floats line[4];
+  LoadFours(lines, line);
+  RoughCells cells;
+  cells.Plane = GetBits(codes, 16, 7U) - BroadcastFloat(4.0F);
+  cells.Place[0] = line[0] - GetBits(codes, 24, 7U);
+  cells.Place[1] = line[1] - GetBits(codes, 27, 7U);
+  cells.Slope[0] = line[2];
+  cells.Slope[1] = line[3];
+  cells.Ends[0] = BroadcastFloat(NoEnd[0]);
+  cells.Ends[1] = BroadcastFloat(NoEnd[1]);
+  if (passages.HasEnds)
+  {
+    float ends[2][FloatCount];
+    for (int lane = 0; lane < FloatCount; ++lane)
+    {
+      const Passages::Way& way = passages.Ways[codes[lane] & 0xFFFFU];
+      ends[0][lane] = way.Ends[0];
+      ends[1][lane] = way.Ends[1];
+    }
+    cells.Ends[0] = LoadFloats(ends[0]);
+    cells.Ends[1] = LoadFloats(ends[1]);
+  }
+  return cells;
+}
+
+LANES_INLINE Floats Lerp(Floats a, Floats difference, Floats t)
+{
+  return MultiplyAdd(difference, t, a);
+}
+
+/// What single precision can tell of the part of rays in cells.
+struct Sieve
+{
+  FloatMask Misses;
+  FloatMask Hits;
+};
+
+/// The planes between which rays are in cells, taken a little too wide; by how much the ends may
+/// be off, and whether there is surely something between them.
+struct RoughSegments
+{
+  Floats Low;
+  Floats High;
+  Floats Error;
+  FloatMask Exist;
+};
+
+/// More than single precision may be off by, in cells: of a place in a block and of a plane.
+constexpr float PlaceError = 0x1p-18F;
+
+LANES_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
+{
+  const Floats one = BroadcastFloat(1.0F);
+  const Floats error = BroadcastFloat(PlaceError);
+  Floats low = Larger(cells.Plane, cells.Ends[0] - error);
+  Floats surelyLow = Larger(cells.Plane, cells.Ends[0] + error);
+  Floats high = Smaller(cells.Plane + one, cells.Ends[1] + error);
+  Floats surelyHigh = Smaller(cells.Plane + one, cells.Ends[1] - error);
+  for (int j = 0; j < 2; ++j)
+  {
+    // Of a slope that is nearly or really none, a large reciprocal will do.
+    const Floats inverse = RoughReciprocal(
+      CopySign(Larger(Magnitude(cells.Slope[j]), BroadcastFloat(0x1p-60F)), cells.Slope[j]));
+    const Floats first = (BroadcastFloat(0.0F) - cells.Place[j]) * inverse;
+    const Floats second = (one - cells.Place[j]) * inverse;
+    const Floats off = MultiplyAdd(error, Magnitude(inverse), error);
+    const Floats in = Smaller(first, second);
+    const Floats out = Larger(first, second);
+    low = Larger(low, in - off);
+    surelyLow = Larger(surelyLow, in + off);
+    high = Smaller(high, out + off);
+    surelyHigh = Smaller(surelyHigh, out - off);
+  }
+  RoughSegments result;
+  result.Low = low;
+  result.High = high;
+  result.Error = Larger(surelyLow - low, high - surelyHigh);
+  result.Exist = surelyLow + error < surelyHigh;
+  return result;
+}
+
+/// Looks at the cubics along rays in cells, of values less the isovalue; largest is the largest
+/// size of each cell's. All that single precision gets wrong is less than 2^-16 of it, and what is
+/// wrong with the isovalue.
+LANES_INLINE Sieve Sift(const Floats v[8], Floats largest, Floats isovalueError, const int order[3],
+  const RoughCells& cells, const RoughSegments& segments)
+{
+  // The places in the cell at both ends of the segment.
+  Floats p[3];
+  Floats q[3];
+  p[order[0]] = segments.Low - cells.Plane;
+  q[order[0]] = segments.High - cells.Plane;
+  for (int j = 0; j < 2; ++j)
+  {
+    p[order[1 + j]] = MultiplyAdd(segments.Low, cells.Slope[j], cells.Place[j]);
+    q[order[1 + j]] = MultiplyAdd(segments.High, cells.Slope[j], cells.Place[j]);
+  }
+  Floats x[2][4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const Floats difference = v[2 * i + 1] - v[2 * i];
+    x[0][i] = Lerp(v[2 * i], difference, p[0]);
+    x[1][i] = Lerp(v[2 * i], difference, q[0]);
+  }
+  Floats b[2][2][2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Floats xy[2][2];
+    for (int z = 0; z < 2; ++z)
+    {
+      const Floats difference = x[i][2 * z + 1] - x[i][2 * z];
+      xy[0][z] = Lerp(x[i][2 * z], difference, p[1]);
+      xy[1][z] = Lerp(x[i][2 * z], difference, q[1]);
+    }
+    for (int j = 0; j < 2; ++j)
+    {
+      const Floats difference = xy[j][1] - xy[j][0];
+      b[i][j][0] = Lerp(xy[j][0], difference, p[2]);
+      b[i][j][1] = Lerp(xy[j][0], difference, q[2]);
+    }
+  }
+  const Floats begin = b[0][0][0];
+  const Floats end = b[1][1][1];
+  const Floats once = b[1][0][0] + b[0][1][0] + b[0][0][1];
+  const Floats twice = b[1][1][0] + b[1][0][1] + b[0][1][1];
+  // Where values are so large that differences overflow, the square does too, and nothing is told.
+  const Floats part = largest * BroadcastFloat(0x1p-36F);
+  const Floats error =
+    MultiplyAdd(part, part, MultiplyAdd(largest, BroadcastFloat(0x1p-15F), isovalueError));
+  // A value changes by at most twice the largest size for a cell along each axis, and a ray goes at
+  // most two cells across for one along.
+  const Floats errorOfEnds = MultiplyAdd(largest * segments.Error, BroadcastFloat(10.0F), error);
+  const Floats nearer = Smaller(Magnitude(begin), Magnitude(end));
+  const Floats third = BroadcastFloat(1.0F / 3.0F);
+  const Floats nearest = Smaller(nearer, Smaller(Magnitude(once), Magnitude(twice)) * third);
+  const FloatMask changes = HaveOtherSigns(begin, end);
+  const FloatMask mayChange = changes | HaveOtherSigns(begin, once) | HaveOtherSigns(begin, twice);
+  Sieve result;
+  result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
+  result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
+  return result;
+}
+
+/// The corners of cells in single precision, less the isovalue. Returns the largest size.
+template <typename T>
+LANES_INLINE Floats LoadRoughDifferences(
+  const void* const* first, const std::ptrdiff_t strides[3], Floats isovalue, Floats values[8])
+{
+  Floats largest = BroadcastFloat(0.0F);
+  for (int row = 0; row < 4; ++row)
+  {
+    Floats* pair = &values[2 * row];
+    LoadRoughPair<T>(first, row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
+    for (int x = 0; x < 2; ++x)
+    {
+      pair[x] = pair[x] - isovalue;
+      largest = LargerSize(largest, pair[x]);
+    }
+  }
+  return largest;
+}
+
+template <typename T>
+void SiftCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits)
+{
+  // In other magnitudes nothing is told.
+  const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
+  const auto rounded = static_cast<float>(isovalue.Isovalue);
+  const Floats isovalueError =
+    BroadcastFloat(least + 0x1p-22F * (rounded < 0.0F ? -rounded : rounded));
+  // The order of the axis and those across, in that of the corners.
+  const int order[3] = { axis, AxisU[axis], AxisV[axis] };
+  for (int i = 0; i < cells.Count; i += FloatCount)
+  {
+    const RoughCells rough = LoadRoughCells(passages, &cells.Codes[i]);
+    const RoughSegments segments = FindRoughSegments(rough);
+    Floats values[8];
+    const Floats largest =
+      LoadRoughDifferences<T>(&cells.First[i], strides, BroadcastFloat(rounded), values);
+    const Sieve sieve = Sift(values, largest, isovalueError, order, rough, segments);
+    const unsigned int lanes = (1U << SmallerOf(cells.Count - i, FloatCount)) - 1U;
+    const unsigned int sure = ToBits(sieve.Hits);
+    for (unsigned int left = lanes & ~ToBits(sieve.Misses); left != 0; left &= left - 1)
+    {
+      const int lane = __builtin_ctz(left);
+      const unsigned int code = cells.Codes[i + lane];
+      const unsigned int passage = code & 0xFFFFU;
+      const unsigned int bit = code >> 24;
+      const Passages::Way& way = passages.Ways[passage];
+      const int* first = passages.First[way.Block];
+      const int place = candidates.Count++;
+      candidates.Ray[place] = way.Ray;
+      candidates.Cell[order[0]][place] = first[order[0]] + static_cast<int>(code >> 16 & 0xFFU);
+      candidates.Cell[order[1]][place] = first[order[1]] + static_cast<int>(bit & 7U);
+      candidates.Cell[order[2]][place] = first[order[2]] + static_cast<int>(bit >> 3);
+      candidates.First[place] = cells.First[i + lane];
+      const unsigned int isSure = sure >> lane & 1U;
+      passages.Hits[passage] = passages.Hits[passage] || isSure != 0;
+      hits.Words[way.Ray >> 6] |= static_cast<std::uint64_t>(isSure) << (way.Ray & 63);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -758,100 +1106,6 @@ LANES_INLINE Brackets FindFirstSignChange(const Doubles b[4])
   return result;
 }
 
-/// Keeps the hit of a ray in a cell, with a lane of the segments and cubics, unless the ray has one
-/// in a cell before.
-LANES_INLINE void Keep(const Candidates& candidates, int candidate,
-  const double (*lanes)[LaneCount], int lane, GroupHits& hits)
-{
-  const int ray = candidates.Ray[candidate];
-  const std::uint64_t bit = std::uint64_t{ 1 } << (ray & 63);
-  const double begin = lanes[0][lane];
-  const double beginAxis = lanes[1][lane];
-  const bool hasOther = (hits.Found.Words[ray >> 6] & bit) != 0;
-  if (hasOther &&
-    !(begin < hits.Begin[ray] || (begin == hits.Begin[ray] && beginAxis < hits.BeginAxis[ray])))
-  {
-    return;
-  }
-  hits.Found.Words[ray >> 6] |= bit;
-  hits.Refined.Words[ray >> 6] &= ~bit;
-  hits.Rising.Words[ray >> 6] &= ~bit;
-  hits.Begin[ray] = begin;
-  hits.BeginAxis[ray] = beginAxis;
-  hits.End[ray] = lanes[2][lane];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    hits.Cell[axis][ray] = candidates.Cell[axis][candidate];
-    hits.Entry[axis][ray] = lanes[3 + axis][lane];
-    hits.Exit[axis][ray] = lanes[6 + axis][lane];
-  }
-  for (int k = 0; k < 4; ++k)
-  {
-    hits.Cubic[k][ray] = lanes[9 + k][lane];
-  }
-}
-
-void FindHits(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
-  GroupHits& hits, Passages& passages, ExtremeCandidates& extremes)
-{
-  extremes.Count = 0;
-  for (int i = 0; i < candidates.Count; i += LaneCount)
-  {
-    Doubles cell[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      cell[axis] = LoadIntegers(&candidates.Cell[axis][i]);
-    }
-    const Segments segments = FindSegments(group, &candidates.Ray[i], cell);
-    Doubles values[8];
-    FindDifferences(candidates, i, isovalue, values);
-    Doubles b[4];
-    FindCubics(values, segments.Entry, segments.Exit, b);
-    const Mask inside = IsInside(b[0]);
-    const Mask exists = segments.Exists & FirstLanes(SmallerOf(candidates.Count - i, LaneCount));
-    const Mask mayHaveRoot =
-      exists & ((IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside));
-    const Doubles size =
-      Larger(Larger(Magnitude(b[0]), Magnitude(b[1])), Larger(Magnitude(b[2]), Magnitude(b[3])));
-    const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
-    for (unsigned int left = ToBits(AndNot(mayHaveRoot, ordinary)); left != 0; left &= left - 1)
-    {
-      extremes.Numbers[extremes.Count++] = i + __builtin_ctz(left);
-    }
-    // Most cubics with a root have ends on two sides; for the others, the extrema decide.
-    const Mask open = mayHaveRoot & ordinary;
-    Mask hasRoot = open & (IsInside(b[3]) ^ inside);
-    const Mask undecided = AndNot(open, hasRoot);
-    if (Any(undecided))
-    {
-      hasRoot = hasRoot | (undecided & FindFirstSignChange(b).Exists);
-    }
-    if (!Any(hasRoot))
-    {
-      continue;
-    }
-    double lanes[13][LaneCount];
-    Store(segments.Begin, lanes[0]);
-    Store(segments.BeginAxis, lanes[1]);
-    Store(segments.End, lanes[2]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      Store(segments.Entry[axis], lanes[3 + axis]);
-      Store(segments.Exit[axis], lanes[6 + axis]);
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      Store(b[k], lanes[9 + k]);
-    }
-    for (unsigned int left = ToBits(hasRoot); left != 0; left &= left - 1)
-    {
-      const int lane = __builtin_ctz(left);
-      passages.Hits[candidates.Passage[i + lane]] = true;
-      Keep(candidates, i + lane, lanes, lane, hits);
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 // The same as Robust::RefineRoot, for two vectors at a time: each step waits for the one before,
 // and the other vector fills the wait.
@@ -898,69 +1152,65 @@ LANES_INLINE void RefineRoots(const Doubles (*b)[4], const Brackets* brackets, D
   }
 }
 
-/// Refines the hits of two vectors of rays, where missing says so.
-LANES_INLINE void RefineVectors(
-  const RayGroup& group, const int first[2], const unsigned int missing[2], GroupHits& hits)
+LANES_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
 {
-  Doubles b[2][4];
-  Brackets brackets[2];
-  Doubles u[2];
-  for (int j = 0; j < 2; ++j)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      b[j][k] = Load(&hits.Cubic[k][first[j]]);
-    }
-    brackets[j] = FindFirstSignChange(b[j]);
-    brackets[j].Exists = brackets[j].Exists & LanesOf(missing[j]);
-  }
-  RefineRoots(b, brackets, u);
-  for (int j = 0; j < 2; ++j)
-  {
-    const int i = first[j];
-    const Mask mask = LanesOf(missing[j]);
-    const Doubles begin = Load(&hits.Begin[i]);
-    const Doubles end = Load(&hits.End[i]);
-    const Doubles t = Load(&group.Base[i]) + Smaller(begin + (end - begin) * u[j], end);
-    Store(Select(mask, t, Load(&hits.T[i])), &hits.T[i]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Doubles place = Lerp(Load(&hits.Entry[axis][i]), Load(&hits.Exit[axis][i]), u[j]);
-      Store(Select(mask, place, Load(&hits.Parametric[axis][i])), &hits.Parametric[axis][i]);
-    }
-    const std::uint64_t rising = missing[j] & ToBits(IsInside(brackets[j].AtHigh));
-    hits.Rising.Words[i >> 6] |= rising << (i & 63);
-  }
+  words[first >> 6] |= static_cast<std::uint64_t>(bits) << (first & 63);
 }
 
-void Refine(const RayGroup& group, GroupHits& hits)
+void Solve(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+  Solutions& solutions)
 {
-  const RaySet rays = { { hits.Found.Words[0] & ~hits.Refined.Words[0],
-    hits.Found.Words[1] & ~hits.Refined.Words[1] } };
-  int count = 0;
-  int first[2];
-  unsigned int missing[2];
-  for (int i = 0; i < group.Count; i += LaneCount)
+  for (int i = 0; i < Solutions::Words; ++i)
   {
-    const unsigned int lanes = GetLanes(rays, i);
-    if (lanes != 0)
+    solutions.Found[i] = solutions.Extreme[i] = solutions.Rising[i] = 0;
+  }
+  // Two vectors at a time; see RefineRoots.
+  for (int i = 0; i < candidates.Count; i += 2 * LaneCount)
+  {
+    Segments segments[2];
+    Doubles b[2][4];
+    Brackets brackets[2];
+    for (int j = 0; j < 2; ++j)
     {
-      first[count] = i;
-      missing[count++] = lanes;
+      const int first = i + j * LaneCount;
+      const Doubles cell[3] = { LoadIntegers(&candidates.Cell[0][first]),
+        LoadIntegers(&candidates.Cell[1][first]), LoadIntegers(&candidates.Cell[2][first]) };
+      segments[j] = FindSegments(group, &candidates.Ray[first], cell);
+      Doubles values[8];
+      FindDifferences(candidates, first, isovalue, values);
+      FindCubics(values, segments[j].Entry, segments[j].Exit, b[j]);
+      const Mask inside = IsInside(b[j][0]);
+      const int lanes = SmallerOf(LargerOf(candidates.Count - first, 0), LaneCount);
+      const Mask mayHaveRoot = segments[j].Exists & FirstLanes(lanes) &
+        ((IsInside(b[j][1]) ^ inside) | (IsInside(b[j][2]) ^ inside) |
+          (IsInside(b[j][3]) ^ inside));
+      const Doubles size = Larger(Larger(Magnitude(b[j][0]), Magnitude(b[j][1])),
+        Larger(Magnitude(b[j][2]), Magnitude(b[j][3])));
+      const Mask ordinary = (Broadcast(1e-100) <= size) & (size <= Broadcast(1e100));
+      brackets[j] = FindFirstSignChange(b[j]);
+      brackets[j].Exists = brackets[j].Exists & mayHaveRoot & ordinary;
+      SetBits(ToBits(AndNot(mayHaveRoot, ordinary)), first, solutions.Extreme);
     }
-    if (count == 2)
+    Doubles u[2];
+    RefineRoots(b, brackets, u);
+    for (int j = 0; j < 2; ++j)
     {
-      RefineVectors(group, first, missing, hits);
-      count = 0;
+      const int first = i + j * LaneCount;
+      const Segments& segment = segments[j];
+      SetBits(ToBits(brackets[j].Exists), first, solutions.Found);
+      SetBits(ToBits(IsInside(brackets[j].AtHigh)), first, solutions.Rising);
+      Store(segment.Begin, &solutions.Begin[first]);
+      Store(segment.BeginAxis, &solutions.BeginAxis[first]);
+      const Doubles t = segment.Begin + (segment.End - segment.Begin) * u[j];
+      Store(
+        Gather(group.Base, &candidates.Ray[first]) + Smaller(t, segment.End), &solutions.T[first]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Store(
+          Lerp(segment.Entry[axis], segment.Exit[axis], u[j]), &solutions.Parametric[axis][first]);
+      }
     }
   }
-  if (count == 1)
-  {
-    first[1] = first[0];
-    missing[1] = 0;
-    RefineVectors(group, first, missing, hits);
-  }
-  hits.Refined = hits.Found;
 }
 
 //------------------------------------------------------------------------------
@@ -1169,6 +1419,50 @@ void Shade(const Phong& phong, ShadedHits& hits)
 }
 
 //------------------------------------------------------------------------------
+// The same as ToByte of RenderTiles.cxx.
+LANES_INLINE void StoreBytes(Doubles values, int* bytes)
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles clamped = Select(zero < values, Smaller(values, Broadcast(1.0)), zero);
+  StoreTruncated(Broadcast(255.0) * clamped + Broadcast(0.5), bytes);
+}
+
+void MakePixels(const double* clipFromIndex, const ShadedHits& hits,
+  const double (*points)[RayGroup::Capacity], HitPixels& pixels)
+{
+  const double* m = clipFromIndex;
+  const Doubles zero = Broadcast(0.0);
+  const Doubles half = Broadcast(0.5);
+  const Doubles one = Broadcast(1.0);
+  for (int i = 0; i < hits.Count; i += LaneCount)
+  {
+    int bytes[3][LaneCount];
+    for (int k = 0; k < 3; ++k)
+    {
+      StoreBytes(Load(&hits.Color[k][i]), bytes[k]);
+    }
+    Doubles clip[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      const double* row = m + 8 + 4 * k;
+      clip[k] = Broadcast(row[0]) * Load(&points[0][i]) + Broadcast(row[1]) * Load(&points[1][i]) +
+        Broadcast(row[2]) * Load(&points[2][i]) + Broadcast(row[3]);
+    }
+    // As std::clamp.
+    const Doubles depth = half * clip[0] / clip[1] + half;
+    double depths[LaneCount];
+    Store(Select(depth < zero, zero, Select(one < depth, one, depth)), depths);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      pixels.Colors[i + lane] = static_cast<std::uint32_t>(bytes[0][lane]) |
+        static_cast<std::uint32_t>(bytes[1][lane]) << 8 |
+        static_cast<std::uint32_t>(bytes[2][lane]) << 16 | 0xFF000000U;
+      pixels.Depths[i + lane] = static_cast<float>(depths[lane]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
 // and what is infinite lies beyond the largest numbers: neither is ever kept.
 template <typename T>
@@ -1204,8 +1498,9 @@ void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(LoadCorners), FindHits,      \
-    Refine, FOR_ALL_TYPES(InterpolateDifferences), Shade, FOR_ALL_TYPES(IncludeRow) }
+  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(SiftCells),                  \
+    FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
+    FOR_ALL_TYPES(IncludeRow) }
 
 }
 }

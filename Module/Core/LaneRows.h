@@ -185,5 +185,50 @@ LANES_INLINE void LoadRow(const void* const* rows, int lanes, std::ptrdiff_t pla
   }
 }
 
+/// Two neighbours along x in each lane, in single precision. There must be a row for every lane.
+template <typename T>
+LANES_INLINE void LoadRoughPair(
+  const void* const* rows, std::ptrdiff_t place, std::ptrdiff_t stride, Floats pair[2])
+{
+#if defined(LANES_AVX512)
+  if constexpr (sizeof(T) == 2 || (IsFloating<T> && sizeof(T) == 4))
+  {
+    if (stride == 1)
+    {
+      constexpr int size = 2 * sizeof(T);
+      const std::ptrdiff_t bytes = place * static_cast<std::ptrdiff_t>(sizeof(T));
+      const auto low = LoadWords<size>(rows, LaneCount, bytes);
+      const auto high = LoadWords<size>(rows + LaneCount, LaneCount, bytes);
+      if constexpr (size == 4)
+      {
+        const __m512i words = _mm512_inserti32x8(_mm512_castsi256_si512(low), high, 1);
+        const __m512i first = _mm512_slli_epi32(words, 16);
+        pair[0] = { _mm512_cvtepi32_ps(
+          IsSigned<T> ? _mm512_srai_epi32(first, 16) : _mm512_srli_epi32(first, 16)) };
+        pair[1] = { _mm512_cvtepi32_ps(
+          IsSigned<T> ? _mm512_srai_epi32(words, 16) : _mm512_srli_epi32(words, 16)) };
+      }
+      else
+      {
+        const __m512i even =
+          _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
+        const __m512i odd = _mm512_or_si512(even, _mm512_set1_epi32(1));
+        const __m512 first = _mm512_castsi512_ps(low);
+        const __m512 second = _mm512_castsi512_ps(high);
+        pair[0] = { _mm512_permutex2var_ps(first, even, second) };
+        pair[1] = { _mm512_permutex2var_ps(first, odd, second) };
+      }
+      return;
+    }
+  }
+#endif
+  Doubles low[2];
+  Doubles high[2];
+  LoadRow<T, 2>(rows, LaneCount, place, stride, low);
+  LoadRow<T, 2>(rows + LaneCount, LaneCount, place, stride, high);
+  pair[0] = Round(low[0], high[0]);
+  pair[1] = Round(low[1], high[1]);
+}
+
 }
 }

@@ -51,10 +51,37 @@ void MakeRays(
   }
 }
 
+/// Whether a ray through some pixels may hit anything: asks for those at the corners.
+bool MayHit(
+  const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels, RayGroup& corners)
+{
+  corners.Count = 0;
+  corners.Exists = {};
+  for (const int y : { pixels.Y, pixels.Y + pixels.Height - 1 })
+  {
+    for (const int x : { pixels.X, pixels.X + pixels.Width - 1 })
+    {
+      const Camera::PixelRay pixel = scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, 1.0);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        corners.Origin[axis][corners.Count] = pixel.Origin[axis];
+        corners.Direction[axis][corners.Count] = pixel.Direction[axis];
+      }
+      ++corners.Count;
+    }
+  }
+  return volume.MayHitBetween(corners);
+}
+
 /// Makes the rays of some pixels and finds what they hit.
 void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
   RayGroup& rays, RayHits& hits)
 {
+  if (!MayHit(scene, volume, pixels, rays))
+  {
+    hits.Clear();
+    return;
+  }
   if (!scene.Want.BeamKernels || scene.Want.Planes)
   {
     MakeRays(scene, pixels, volume.GetDimensions(), rays);
@@ -131,6 +158,35 @@ void ColorPixel(const Scene& scene, const Hit* hits, std::size_t count, std::uin
   }
 }
 
+/// Writes the hits of some pixels, where one opaque surface is all there is.
+void WriteOpaque(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
+  const RayGroup& rays, const RayHits& hits, Frame& frame)
+{
+  HitPixels made;
+  shader.MakePixels(rays, hits, made);
+  std::size_t ray = 0;
+  std::size_t hit = 0;
+  for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
+  {
+    std::size_t pixel = PixelOffset(scene, pixels.X, y);
+    for (int x = 0; x < pixels.Width; ++x, ++ray, ++pixel)
+    {
+      const bool isHit = hits.First[ray + 1] > hit;
+      const std::uint32_t color = isHit ? made.Colors[hit] : 0;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        frame.Colors[4 * pixel + k] = static_cast<std::uint8_t>(color >> (8 * k));
+      }
+      frame.Depths[pixel] = isHit ? made.Depths[hit] : Frame::NoSurface;
+      if (scene.KeepHits && isHit)
+      {
+        frame.Hits[pixel] = hits.Hits[hit];
+      }
+      hit += isHit ? 1 : 0;
+    }
+  }
+}
+
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
 {
@@ -142,6 +198,11 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
       std::fill_n(&frame.Colors[4 * first], 4 * pixels.Width, std::uint8_t{ 0 });
       std::fill_n(&frame.Depths[first], pixels.Width, Frame::NoSurface);
     }
+    return;
+  }
+  if (shader.CanMakePixels())
+  {
+    WriteOpaque(scene, shader, pixels, rays, hits, frame);
     return;
   }
   if (!scene.Want.Projection)

@@ -285,6 +285,13 @@ public:
     this->SelectMasks(isovalues);
   }
 
+  bool MayHitBetween(RayGroup& lines) const override
+  {
+    const bool isInTree = this->HasTree && this->Want.BeamKernels && !this->Want.Projection;
+    return !isInTree || this->Want.Planes ||
+      BeamTracer::MayMeet(*this->Want.BeamKernels, this->Tree, this->GetDimensions(), lines);
+  }
+
   void Trace(RayGroup& rays, RayHits& hits) override
   {
     hits.Clear();
@@ -557,9 +564,7 @@ private:
     {
       if (Has(found.Found, i))
       {
-        *hit++ = { found.T[i], { found.Cell[0][i], found.Cell[1][i], found.Cell[2][i] }, 0,
-          { found.Parametric[0][i], found.Parametric[1][i], found.Parametric[2][i] },
-          Has(found.Rising, i) };
+        *hit++ = found.Hits[static_cast<std::size_t>(i)];
       }
       hits.First[static_cast<std::size_t>(i) + 1] =
         static_cast<std::size_t>(hit - hits.Hits.data());
@@ -652,24 +657,17 @@ private:
       return { strides[0] * size, strides[1] * size, strides[2] * size };
     }
 
-    void GatherCorners(Candidates& candidates) override
+    void SiftCells(const PassedCells& cells, int axis, Passages& passages, Candidates& candidates,
+      RaySet& hits) override
     {
-      constexpr auto type = static_cast<std::size_t>(ScalarTypeOf<typename Layout::Kept>());
-      this->Volume.Want.BeamKernels->LoadCorners[type](this->Reader.GetStrides(), candidates);
+      this->Volume.Want.BeamKernels->SiftCells[KeptType](cells, axis, this->Reader.GetStrides(),
+        { this->Volume.Want.Surfaces[0].Isovalue, this->Volume.Scales[0] }, passages, candidates,
+        hits);
     }
 
     void LoadCorners(Candidates& candidates) override
     {
-      for (int i = 0; i < candidates.Count; ++i)
-      {
-        typename Layout::Value corners[8];
-        this->Reader.Load(
-          { candidates.Cell[0][i], candidates.Cell[1][i], candidates.Cell[2][i] }, corners);
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          candidates.Corners[corner][i] = static_cast<double>(corners[corner]);
-        }
-      }
+      this->Volume.Want.BeamKernels->LoadCorners[KeptType](this->Reader.GetStrides(), candidates);
     }
 
     bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) override
@@ -678,6 +676,9 @@ private:
     }
 
   private:
+    static constexpr auto KeptType =
+      static_cast<std::size_t>(ScalarTypeOf<typename Layout::Kept>());
+
     struct PassedCell
     {
       Index3 Cell;

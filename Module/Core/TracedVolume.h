@@ -165,6 +165,11 @@ public:
   /// same as before.
   virtual void Select(const Wanted& wanted, int threads) = 0;
 
+  /// Whether rays between lines that pass through one place, or are parallel, may hit a surface:
+  /// those whose directions are means of the lines' own. The lines have an origin and a direction,
+  /// and nothing else.
+  virtual bool MayHitBetween(RayGroup& lines) const = 0;
+
   /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
   /// nothing of it is left to see. A ray that does not exist has no hits. Any number of threads may
   /// trace at once; what a ray hits does not depend on the others. Rays are cut to what is seen.
