@@ -70,6 +70,13 @@ int GetWay(const Vector3& direction)
   return 16 * face + 4 * part((axis + 1) % 3) + part((axis + 2) % 3);
 }
 
+/// Whether the first hit of a ray that leaves another is where it leaves.
+bool IsOwn(const Hit& first, const Hit& start, bool goesInside)
+{
+  const bool isSameCap = first.Plane != Hit::NoPlane && first.Plane == start.Plane;
+  return isSameCap || (first.Surface == start.Surface && first.Rising == goesInside);
+}
+
 Vector3 Cross(const Vector3& a, const Vector3& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
@@ -144,8 +151,16 @@ bool Shader::CanUseKernels() const
 //------------------------------------------------------------------------------
 Vector3 Shader::GetColor(const Hit& hit) const
 {
-  return this->TheScene.ColorsOfHits ? this->TheScene.ColorsOfHits->Get(hit)
-                                     : this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
+  if (this->TheScene.ColorsOfHits)
+  {
+    return this->TheScene.ColorsOfHits->Get(hit);
+  }
+  if (hit.Plane != Hit::NoPlane)
+  {
+    const std::array<double, 4> color = this->TheScene.ColorsOfValues->Get(hit.Value);
+    return { color[0], color[1], color[2] };
+  }
+  return this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
 }
 
 //------------------------------------------------------------------------------
@@ -349,7 +364,7 @@ void Shader::FindShares(
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
   // tells: a first crossing to the side that the ray is on already is none. Where the surface is
-  // opaque, the ray is sent on from there.
+  // opaque, the ray is sent on from there. A ray that leaves a cap meets its plane nowhere else.
   double step = 1e-13;
   RayHits found;
   for (int attempt = 0; attempt < 8 && !IsEmpty(rays.Exists); ++attempt, step *= 16.0)
@@ -360,8 +375,7 @@ void Shader::FindShares(
     {
       std::size_t first = found.First[static_cast<std::size_t>(i)];
       const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
-      const bool isOwn = first < last && found.Hits[first].Surface == hits[i].Surface &&
-        found.Hits[first].Rising == goesInside[i];
+      const bool isOwn = first < last && IsOwn(found.Hits[first], hits[i], goesInside[i]);
       if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
       {
         const Ray ray = GetRay(rays, i);

@@ -8,6 +8,7 @@
 #include "BeamTracer.h"
 #include "BlockTree.h"
 #include "BoxFaces.h"
+#include "Caps.h"
 #include "CellMasks.h"
 #include "CellSegment.h"
 #include "CellTraversal.h"
@@ -301,28 +302,22 @@ public:
     {
       this->Project(rays, hits);
     }
-    else if (this->Want.Field == Interpolant::Nearest)
+    else if (this->Want.Seen.HasCaps())
     {
-      this->ForEachRay(
-        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
-    }
-    else if (this->Want.Solver == RootSolver::Fast)
-    {
-      this->TraceTogether(rays, hits);
-    }
-    else if (this->CanUseBeams(rays))
-    {
-      this->TraceBeams(rays, hits);
+      this->TraceBetweenCaps(rays, hits);
     }
     else
     {
-      this->ForEachRay(
-        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
+      this->TraceSurfaces(rays, hits);
     }
   }
 
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override
   {
+    if (hit.Plane != Hit::NoPlane)
+    {
+      return this->Want.Seen.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
+    }
     if (hit.Jump != 0)
     {
       return GetJumpDirection(hit);
@@ -370,8 +365,9 @@ public:
     }
     for (int i = 0; i < count; ++i)
     {
-      if (!areSmooth || !this->IsInner(hits[i].Cell) || !std::isfinite(gradients[0][i]) ||
-        !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
+      if (!areSmooth || hits[i].Plane != Hit::NoPlane || !this->IsInner(hits[i].Cell) ||
+        !std::isfinite(gradients[0][i]) || !std::isfinite(gradients[1][i]) ||
+        !std::isfinite(gradients[2][i]))
       {
         const Vector3 gradient = this->GetGradient(hits[i], mode);
         gradients[0][i] = gradient[0];
@@ -405,6 +401,127 @@ private:
     const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
     this->Masks.BeginFrame(forMasks);
     this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
+  /// Adds the hits of rays that are cut with the surfaces.
+  void TraceSurfaces(RayGroup& rays, RayHits& hits)
+  {
+    if (this->Want.Field == Interpolant::Nearest)
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
+    }
+    else if (this->Want.Solver == RootSolver::Fast)
+    {
+      this->TraceTogether(rays, hits);
+    }
+    else if (this->CanUseBeams(rays))
+    {
+      this->TraceBeams(rays, hits);
+    }
+    else
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
+    }
+  }
+
+  /// The same, with the caps at the ends of the rays. Where the first is opaque, there is no more.
+  void TraceBetweenCaps(RayGroup& rays, RayHits& hits)
+  {
+    std::optional<Hit> first[RayGroup::Capacity];
+    std::optional<Hit> last[RayGroup::Capacity];
+    const RaySet existing = rays.Exists;
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(existing, i))
+      {
+        const Ray ray = this->TakeRay(rays, i);
+        first[i] = this->FindCap(ray, RayEnd::Begin);
+        last[i] = this->FindCap(ray, RayEnd::End);
+        if (first[i] && this->GetOpacity(*first[i]) >= 1.0)
+        {
+          Remove(i, rays.Exists);
+        }
+      }
+    }
+    RayHits between;
+    between.Clear();
+    this->TraceSurfaces(rays, between);
+    rays.Exists = existing;
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      const auto number = static_cast<std::size_t>(i);
+      RayProgress progress = this->NewProgress();
+      bool isOver = first[i] && progress.Pass(*first[i], hits.Hits);
+      for (std::size_t k = between.First[number]; k < between.First[number + 1] && !isOver; ++k)
+      {
+        isOver = progress.Pass(between.Hits[k], hits.Hits);
+      }
+      if (last[i] && !isOver)
+      {
+        progress.Pass(*last[i], hits.Hits);
+      }
+      hits.First.push_back(hits.Hits.size());
+    }
+  }
+
+  /// The cap at one end of a ray that is cut, if one is seen there.
+  std::optional<Hit> FindCap(const Ray& ray, RayEnd end) const
+  {
+    const Index3& cells = this->Hierarchy.GetLattice().Cells;
+    const bool goesIn = end == RayEnd::Begin;
+    const int plane = FindCappedPlane(ray, end, this->Want.Seen.HalfSpaces, cells);
+    if (plane == Hit::NoPlane)
+    {
+      return std::nullopt;
+    }
+    CellSegment segment;
+    const EndCell place = FindEndCell(ray, end, cells);
+    if (!SegmentInCell(ray, place.Cell, segment))
+    {
+      return std::nullopt;
+    }
+    Hit hit = MakeHit(ray, place.Cell, segment, goesIn ? 0.0 : 1.0, Hit::NoSurface, goesIn);
+    hit.Plane = plane;
+    typename Layout::Value corners[8];
+    LoadCorners(this->TheSamples, place.Cell, corners);
+    Vector3 point = hit.Parametric;
+    if (this->Want.Field == Interpolant::Nearest)
+    {
+      const auto value = corners[FindBox(ray, place.Cell, place.At)];
+      std::fill_n(corners, 8, value);
+      point = { 0.0, 0.0, 0.0 }; // where interpolation does not round
+    }
+    const bool isSeen = this->Want.Seen.IsConvex() ||
+      this->Want.Seen.Shows(hit, this->GetDimensions(), this->Want.Planes);
+    if (!isSeen || !IsFinite(corners))
+    {
+      return std::nullopt;
+    }
+    hit.Surface = this->FindInnermost(corners, point);
+    CellCorners values;
+    std::copy(corners, corners + 8, values.begin());
+    hit.Value = Interpolate(values, point);
+    return hit.Surface != Hit::NoSurface ? std::make_optional(hit) : std::nullopt;
+  }
+
+  /// The surface of the largest isovalue whose inside a point of a cell is in, if there is one.
+  int FindInnermost(const typename Layout::Value corners[8], const Vector3& point) const
+  {
+    static_assert(Hit::NoSurface == -1);
+    auto surface = static_cast<int>(this->Want.Surfaces.size()) - 1;
+    while (surface >= 0 &&
+      !IsInside(Interpolate(this->TakeOff(static_cast<std::size_t>(surface), corners), point)))
+    {
+      --surface;
+    }
+    return surface;
+  }
+
+  double GetOpacity(const Hit& hit) const
+  {
+    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
   }
 
   void Project(const RayGroup& rays, RayHits& hits)
