@@ -13,8 +13,8 @@ from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 SCRIPT = os.path.join(os.path.dirname(__file__), "../../Examples/Python/gallery.py")
-NAMES = ["plain", "shadows", "occluded", "translucent", "clipped", "cropped", "coloured",
-         "projected", "rectilinear", "blocks"]
+NAMES = ["plain", "shadows", "occluded", "translucent", "clipped", "capped", "cropped",
+         "coloured", "projected", "rectilinear", "blocks"]
 
 
 def write_volume(file_name):
