@@ -286,8 +286,9 @@ public:
    * (and NEAREST, which shows the boxes of samples in the plane). Of several planes each is closed
    * as far as the others leave it. A plane in a face of the volume, to within a millionth of a
    * cell, closes the surface at this face, where it is open otherwise; six planes make a closed
-   * box. There is no cap in cells that are blanked or have values that are not finite, nor at
-   * cropping planes. Intensity projections have none. Default: off, which costs nothing.
+   * box. A plane that lies, as exactly, between cells or between the boxes of samples shows those
+   * that it leaves. There is no cap in cells that are blanked or have values that are not finite,
+   * nor at cropping planes. Intensity projections have none. Default: off, which costs nothing.
    *
    * @sa vtkClipClosedSurface
    */

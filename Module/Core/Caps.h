@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 // A cap closes the inside of a surface where a half-space cuts it open. A ray meets one where it
@@ -27,9 +28,9 @@ enum class RayEnd
   End
 };
 
-/// In cells. A plane that is so near to a face of the volume, as those of a box around it are, lies
-/// in it: rounding does not tear holes into caps there.
-constexpr double BorderThickness = 1e-6;
+/// In cells. Planes that are so near to each other coincide: what is seen in them is not left to
+/// rounding.
+constexpr double PlaneThickness = 1e-6;
 
 /// Whether a ray begins where it enters the box of all cells, or ends where it leaves it.
 inline bool IsAtBorder(const Ray& ray, RayEnd end, const Index3& cells)
@@ -48,7 +49,8 @@ inline bool IsAtBorder(const Ray& ray, RayEnd end, const Index3& cells)
 }
 
 /// The half-space with caps in whose plane a ray begins or ends that is cut to all of them;
-/// Hit::NoPlane if there is none.
+/// Hit::NoPlane if there is none. A plane may coincide with a face of the volume, as those of a box
+/// around it do.
 inline int FindCappedPlane(
   const Ray& ray, RayEnd end, const std::vector<HalfSpace>& halves, const Index3& cells)
 {
@@ -59,7 +61,7 @@ inline int FindCappedPlane(
     const PlaneCrossing crossing = FindCrossing(halves[i], ray.Origin, ray.Direction);
     const bool goesThrough = end == RayEnd::Begin ? crossing.Slope > 0.0 : crossing.Slope < 0.0;
     const bool isInBorder = isAtBorder &&
-      std::abs(crossing.Height + t * crossing.Slope) <= BorderThickness * Length(halves[i].Normal);
+      std::abs(crossing.Height + t * crossing.Slope) <= PlaneThickness * Length(halves[i].Normal);
     if (halves[i].IsCapped && goesThrough && (crossing.T == t || isInBorder))
     {
       return static_cast<int>(i);
@@ -85,6 +87,39 @@ inline EndCell FindEndCell(const Ray& ray, RayEnd end, const Index3& cells)
   const LatticeWalk walk(ray, 1, { 0, 0, 0 }, cells, start);
   const Place last = std::min(Place{ ray.End, Place::StartAxis }, walk.GetExit());
   return { walk.GetBlock(), end == RayEnd::Begin ? start : last };
+}
+
+/// Moves the end of a ray, in the plane of a half-space, over planes between cells, or between
+/// boxes of samples (see BoxFaces.h), that coincide with it: the cells and the boxes seen there are
+/// those that the half-space leaves.
+inline void StepOverPlanes(Ray& ray, RayEnd end, const Index3& cells, bool areBoxes)
+{
+  const Index3 cell = FindEndCell(ray, end, cells).Cell;
+  const double t = end == RayEnd::Begin ? ray.Begin : ray.End;
+  const auto coincides = [t, unit = Length(ray.Direction)](double crossing)
+  { return std::abs(crossing - t) * unit <= PlaneThickness; };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (ray.Step[axis] == 0)
+    {
+      continue;
+    }
+    const bool isUpper = (ray.Step[axis] > 0) == (end == RayEnd::Begin);
+    const double between = ray.Crossing(axis, cell[axis] + (isUpper ? 1 : 0));
+    const double middle = ray.MiddleCrossing(axis, cell[axis]);
+    if (end == RayEnd::Begin)
+    {
+      ray.Begin = coincides(between) ? std::max(ray.Begin, between) : ray.Begin;
+      ray.Begin = areBoxes && coincides(middle) ? std::max(ray.Begin, middle) : ray.Begin;
+    }
+    else
+    {
+      // Cells end before what is crossed at the end, boxes do not.
+      const double before = std::nextafter(middle, -std::numeric_limits<double>::infinity());
+      ray.End = coincides(between) ? std::min(ray.End, between) : ray.End;
+      ray.End = areBoxes && coincides(middle) ? std::min(ray.End, before) : ray.End;
+    }
+  }
 }
 
 }

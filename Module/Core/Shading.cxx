@@ -70,13 +70,6 @@ int GetWay(const Vector3& direction)
   return 16 * face + 4 * part((axis + 1) % 3) + part((axis + 2) % 3);
 }
 
-/// Whether the first hit of a ray that leaves another is where it leaves.
-bool IsOwn(const Hit& first, const Hit& start, bool goesInside)
-{
-  const bool isSameCap = first.Plane != Hit::NoPlane && first.Plane == start.Plane;
-  return isSameCap || (first.Surface == start.Surface && first.Rising == goesInside);
-}
-
 Vector3 Cross(const Vector3& a, const Vector3& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
@@ -364,7 +357,7 @@ void Shader::FindShares(
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
   // tells: a first crossing to the side that the ray is on already is none. Where the surface is
-  // opaque, the ray is sent on from there. A ray that leaves a cap meets its plane nowhere else.
+  // opaque, the ray is sent on from there.
   double step = 1e-13;
   RayHits found;
   for (int attempt = 0; attempt < 8 && !IsEmpty(rays.Exists); ++attempt, step *= 16.0)
@@ -375,7 +368,8 @@ void Shader::FindShares(
     {
       std::size_t first = found.First[static_cast<std::size_t>(i)];
       const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
-      const bool isOwn = first < last && IsOwn(found.Hits[first], hits[i], goesInside[i]);
+      const bool isOwn = first < last && found.Hits[first].Surface == hits[i].Surface &&
+        found.Hits[first].Rising == goesInside[i];
       if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
       {
         const Ray ray = GetRay(rays, i);

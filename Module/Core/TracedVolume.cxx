@@ -427,28 +427,33 @@ private:
   }
 
   /// The same, with the caps at the ends of the rays. Where the first is opaque, there is no more.
-  void TraceBetweenCaps(RayGroup& rays, RayHits& hits)
+  void TraceBetweenCaps(const RayGroup& rays, RayHits& hits)
   {
+    RayGroup inner = rays;
     std::optional<Hit> first[RayGroup::Capacity];
     std::optional<Hit> last[RayGroup::Capacity];
-    const RaySet existing = rays.Exists;
     for (int i = 0; i < rays.Count; ++i)
     {
-      if (Has(existing, i))
+      if (!Has(rays.Exists, i))
       {
-        const Ray ray = this->TakeRay(rays, i);
-        first[i] = this->FindCap(ray, RayEnd::Begin);
-        last[i] = this->FindCap(ray, RayEnd::End);
-        if (first[i] && this->GetOpacity(*first[i]) >= 1.0)
-        {
-          Remove(i, rays.Exists);
-        }
+        continue;
       }
+      Ray ray = this->TakeRay(rays, i);
+      const int firstPlane = this->GoToPlane(ray, RayEnd::Begin);
+      const int lastPlane = this->GoToPlane(ray, RayEnd::End);
+      inner.Begin[i] = ray.Begin;
+      inner.End[i] = ray.End;
+      first[i] = this->FindCap(ray, RayEnd::Begin, firstPlane);
+      if (!(ray.Begin < ray.End) || (first[i] && this->GetOpacity(*first[i]) >= 1.0))
+      {
+        Remove(i, inner.Exists);
+        continue;
+      }
+      last[i] = this->FindCap(ray, RayEnd::End, lastPlane);
     }
     RayHits between;
     between.Clear();
-    this->TraceSurfaces(rays, between);
-    rays.Exists = existing;
+    this->TraceSurfaces(inner, between);
     for (int i = 0; i < rays.Count; ++i)
     {
       const auto number = static_cast<std::size_t>(i);
@@ -466,22 +471,33 @@ private:
     }
   }
 
-  /// The cap at one end of a ray that is cut, if one is seen there.
-  std::optional<Hit> FindCap(const Ray& ray, RayEnd end) const
+  /// The half-space with caps in whose plane a ray begins or ends, and where planes coincide, goes
+  /// to what it leaves. There may be none.
+  int GoToPlane(Ray& ray, RayEnd end) const
   {
     const Index3& cells = this->Hierarchy.GetLattice().Cells;
-    const bool goesIn = end == RayEnd::Begin;
     const int plane = FindCappedPlane(ray, end, this->Want.Seen.HalfSpaces, cells);
+    if (plane != Hit::NoPlane)
+    {
+      StepOverPlanes(ray, end, cells, this->Want.Field == Interpolant::Nearest);
+    }
+    return plane;
+  }
+
+  /// The cap in a plane at one end of a ray that is cut, if one is seen there.
+  std::optional<Hit> FindCap(const Ray& ray, RayEnd end, int plane) const
+  {
     if (plane == Hit::NoPlane)
     {
       return std::nullopt;
     }
     CellSegment segment;
-    const EndCell place = FindEndCell(ray, end, cells);
+    const EndCell place = FindEndCell(ray, end, this->Hierarchy.GetLattice().Cells);
     if (!SegmentInCell(ray, place.Cell, segment))
     {
       return std::nullopt;
     }
+    const bool goesIn = end == RayEnd::Begin;
     Hit hit = MakeHit(ray, place.Cell, segment, goesIn ? 0.0 : 1.0, Hit::NoSurface, goesIn);
     hit.Plane = plane;
     typename Layout::Value corners[8];

@@ -425,6 +425,55 @@ void CheckClosedBox(Checks& check)
   }
 }
 
+/// A solid that fills its volume, closed by six planes in its faces: a box without holes.
+void CheckFullBox(Checks& check)
+{
+  Scene scene(NewCube(9, [](const Point&) { return 1.0; }), Size, Size);
+  std::vector<vtkSmartPointer<vtkPlane>> planes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      Point normal = { 0.0, 0.0, 0.0 };
+      Point origin = { 0.3, 0.2, 0.1 };
+      normal[axis] = -side;
+      origin[axis] = side;
+      planes.push_back(NewPlane(normal, origin));
+    }
+  }
+  Cap(scene, planes);
+  struct Row
+  {
+    int First = Size;
+    int Last = -1;
+    int Count = 0;
+  };
+  std::map<int, Row> rows;
+  std::vector<int> caps(planes.size());
+  for (const Pixel& pixel : Render(scene))
+  {
+    Row& row = rows[pixel.Y];
+    row.First = std::min(row.First, pixel.X);
+    row.Last = std::max(row.Last, pixel.X);
+    ++row.Count;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+    {
+      caps[i] += vtkMath::Dot(pixel.Normal.data(), planes[i]->GetNormal()) < -0.999 ? 1 : 0;
+    }
+  }
+  check.That(rows.size() > 100, "the box is seen");
+  for (const auto& [y, row] : rows)
+  {
+    check.Equal(row.Count, row.Last - row.First + 1, "the number of pixels of the box in a row");
+  }
+  int faces = 0;
+  for (const int count : caps)
+  {
+    faces += count > 500 ? 1 : 0;
+  }
+  check.Equal(faces, 3, "the number of faces that are seen");
+}
+
 /// The pictures of VTK's filters: vtkClipClosedSurface, and vtkCutter for the colours.
 void CheckAgainstPolygons(Checks& check)
 {
@@ -831,6 +880,7 @@ int TestIsosurfaceRayTraceMapperCaps(int argc, char* argv[])
   CheckDisc(check);
   CheckAgreement(check);
   CheckClosedBox(check);
+  CheckFullBox(check);
   CheckAgainstPolygons(check);
   CheckOtherColors(check);
   CheckTranslucent(check);

@@ -247,6 +247,7 @@ TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
   EXPECT_FALSE(look(5.0, -1.0)[0].Rising);
   ASSERT_EQ(look(9.0, -1.0).size(), 1U);
   EXPECT_TRUE(look(5.0, 1.0).empty());
+  EXPECT_TRUE(look(2.25 + 1e-8, 1.0).empty());
   EXPECT_TRUE(look(1.0, -1.0).empty());
   EXPECT_TRUE(Trace(*traced, { { -3.0, 3.25, 2.25 }, { 1.0, 0.0, 0.0 } }).empty());
 }
@@ -281,6 +282,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
   EXPECT_EQ(trace(1.0, 0.5, 5.0), "Bbs");
   // Nothing is left after the second of these.
   EXPECT_EQ(trace(0.99, 0.99, 3.0), "Sb");
+  EXPECT_EQ(trace(0.9995, 0.5, 3.0), "S");
 }
 
 //------------------------------------------------------------------------------
@@ -323,13 +325,19 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
 {
   const Index3 size = { 14, 15, 16 };
-  const TestVolume<float> volume = ClosedNoise(8, size);
+  TestVolume<float> volume = ClosedNoise(8, size);
+  for (float& value : volume.Values)
+  {
+    value *= 0.7F; // of which a weighted mean of equals may be something else
+  }
+  const auto low = static_cast<double>(2.0F * 0.7F);
+  const auto high = static_cast<double>(3.0F * 0.7F);
   const auto traced = TracedVolume::New(volume.View(), {}, 2);
   RandomNumbers random(10);
   int found = 0;
   for (int scene = 0; scene < 30; ++scene)
   {
-    Wanted wanted({ { 2.0, Glass }, { 3.0, Glass } });
+    Wanted wanted({ { low, Glass }, { high, Glass } });
     wanted.Field = Interpolant::Nearest;
     wanted.Seen.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
     traced->Select(wanted, 2);
@@ -344,7 +352,7 @@ TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
         {
           ++found;
           EXPECT_EQ(hit.Value, static_cast<double>(volume.At(nearest)));
-          EXPECT_EQ(hit.Surface, hit.Value >= 3.0 ? 1 : 0);
+          EXPECT_EQ(hit.Surface, hit.Value >= high ? 1 : 0);
         }
       }
     }
@@ -353,10 +361,46 @@ TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
 }
 
 //------------------------------------------------------------------------------
+/// Half-spaces that end between two layers of boxes show those that they leave.
+TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
+{
+  const Index3 size = { 12, 12, 12 };
+  const TestVolume<float> volume =
+    TestVolume<float>::Of(size, [](const AnalyticFields::Point& p) { return p[2]; });
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  RandomNumbers random(12);
+  for (const double way : { 1.0, -1.0 })
+  {
+    Wanted wanted({ { -1.0, Glass }, { 5.5, Glass } });
+    wanted.Field = Interpolant::Nearest;
+    const double length = way * random.Uniform(0.1, 10.0);
+    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
+    traced->Select(wanted, 2);
+    int found[2] = { 0, 0 };
+    for (int ray = 0; ray < 1000; ++ray)
+    {
+      const std::vector<Hit> hits = Trace(*traced, RandomLine(random, size));
+      for (const Hit& hit : hits)
+      {
+        const bool isCap = hit.Plane != Hit::NoPlane;
+        EXPECT_TRUE(isCap) << "a face in the plane is not seen";
+        EXPECT_EQ(hit.Value, way > 0.0 ? 6.0 : 5.0);
+        EXPECT_EQ(hit.Surface, way > 0.0 ? 1 : 0);
+        ++found[hit.Rising ? 1 : 0];
+      }
+    }
+    EXPECT_GT(found[0], 50);
+    EXPECT_GT(found[1], 50);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
 {
   const Index3 size = { 9, 9, 9 };
-  TestVolume<float> volume(size, std::vector<float>(Count(size), 1.0F));
+  // From inside to outside between the last two planes.
+  TestVolume<float> volume = TestVolume<float>::Of(
+    size, [](const AnalyticFields::Point& p) { return p[2] > 7.5 ? -1.0 : 1.0; });
   volume.At({ 2, 2, 2 }) = std::numeric_limits<float>::quiet_NaN();
   std::vector<unsigned char> hidden(8 * 8 * 8, 0);
   hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
@@ -370,8 +414,13 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
   {
     wanted.Field = field;
     traced->Select(wanted, 2);
-    const auto isClosed = [&traced](double x, double y) {
-      return !Trace(*traced, { { x, y, -2.0 }, { 0.0, 0.0, 1.0 } }).empty();
+    const auto isClosed = [&traced](double x, double y)
+    {
+      const std::vector<Hit> hits = Trace(*traced, { { x, y, -2.0 }, { 0.0, 0.0, 1.0 } });
+      EXPECT_EQ(hits.size(), 1U);
+      const bool isCap = !hits.empty() && hits[0].Plane != Hit::NoPlane;
+      EXPECT_EQ(hits.empty() ? 0.0 : hits[0].T, isCap ? 4.25 : 9.5);
+      return isCap;
     };
     EXPECT_TRUE(isClosed(4.5, 4.5));
     EXPECT_FALSE(isClosed(5.5, 5.25));
@@ -381,6 +430,48 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
     // The cell has no interpolant; the box of its other corner has a value.
     EXPECT_EQ(isClosed(1.25, 1.25), field == Interpolant::Nearest);
     EXPECT_TRUE(isClosed(0.75, 0.75));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Half-spaces that end in a lattice plane show the cells that they leave, whatever is beyond.
+TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
+{
+  const Index3 size = { 12, 12, 12 };
+  RandomNumbers random(13);
+  for (const double way : { 1.0, -1.0 })
+  {
+    TestVolume<float> volume(size, std::vector<float>(Count(size), 1.0F));
+    ForEachPlace(size,
+      [&](const Index3& i)
+      {
+        if (way * (i[2] - 6) < 0.0)
+        {
+          volume.At(i) = std::numeric_limits<float>::quiet_NaN();
+        }
+      });
+    const auto traced = TracedVolume::New(volume.View(), {}, 2);
+    Wanted wanted({ { 0.0, Glass } });
+    const double length = way * random.Uniform(0.1, 10.0);
+    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
+    traced->Select(wanted, 2);
+    int found = 0;
+    for (int ray = 0; ray < 1000; ++ray)
+    {
+      Line line = RandomLine(random, size);
+      line.Direction[2] += line.Direction[2] > 0.0 ? 0.1 : -0.1;
+      const double t = (6.0 - line.Origin[2]) / line.Direction[2];
+      const Vector3 point = line.Origin + line.Direction * t;
+      if (t > 0.0 && std::min(point[0], point[1]) > 0.0 && std::max(point[0], point[1]) < 11.0)
+      {
+        const std::vector<Hit> hits = Trace(*traced, line);
+        ASSERT_EQ(hits.size(), 1U) << ToText(line);
+        EXPECT_EQ(hits[0].Cell[2], way > 0.0 ? 6 : 5);
+        EXPECT_NEAR(hits[0].Parametric[2], way > 0.0 ? 0.0 : 1.0, 1e-9);
+        ++found;
+      }
+    }
+    EXPECT_GT(found, 200);
   }
 }
 
