@@ -11,9 +11,9 @@
  * scalars count as they do in the picture.
  *
  * GetPickPosition and GetPickNormal are those of the surface (the normal on the side of smaller
- * values, by the mapper's NormalMode), GetCellId, GetPCoords, GetCellIJK and GetPointId those of
- * the image, and GetIsovalue says which surface it is. Other props are picked as by
- * vtkVolumePicker; of all, the nearest is taken.
+ * values, by the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its
+ * plane), GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image, and GetIsovalue says
+ * which surface it is. Other props are picked as by vtkVolumePicker; of all, the nearest is taken.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkVolumePicker vtkCellPicker
  */

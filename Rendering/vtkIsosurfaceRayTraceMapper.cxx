@@ -243,7 +243,7 @@ public:
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTraceColors> Colors;
-  /// What a projection is coloured by.
+  /// What a projection is coloured by, and caps.
   std::unique_ptr<vtkIsosurfaceRayTraceValueColors> ValueColors;
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
@@ -411,6 +411,7 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->VectorComponent = other->VectorComponent;
     this->ColorArrayName = other->ColorArrayName;
     this->Shadows = other->Shadows;
+    this->CapClippingPlanes = other->CapClippingPlanes;
     this->AmbientOcclusion = other->AmbientOcclusion;
     this->NumberOfAmbientOcclusionRays = other->NumberOfAmbientOcclusionRays;
     this->AmbientOcclusionRadius = other->AmbientOcclusionRadius;
@@ -815,8 +816,8 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   internal.Want.Field = static_cast<vtkirt::Interpolant>(this->InterpolationMode);
   internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
   internal.Want.Interpolations = this->NumberOfInterpolations;
-  internal.Want.Seen =
-    vtkIsosurfaceRayTraceScene::GetVisibility(this, internal.Source, internal.WorldFromIndex);
+  internal.Want.Seen = vtkIsosurfaceRayTraceScene::GetVisibility(
+    this, this->CapClippingPlanes, internal.Source, internal.WorldFromIndex);
   internal.Want.MaximumMemory = this->MaximumBrickMemory > 0
     ? static_cast<std::size_t>(this->MaximumBrickMemory) << 20
     : std::numeric_limits<std::size_t>::max();
@@ -851,7 +852,7 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
       this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
   }
-  if (scene.Want.Projection)
+  if (scene.Want.Projection || scene.Want.Seen.HasCaps())
   {
     this->ValueColors =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(property, this->PropertyComponent);
@@ -1401,6 +1402,7 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorMode: " << vectorModes[this->VectorMode + 1] << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
+  os << indent << "CapClippingPlanes: " << (this->CapClippingPlanes ? "on" : "off") << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "on" : "off") << "\n";
   os << indent << "NumberOfAmbientOcclusionRays: " << this->NumberOfAmbientOcclusionRays << "\n";

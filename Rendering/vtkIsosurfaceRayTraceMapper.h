@@ -64,7 +64,7 @@
  * across an axis of the image, at origin + spacing * index (for a rectilinear grid, at that
  * coordinate); it belongs to the region in the middle.
  * There may be any number of clipping planes. Pictures, IntersectWithLine and CastRays are cut
- * alike.
+ * alike. Where planes cut solids open, they may be closed again: see CapClippingPlanes.
  *
  * The threads are OpenMP's, because tiles differ so much in cost that they must be handed out one
  * at a time (`schedule(dynamic)`), which vtkSMPTools does not promise. The picture is the same, bit
@@ -287,6 +287,32 @@ public:
    * takes it away. Default: none.
    */
   void SetColorInputData(vtkImageData* image);
+
+  ///@{
+  /**
+   * Set/Get whether clipping planes are closed where they cut through the inside of a surface,
+   * where values are at or above its isovalue. Such a cap is a surface like any other: it hides,
+   * casts shadows, is picked, and is seen from behind. It shows the data: its colour is that of the
+   * value in the plane, by the colour transfer function of the property (or by ColorArrayName), and
+   * its normal is that of the plane, towards what is cut off. Everything else is that of the
+   * isosurface whose inside it shows, that of the largest isovalue of several: the opacity, and the
+   * isovalue that is told of it. So a plane through bone in translucent skin shows the skin's
+   * section translucent and that of the bone opaque.
+   *
+   * A cap ends exactly where the isosurface meets the plane, without a gap, with the solver ROBUST
+   * (and NEAREST, which shows the boxes of samples in the plane). Of several planes each is closed
+   * as far as the others leave it. A plane in a face of the volume, to within a millionth of a
+   * cell, closes the surface at this face, where it is open otherwise; six planes make a closed
+   * box. A plane that lies, as exactly, between cells or between the boxes of samples shows those
+   * that it leaves. There is no cap in cells that are blanked or have values that are not finite,
+   * nor at cropping planes. Intensity projections have none. Default: off, which costs nothing.
+   *
+   * @sa vtkClipClosedSurface
+   */
+  vtkSetMacro(CapClippingPlanes, bool);
+  vtkGetMacro(CapClippingPlanes, bool);
+  vtkBooleanMacro(CapClippingPlanes, bool);
+  ///@}
 
   ///@{
   /**
@@ -672,6 +698,7 @@ private:
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   std::string ColorArrayName;
+  bool CapClippingPlanes = false;
   bool Shadows = false;
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;

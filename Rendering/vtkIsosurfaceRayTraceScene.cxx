@@ -308,8 +308,8 @@ std::string FindCroppingProblem(vtkVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Visibility GetVisibility(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceSource& source,
-  const vtkirt::Matrix4& worldFromIndex)
+vtkirt::Visibility GetVisibility(vtkVolumeMapper* mapper, bool hasCaps,
+  const vtkIsosurfaceRayTraceSource& source, const vtkirt::Matrix4& worldFromIndex)
 {
   vtkirt::Visibility visibility;
   visibility.HiddenCells = source.GetHiddenCells();
@@ -322,6 +322,7 @@ vtkirt::Visibility GetVisibility(vtkVolumeMapper* mapper, const vtkIsosurfaceRay
     for (vtkPlane* plane : vtk::Range(planes))
     {
       visibility.HalfSpaces.push_back(ToIndexSpace(plane, worldFromIndex));
+      visibility.HalfSpaces.back().IsCapped = hasCaps;
     }
   }
   return visibility;

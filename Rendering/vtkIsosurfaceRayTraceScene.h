@@ -64,8 +64,9 @@ vtkIsosurfaceRayTracing::PixelRectangle GetPixels(
 /// What is wrong with the cropping of a mapper; empty if nothing is.
 std::string FindCroppingProblem(vtkVolumeMapper* mapper);
 
-/// What the clipping planes and the cropping of a mapper, and blanking, leave of the volume.
-vtkIsosurfaceRayTracing::Visibility GetVisibility(vtkVolumeMapper* mapper,
+/// What the clipping planes, with caps or without, and the cropping of a mapper, and blanking,
+/// leave of the volume.
+vtkIsosurfaceRayTracing::Visibility GetVisibility(vtkVolumeMapper* mapper, bool hasCaps,
   const vtkIsosurfaceRayTraceSource& source,
   const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex);
 

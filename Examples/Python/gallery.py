@@ -87,6 +87,22 @@ def clipped(picture, image, isovalue):
     picture.mapper.AddClippingPlane(plane)
 
 
+def capped(picture, image, isovalue):
+    """The skin cut open, with the slice of the CT where it is cut."""
+    low, high = image.GetScalarRange()
+    skin = 0.5 * (low + isovalue)
+    picture.add_surface(skin, (0.9, 0.65, 0.5), 1.0)
+    function = picture.surface.GetRGBTransferFunction()
+    function.AddRGBPoint(skin + 0.5 * (isovalue - skin), 0.25, 0.1, 0.1)
+    function.AddRGBPoint(skin + 0.62 * (isovalue - skin), 0.75, 0.5, 0.45)
+    function.AddRGBPoint(high, 1.0, 1.0, 1.0)
+    plane = vtkPlane()
+    plane.SetOrigin(image.GetCenter())
+    plane.SetNormal(1.0, -0.4, -0.2)
+    picture.mapper.AddClippingPlane(plane)
+    picture.mapper.CapClippingPlanesOn()
+
+
 def cropped(picture, image, isovalue):
     bounds, center = image.GetBounds(), image.GetCenter()
     picture.mapper.SetCroppingRegionPlanes(
@@ -191,6 +207,7 @@ SCENES = (
     occluded,
     translucent,
     clipped,
+    capped,
     cropped,
     coloured,
     projected,

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 // Interpolant::Nearest: every sample is a box of one value, which ends half way to the next sample,
@@ -47,29 +48,40 @@ inline bool IsInCell(const Ray& ray, const Index3& cell, const Place& crossing)
   return true;
 }
 
+/// The corner of a cell in whose box a ray is at a place, which is in the cell or before it. A ray
+/// that lies in a plane between boxes stays in those above.
+inline int FindBox(const Ray& ray, const Index3& cell, const Place& place)
+{
+  int corner = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<std::size_t>(axis);
+    const bool isUpper = ray.Step[i] == 0
+      ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Place::StartAxis })[i] >= 0.5
+      : (Place{ ray.MiddleCrossing(i, cell[i]), axis } < place) == (ray.Step[i] > 0);
+    corner |= isUpper ? 1 << axis : 0;
+  }
+  return corner;
+}
+
 /// Calls visit(crossing, from, to) for the up to three faces between boxes that a ray crosses in a
 /// cell, in order, until visit returns true; the boxes are those of the corners from and to.
-/// Returns whether it did. A ray that lies in a plane between boxes stays in those above.
+/// Returns whether it did.
 template <typename Visit>
 bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
 {
   Place crossings[3];
   int count = 0;
-  int corner = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto i = static_cast<std::size_t>(axis);
-    if (ray.Step[i] == 0)
+    if (ray.Step[i] != 0)
     {
-      corner |= PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Place::StartAxis })[i] >= 0.5
-        ? 1 << axis
-        : 0;
-      continue;
+      crossings[count++] = { ray.MiddleCrossing(i, cell[i]), axis };
     }
-    corner |= ray.Step[i] < 0 ? 1 << axis : 0;
-    crossings[count++] = { ray.MiddleCrossing(i, cell[i]), axis };
   }
   std::sort(crossings, crossings + count);
+  int corner = FindBox(ray, cell, { -std::numeric_limits<double>::infinity(), 0 });
   for (int i = 0; i < count; ++i)
   {
     const int next = corner ^ (1 << crossings[i].Axis);

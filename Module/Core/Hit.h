@@ -26,10 +26,14 @@ struct Hit
   /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
   /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
   int Jump = 0;
-  /// The value there, where no surface but an extreme value is looked for.
+  /// Of a cap, the half-space that it closes: see Visibility. The surface is the one whose inside
+  /// it shows.
+  int Plane = NoPlane;
+  /// The value there, where no surface but an extreme value is looked for; and of a cap.
   double Value = 0.0;
 
   static constexpr int NoSurface = -1;
+  static constexpr int NoPlane = -1;
 
   /// Whether values fall along an axis from the box of one sample to that of the next.
   bool FallsAlong(std::size_t axis) const { return this->Jump == -1 - static_cast<int>(axis); }

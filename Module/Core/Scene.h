@@ -83,7 +83,8 @@ struct Scene
   std::vector<Vector3> Colors;
   /// If there is one, it says the colours instead.
   const HitColors* ColorsOfHits = nullptr;
-  /// For a projection: it is not lit, and has none of what follows.
+  /// For a projection, which is not lit and has none of what follows; and for caps, which have the
+  /// colours of the values there.
   const ValueColors* ColorsOfValues = nullptr;
   NormalMode Normals = NormalMode::CentralDifferences;
   Material Look;

@@ -144,8 +144,16 @@ bool Shader::CanUseKernels() const
 //------------------------------------------------------------------------------
 Vector3 Shader::GetColor(const Hit& hit) const
 {
-  return this->TheScene.ColorsOfHits ? this->TheScene.ColorsOfHits->Get(hit)
-                                     : this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
+  if (this->TheScene.ColorsOfHits)
+  {
+    return this->TheScene.ColorsOfHits->Get(hit);
+  }
+  if (hit.Plane != Hit::NoPlane)
+  {
+    const std::array<double, 4> color = this->TheScene.ColorsOfValues->Get(hit.Value);
+    return { color[0], color[1], color[2] };
+  }
+  return this->TheScene.Colors[static_cast<std::size_t>(hit.Surface)];
 }
 
 //------------------------------------------------------------------------------

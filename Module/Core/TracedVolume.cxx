@@ -8,6 +8,7 @@
 #include "BeamTracer.h"
 #include "BlockTree.h"
 #include "BoxFaces.h"
+#include "Caps.h"
 #include "CellMasks.h"
 #include "CellSegment.h"
 #include "CellTraversal.h"
@@ -287,7 +288,9 @@ public:
 
   bool MayHitBetween(RayGroup& lines) const override
   {
-    const bool isInTree = this->HasTree && this->Want.BeamKernels && !this->Want.Projection;
+    // Extreme values and caps may be anywhere, not in active macrocells alone.
+    const bool isInTree = this->HasTree && this->Want.BeamKernels && !this->Want.Projection &&
+      !this->Want.Seen.HasCaps();
     return !isInTree || this->Want.Planes ||
       BeamTracer::MayMeet(*this->Want.BeamKernels, this->Tree, this->GetDimensions(), lines);
   }
@@ -303,33 +306,22 @@ public:
     {
       this->Project(rays, hits);
     }
-    else if (this->Want.Field == Interpolant::Nearest)
+    else if (this->Want.Seen.HasCaps())
     {
-      this->ForEachRay(
-        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
-    }
-    else if (this->Want.Solver == RootSolver::Fast && !this->IsCubic())
-    {
-      this->TraceTogether(rays, hits);
-    }
-    else if (this->CanUseBeams(rays))
-    {
-      this->TraceBeams(rays, hits);
-    }
-    else if (this->IsCubic())
-    {
-      this->ForEachRay(
-        rays, hits, [this, &hits](const Ray& ray) { this->TraceCubic(ray, hits.Hits); });
+      this->TraceBetweenCaps(rays, hits);
     }
     else
     {
-      this->ForEachRay(
-        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
+      this->TraceSurfaces(rays, hits);
     }
   }
 
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override
   {
+    if (hit.Plane != Hit::NoPlane)
+    {
+      return this->Want.Seen.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
+    }
     if (hit.Jump != 0)
     {
       return GetJumpDirection(hit);
@@ -382,8 +374,9 @@ public:
     }
     for (int i = 0; i < count; ++i)
     {
-      if (!areSmooth || !this->IsInner(hits[i].Cell) || !std::isfinite(gradients[0][i]) ||
-        !std::isfinite(gradients[1][i]) || !std::isfinite(gradients[2][i]))
+      if (!areSmooth || hits[i].Plane != Hit::NoPlane || !this->IsInner(hits[i].Cell) ||
+        !std::isfinite(gradients[0][i]) || !std::isfinite(gradients[1][i]) ||
+        !std::isfinite(gradients[2][i]))
       {
         const Vector3 gradient = this->GetGradient(hits[i], mode);
         gradients[0][i] = gradient[0];
@@ -437,6 +430,173 @@ private:
     const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
     this->Masks.BeginFrame(forMasks);
     this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
+  /// Adds the hits of rays that are cut with the surfaces.
+  void TraceSurfaces(RayGroup& rays, RayHits& hits)
+  {
+    if (this->Want.Field == Interpolant::Nearest)
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
+    }
+    else if (this->Want.Solver == RootSolver::Fast && !this->IsCubic())
+    {
+      this->TraceTogether(rays, hits);
+    }
+    else if (this->CanUseBeams(rays))
+    {
+      this->TraceBeams(rays, hits);
+    }
+    else if (this->IsCubic())
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceCubic(ray, hits.Hits); });
+    }
+    else
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceAlone(ray, hits.Hits); });
+    }
+  }
+
+  /// The same, with the caps at the ends of the rays. Where the first is opaque, there is no more.
+  void TraceBetweenCaps(const RayGroup& rays, RayHits& hits)
+  {
+    RayGroup inner = rays;
+    std::optional<Hit> first[RayGroup::Capacity];
+    std::optional<Hit> last[RayGroup::Capacity];
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (!Has(rays.Exists, i))
+      {
+        continue;
+      }
+      Ray ray = this->TakeRay(rays, i);
+      const int firstPlane = this->GoToPlane(ray, RayEnd::Begin);
+      const int lastPlane = this->GoToPlane(ray, RayEnd::End);
+      inner.Begin[i] = ray.Begin;
+      inner.End[i] = ray.End;
+      first[i] = this->FindCap(ray, RayEnd::Begin, firstPlane);
+      if (!(ray.Begin < ray.End) || (first[i] && this->GetOpacity(*first[i]) >= 1.0))
+      {
+        Remove(i, inner.Exists);
+        continue;
+      }
+      last[i] = this->FindCap(ray, RayEnd::End, lastPlane);
+    }
+    RayHits between;
+    between.Clear();
+    this->TraceSurfaces(inner, between);
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      const auto number = static_cast<std::size_t>(i);
+      RayProgress progress = this->NewProgress();
+      bool isOver = first[i] && progress.Pass(*first[i], hits.Hits);
+      for (std::size_t k = between.First[number]; k < between.First[number + 1] && !isOver; ++k)
+      {
+        isOver = progress.Pass(between.Hits[k], hits.Hits);
+      }
+      if (last[i] && !isOver)
+      {
+        progress.Pass(*last[i], hits.Hits);
+      }
+      hits.First.push_back(hits.Hits.size());
+    }
+  }
+
+  /// The half-space with caps in whose plane a ray begins or ends, and where planes coincide, goes
+  /// to what it leaves. There may be none.
+  int GoToPlane(Ray& ray, RayEnd end) const
+  {
+    const Index3& cells = this->Hierarchy.GetLattice().Cells;
+    const int plane = FindCappedPlane(ray, end, this->Want.Seen.HalfSpaces, cells);
+    if (plane != Hit::NoPlane)
+    {
+      StepOverPlanes(ray, end, cells, this->Want.Field == Interpolant::Nearest);
+    }
+    return plane;
+  }
+
+  /// The cap in a plane at one end of a ray that is cut, if one is seen there.
+  std::optional<Hit> FindCap(const Ray& ray, RayEnd end, int plane) const
+  {
+    if (plane == Hit::NoPlane)
+    {
+      return std::nullopt;
+    }
+    CellSegment segment;
+    const EndCell place = FindEndCell(ray, end, this->Hierarchy.GetLattice().Cells);
+    if (!SegmentInCell(ray, place.Cell, segment))
+    {
+      return std::nullopt;
+    }
+    const bool goesIn = end == RayEnd::Begin;
+    Hit hit = MakeHit(ray, place.Cell, segment, goesIn ? 0.0 : 1.0, Hit::NoSurface, goesIn);
+    hit.Plane = plane;
+    const bool isSeen = this->Want.Seen.IsConvex() ||
+      this->Want.Seen.Shows(hit, this->GetDimensions(), this->Want.Planes);
+    const bool isInside =
+      isSeen && (this->IsCubic() ? this->TakeCubicValue(hit) : this->TakeValue(ray, place, hit));
+    return isInside ? std::make_optional(hit) : std::nullopt;
+  }
+
+  /// Gives a cap its value and its surface. Returns whether it has any.
+  bool TakeValue(const Ray& ray, const EndCell& place, Hit& hit) const
+  {
+    typename Layout::Value corners[8];
+    LoadCorners(this->TheSamples, hit.Cell, corners);
+    Vector3 point = hit.Parametric;
+    if (this->Want.Field == Interpolant::Nearest)
+    {
+      const auto value = corners[FindBox(ray, hit.Cell, place.At)];
+      std::fill_n(corners, 8, value);
+      point = { 0.0, 0.0, 0.0 }; // where interpolation does not round
+    }
+    if (!IsFinite(corners))
+    {
+      return false;
+    }
+    CellCorners values;
+    std::copy(corners, corners + 8, values.begin());
+    hit.Value = Interpolate(values, point);
+    hit.Surface = this->FindInnermost([this, &corners, &point](std::size_t surface)
+      { return Interpolate(this->TakeOff(surface, corners), point); });
+    return hit.Surface != Hit::NoSurface;
+  }
+
+  /// The same with the tricubic interpolant.
+  bool TakeCubicValue(Hit& hit) const
+  {
+    const std::optional<double> value =
+      this->Cubic.GetDifference(hit.Cell, hit.Parametric, { 0.0, 1.0 });
+    if (!value)
+    {
+      return false;
+    }
+    hit.Value = *value;
+    hit.Surface = this->FindInnermost([this, &hit](std::size_t surface)
+      { return *this->Cubic.GetDifference(hit.Cell, hit.Parametric, this->GetIsovalue(surface)); });
+    return hit.Surface != Hit::NoSurface;
+  }
+
+  /// The surface of the largest isovalue whose inside a point is in, if there is one:
+  /// getDifference(surface) gives the value there, less the isovalue.
+  template <typename GetDifference>
+  int FindInnermost(const GetDifference& getDifference) const
+  {
+    static_assert(Hit::NoSurface == -1);
+    auto surface = static_cast<int>(this->Want.Surfaces.size()) - 1;
+    while (surface >= 0 && !IsInside(getDifference(static_cast<std::size_t>(surface))))
+    {
+      --surface;
+    }
+    return surface;
+  }
+
+  double GetOpacity(const Hit& hit) const
+  {
+    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
   }
 
   void Project(const RayGroup& rays, RayHits& hits)

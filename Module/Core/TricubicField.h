@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -89,6 +90,20 @@ public:
     }
   }
 
+  /// The value at a point of a cell, less an isovalue: the very one that the polynomials along rays
+  /// which begin or end there begin or end with. None if the cell is empty.
+  std::optional<double> GetDifference(
+    const Index3& cell, const Vector3& parametric, const ScaledIsovalue& isovalue) const
+  {
+    TricubicCell coefficients;
+    if (!this->Load(cell, coefficients))
+    {
+      return std::nullopt;
+    }
+    this->TakeOff(cell, isovalue, coefficients);
+    return NonicAlongSegment(coefficients, parametric, parametric)[0];
+  }
+
   /// The gradient at a point of a cell, in its own coordinates, per cell edge along each axis.
   Vector3 GetGradient(const Index3& cell, const Vector3& parametric) const
   {
@@ -133,13 +148,19 @@ private:
     {
       return false;
     }
+    this->TakeOff(cell, isovalue, coefficients);
+    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside);
+    return inside > 0 && inside < 64;
+  }
+
+  /// Turns samples to coefficients, with an isovalue taken off.
+  void TakeOff(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
+  {
     for (double& sample : coefficients)
     {
       sample = Difference(sample, isovalue.Isovalue, isovalue.Scale);
     }
     InterpolateSamples(this->Edges, cell, coefficients);
-    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside);
-    return inside > 0 && inside < 64;
   }
 
   /// For the cells of a block, x fastest, the ranges of the 4^3 samples around them.

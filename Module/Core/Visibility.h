@@ -20,7 +20,27 @@ struct HalfSpace
 {
   Vector3 Normal;
   double Offset;
+  /// Whether the insides of surfaces are closed where it ends: see Caps.h.
+  bool IsCapped = false;
 };
+
+/// How a ray goes through the plane where a half-space ends.
+struct PlaneCrossing
+{
+  /// Where; not finite if it is parallel.
+  double T;
+  /// Of the origin, and by how much it grows with t: above zero if the ray goes in.
+  double Height;
+  double Slope;
+};
+
+inline PlaneCrossing FindCrossing(
+  const HalfSpace& half, const Vector3& origin, const Vector3& direction)
+{
+  const double height = Dot(half.Normal, origin) + half.Offset;
+  const double slope = Dot(half.Normal, direction);
+  return { -height / slope, height, slope };
+}
 
 /// Two planes across each axis, the lower first, part space into 27 regions.
 struct CroppingRegions
@@ -56,6 +76,12 @@ struct Visibility
   CroppingRegions Regions;
   /// One for every cell, not zero where it is not seen; null if all are.
   const unsigned char* HiddenCells = nullptr;
+
+  bool HasCaps() const
+  {
+    return std::any_of(this->HalfSpaces.begin(), this->HalfSpaces.end(),
+      [](const HalfSpace& half) { return half.IsCapped; });
+  }
 
   /// Whether every hit of a ray that is cut is seen.
   bool IsConvex() const { return this->Regions.Seen == CroppingRegions::All && !this->HiddenCells; }
@@ -116,18 +142,16 @@ inline void CutRays(const HalfSpace& half, RayGroup& rays)
     }
     const Vector3 origin = { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] };
     const Vector3 direction = { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] };
-    const double height = Dot(half.Normal, origin) + half.Offset;
-    const double slope = Dot(half.Normal, direction);
-    const double crossing = -height / slope;
-    if (slope > 0.0)
+    const PlaneCrossing crossing = FindCrossing(half, origin, direction);
+    if (crossing.Slope > 0.0)
     {
-      rays.Begin[i] = std::max(rays.Begin[i], crossing);
+      rays.Begin[i] = std::max(rays.Begin[i], crossing.T);
     }
-    else if (slope < 0.0)
+    else if (crossing.Slope < 0.0)
     {
-      rays.End[i] = std::min(rays.End[i], crossing);
+      rays.End[i] = std::min(rays.End[i], crossing.T);
     }
-    const bool isOutside = slope == 0.0 && height < 0.0;
+    const bool isOutside = crossing.Slope == 0.0 && crossing.Height < 0.0;
     if (isOutside || !(rays.Begin[i] <= rays.End[i]))
     {
       Remove(i, rays.Exists);

@@ -58,7 +58,7 @@ inline Line LatticeLine(RandomNumbers& random, const Index3& dimensions)
 inline bool AreSame(const Hit& a, const Hit& b)
 {
   return a.T == b.T && a.Cell == b.Cell && a.Surface == b.Surface && a.Parametric == b.Parametric &&
-    a.Rising == b.Rising && a.Jump == b.Jump && a.Value == b.Value;
+    a.Rising == b.Rising && a.Jump == b.Jump && a.Plane == b.Plane && a.Value == b.Value;
 }
 
 }

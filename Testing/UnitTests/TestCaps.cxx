@@ -1,0 +1,502 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Caps close what half-spaces cut open: rays go in and out in turn, however they are cut; and caps
+// are where the field says.
+
+#include "RandomNumbers.h"
+#include "TestLines.h"
+#include "TestVolume.h"
+#include "TracedVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// So little that a ray goes through any number of such surfaces.
+constexpr double Glass = 1e-9;
+
+std::vector<Hit> Trace(TracedVolume& volume, const Line& line, const UnevenPlanes* planes = nullptr)
+{
+  RayHits hits;
+  volume.Trace(
+    { ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.GetDimensions(), planes) },
+    hits);
+  return hits.Hits;
+}
+
+/// A half-space with caps that ends in a point of its plane.
+HalfSpace Behind(const Vector3& normal, const Vector3& point)
+{
+  return { normal, -Dot(normal, point), true };
+}
+
+/// Noise that is 0 at the border, so that what is above is closed.
+TestVolume<float> ClosedNoise(std::uint64_t seed, const Index3& size)
+{
+  RandomNumbers random(seed);
+  TestVolume<float> volume(size, std::vector<float>(Count(size), 0.0F));
+  ForEachPlace({ size[0] - 2, size[1] - 2, size[2] - 2 },
+    [&](const Index3& i) {
+      volume.At({ i[0] + 1, i[1] + 1, i[2] + 1 }) = static_cast<float>(random.Integer(0, 4));
+    });
+  return volume;
+}
+
+/// Half-spaces that leave something of a volume: oblique, or along lattice planes.
+std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& size)
+{
+  std::vector<HalfSpace> halves;
+  for (int count = random.Integer(1, 4); count > 0; --count)
+  {
+    const bool isInLattice = random.Integer(0, 1) == 0;
+    Vector3 normal = random.Direction();
+    Vector3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = random.Integer(size[axis] / 3, size[axis] - size[axis] / 3);
+    }
+    if (isInLattice)
+    {
+      normal = { 0.0, 0.0, 0.0 };
+      normal[static_cast<std::size_t>(random.Integer(0, 2))] = random.Integer(0, 1) == 0 ? -1 : 1;
+    }
+    halves.push_back(Behind(normal, point));
+  }
+  return halves;
+}
+
+/// Counts the rays, among many, of which the hits do not go in and out in turn, or go in and never
+/// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
+int CountLeaks(const TestVolume<float>& volume, Wanted wanted, int& caps)
+{
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto opaque = TracedVolume::New(volume.View(), {}, 2);
+  RandomNumbers random(77);
+  int leaks = 0;
+  for (int scene = 0; scene < 40; ++scene)
+  {
+    wanted.Seen.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
+    wanted.Surfaces[0].Opacity = 1.0;
+    opaque->Select(wanted, 2);
+    wanted.Surfaces[0].Opacity = Glass;
+    traced->Select(wanted, 2);
+    for (int ray = 0; ray < 500; ++ray)
+    {
+      Line line = ray % 2 == 0 ? RandomLine(random, volume.Dimensions)
+                               : LatticeLine(random, volume.Dimensions);
+      line.Origin = line.Origin - line.Direction * 64.0; // from without
+      const std::vector<Hit> hits = Trace(*traced, line, wanted.Planes);
+      const std::vector<Hit> first = Trace(*opaque, line, wanted.Planes);
+      bool isInTurn = hits.size() % 2 == 0;
+      for (std::size_t i = 0; i < hits.size(); ++i)
+      {
+        isInTurn = isInTurn && hits[i].Rising == (i % 2 == 0);
+        caps += hits[i].Plane != Hit::NoPlane ? 1 : 0;
+      }
+      const bool isFirst = first.size() == std::min<std::size_t>(1, hits.size()) &&
+        (first.empty() || AreSame(first[0], hits[0]));
+      leaks += isInTurn && isFirst ? 0 : 1;
+    }
+  }
+  return leaks;
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, HoldAllRaysThatComeFromWithout)
+{
+  const TestVolume<float> volume = ClosedNoise(5, { 21, 19, 23 });
+  for (const double isovalue : { 2.0, 1.5, 0.25 })
+  {
+    int caps = 0;
+    EXPECT_EQ(CountLeaks(volume, { { { isovalue, 1.0 } } }, caps), 0) << "above " << isovalue;
+    EXPECT_GT(caps, 3000);
+    Wanted alone({ { isovalue, 1.0 } });
+    alone.BeamKernels = nullptr;
+    EXPECT_EQ(CountLeaks(volume, alone, caps), 0) << "cell by cell, above " << isovalue;
+    Wanted boxes({ { isovalue, 1.0 } });
+    boxes.Field = Interpolant::Nearest;
+    EXPECT_EQ(CountLeaks(volume, boxes, caps), 0) << "between boxes, above " << isovalue;
+    int cubicCaps = 0;
+    Wanted cubic({ { isovalue, 1.0 } });
+    cubic.Field = Interpolant::Tricubic;
+    EXPECT_EQ(CountLeaks(volume, cubic, cubicCaps), 0) << "tricubic, above " << isovalue;
+    EXPECT_GT(cubicCaps, 1000);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
+{
+  const Index3 size = { 21, 19, 23 };
+  const TestVolume<float> volume = ClosedNoise(6, size);
+  RandomNumbers random(3);
+  std::array<std::vector<double>, 3> places;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    // Many at whole numbers, where half-spaces end; and some cells are flat.
+    for (int i = 0; i < size[axis]; ++i)
+    {
+      places[axis].push_back(random.Integer(0, 1) == 0 ? random.Integer(1, size[axis] - 2)
+                                                       : random.Uniform(1.0, size[axis] - 2.0));
+    }
+    std::sort(places[axis].begin(), places[axis].end());
+    // The cells at the border are not.
+    places[axis].front() = 0.0;
+    places[axis].back() = size[axis] - 1.0;
+  }
+  const UnevenPlanes planes(places);
+  Wanted wanted({ { 1.5, 1.0 } });
+  wanted.Planes = &planes;
+  int caps = 0;
+  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0);
+  wanted.Field = Interpolant::Nearest;
+  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0) << "between boxes";
+  EXPECT_GT(caps, 3000);
+  wanted.Field = Interpolant::Tricubic;
+  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0) << "tricubic";
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
+{
+  // Trilinear interpolation reproduces the field.
+  const AnalyticFields::Plane field = { { 0.3, -0.7, 0.5 }, -1.0 };
+  const TestVolume<double> volume = TestVolume<double>::Of({ 20, 18, 22 }, field);
+  const std::vector<Isosurface> surfaces = { { -1.0, Glass }, { 1.0, Glass }, { 3.0, Glass } };
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  RandomNumbers random(9);
+  int found[4] = {};
+  for (int scene = 0; scene < 50; ++scene)
+  {
+    Wanted wanted(surfaces);
+    wanted.Seen.HalfSpaces = { Behind(random.Direction(), { 9.5, 8.5, 10.5 }) };
+    const HalfSpace& half = wanted.Seen.HalfSpaces[0];
+    traced->Select(wanted, 2);
+    for (int ray = 0; ray < 100; ++ray)
+    {
+      const Line line = RandomLine(random, volume.Dimensions);
+      const double slope = Dot(half.Normal, line.Direction);
+      const double t = -(Dot(half.Normal, line.Origin) + half.Offset) / slope;
+      const Vector3 point = line.Origin + line.Direction * t;
+      const double value = field(point);
+      bool isInVolume = t > 0.0;
+      int surface = -1;
+      bool isClear = true;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        isInVolume = isInVolume && point[i] > 0.0 && point[i] < volume.Dimensions[i] - 1.0;
+        surface += value >= surfaces[i].Isovalue ? 1 : 0;
+        isClear = isClear && std::abs(value - surfaces[i].Isovalue) > 1e-9;
+      }
+      if (!isClear)
+      {
+        continue;
+      }
+      const std::vector<Hit> hits = Trace(*traced, line);
+      const auto cap = std::find_if(
+        hits.begin(), hits.end(), [](const Hit& hit) { return hit.Plane != Hit::NoPlane; });
+      ASSERT_EQ(cap != hits.end(), isInVolume && surface >= 0) << ToText(line);
+      found[surface + 1] += isInVolume ? 1 : 0;
+      if (cap == hits.end())
+      {
+        continue;
+      }
+      EXPECT_TRUE(slope > 0.0 ? cap == hits.begin() : cap == hits.end() - 1);
+      EXPECT_EQ(cap->Rising, slope > 0.0);
+      EXPECT_EQ(cap->Plane, 0);
+      EXPECT_EQ(cap->Surface, surface);
+      EXPECT_NEAR(cap->T, t, 1e-9);
+      EXPECT_NEAR(Length(cap->GetPoint(nullptr) - point), 0.0, 1e-9);
+      EXPECT_NEAR(cap->Value, value, 1e-9);
+      EXPECT_EQ(traced->GetGradient(*cap, NormalMode::CentralDifferences), half.Normal);
+      double gradients[3][RayGroup::Capacity];
+      traced->GetGradients(&*cap, 1, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+      EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), half.Normal);
+    }
+  }
+  for (const int count : found)
+  {
+    EXPECT_GT(count, 100);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What a ray from within looks at is not a cap; from behind, it is.
+TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
+{
+  const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
+  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  Wanted wanted({ { 0.0, 1.0 } });
+  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  traced->Select(wanted, 2);
+  const auto look = [&traced](double from, double way) {
+    return Trace(*traced, { { 3.5, 3.25, from }, { 0.0, 0.0, way } });
+  };
+  ASSERT_EQ(look(-5.0, 1.0).size(), 1U);
+  EXPECT_EQ(look(-5.0, 1.0)[0].T, 7.25);
+  EXPECT_TRUE(look(-5.0, 1.0)[0].Rising);
+  ASSERT_EQ(look(1.0, 1.0).size(), 1U);
+  ASSERT_EQ(look(5.0, -1.0).size(), 1U);
+  EXPECT_EQ(look(5.0, -1.0)[0].T, 2.75);
+  EXPECT_FALSE(look(5.0, -1.0)[0].Rising);
+  ASSERT_EQ(look(9.0, -1.0).size(), 1U);
+  EXPECT_TRUE(look(5.0, 1.0).empty());
+  EXPECT_TRUE(look(2.25 + 1e-8, 1.0).empty());
+  EXPECT_TRUE(look(1.0, -1.0).empty());
+  EXPECT_TRUE(Trace(*traced, { { -3.0, 3.25, 2.25 }, { 1.0, 0.0, 0.0 } }).empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
+{
+  // From 1 at the border along x to 4 in the middle.
+  const TestVolume<double> volume = TestVolume<double>::Of(
+    { 15, 9, 9 }, [](const AnalyticFields::Point& p) { return std::min(p[0], 14.0 - p[0]); });
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const Line line = { { -4.0, 4.25, 4.5 }, { 1.0, 0.0, 0.0 } };
+  const auto trace = [&](double skin, double bone, double cut)
+  {
+    Wanted wanted({ { 2.0, skin }, { 4.0, bone } });
+    wanted.Seen.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
+    traced->Select(wanted, 2);
+    std::string order;
+    for (const Hit& hit : Trace(*traced, line))
+    {
+      order +=
+        hit.Plane == Hit::NoPlane ? (hit.Surface == 0 ? 's' : 'b') : (hit.Surface == 0 ? 'S' : 'B');
+    }
+    return order;
+  };
+  EXPECT_EQ(trace(0.5, 0.5, 1.0), "sbbs");
+  EXPECT_EQ(trace(0.5, 0.5, 3.0), "Sbbs");
+  EXPECT_EQ(trace(0.5, 0.5, 5.0), "Bbs");
+  EXPECT_EQ(trace(0.5, 1.0, 3.0), "Sb");
+  EXPECT_EQ(trace(0.5, 1.0, 5.0), "B");
+  EXPECT_EQ(trace(1.0, 0.5, 3.0), "S");
+  EXPECT_EQ(trace(1.0, 0.5, 5.0), "Bbs");
+  // Nothing is left after the second of these.
+  EXPECT_EQ(trace(0.99, 0.99, 3.0), "Sb");
+  EXPECT_EQ(trace(0.9995, 0.5, 3.0), "S");
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
+{
+  const TestVolume<double> full({ 9, 8, 7 }, std::vector<double>(504, 1.0));
+  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  RandomNumbers random(31);
+  for (const double error : { 0.0, 1e-13, 1e-9 })
+  {
+    Wanted wanted({ { 0.0, Glass } });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      Vector3 normal = { 0.0, 0.0, 0.0 };
+      normal[axis] = 0.1;
+      Vector3 last = { 8.0, 7.0, 6.0 };
+      last[axis] += random.Uniform(-error, error);
+      wanted.Seen.HalfSpaces.push_back(
+        Behind(normal, { random.Uniform(-error, error), error, -error }));
+      wanted.Seen.HalfSpaces.push_back(Behind(normal * -1.0, last));
+    }
+    traced->Select(wanted, 2);
+    for (int ray = 0; ray < 1000; ++ray)
+    {
+      Line line = RandomLine(random, full.Dimensions);
+      line.Origin = line.Origin - line.Direction * 20.0;
+      const std::vector<Hit> hits = Trace(*traced, line);
+      ASSERT_EQ(hits.size(), 2U) << ToText(line);
+      EXPECT_TRUE(hits[0].Rising && !hits[1].Rising);
+    }
+  }
+  // A plane outside of the volume cuts nothing.
+  Wanted wanted({ { 0.0, Glass } });
+  wanted.Seen.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { -1e-5, 0.0, 0.0 }) };
+  traced->Select(wanted, 2);
+  EXPECT_TRUE(Trace(*traced, { { -3.0, 3.5, 3.5 }, { 1.0, 0.1, 0.1 } }).empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
+{
+  const Index3 size = { 14, 15, 16 };
+  TestVolume<float> volume = ClosedNoise(8, size);
+  for (float& value : volume.Values)
+  {
+    value *= 0.7F; // of which a weighted mean of equals may be something else
+  }
+  const auto low = static_cast<double>(2.0F * 0.7F);
+  const auto high = static_cast<double>(3.0F * 0.7F);
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  RandomNumbers random(10);
+  int found = 0;
+  for (int scene = 0; scene < 30; ++scene)
+  {
+    Wanted wanted({ { low, Glass }, { high, Glass } });
+    wanted.Field = Interpolant::Nearest;
+    wanted.Seen.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
+    traced->Select(wanted, 2);
+    for (int ray = 0; ray < 100; ++ray)
+    {
+      for (const Hit& hit : Trace(*traced, RandomLine(random, size)))
+      {
+        const Vector3 point = hit.GetPoint(nullptr);
+        const Index3 nearest = { static_cast<int>(std::lround(point[0])),
+          static_cast<int>(std::lround(point[1])), static_cast<int>(std::lround(point[2])) };
+        if (hit.Plane != Hit::NoPlane)
+        {
+          ++found;
+          EXPECT_EQ(hit.Value, static_cast<double>(volume.At(nearest)));
+          EXPECT_EQ(hit.Surface, hit.Value >= high ? 1 : 0);
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+//------------------------------------------------------------------------------
+/// Half-spaces that end between two layers of boxes show those that they leave.
+TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
+{
+  const Index3 size = { 12, 12, 12 };
+  const TestVolume<float> volume =
+    TestVolume<float>::Of(size, [](const AnalyticFields::Point& p) { return p[2]; });
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  RandomNumbers random(12);
+  for (const double way : { 1.0, -1.0 })
+  {
+    Wanted wanted({ { -1.0, Glass }, { 5.5, Glass } });
+    wanted.Field = Interpolant::Nearest;
+    const double length = way * random.Uniform(0.1, 10.0);
+    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
+    traced->Select(wanted, 2);
+    int found[2] = { 0, 0 };
+    for (int ray = 0; ray < 1000; ++ray)
+    {
+      const std::vector<Hit> hits = Trace(*traced, RandomLine(random, size));
+      for (const Hit& hit : hits)
+      {
+        const bool isCap = hit.Plane != Hit::NoPlane;
+        EXPECT_TRUE(isCap) << "a face in the plane is not seen";
+        EXPECT_EQ(hit.Value, way > 0.0 ? 6.0 : 5.0);
+        EXPECT_EQ(hit.Surface, way > 0.0 ? 1 : 0);
+        ++found[hit.Rising ? 1 : 0];
+      }
+    }
+    EXPECT_GT(found[0], 50);
+    EXPECT_GT(found[1], 50);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
+{
+  const Index3 size = { 9, 9, 9 };
+  // From inside to outside between the last two planes.
+  TestVolume<float> volume = TestVolume<float>::Of(
+    size, [](const AnalyticFields::Point& p) { return p[2] > 7.5 ? -1.0 : 1.0; });
+  volume.At({ 2, 2, 2 }) = std::numeric_limits<float>::quiet_NaN();
+  std::vector<unsigned char> hidden(8 * 8 * 8, 0);
+  hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
+  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  Wanted wanted({ { 0.0, 1.0 } });
+  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  wanted.Seen.HiddenCells = hidden.data();
+  wanted.Seen.Regions = { { { { 2.0, 6.0 }, { 2.0, 6.0 }, { 2.0, 6.0 } } },
+    CroppingRegions::All & ~(1U << (2 + 3 * 2 + 9 * 1)) };
+  for (const Interpolant field : { Interpolant::Trilinear, Interpolant::Nearest })
+  {
+    wanted.Field = field;
+    traced->Select(wanted, 2);
+    const auto isClosed = [&traced](double x, double y)
+    {
+      const std::vector<Hit> hits = Trace(*traced, { { x, y, -2.0 }, { 0.0, 0.0, 1.0 } });
+      EXPECT_EQ(hits.size(), 1U);
+      const bool isCap = !hits.empty() && hits[0].Plane != Hit::NoPlane;
+      EXPECT_EQ(hits.empty() ? 0.0 : hits[0].T, isCap ? 4.25 : 9.5);
+      return isCap;
+    };
+    EXPECT_TRUE(isClosed(4.5, 4.5));
+    EXPECT_FALSE(isClosed(5.5, 5.25));
+    EXPECT_TRUE(isClosed(6.5, 5.25));
+    EXPECT_FALSE(isClosed(6.5, 6.25)); // cropped
+    EXPECT_FALSE(isClosed(2.25, 2.25));
+    // The cell has no interpolant; the box of its other corner has a value.
+    EXPECT_EQ(isClosed(1.25, 1.25), field == Interpolant::Nearest);
+    EXPECT_TRUE(isClosed(0.75, 0.75));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Half-spaces that end in a lattice plane show the cells that they leave, whatever is beyond.
+TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
+{
+  const Index3 size = { 12, 12, 12 };
+  RandomNumbers random(13);
+  for (const double way : { 1.0, -1.0 })
+  {
+    TestVolume<float> volume(size, std::vector<float>(Count(size), 1.0F));
+    ForEachPlace(size,
+      [&](const Index3& i)
+      {
+        if (way * (i[2] - 6) < 0.0)
+        {
+          volume.At(i) = std::numeric_limits<float>::quiet_NaN();
+        }
+      });
+    const auto traced = TracedVolume::New(volume.View(), {}, 2);
+    Wanted wanted({ { 0.0, Glass } });
+    const double length = way * random.Uniform(0.1, 10.0);
+    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
+    traced->Select(wanted, 2);
+    int found = 0;
+    for (int ray = 0; ray < 1000; ++ray)
+    {
+      Line line = RandomLine(random, size);
+      line.Direction[2] += line.Direction[2] > 0.0 ? 0.1 : -0.1;
+      const double t = (6.0 - line.Origin[2]) / line.Direction[2];
+      const Vector3 point = line.Origin + line.Direction * t;
+      if (t > 0.0 && std::min(point[0], point[1]) > 0.0 && std::max(point[0], point[1]) < 11.0)
+      {
+        const std::vector<Hit> hits = Trace(*traced, line);
+        ASSERT_EQ(hits.size(), 1U) << ToText(line);
+        EXPECT_EQ(hits[0].Cell[2], way > 0.0 ? 6 : 5);
+        EXPECT_NEAR(hits[0].Parametric[2], way > 0.0 ? 0.0 : 1.0, 1e-9);
+        ++found;
+      }
+    }
+    EXPECT_GT(found, 200);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Caps, AreNotWhereTheyAreNotWanted)
+{
+  const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
+  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  Wanted wanted({ { 0.0, 1.0 } });
+  // The second one cuts later, and has none.
+  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),
+    { { 0.0, 0.0, 1.0 }, -3.5 } };
+  traced->Select(wanted, 2);
+  EXPECT_TRUE(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).empty());
+  wanted.Seen.HalfSpaces[1].Offset = -1.5;
+  traced->Select(wanted, 2);
+  EXPECT_EQ(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).size(), 1U);
+}
+
+}
+}
