@@ -12,9 +12,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPlane,
     vtkRectilinearGrid,
+    vtkUniformGrid,
 )
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
+from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
@@ -143,6 +145,55 @@ def projected(picture, image, isovalue):
     opacity.AddPoint(0.5 * high, 1.0)
 
 
+def least(picture, image, isovalue):
+    """The smallest values within the middle of the volume."""
+    bounds = image.GetBounds()
+    picture.mapper.SetCroppingRegionPlanes(
+        *[bounds[2 * axis] + part * (bounds[2 * axis + 1] - bounds[2 * axis])
+          for axis in range(3) for part in (0.25, 0.7)])
+    picture.mapper.SetCroppingRegionFlagsToSubVolume()
+    picture.mapper.CroppingOn()
+    picture.mapper.SetBlendModeToMinimumIntensity()
+    function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
+    function.RemoveAllPoints()
+    opacity.RemoveAllPoints()
+    low, high = image.GetScalarRange()
+    function.AddRGBPoint(low, 0.1, 0.1, 0.3)
+    function.AddRGBPoint(isovalue, 0.95, 0.9, 0.8)
+    function.AddRGBPoint(high, 0.5, 0.1, 0.1)
+    opacity.AddPoint(isovalue, 1.0)
+
+
+def steepness(picture, image, isovalue):
+    """Where the length of the gradient, an array of vectors, is a fifth of its largest."""
+    gradient = vtkImageGradient()
+    gradient.SetInputData(image)
+    gradient.SetDimensionality(3)
+    gradient.Update()
+    vectors = gradient.GetOutput().GetPointData().GetScalars()
+    picture.mapper.SetInputConnection(gradient.GetOutputPort())
+    picture.mapper.SetVectorModeToMagnitude()
+    picture.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
+    picture.add_surface(0.2 * vectors.GetMaxNorm(), (0.75, 0.85, 0.95), 1.0)
+
+
+def cells(picture, image, isovalue):
+    """A cell for every sample; a wedge of them is blank."""
+    grid = vtkUniformGrid()
+    size = image.GetDimensions()
+    grid.SetDimensions([count + 1 for count in size])
+    grid.SetSpacing(image.GetSpacing())
+    grid.SetOrigin([low - 0.5 * step
+                    for low, step in zip(image.GetBounds()[::2], image.GetSpacing())])
+    grid.GetCellData().SetScalars(image.GetPointData().GetScalars())
+    for z in range(size[2]):
+        for y in range(min(size[1], size[1] - z * size[1] // size[2])):
+            for x in range(size[0] // 2):
+                grid.BlankCell(x + size[0] * (y + size[1] * z))
+    picture.mapper.SetInputData(grid)
+    picture.mapper.SetScalarModeToUseCellData()
+
+
 def rectilinear(picture, image, isovalue):
     """Fewer and fewer slices towards the top, and the planes stand where the slices are."""
     size, samples = image.GetDimensions(), image.GetPointData().GetScalars()
@@ -211,6 +262,9 @@ SCENES = (
     cropped,
     coloured,
     projected,
+    least,
+    steepness,
+    cells,
     rectilinear,
     blocks,
     boxes,

@@ -133,6 +133,18 @@ def at_rest(scene):
         scene.window.Render()
 
 
+def hurried(scene):
+    """A ray for every 4 x 4 pixels, as while somebody turns a large volume."""
+    scene.volume.GetMapper().AutoAdjustSampleDistancesOff()
+    scene.volume.GetMapper().SetImageSampleDistance(4.0)
+
+
+def smooth_edges(scene):
+    """3 x 3 rays for every pixel."""
+    scene.volume.GetMapper().AutoAdjustSampleDistancesOff()
+    scene.volume.GetMapper().SetImageSampleDistance(1.0 / 3.0)
+
+
 def picked(scene):
     """An arrow at each point that is picked, out of the surface."""
     scene.window.Render()
@@ -171,6 +183,8 @@ SCENES = (
     anaglyph,
     smart_mapper,
     at_rest,
+    hurried,
+    smooth_edges,
     picked,
 )
 
