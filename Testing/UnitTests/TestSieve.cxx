@@ -53,16 +53,20 @@ enum class FieldKind
   OnPlanes,
   /// Small differences of large values.
   Offset,
+  BetweenFloats,
   Large,
   Huge,
   Tiny,
   /// So large or small that values are scaled.
   ScaledUp,
-  ScaledDown
+  ScaledDown,
+  /// The same, but for few samples in an ordinary volume.
+  ScaledForFew
 };
 constexpr FieldKind AllFieldKinds[] = { FieldKind::Smooth, FieldKind::Rough, FieldKind::Ties,
-  FieldKind::Tangent, FieldKind::OnPlanes, FieldKind::Offset, FieldKind::Large, FieldKind::Huge,
-  FieldKind::Tiny, FieldKind::ScaledUp, FieldKind::ScaledDown };
+  FieldKind::Tangent, FieldKind::OnPlanes, FieldKind::Offset, FieldKind::BetweenFloats,
+  FieldKind::Large, FieldKind::Huge, FieldKind::Tiny, FieldKind::ScaledUp, FieldKind::ScaledDown,
+  FieldKind::ScaledForFew };
 
 template <typename T>
 struct Field
@@ -84,7 +88,10 @@ bool Holds(FieldKind kind)
       return std::is_floating_point_v<T>;
     case FieldKind::ScaledUp:
     case FieldKind::ScaledDown:
+    case FieldKind::ScaledForFew:
       return std::is_same_v<T, double>;
+    case FieldKind::BetweenFloats:
+      return std::numeric_limits<T>::digits > 30;
     default:
       return true;
   }
@@ -179,6 +186,19 @@ Field<T> NewField(RandomNumbers& random, FieldKind kind, const Index3& dimension
                  { return sign * (middle + step * std::round(4.0 * gyroid(p))); }),
         { sign * isovalue, 1.0 } };
     }
+    case FieldKind::BetweenFloats:
+    {
+      // Those below are rounded to the same as the isovalue, those above are not.
+      step = std::is_integral_v<T> ? 128.0 : 0.125;
+      middle = step * ((1 << 23) + 1.5);
+      const double tiny = std::is_integral_v<T> ? 1.0 : 1e-6;
+      const int oneOf = random.Integer(2, 6);
+      return { Fill<T>(random, dimensions,
+                 [&](const AnalyticFields::Point&) {
+                   return sign * (middle + (random.Integer(1, oneOf) == 1 ? -0.99 * step : tiny));
+                 }),
+        { sign * (middle - 0.5 * tiny), 1.0 } };
+    }
     case FieldKind::Large:
       return { FillWide<T>(random, dimensions, 14.0, std::is_integral_v<T> ? 19.0 : 26.0),
         { random.Integer(0, 1) ? 1.0 : random.Uniform(1e14, 1e17), 1.0 } };
@@ -195,6 +215,11 @@ Field<T> NewField(RandomNumbers& random, FieldKind kind, const Index3& dimension
     case FieldKind::ScaledDown:
       return { FillWide<T>(random, dimensions, 290.0, 308.0),
         { random.Integer(0, 1) ? 0.0 : random.WideMagnitude(295.0, 308.0), 0x1p-998 } };
+    case FieldKind::ScaledForFew:
+      return { Fill<T>(random, dimensions,
+                 [&](const AnalyticFields::Point&)
+                 { return random.Integer(0, 40) ? random.Uniform(0.0, 100.0) : 1e300; }),
+        { 50.0, 0x1p-998 } };
   }
   throw std::logic_error("unknown kind of field");
 }
