@@ -486,9 +486,12 @@ private:
     const auto stride = static_cast<std::ptrdiff_t>(volume.Stride);
     const Index3& n = volume.Dimensions;
     const std::ptrdiff_t strides[3] = { stride, stride * n[0], stride * n[0] * n[1] };
-    const std::vector<bool> wasHit(passages.Hits, passages.Hits + passages.Count);
-    this->TheKernels.SiftCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
-      passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
+    const auto sift = [&]
+    {
+      this->TheKernels.SiftCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
+        passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
+    };
+    sift();
 
     int next = before;
     for (std::size_t i = 0; i < count; ++i)
@@ -521,6 +524,16 @@ private:
     ASSERT_EQ(next, candidates.Count) << "there are candidates that nobody asked for";
     ASSERT_EQ(hits.Words[0], expectedHits.Words[0]);
     ASSERT_EQ(hits.Words[1], expectedHits.Words[1]);
+
+    // What is surely hit stays so, whatever the other cells say.
+    std::fill_n(passages.Hits, passages.Count, true);
+    candidates.Count = 0;
+    sift();
+    ASSERT_EQ(candidates.Count, next - before);
+    ASSERT_EQ(std::count(passages.Hits, passages.Hits + passages.Count, false), 0);
+    ASSERT_EQ(hits.Words[0], expectedHits.Words[0]);
+    ASSERT_EQ(hits.Words[1], expectedHits.Words[1]);
+    std::fill_n(passages.Hits, passages.Count, false);
   }
 
   static constexpr int MostAtOnce = PassedCells::Capacity - 16;
