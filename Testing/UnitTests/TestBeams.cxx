@@ -789,6 +789,25 @@ TEST_P(Beams, AreSentWhereNobodyKnows)
 }
 
 //------------------------------------------------------------------------------
+// A walk has no room for so many macrocells of a slice.
+TEST_P(Beams, AreSentWhereLinesAreFarApart)
+{
+  RandomNumbers random(861);
+  const auto volume = Islands<float>(random, { 400, 400, 9 }, 50);
+  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  Pencil pencil = { {}, true, {} };
+  for (int i = 0; i < 4; ++i)
+  {
+    pencil.Lines[i] = { { 399.0 * (i % 2), i < 2 ? 0.0 : 399.0, -9.0 }, { 0.0, 0.0, 1.0 } };
+  }
+  Wanted wanted = OpaqueSurface(50.0);
+  wanted.BeamKernels = &this->TheKernels;
+  traced->Select(wanted, 1);
+  RayGroup lines = LinesOf(pencil);
+  EXPECT_TRUE(traced->MayHitBetween(lines));
+}
+
+//------------------------------------------------------------------------------
 // Without this test the others might compare single rays with single rays.
 TEST_P(Beams, AreUsedWhereTheyWillDo)
 {
