@@ -10,6 +10,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -233,7 +234,8 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
     block.Scalars = vtkAbstractMapper::GetScalars(data, choice.ScalarMode, choice.ArrayAccessMode,
       choice.ArrayId, choice.ArrayName, association);
     const vtkirt::Index3 points = GetPoints(block);
-    if (!block.Scalars || std::min({ points[0], points[1], points[2] }) < 2)
+    if (!block.Scalars || association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
+      std::min({ points[0], points[1], points[2] }) < 2)
     {
       continue;
     }

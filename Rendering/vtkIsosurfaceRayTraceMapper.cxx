@@ -14,6 +14,7 @@
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFloatArray.h"
@@ -124,6 +125,14 @@ Pass* FindPass(vtkVolume* volume)
   return nullptr;
 }
 
+/// Whether a frame in stereo has shown another eye already.
+bool IsSecondEye(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetStereoRender() != 0 && window->GetStereoType() != VTK_STEREO_RIGHT &&
+    renderer->GetActiveCamera()->GetLeftEye() == 0;
+}
+
 bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
 {
   return x >= pixels.X && x < pixels.X + pixels.Width && y >= pixels.Y &&
@@ -194,7 +203,8 @@ public:
   vtkirt::Scene MakeScene(vtkIsosurfaceRayTraceMapper* self, vtkVolumeProperty* property,
     const View& view, vtkRenderer* renderer, const vtkirt::PixelSampling& sampling);
   /// As AutoAdjustSampleDistances has it.
-  vtkirt::PixelSampling ChooseSampling(vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const;
+  vtkirt::PixelSampling ChooseSampling(
+    vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer, vtkVolume* volume) const;
   /// The depth of what the window shows already, for every ray of a scene.
   void ReadDepths(vtkOpenGLRenderWindow* window, const vtkirt::PixelRectangle& viewport,
     const vtkirt::PixelSampling& sampling, vtkirt::Scene& scene);
@@ -666,6 +676,10 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectGrid(vtkIsosurfaceRayT
   int association = 0;
   this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, self->ScalarMode,
     self->ArrayAccessMode, self->ArrayId, self->ArrayName, association);
+  if (association == vtkDataObject::FIELD_ASSOCIATION_NONE)
+  {
+    this->Scalars.Scalars = nullptr; // Field data lie nowhere.
+  }
   this->Scalars.AreOfCells = association == 1;
   return "";
 }
@@ -680,6 +694,11 @@ std::string vtkIsosurfaceRayTraceMapper::Internals::SelectScalars(
     return "The blend mode is one that this mapper does not have. Call SetBlendModeToIsoSurface(), "
            "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
            "volume mapper.";
+  }
+  if (GetProjection(mode) && self->InterpolationMode == CUBIC)
+  {
+    return "Intensity projections are those of the trilinear interpolant. Call "
+           "SetInterpolationModeToTrilinear(), or SetBlendModeToIsoSurface().";
   }
   std::string problem = this->SelectGrid(self);
   if (!problem.empty())
@@ -860,10 +879,18 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(vtkIsosurfaceRay
 
 //------------------------------------------------------------------------------
 vtkirt::PixelSampling vtkIsosurfaceRayTraceMapper::Internals::ChooseSampling(
-  vtkIsosurfaceRayTraceMapper* self, vtkVolume* volume) const
+  vtkIsosurfaceRayTraceMapper* self, vtkRenderer* renderer, vtkVolume* volume) const
 {
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // A selection of points begins with a usual frame, and shows ids where they have its depth.
+    return selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS
+      ? vtkirt::PixelSampling::FromDistance(static_cast<double>(self->ImageSampleDistance))
+      : vtkirt::PixelSampling{};
+  }
   const double allocated = volume->GetAllocatedRenderTime();
-  if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0)
+  // Eyes that see the same in other pixels would quarrel.
+  if (self->AutoAdjustSampleDistances != 0 && allocated > 0.0 && !IsSecondEye(renderer))
   {
     // Rays become fewer with the square of their distance.
     const double enough = std::sqrt(this->SecondsOfFullFrame / allocated);
@@ -898,8 +925,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 {
   Internals& internal = *this->Internal;
   vtkHardwareSelector* selector = renderer->GetSelector();
-  vtkirt::PixelSampling sampling =
-    selector ? vtkirt::PixelSampling{} : internal.ChooseSampling(this, volume);
+  vtkirt::PixelSampling sampling = internal.ChooseSampling(this, renderer, volume);
   vtkSSAOPass* occlusion = selector ? nullptr : FindPass<vtkSSAOPass>(volume);
   if (occlusion)
   {
@@ -917,9 +943,12 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   }
 
   const Clock::time_point depthStart = Clock::now();
-  // With nothing drawn before, there is nothing to be hidden by. Render passes do not count.
-  if (renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
-    renderer->GetPass())
+  // With nothing drawn before, there is nothing to be hidden by. Render passes do not count. For a
+  // selection of points the depth is also that of our own surfaces, rounded; there, the depth test
+  // decides.
+  const bool isHidden = renderer->GetNumberOfPropsRendered() > 0 ||
+    renderer->GetPreserveDepthBuffer() || renderer->GetPass();
+  if (isHidden && (!selector || scene.Want.Projection))
   {
     internal.ReadDepths(window, viewport, sampling, scene);
   }
@@ -945,7 +974,11 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     selector->UpdateMaximumPointId(
       isComposite ? internal.Blocks.GetNumberOfPoints() : internal.Grid->GetNumberOfPoints());
     internal.WriteIds(selector, scene);
-    opaque = true;
+    if (sampling.Rays > 1)
+    {
+      vtkirt::TakeNearestRays(sampling.Rays, scene.Pixels.Width, internal.Picture);
+    }
+    opaque = !scene.Want.Projection;
   }
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   const vtkIsosurfaceRayTraceImageDisplay::Image image = { viewport.X + pixels.X,
@@ -1029,7 +1062,7 @@ bool vtkIsosurfaceRayTraceMapper::Internals::TraceFrame(vtkIsosurfaceRayTraceMap
     {
       return false;
     }
-    if (sampling.Rays > 1)
+    if (sampling.Rays > 1 && !scene.KeepHits)
     {
       vtkirt::AverageRays(sampling.Rays, scene.Pixels.Width, this->Picture);
     }
@@ -1102,8 +1135,11 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    picture.Depths[pixel] = static_cast<float>(
-      std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
+    if (!this->Want.Projection) // of which a picture has no depth either
+    {
+      picture.Depths[pixel] = static_cast<float>(
+        std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
+    }
   }
 }
 
@@ -1354,9 +1390,8 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalMode: "
      << (this->NormalMode == INTERPOLANT_GRADIENT ? "InterpolantGradient" : "CentralDifferences")
      << "\n";
-  os << indent
-     << "InterpolationMode: " << (this->InterpolationMode == TRILINEAR ? "Trilinear" : "Nearest")
-     << "\n";
+  const char* const interpolationModes[] = { "Trilinear", "Nearest", "Cubic" };
+  os << indent << "InterpolationMode: " << interpolationModes[this->InterpolationMode] << "\n";
   const char* const solvers[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
   os << indent << "RootSolver: " << solvers[this->RootSolver] << "\n";
   os << indent << "NumberOfInterpolations: " << this->NumberOfInterpolations << "\n";

@@ -7,8 +7,8 @@
  * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
  * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside
  * a cell that is a cubic along the ray, and its first root is the hit. (Or samples are boxes, and
- * faces between them are hit: see InterpolationMode.) A new isovalue, colour or camera costs a
- * frame and nothing else.
+ * faces between them are hit; or the interpolant is tricubic: see InterpolationMode.) A new
+ * isovalue, colour or camera costs a frame and nothing else.
  *
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
@@ -73,7 +73,8 @@
  * The colour of a surface may come from another array or another image (ColorArrayName), and
  * surfaces may cast shadows (Shadows) and keep ambient light from each other (AmbientOcclusion).
  *
- * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits.
+ * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Of
+ * points, it selects those of the rays that the picture is made of, by ImageSampleDistance.)
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
@@ -121,7 +122,10 @@ public:
     /// The value of the nearest sample: every sample is a box of one value, which ends half way to
     /// the next sample, or at the border of the volume. An isosurface is the faces between boxes
     /// below the isovalue and boxes at or above it.
-    NEAREST = 1
+    NEAREST = 1,
+    /// In a cell, the tricubic interpolant of the 4^3 samples around it: along each axis the cubic
+    /// of E. Catmull and R. Rom (1974) through the samples, the one of vtkImageInterpolator.
+    CUBIC = 2
   };
 
   ///@{
@@ -136,13 +140,26 @@ public:
    * cell scalars. A face between points lies in the middle of four cells, and is hidden in those
    * that are blanked. Intensity projections and the colours of ColorArrayName stay trilinear.
    *
+   * With CUBIC the surface is smooth, and so is its normal: that of both NormalModes is the exact
+   * gradient of the interpolant. Between samples the values may go beyond them, by up to 61/128 of
+   * the range of the 4^3 around: thin things keep more of their shape, and beside sharp edges there
+   * are ripples. It equals what vtkImageReslice makes with cubic interpolation, but at the border
+   * of the volume: there samples go on in a straight line (VTK repeats the last one, which bends
+   * the surface). With uneven spacing the slope at a sample is that of the parabola through it and
+   * its neighbours. A cell is empty if one of the 4^3 samples is NaN or infinite; blanked samples
+   * count for the cells beside them. All crossings along a ray are found without a RootSolver, but
+   * pairs nearer to each other than 2^-40 of the way through a cell may be missed. Frames take
+   * several times as long as trilinear ones. Intensity projections are an error; the colours of
+   * ColorArrayName stay trilinear.
+   *
    * vtkVolumeProperty::GetInterpolationType() is not asked: it is nearest unless it is set, and
    * those who draw isosurfaces with VTK without setting it get smooth ones. Default: TRILINEAR.
    */
-  vtkSetClampMacro(InterpolationMode, int, TRILINEAR, NEAREST);
+  vtkSetClampMacro(InterpolationMode, int, TRILINEAR, CUBIC);
   vtkGetMacro(InterpolationMode, int);
   void SetInterpolationModeToTrilinear() { this->SetInterpolationMode(TRILINEAR); }
   void SetInterpolationModeToNearest() { this->SetInterpolationMode(NEAREST); }
+  void SetInterpolationModeToCubic() { this->SetInterpolationMode(CUBIC); }
   ///@}
 
   /**
@@ -413,7 +430,7 @@ public:
    * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
    * so that the frame is drawn in the time allocated to it: coarser pictures while one turns the
    * scene (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every
-   * pixel when it is still. Default: on.
+   * pixel when it is still. In stereo it is chosen once for both eyes. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);

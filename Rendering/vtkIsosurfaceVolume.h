@@ -14,6 +14,10 @@
  * Each frame asks the mapper (vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces); there is nothing
  * to set.
  *
+ * Smooth edges (vtkIsosurfaceRayTraceMapper::SetImageSampleDistance below 1,
+ * ProgressiveAccumulation) are mixed with what is drawn already. VTK draws props in the order in
+ * which they were added: add this volume after the polygons that it is seen before.
+ *
  * @sa vtkIsosurfaceRayTraceMapper vtkVolume
  */
 

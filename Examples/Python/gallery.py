@@ -18,8 +18,6 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
-SIZE = 480
-
 
 class Picture:
     """A volume with one ivory isosurface, a camera that sees it from a corner, and a lamp."""
@@ -53,13 +51,13 @@ class Picture:
         self.surface.GetRGBTransferFunction().AddRGBPoint(isovalue, *color)
         self.surface.GetScalarOpacity().AddPoint(isovalue, opacity)
 
-    def write(self, name):
+    def write(self, file_name, size):
         output = vtkImageData()
         self.mapper.RenderToImage(
-            self.volume, self.camera, self.lights, SIZE, SIZE, output)
+            self.volume, self.camera, self.lights, size, size, output)
         writer = vtkPNGWriter()
         writer.SetInputData(output)
-        writer.SetFileName(name)
+        writer.SetFileName(file_name)
         writer.Write()
 
 
@@ -171,6 +169,49 @@ def blocks(picture, image, isovalue):
     picture.mapper.SetInputDataObject(pieces)
 
 
+def boxes(picture, image, isovalue):
+    picture.mapper.SetInterpolationModeToNearest()
+    picture.camera.Zoom(3.0)
+
+
+def near(picture, image, isovalue):
+    """With the exact normals of the interpolant."""
+    picture.camera.Zoom(8.0)
+    picture.mapper.SetNormalModeToInterpolantGradient()
+
+
+def cubic(picture, image, isovalue):
+    near(picture, image, isovalue)
+    picture.mapper.SetInterpolationModeToCubic()
+
+
+SCENES = (
+    plain,
+    shadows,
+    occluded,
+    translucent,
+    clipped,
+    cropped,
+    coloured,
+    projected,
+    rectilinear,
+    blocks,
+    boxes,
+    near,
+    cubic,
+)
+
+
+def write_all(image, isovalue, folder, size):
+    os.makedirs(folder, exist_ok=True)
+    for furnish in SCENES:
+        picture = Picture(image, isovalue)
+        furnish(picture, image, isovalue)
+        file_name = os.path.join(folder, furnish.__name__ + ".png")
+        picture.write(file_name, size)
+        print(file_name)
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -180,13 +221,8 @@ def main():
         sys.exit(f"VTK has no image reader for {volume_file}")
     reader.SetFileName(volume_file)
     reader.Update()
-    os.makedirs(folder, exist_ok=True)
-    for scene in (plain, shadows, occluded, translucent, clipped, cropped, coloured, projected,
-                  rectilinear, blocks):
-        picture = Picture(reader.GetOutput(), isovalue)
-        scene(picture, reader.GetOutput(), isovalue)
-        picture.write(os.path.join(folder, scene.__name__ + ".png"))
-        print(os.path.join(folder, scene.__name__ + ".png"))
+    write_all(reader.GetOutput(), isovalue, folder, 480)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -6,7 +6,10 @@
 import os
 import sys
 
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkGlyph3D
+from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -18,6 +21,7 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingOpenGL2 import vtkEDLShading, vtkRenderStepsPass
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 from vtkIsosurfaceRayTracing import (
+    vtkIsosurfacePicker,
     vtkIsosurfaceRayTraceFactory,
     vtkIsosurfaceRayTraceMapper,
     vtkIsosurfaceVolume,
@@ -129,6 +133,37 @@ def at_rest(scene):
         scene.window.Render()
 
 
+def picked(scene):
+    """An arrow at each point that is picked, out of the surface."""
+    scene.window.Render()
+    points, normals = vtkPoints(), vtkDoubleArray()
+    normals.SetNumberOfComponents(3)
+    picker = vtkIsosurfacePicker()
+    size = scene.window.GetSize()[0]
+    step = size // 12
+    for y in range(step // 2, size, step):
+        for x in range(step // 2, size, step):
+            if picker.Pick(x, y, 0.0, scene.renderer):
+                points.InsertNextPoint(picker.GetPickPosition())
+                normals.InsertNextTuple(picker.GetPickNormal())
+    picks = vtkPolyData()
+    picks.SetPoints(points)
+    picks.GetPointData().SetNormals(normals)
+    arrow = vtkArrowSource()
+    arrows = vtkGlyph3D()
+    arrows.SetInputData(picks)
+    arrows.SetSourceConnection(arrow.GetOutputPort())
+    arrows.SetVectorModeToUseNormal()
+    arrows.SetScaleModeToDataScalingOff()
+    arrows.SetScaleFactor(0.08 * scene.image.GetLength())
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(arrows.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.9, 0.3, 0.2)
+    scene.renderer.AddActor(actor)
+
+
 SCENES = (
     translucent_polygons,
     ambient_occlusion,
@@ -136,6 +171,7 @@ SCENES = (
     anaglyph,
     smart_mapper,
     at_rest,
+    picked,
 )
 
 

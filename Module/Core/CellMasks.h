@@ -12,9 +12,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -38,10 +40,14 @@ public:
 
   void BeginFrame(std::size_t maximumMemory) { this->Masks.BeginFrame(maximumMemory); }
 
-  /// Forgets all masks, and takes other isovalues from now on.
-  void Select(const std::vector<double>& isovalues)
+  /// Makes the mask of a block by another rule.
+  using Maker = std::function<void(const Index3& block, BlockMask& mask)>;
+
+  /// Forgets all masks, and takes other isovalues from now on; and another rule, if there is one.
+  void Select(const std::vector<double>& isovalues, Maker maker = nullptr)
   {
     this->Isovalues = isovalues;
+    this->MakeOther = std::move(maker);
     this->Masks.Clear();
   }
 
@@ -190,6 +196,11 @@ private:
 
   void Make(const Index3& block, BlockMask& mask) const
   {
+    if (this->MakeOther)
+    {
+      this->MakeOther(block, mask);
+      return;
+    }
     const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
       block[2] * BlockMask::Edge };
     const Index3& dimensions = this->TheSamples.GetDimensions();
@@ -242,6 +253,7 @@ private:
   Samples<T> TheSamples;
   Index3 Blocks;
   std::vector<double> Isovalues;
+  Maker MakeOther;
   BlockCache Masks;
 };
 

@@ -209,6 +209,15 @@ struct ShadedHits
   RaySet Extreme;
 };
 
+/// What opaque hits look like in the picture.
+struct HitPixels
+{
+  /// Red, green, blue and opacity, the first one lowest.
+  std::uint32_t Colors[RayGroup::Capacity];
+  /// As in the depth buffer.
+  float Depths[RayGroup::Capacity];
+};
+
 /// A light that is infinitely far; see Light.
 struct DistantLight
 {
@@ -271,6 +280,11 @@ struct Kernels
 
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);
+
+  /// Turns opaque hits with their last colours, and places in index space, to pixels, exactly as
+  /// RenderTiles does.
+  void (*MakePixels)(const double* clipFromIndex, const ShadedHits& hits,
+    const double (*points)[RayGroup::Capacity], HitPixels& pixels);
 
   /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
   /// One for every ScalarType.

@@ -1419,6 +1419,50 @@ void Shade(const Phong& phong, ShadedHits& hits)
 }
 
 //------------------------------------------------------------------------------
+// The same as ToByte of RenderTiles.cxx.
+LANES_INLINE void StoreBytes(Doubles values, int* bytes)
+{
+  const Doubles zero = Broadcast(0.0);
+  const Doubles clamped = Select(zero < values, Smaller(values, Broadcast(1.0)), zero);
+  StoreTruncated(Broadcast(255.0) * clamped + Broadcast(0.5), bytes);
+}
+
+void MakePixels(const double* clipFromIndex, const ShadedHits& hits,
+  const double (*points)[RayGroup::Capacity], HitPixels& pixels)
+{
+  const double* m = clipFromIndex;
+  const Doubles zero = Broadcast(0.0);
+  const Doubles half = Broadcast(0.5);
+  const Doubles one = Broadcast(1.0);
+  for (int i = 0; i < hits.Count; i += LaneCount)
+  {
+    int bytes[3][LaneCount];
+    for (int k = 0; k < 3; ++k)
+    {
+      StoreBytes(Load(&hits.Color[k][i]), bytes[k]);
+    }
+    Doubles clip[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      const double* row = m + 8 + 4 * k;
+      clip[k] = Broadcast(row[0]) * Load(&points[0][i]) + Broadcast(row[1]) * Load(&points[1][i]) +
+        Broadcast(row[2]) * Load(&points[2][i]) + Broadcast(row[3]);
+    }
+    // As std::clamp.
+    const Doubles depth = half * clip[0] / clip[1] + half;
+    double depths[LaneCount];
+    Store(Select(depth < zero, zero, Select(one < depth, one, depth)), depths);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      pixels.Colors[i + lane] = static_cast<std::uint32_t>(bytes[0][lane]) |
+        static_cast<std::uint32_t>(bytes[1][lane]) << 8 |
+        static_cast<std::uint32_t>(bytes[2][lane]) << 16 | 0xFF000000U;
+      pixels.Depths[i + lane] = static_cast<float>(depths[lane]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The same as ValueRange::Smaller and Larger, for rows of samples. Comparisons with NaN are false,
 // and what is infinite lies beyond the largest numbers: neither is ever kept.
 template <typename T>
@@ -1455,7 +1499,7 @@ void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
 
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(SiftCells),                  \
-    FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade,               \
+    FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
     FOR_ALL_TYPES(IncludeRow) }
 
 }

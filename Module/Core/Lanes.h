@@ -77,6 +77,11 @@ LANES_INLINE Doubles LoadIntegers(const int* a)
 {
   return { _mm512_cvtepi32_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(a))) };
 }
+/// Without what is behind the point.
+LANES_INLINE void StoreTruncated(Doubles a, int* to)
+{
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.Value));
+}
 LANES_INLINE Doubles Gather(const double* from, const int* places)
 {
   return { _mm512_i32gather_pd(
@@ -333,6 +338,10 @@ LANES_INLINE Doubles LoadIntegers(const int* a)
 {
   return { _mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a))) };
 }
+LANES_INLINE void StoreTruncated(Doubles a, int* to)
+{
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a.Value));
+}
 LANES_INLINE Doubles Gather(const double* from, const int* places)
 {
   return { _mm256_set_pd(from[places[3]], from[places[2]], from[places[1]], from[places[0]]) };
@@ -574,6 +583,11 @@ LANES_INLINE void Store(Doubles a, double* to)
 LANES_INLINE Doubles LoadIntegers(const int* a)
 {
   return { DoubleVector{ static_cast<double>(a[0]), static_cast<double>(a[1]) } };
+}
+LANES_INLINE void StoreTruncated(Doubles a, int* to)
+{
+  to[0] = static_cast<int>(a.Value[0]);
+  to[1] = static_cast<int>(a.Value[1]);
 }
 LANES_INLINE Doubles Gather(const double* from, const int* places)
 {

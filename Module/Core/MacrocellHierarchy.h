@@ -56,6 +56,15 @@ struct ValueRange
   {
     return static_cast<double>(this->Min) < isovalue && isovalue <= static_cast<double>(this->Max);
   }
+
+  /// The same for a range that is made longer at both ends, by so many times its length.
+  bool Straddles(double isovalue, double overshoot) const
+  {
+    const auto low = static_cast<double>(this->Min);
+    const auto high = static_cast<double>(this->Max);
+    const double margin = overshoot * (high - low);
+    return low <= high && low - margin < isovalue && isovalue <= high + margin;
+  }
 };
 
 /// Levels of macrocells over the cells of a volume, each with the range of all samples at the
@@ -84,7 +93,13 @@ public:
   /// Finds the macrocells whose range holds one of the isovalues.
   ActiveMacrocells FindActive(const std::vector<double>& isovalues, int threads) const;
 
+  /// The same for an interpolant whose cells know the samples one cell further on every side, and
+  /// may go beyond their range, by so many times its length.
+  ActiveMacrocells FindActive(
+    const std::vector<double>& isovalues, double overshoot, int threads) const;
+
 private:
+  ValueRange<T> GetRangeAround(std::size_t level, std::size_t macrocell) const;
   void BuildFinestLevel(const Samples<T>& samples, int threads);
   void BuildLevel(std::size_t level, int threads);
 
@@ -227,6 +242,56 @@ std::size_t MacrocellHierarchy<T>::GetMemory() const
     count += ranges.size();
   }
   return count * sizeof(ValueRange<T>);
+}
+
+//------------------------------------------------------------------------------
+/// The range of a macrocell and its neighbours.
+template <typename T>
+ValueRange<T> MacrocellHierarchy<T>::GetRangeAround(std::size_t level, std::size_t macrocell) const
+{
+  const Index3& size = this->Lattice.Levels[level].Size;
+  Index3 first;
+  Index3 last;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto length = static_cast<std::size_t>(size[axis]);
+    const int place = static_cast<int>(macrocell % length);
+    macrocell /= length;
+    first[axis] = std::max(place - 1, 0);
+    last[axis] = std::min(place + 1, size[axis] - 1);
+  }
+  ValueRange<T> range;
+  for (int z = first[2]; z <= last[2]; ++z)
+  {
+    for (int y = first[1]; y <= last[1]; ++y)
+    {
+      for (int x = first[0]; x <= last[0]; ++x)
+      {
+        const ValueRange<T>& own = this->GetRange(level, { x, y, z });
+        range.Include(own.Min, own.Max);
+      }
+    }
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+ActiveMacrocells MacrocellHierarchy<T>::FindActive(
+  const std::vector<double>& isovalues, double overshoot, int threads) const
+{
+  ActiveMacrocells active(this->Lattice);
+  for (std::size_t level = 0; level < this->Ranges.size(); ++level)
+  {
+    active.Fill(level, threads,
+      [this, level, &isovalues, overshoot](std::size_t macrocell)
+      {
+        const ValueRange<T> range = this->GetRangeAround(level, macrocell);
+        return std::any_of(isovalues.begin(), isovalues.end(),
+          [&range, overshoot](double isovalue) { return range.Straddles(isovalue, overshoot); });
+      });
+  }
+  return active;
 }
 
 //------------------------------------------------------------------------------

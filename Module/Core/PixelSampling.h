@@ -105,6 +105,34 @@ inline void AverageRays(int rays, int width, Frame& frame)
   frame.Colors.resize(4 * frame.Depths.size());
 }
 
+/// The same of colours that have no mean, with that of the nearest of the rays that have one.
+inline void TakeNearestRays(int rays, int width, Frame& frame)
+{
+  const int columns = width / rays;
+  const int pixels = static_cast<int>(frame.Depths.size()) / (rays * rays);
+  for (int pixel = 0; pixel < pixels; ++pixel)
+  {
+    const auto corner =
+      static_cast<std::size_t>(pixel % columns * rays + pixel / columns * rays * width);
+    std::size_t nearest = corner;
+    for (int i = 1; i < rays * rays; ++i)
+    {
+      const std::size_t ray = corner + static_cast<std::size_t>(i % rays + i / rays * width);
+      const bool isFirst = frame.Colors[4 * nearest + 3] == 0;
+      if (frame.Colors[4 * ray + 3] != 0 && (isFirst || frame.Depths[ray] < frame.Depths[nearest]))
+      {
+        nearest = ray;
+      }
+    }
+    const auto to = static_cast<std::size_t>(pixel);
+    frame.Depths[to] = frame.Depths[nearest];
+    std::copy_n(frame.Colors.begin() + static_cast<std::ptrdiff_t>(4 * nearest), 4,
+      frame.Colors.begin() + static_cast<std::ptrdiff_t>(4 * to));
+  }
+  frame.Depths.resize(static_cast<std::size_t>(pixels));
+  frame.Colors.resize(4 * frame.Depths.size());
+}
+
 }
 
 #endif

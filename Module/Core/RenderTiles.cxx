@@ -158,6 +158,35 @@ void ColorPixel(const Scene& scene, const Hit* hits, std::size_t count, std::uin
   }
 }
 
+/// Writes the hits of some pixels, where one opaque surface is all there is.
+void WriteOpaque(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
+  const RayGroup& rays, const RayHits& hits, Frame& frame)
+{
+  HitPixels made;
+  shader.MakePixels(rays, hits, made);
+  std::size_t ray = 0;
+  std::size_t hit = 0;
+  for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
+  {
+    std::size_t pixel = PixelOffset(scene, pixels.X, y);
+    for (int x = 0; x < pixels.Width; ++x, ++ray, ++pixel)
+    {
+      const bool isHit = hits.First[ray + 1] > hit;
+      const std::uint32_t color = isHit ? made.Colors[hit] : 0;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        frame.Colors[4 * pixel + k] = static_cast<std::uint8_t>(color >> (8 * k));
+      }
+      frame.Depths[pixel] = isHit ? made.Depths[hit] : Frame::NoSurface;
+      if (scene.KeepHits && isHit)
+      {
+        frame.Hits[pixel] = hits.Hits[hit];
+      }
+      hit += isHit ? 1 : 0;
+    }
+  }
+}
+
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
   const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
 {
@@ -169,6 +198,11 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
       std::fill_n(&frame.Colors[4 * first], 4 * pixels.Width, std::uint8_t{ 0 });
       std::fill_n(&frame.Depths[first], pixels.Width, Frame::NoSurface);
     }
+    return;
+  }
+  if (shader.CanMakePixels())
+  {
+    WriteOpaque(scene, shader, pixels, rays, hits, frame);
     return;
   }
   if (!scene.Want.Projection)
@@ -248,7 +282,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   const Clock::time_point start = Clock::now();
   double traceSeconds = 0.0;
   double shadeSeconds = 0.0;
-  std::atomic<int> done{ 0 };
+  std::atomic<std::size_t> done{ 0 };
   std::atomic<bool> going{ true };
 
 #pragma omp parallel num_threads(scene.Threads) reduction(+ : traceSeconds, shadeSeconds)
@@ -259,28 +293,29 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < tiles; ++i)
     {
-      // A loop of OpenMP cannot be left early: the tiles that remain are passed over.
-      if (!going.load(std::memory_order_relaxed))
-      {
-        continue;
-      }
       const PixelRectangle tile = GetTile(scene, i, tilesPerRow);
       ForEachBlock(tile,
         [&](const PixelRectangle& block)
         {
+          // A loop of OpenMP cannot be left early: what remains is passed over.
+          if (!going.load(std::memory_order_relaxed))
+          {
+            return;
+          }
           const Clock::time_point begin = Clock::now();
           TraceBlock(scene, volume, block, rays, hits);
           const Clock::time_point traced = Clock::now();
           ShadeBlock(scene, shader, block, rays, hits, colors, frame);
           traceSeconds += Seconds(traced - begin);
           shadeSeconds += Seconds(Clock::now() - traced);
+          const std::size_t some = Count({ block.Width, block.Height, 1 });
+          const std::size_t finished = done.fetch_add(some, std::memory_order_relaxed) + some;
+          if (omp_get_thread_num() == 0 && finished < count &&
+            !keepGoing(static_cast<double>(finished) / static_cast<double>(count)))
+          {
+            going.store(false, std::memory_order_relaxed);
+          }
         });
-      const int finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (omp_get_thread_num() == 0 && finished < tiles &&
-        !keepGoing(static_cast<double>(finished) / tiles))
-      {
-        going.store(false, std::memory_order_relaxed);
-      }
     }
   }
 
@@ -291,7 +326,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   times.Bricks = share * brickSeconds;
   times.Trace = share * (traceSeconds - brickSeconds);
   times.Shade = share * shadeSeconds;
-  // Whoever did the last tile, the end is told.
+  // Whoever did the last pixels, the end is told.
   return going.load() && keepGoing(1.0);
 }
 

@@ -168,48 +168,96 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
   some.Count = 0;
   some.Rising = {};
   std::size_t first = 0;
+  const auto takeColors = [&some, &colors, &first]
+  {
+    for (int i = 0; i < some.Count; ++i)
+    {
+      colors[first++] = { some.Color[0][i], some.Color[1][i], some.Color[2][i] };
+    }
+    some.Count = 0;
+    some.Rising = {};
+  };
   for (int ray = 0; ray < rays.Count; ++ray)
   {
     const auto number = static_cast<std::size_t>(ray);
     for (std::size_t i = hits.First[number]; i < hits.First[number + 1]; ++i)
     {
       const Hit& hit = hits.Hits[i];
-      const Vector3 direction = { rays.Direction[0][ray], rays.Direction[1][ray],
-        rays.Direction[2][ray] };
       if (!canUseKernels)
       {
-        colors[i] = this->Shade(hit, direction, shares.empty() ? nullptr : &shares[i * lights],
-          openness.empty() ? 1.0 : openness[i]);
+        colors[i] = this->Shade(hit,
+          { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] },
+          shares.empty() ? nullptr : &shares[i * lights], openness.empty() ? 1.0 : openness[i]);
         continue;
       }
-      const int place = some.Count++;
-      if (hit.Rising)
-      {
-        Add(place, some.Rising);
-      }
-      const Vector3 color = this->GetColor(hit);
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        some.Direction[k][place] = direction[k];
-        some.Color[k][place] = color[k];
-      }
+      this->Append(hit, rays, ray, some);
       if (some.Count == RayGroup::Capacity)
       {
-        this->ShadeSome(&hits.Hits[first], some, &colors[first]);
-        first = i + 1;
-        some.Count = 0;
-        some.Rising = {};
+        this->ShadeSome(&hits.Hits[first], some);
+        takeColors();
       }
     }
   }
   if (some.Count > 0)
   {
-    this->ShadeSome(&hits.Hits[first], some, &colors[first]);
+    this->ShadeSome(&hits.Hits[first], some);
+    takeColors();
   }
 }
 
 //------------------------------------------------------------------------------
-void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const
+bool Shader::CanMakePixels() const
+{
+  const Wanted& want = this->TheScene.Want;
+  return this->CanUseKernels() && !want.Planes && !want.Projection && want.Surfaces.size() == 1 &&
+    want.Surfaces[0].Opacity >= 1.0;
+}
+
+//------------------------------------------------------------------------------
+void Shader::MakePixels(const RayGroup& rays, const RayHits& hits, HitPixels& pixels) const
+{
+  ShadedHits shaded;
+  shaded.Count = 0;
+  shaded.Rising = {};
+  alignas(64) double points[3][RayGroup::Capacity];
+  const Hit* hit = hits.Hits.data();
+  for (int ray = 0; ray < rays.Count; ++ray)
+  {
+    const auto number = static_cast<std::size_t>(ray);
+    if (hits.First[number + 1] > hits.First[number])
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        points[k][shaded.Count] = hit->Cell[k] + hit->Parametric[k];
+      }
+      this->Append(*hit++, rays, ray, shaded);
+    }
+  }
+  this->ShadeSome(hits.Hits.data(), shaded);
+  this->TheScene.Want.BeamKernels->MakePixels(
+    this->TheScene.View.GetClipFromIndex().data(), shaded, points, pixels);
+}
+
+//------------------------------------------------------------------------------
+/// Appends a hit that is to be shaded.
+void Shader::Append(const Hit& hit, const RayGroup& rays, int ray, ShadedHits& shaded) const
+{
+  const int place = shaded.Count++;
+  if (hit.Rising)
+  {
+    Add(place, shaded.Rising);
+  }
+  const Vector3 color = this->GetColor(hit);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    shaded.Direction[k][place] = rays.Direction[k][ray];
+    shaded.Color[k][place] = color[k];
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Shades hits that were appended, in their order.
+void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded) const
 {
   const Scene& scene = this->TheScene;
   const Kernels& kernels = *scene.Want.BeamKernels;
@@ -218,12 +266,21 @@ void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) con
     scene.TwoSidedLighting, scene.Look.Ambient, scene.Look.Diffuse, scene.Look.Specular,
     this->WholePower, static_cast<int>(this->DistantLights.size()), this->DistantLights.data() };
   kernels.Shade(phong, shaded);
+  if (IsEmpty(shaded.Extreme))
+  {
+    return;
+  }
   for (int i = 0; i < shaded.Count; ++i)
   {
-    colors[i] = Has(shaded.Extreme, i)
-      ? this->Shade(
-          hits[i], { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] })
-      : Vector3{ shaded.Color[0][i], shaded.Color[1][i], shaded.Color[2][i] };
+    if (Has(shaded.Extreme, i))
+    {
+      const Vector3 color = this->Shade(
+        hits[i], { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] });
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        shaded.Color[k][i] = color[k];
+      }
+    }
   }
 }
 

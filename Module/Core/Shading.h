@@ -32,6 +32,13 @@ public:
   /// The colours of the hits of a group of rays, the same but faster.
   void Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
 
+  /// Whether MakePixels may be asked.
+  bool CanMakePixels() const;
+
+  /// Turns the hits of a group of rays to pixels, in their order, where one opaque surface is all
+  /// there is: at most one hit for each ray. The same as by the colours of the hits, but faster.
+  void MakePixels(const RayGroup& rays, const RayHits& hits, HitPixels& pixels) const;
+
 private:
   struct ShadowRay
   {
@@ -42,7 +49,8 @@ private:
 
   bool CanUseKernels() const;
   Vector3 GetColor(const Hit& hit) const;
-  void ShadeSome(const Hit* hits, ShadedHits& shaded, Vector3* colors) const;
+  void Append(const Hit& hit, const RayGroup& rays, int ray, ShadedHits& shaded) const;
+  void ShadeSome(const Hit* hits, ShadedHits& shaded) const;
   std::vector<double> CastShadows(const std::vector<Hit>& hits) const;
   ShadowRay MakeShadowRay(const Light& light, const Hit& hit) const;
   ShadowRay MakeOcclusionRay(const Vector3& direction, const Hit& hit) const;

@@ -19,6 +19,7 @@
 #include "Projection.h"
 #include "RayGroup.h"
 #include "RobustSolver.h"
+#include "TricubicField.h"
 #include "TrilinearCell.h"
 #include "TwoLevelBricks.h"
 #include "Unbricked.h"
@@ -63,17 +64,6 @@ double GetScale(double low, double high, double isovalue)
   return isExtreme && std::isfinite(size) && size > 0.0
     ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000))
     : 1.0;
-}
-
-/// The difference between a value and the isovalue. Its sign is exact.
-double Difference(double value, double isovalue, double scale)
-{
-  const double difference = value * scale - isovalue * scale;
-  if (std::abs(difference) >= SmallestDifference)
-  {
-    return difference;
-  }
-  return value < isovalue ? -SmallestDifference : (value > isovalue ? SmallestDifference : 0.0);
 }
 
 /// A root along the segment of a ray in a cell.
@@ -257,6 +247,7 @@ public:
     , Active(this->Hierarchy.GetLattice())
     , Masks(samples)
     , Bricks(samples, arguments...)
+    , Cubic(samples)
   {
   }
 
@@ -266,8 +257,10 @@ public:
     const bool sameIsovalues = std::equal(wanted.Surfaces.begin(), wanted.Surfaces.end(),
       this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
       [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
+    const bool wasCubic = this->IsCubic();
     this->Want = wanted;
-    if (sameIsovalues)
+    const bool isOtherCubic = this->IsCubic() && this->Cubic.SetPlanes(wanted.Planes);
+    if (sameIsovalues && wasCubic == this->IsCubic() && !isOtherCubic)
     {
       return;
     }
@@ -280,14 +273,16 @@ public:
       this->Scales.push_back(
         GetScale(static_cast<double>(range.Min), static_cast<double>(range.Max), surface.Isovalue));
     }
-    this->Active = this->Hierarchy.FindActive(isovalues, threads);
+    this->Active = this->IsCubic()
+      ? this->Hierarchy.FindActive(isovalues, this->Cubic.GetEdges().GetOvershoot(), threads)
+      : this->Hierarchy.FindActive(isovalues, threads);
     this->HasTree = !this->Active.GetLattice().Levels.empty() &&
       this->Active.GetLattice().Levels[0].Edge == BlockMask::Edge;
     if (this->HasTree)
     {
       this->Tree = BlockTree(this->Active, threads);
-      this->Masks.Select(isovalues);
     }
+    this->SelectMasks(isovalues);
   }
 
   bool MayHitBetween(RayGroup& lines) const override
@@ -313,13 +308,18 @@ public:
       this->ForEachRay(
         rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
     }
-    else if (this->Want.Solver == RootSolver::Fast)
+    else if (this->Want.Solver == RootSolver::Fast && !this->IsCubic())
     {
       this->TraceTogether(rays, hits);
     }
     else if (this->CanUseBeams(rays))
     {
       this->TraceBeams(rays, hits);
+    }
+    else if (this->IsCubic())
+    {
+      this->ForEachRay(
+        rays, hits, [this, &hits](const Ray& ray) { this->TraceCubic(ray, hits.Hits); });
     }
     else
     {
@@ -333,6 +333,11 @@ public:
     if (hit.Jump != 0)
     {
       return GetJumpDirection(hit);
+    }
+    if (this->IsCubic())
+    {
+      const Vector3 gradient = this->Cubic.GetGradient(hit.Cell, hit.Parametric);
+      return this->Want.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
     }
     const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hit.Cell);
     if (mode == NormalMode::CentralDifferences && !isFlat)
@@ -357,7 +362,7 @@ public:
   {
     // Kernels know even spacing only. Where no cell is inner, none is asked for.
     const bool areSmooth = mode == NormalMode::CentralDifferences && !this->Want.Planes &&
-      this->Want.Field != Interpolant::Nearest && this->IsInner({ 1, 1, 1 });
+      this->Want.Field == Interpolant::Trilinear && this->IsInner({ 1, 1, 1 });
     if (areSmooth)
     {
       InnerCells cells;
@@ -405,6 +410,26 @@ public:
   }
 
 private:
+  bool IsCubic() const { return this->Want.Field == Interpolant::Tricubic; }
+
+  /// Forgets the masks of cells; those of the tricubic interpolant are made by their own rule.
+  void SelectMasks(const std::vector<double>& isovalues)
+  {
+    if (!this->IsCubic())
+    {
+      this->Masks.Select(isovalues);
+      return;
+    }
+    std::vector<ScaledIsovalue> scaled;
+    for (std::size_t surface = 0; surface < isovalues.size(); ++surface)
+    {
+      scaled.push_back(this->GetIsovalue(surface));
+    }
+    this->Masks.Select(isovalues,
+      [this, scaled](const Index3& block, BlockMask& mask)
+      { this->Cubic.MakeMask(block, scaled, mask); });
+  }
+
   /// Shares the memory a frame may take between bricks and masks, by what they take of one block.
   void BeginFrame(std::size_t maximumMemory)
   {
@@ -455,18 +480,41 @@ private:
   void FindRoots(
     const typename Layout::Value corners[8], const CellSegment& segment, CellRoots& roots) const
   {
+    this->FindRoots(roots,
+      [this, corners, &segment](std::size_t surface, const auto& visit)
+      { ForEachRoot(this->TakeOff(surface, corners), segment, this->Want, visit); });
+  }
+
+  /// The same for the tricubic interpolant.
+  void FindCubicRoots(const Index3& cell, const CellSegment& segment, CellRoots& roots) const
+  {
+    this->FindRoots(roots,
+      [this, &cell, &segment](std::size_t surface, const auto& visit)
+      { this->Cubic.ForEachRoot(cell, this->GetIsovalue(surface), segment, visit); });
+  }
+
+  /// The same, where forEachRoot(surface, visit) calls visit(fraction, rising) until it returns
+  /// true.
+  template <typename ForEachRootOfSurface>
+  void FindRoots(CellRoots& roots, const ForEachRootOfSurface& forEachRoot) const
+  {
     roots.Clear();
     for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
     {
       const bool isLast = this->Want.Surfaces[i].Opacity >= 1.0 && this->Want.Seen.IsConvex();
       roots.NextSurface();
-      ForEachRoot(this->TakeOff(i, corners), segment, this->Want,
+      forEachRoot(i,
         [&roots, i, isLast](double u, bool rising)
         {
           roots.Add({ u, static_cast<int>(i), rising });
           return isLast;
         });
     }
+  }
+
+  ScaledIsovalue GetIsovalue(std::size_t surface) const
+  {
+    return { this->Want.Surfaces[surface].Isovalue, this->Scales[surface] };
   }
 
   RayProgress NewProgress() const
@@ -498,7 +546,7 @@ private:
   {
     BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
     BeamCells cells(*this, rays);
-    const bool firstHits = this->Want.Solver == RootSolver::Robust &&
+    const bool firstHits = this->Want.Solver == RootSolver::Robust && !this->IsCubic() &&
       this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0 &&
       this->Want.Seen.IsConvex();
     if (!firstHits)
@@ -508,8 +556,7 @@ private:
       cells.GetHits(hits);
       return;
     }
-    const GroupHits& found =
-      tracer.FindFirstHits(rays, cells, { this->Want.Surfaces[0].Isovalue, this->Scales[0] });
+    const GroupHits& found = tracer.FindFirstHits(rays, cells, this->GetIsovalue(0));
     hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));
     hits.First.resize(static_cast<std::size_t>(rays.Count) + 1);
     Hit* hit = hits.Hits.data();
@@ -576,9 +623,7 @@ private:
       const auto number = static_cast<std::size_t>(ray);
       for (const PassedCell& passed : this->Passed)
       {
-        typename Layout::Value corners[8];
-        this->Reader.Load(passed.Cell, corners);
-        this->Volume.FindRoots(corners, passed.Segment, this->Roots);
+        this->FindRoots(passed);
         if (this->Progress[number].Pass(
               own, passed.Cell, passed.Segment, this->Roots, this->Hits[number]))
         {
@@ -640,6 +685,18 @@ private:
       CellSegment Segment;
     };
 
+    void FindRoots(const PassedCell& passed)
+    {
+      if (this->Volume.IsCubic())
+      {
+        this->Volume.FindCubicRoots(passed.Cell, passed.Segment, this->Roots);
+        return;
+      }
+      typename Layout::Value corners[8];
+      this->Reader.Load(passed.Cell, corners);
+      this->Volume.FindRoots(corners, passed.Segment, this->Roots);
+    }
+
     TypedVolume& Volume;
     const RayGroup& Rays;
     typename Layout::Reader Reader;
@@ -697,6 +754,36 @@ private:
         reader.Load(cell, corners);
         return VisitFaceHits(ray, cell, corners, this->Want.Surfaces,
           [&progress, &hits](const Hit& hit) { return progress.Pass(hit, hits); });
+      });
+  }
+
+  /// Follows one ray to its end, from one cell that a surface of the tricubic interpolant may pass
+  /// to the next.
+  void TraceCubic(const Ray& ray, std::vector<Hit>& hits)
+  {
+    BlockMask own;
+    const BlockMask* mask = nullptr;
+    Index3 block = {};
+    CellRoots roots;
+    RayProgress progress = this->NewProgress();
+    TraverseCells(ray, this->Active,
+      [&](const Index3& cell)
+      {
+        constexpr int edge = BlockMask::Edge;
+        const Index3 next = { cell[0] / edge, cell[1] / edge, cell[2] / edge };
+        if (!mask || next != block)
+        {
+          mask = &this->Masks.Get(next, own);
+          block = next;
+        }
+        CellSegment segment;
+        if (!mask->Has({ cell[0] % edge, cell[1] % edge, cell[2] % edge }) ||
+          !SegmentInCell(ray, cell, segment))
+        {
+          return false;
+        }
+        this->FindCubicRoots(cell, segment, roots);
+        return progress.Pass(ray, cell, segment, roots, hits);
       });
   }
 
@@ -915,6 +1002,7 @@ private:
   bool HasTree = false;
   CellMasks<T> Masks;
   Layout Bricks;
+  TricubicField<T> Cubic;
   Wanted Want;
   /// For each surface, see GetScale.
   std::vector<double> Scales;

@@ -67,7 +67,9 @@ enum class Interpolant
 {
   Trilinear,
   /// The value of the nearest sample; see BoxFaces.h.
-  Nearest
+  Nearest,
+  /// See TricubicCell.h.
+  Tricubic
 };
 
 /// An isosurface to trace. Opacity is in (0, 1]; what is not seen at all is not traced.

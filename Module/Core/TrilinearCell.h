@@ -7,6 +7,7 @@
 #include "Vector.h"
 
 #include <array>
+#include <cmath>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -25,6 +26,18 @@ using CellCorners = std::array<double, 8>;
 /// Corners smaller than this, and not zero, could vanish in three interpolations in turn, and their
 /// sign with them.
 constexpr double SmallestDifference = 0x1p-900;
+
+/// The difference between a value and the isovalue, both multiplied by a power of two. Its sign is
+/// exact.
+inline double Difference(double value, double isovalue, double scale)
+{
+  const double difference = value * scale - isovalue * scale;
+  if (std::abs(difference) >= SmallestDifference)
+  {
+    return difference;
+  }
+  return value < isovalue ? -SmallestDifference : (value > isovalue ? SmallestDifference : 0.0);
+}
 
 /// Linear interpolation that is exact at both ends and never changes the common sign of a and b,
 /// unless they all but vanish (see SmallestDifference). (a + t (b - a) is neither.) Written without

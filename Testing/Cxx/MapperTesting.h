@@ -15,7 +15,10 @@
 #include <vtkCommand.h>
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
@@ -25,6 +28,8 @@
 #include <vtkRegressionTestImage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
@@ -32,10 +37,13 @@
 #include <vtkVolumeProperty.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace MapperTesting
@@ -212,11 +220,59 @@ inline Picture RenderAndCapture(vtkRenderWindow* window)
   return Capture(window);
 }
 
+/// Aborts every frame of a window.
+class Aborter : public vtkCommand
+{
+public:
+  vtkTypeMacro(Aborter, vtkCommand);
+  static Aborter* New() { return new Aborter; }
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    static_cast<vtkRenderWindow*>(caller)->SetAbortRender(1);
+  }
+};
+
+/// Begins a frame that is given up as soon as somebody asks.
+inline void RenderAndAbort(vtkRenderWindow* window)
+{
+  vtkNew<Aborter> aborter;
+  const unsigned long observer = window->AddObserver(vtkCommand::AbortCheckEvent, aborter);
+  // VTK asks five times a second at most.
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  window->Render();
+  window->SetAbortRender(0);
+  window->RemoveObserver(observer);
+}
+
 inline std::array<int, 3> GetPixel(vtkRenderWindow* window, int x, int y)
 {
   vtkNew<vtkUnsignedCharArray> pixel;
   window->GetPixelData(x, y, x, y, 0, pixel);
   return { pixel->GetValue(0), pixel->GetValue(1), pixel->GetValue(2) };
+}
+
+/// The ids of a prop that vtkHardwareSelector finds in the whole window: those of cells or points,
+/// by the association (vtkDataObject::FIELD_ASSOCIATION_CELLS).
+inline std::set<vtkIdType> Select(vtkRenderer* renderer, vtkProp* prop, int association)
+{
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(
+    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
+  selector->SetFieldAssociation(association);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
+    {
+      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    }
+  }
+  return ids;
 }
 
 /// The share of pixels of which a channel differs by more than so much.

@@ -11,20 +11,17 @@
 #include <vtkCellPicker.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
-#include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
-#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
 #include <vtkPlane.h>
 #include <vtkProp3DCollection.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 #include <vtkWorldPointPicker.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <set>
 
 using namespace MapperTesting;
@@ -33,6 +30,7 @@ namespace
 {
 
 constexpr int Size = 120;
+constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
 /// What RenderToImage says.
 struct Image
@@ -228,27 +226,6 @@ void CheckPicker(Checks& check)
   check.That(std::isfinite(cells->GetPickPosition()[0]), "vtkCellPicker behaves");
 }
 
-/// The ids that are selected in the whole window, of a prop.
-std::set<vtkIdType> Select(Scene& scene, int association, vtkProp* prop)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetArea(0, 0, Size - 1, Size - 1);
-  selector->SetFieldAssociation(association);
-  const auto selection = vtk::TakeSmartPointer(selector->Select());
-  std::set<vtkIdType> ids;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
-    {
-      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
-    }
-  }
-  return ids;
-}
-
 std::set<vtkIdType> GetCells(Scene& scene)
 {
   Image picture;
@@ -260,6 +237,28 @@ std::set<vtkIdType> GetCells(Scene& scene)
   return ids;
 }
 
+/// The points of an image that are nearest to what is seen.
+std::set<vtkIdType> GetNearestPoints(Scene& scene, vtkImageData* image)
+{
+  Image picture;
+  scene.Mapper->RenderToImage(
+    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+  vtkNew<vtkMatrix4x4> dataFromWorld;
+  vtkMatrix4x4::Invert(scene.Volume->GetMatrix(), dataFromWorld);
+  std::set<vtkIdType> ids;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    double position[4] = { 0.0, 0.0, 0.0, 1.0 };
+    picture.Get<vtkDoubleArray>("Position")->GetTypedTuple(i, position);
+    if (std::isfinite(position[0]))
+    {
+      dataFromWorld->MultiplyPoint(position, position);
+      ids.insert(image->FindPoint(position));
+    }
+  }
+  return ids;
+}
+
 void CheckSelector(Checks& check)
 {
   const auto image = NewBall(33, 0.8);
@@ -268,19 +267,11 @@ void CheckSelector(Checks& check)
   const Picture before = RenderAndCapture(scene.Window);
   const std::set<vtkIdType> expected = GetCells(scene);
   check.That(expected.size() > 100, "hundreds of cells are seen");
-  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
-    "the cells selected are those seen");
+  check.That(
+    Select(scene.Renderer, scene.Volume, Cells) == expected, "the cells selected are those seen");
   const std::set<vtkIdType> points =
-    Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, scene.Volume);
-  int near = 0;
-  for (const vtkIdType point : points)
-  {
-    // No point that is nearest to the surface is a cell edge away from it.
-    const double value = image->GetPointData()->GetScalars()->GetTuple1(point);
-    near += std::abs(value) < 0.0625 ? 1 : 0;
-  }
-  check.That(points.size() > 100 && near == static_cast<int>(points.size()),
-    "the points selected are near the surface");
+    Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  check.That(points == GetNearestPoints(scene, image), "the points selected are nearest to hits");
   check.Equal(GetDifference(RenderAndCapture(scene.Window), before, 0), 0.0,
     "the difference after a selection");
 
@@ -288,13 +279,69 @@ void CheckSelector(Checks& check)
   const auto actor = NewSphere(0.3, { 0.5, -1.2, 0.4 });
   scene.Renderer->AddActor(actor);
   scene.Window->Render();
-  const auto cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  const std::set<vtkIdType> ofActor = Select(scene, cells, actor);
-  const std::set<vtkIdType> left = Select(scene, cells, scene.Volume);
+  const std::set<vtkIdType> ofActor = Select(scene.Renderer, actor, Cells);
+  const std::set<vtkIdType> left = Select(scene.Renderer, scene.Volume, Cells);
   check.That(!ofActor.empty() && *ofActor.rbegin() < 96, "the cells of the sphere are its own");
   check.That(!left.empty() && left.size() < expected.size() &&
       std::includes(expected.begin(), expected.end(), left.begin(), left.end()),
     "the sphere hides some cells");
+  const std::set<vtkIdType> pointsLeft =
+    Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  check.That(!pointsLeft.empty() && pointsLeft.size() < points.size() &&
+      std::includes(points.begin(), points.end(), pointsLeft.begin(), pointsLeft.end()),
+    "the sphere hides some points");
+}
+
+/// The number of pixels in which the volume is selected.
+int CountSelected(Scene& scene, int association)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(association);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  return selection && selection->GetNumberOfNodes() == 1
+    ? selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT())
+    : 0;
+}
+
+/// Cells and points are selected in all pixels that show something: before those of points, VTK
+/// draws the usual picture, whose depth may be one of fewer or more rays.
+void CheckSelectedPixels(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  for (const bool isProjection : { false, true })
+  {
+    Scene scene(image, Size, Size);
+    Furnish(scene);
+    if (isProjection)
+    {
+      scene.Mapper->SetBlendModeToMaximumIntensity();
+      scene.Property()->GetScalarOpacity()->AddPoint(-0.1, 0.0); // nothing but the ball
+    }
+    Image picture;
+    scene.Mapper->RenderToImage(
+      scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+    int shown = 0;
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      shown += picture.Get<vtkUnsignedCharArray>("Colors")->GetTypedComponent(i, 3) > 0 ? 1 : 0;
+    }
+    check.That(shown > 2000, "thousands of pixels show something");
+    scene.Mapper->AutoAdjustSampleDistancesOff();
+    for (const float distance : { 1.0F, 4.0F, 0.5F })
+    {
+      scene.Mapper->SetImageSampleDistance(distance);
+      scene.Window->Render();
+      check.Equal(CountSelected(scene, Cells), shown, "the number of pixels of cells");
+      const int ofPoints = CountSelected(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+      // With other rays the edge is another.
+      check.Near(
+        ofPoints, shown, distance == 1.0F ? 0.0 : 0.05 * shown, "the number of pixels of points");
+      // One of four rays is enough.
+      check.That(distance >= 1.0F || ofPoints > shown, "pixels at the edge are selected");
+    }
+  }
 }
 
 /// Ids beyond 24 bits.
@@ -314,8 +361,8 @@ void CheckLargeIds(Checks& check)
   scene.Window->Render();
   const std::set<vtkIdType> expected = GetCells(scene);
   check.That(!expected.empty() && *expected.begin() > 1 << 24, "the ids are large");
-  check.That(Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, scene.Volume) == expected,
-    "large ids are selected whole");
+  check.That(
+    Select(scene.Renderer, scene.Volume, Cells) == expected, "large ids are selected whole");
 }
 
 }
@@ -326,6 +373,7 @@ int TestIsosurfacePicking(int, char*[])
   CheckPictures(check);
   CheckPicker(check);
   CheckSelector(check);
+  CheckSelectedPixels(check);
   CheckLargeIds(check);
   return check.Result();
 }

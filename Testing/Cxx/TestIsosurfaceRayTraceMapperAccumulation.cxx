@@ -6,6 +6,8 @@
 
 #include "MapperTesting.h"
 
+#include "vtkIsosurfaceVolume.h"
+
 #include <vtkHardwareSelector.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
@@ -15,9 +17,7 @@
 #include <vtkSelection.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <chrono>
 #include <functional>
-#include <thread>
 
 using namespace MapperTesting;
 
@@ -86,6 +86,45 @@ void CheckEdges(Checks& check, vtkImageData* image)
     }
     check.Equal(wrong, 0, "the number of depths that are not those of the first frame");
   }
+}
+
+/// Surfaces that are seen through each other, before and behind polygons, become those of many
+/// rays.
+void CheckTranslucent(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  scene.SetSurface(0.0, { 0.9, 0.2, 0.1 }, 0.4);
+  scene.AddSurface(0.2, { 0.1, 0.9, 0.2 }, 0.5);
+  scene.AddSurface(0.4, { 0.2, 0.3, 0.9 }, 1.0);
+  scene.Renderer->AddActor(NewSphere(0.3, { 0.5, -1.0, 0.4 }, 40));
+  scene.Renderer->AddActor(NewSphere(0.4, { -0.6, 0.9, 0.0 }, 40));
+  scene.Renderer->ResetCameraClippingRange();
+  scene.Mapper->AutoAdjustSampleDistancesOff();
+  const Picture plain = RenderAndCapture(scene.Window);
+  scene.Mapper->SetImageSampleDistance(0.25F);
+  const Picture smooth = RenderAndCapture(scene.Window);
+  scene.Mapper->SetImageSampleDistance(1.0F);
+  scene.Mapper->ProgressiveAccumulationOn();
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), plain, 0), 0.0,
+    "the difference of the first frame of translucent surfaces");
+  RenderTimes(scene.Window, 14);
+  const Picture mean = RenderAndCapture(scene.Window);
+  check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 16, "the number of frames");
+  const double before = GetDeviation(plain, smooth);
+  const double after = GetDeviation(mean, smooth);
+  check.That(before > 1.0, "edges of translucent surfaces: " + std::to_string(before));
+  check.That(after < 0.35 * before, "they become smooth: " + std::to_string(after / before));
+
+  // They are no opaque geometry, and each frame is drawn once.
+  vtkNew<vtkIsosurfaceVolume> volume;
+  volume->ShallowCopy(scene.Volume);
+  scene.Renderer->RemoveViewProp(scene.Volume);
+  scene.Renderer->AddViewProp(volume);
+  scene.Mapper->Modified();
+  RenderTimes(scene.Window, 15);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), mean, 0), 0.0,
+    "the difference of the mean in a vtkIsosurfaceVolume");
+  check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 16, "the number of its frames");
 }
 
 /// A pixel that several rays share by itself goes on becoming better too.
@@ -248,18 +287,6 @@ void CheckInputs(Checks& check)
     });
 }
 
-/// Aborts every frame.
-class Aborter : public vtkCommand
-{
-public:
-  vtkTypeMacro(Aborter, vtkCommand);
-  static Aborter* New() { return new Aborter; }
-  void Execute(vtkObject* caller, unsigned long, void*) override
-  {
-    static_cast<vtkRenderWindow*>(caller)->SetAbortRender(1);
-  }
-};
-
 /// What is no frame of the scene at rest leaves the mean as it is.
 void CheckIntact(Checks& check, vtkImageData* image)
 {
@@ -275,14 +302,7 @@ void CheckIntact(Checks& check, vtkImageData* image)
     { "an aborted frame",
       [&]
       {
-        vtkNew<Aborter> aborter;
-        const unsigned long observer =
-          scene.Window->AddObserver(vtkCommand::AbortCheckEvent, aborter);
-        // VTK asks five times a second at most.
-        std::this_thread::sleep_for(std::chrono::milliseconds(250));
-        scene.Window->Render();
-        scene.Window->SetAbortRender(0);
-        scene.Window->RemoveObserver(observer);
+        RenderAndAbort(scene.Window);
         check.Equal(
           scene.Mapper->GetNumberOfAccumulatedFrames(), 5, "the number of frames after an abort");
       } },
@@ -440,6 +460,7 @@ int TestIsosurfaceRayTraceMapperAccumulation(int argc, char* argv[])
   Checks check;
   const auto image = NewBall(33, 0.7);
   CheckEdges(check, image);
+  CheckTranslucent(check, image);
   CheckSupersampled(check, image);
   CheckEnd(check, image);
   CheckRestarts(check, NewBall(33, 0.7));

@@ -11,8 +11,6 @@
 #include <vtkDataObject.h>
 #include <vtkExtractVOI.h>
 #include <vtkFloatArray.h>
-#include <vtkHardwareSelector.h>
-#include <vtkIdTypeArray.h>
 #include <vtkMath.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPartitionedDataSet.h>
@@ -21,8 +19,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 #include <vtkShortArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -457,21 +453,7 @@ void CheckPicking(Checks& check)
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(scene.Renderer);
-    selector->SetArea(0, 0, Size - 1, Size - 1);
-    selector->SetFieldAssociation(association);
-    const auto selection = vtk::TakeSmartPointer(selector->Select());
-    auto* list = selection && selection->GetNumberOfNodes() == 1
-      ? vtkIdTypeArray::SafeDownCast(selection->GetNode(0)->GetSelectionList())
-      : nullptr;
-    check.That(list != nullptr, "something is selected");
-    if (!list)
-    {
-      continue;
-    }
-    const std::set<vtkIdType> ids(
-      list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    const std::set<vtkIdType> ids = Select(scene.Renderer, scene.Volume, association);
     if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       check.That(ids == seen, "the cells selected are those seen");
@@ -496,6 +478,52 @@ void CheckPicking(Checks& check)
     }
     check.That(ids.size() > 100 && far == 0, "the points selected are near the surface");
   }
+}
+
+//------------------------------------------------------------------------------
+/// Coloured by another array, with scalars by name, each pixel has the colour of the point that is
+/// picked there.
+void CheckColoredPicking(Checks& check)
+{
+  const auto blocks = Cut(NewWhole(), 1);
+  for (const auto& block : blocks)
+  {
+    block->GetPointData()->SetActiveScalars("height");
+  }
+  Look scene(NewMultiBlock(blocks));
+  scene.Mapper->SetScalarModeToUsePointFieldData();
+  scene.Mapper->SelectScalarArray("field");
+  scene.Mapper->SetColorArrayName("height");
+  scene.Property()->ShadeOff();
+  vtkColorTransferFunction* function = scene.Property()->GetRGBTransferFunction();
+  function->RemoveAllPoints();
+  function->AddRGBPoint(-1.0, 0.0, 0.1, 1.0);
+  function->AddRGBPoint(1.0, 1.0, 0.3, 0.0);
+  const Picture window = RenderAndCapture(scene.Window);
+  vtkNew<vtkIsosurfacePicker> picker;
+  int wrong = 0;
+  std::set<vtkIdType> flatIndices;
+  for (int i = 0; i < Size * Size; i += 7)
+  {
+    if (picker->Pick(i % Size, i / Size, 0.0, scene.Renderer) == 0)
+    {
+      continue;
+    }
+    flatIndices.insert(picker->GetFlatBlockIndex());
+    double color[3];
+    // The height falls short of z by where the image begins, which is at zero.
+    function->GetColor(picker->GetPickPosition()[2], color);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      wrong +=
+        std::abs(255.0 * color[channel] - window[3 * static_cast<std::size_t>(i) + channel]) > 1.5;
+    }
+    const double value = picker->GetDataSet()->GetPointData()->GetArray("field")->GetComponent(
+      picker->GetPointId(), 0);
+    wrong += picker->GetIsovalue() != 0.2 || std::abs(value - 0.2) > 1.0 ? 1 : 0;
+  }
+  check.Equal(wrong, 0, "the number of pixels of another colour than where they are");
+  check.That(flatIndices.size() > 4, "several blocks are picked in colours");
 }
 
 //------------------------------------------------------------------------------
@@ -622,6 +650,7 @@ int TestIsosurfaceRayTraceMapperBlocks(int argc, char* argv[])
   CheckOrigins(check);
   CheckMissingBlocks(check);
   CheckPicking(check);
+  CheckColoredPicking(check);
   CheckChanges(check);
   CheckErrors(check);
 

@@ -6,6 +6,7 @@
 
 #include "MapperTesting.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkMath.h>
 #include <vtkProperty.h>
 #include <vtkWindowToImageFilter.h>
@@ -154,6 +155,40 @@ void CheckScaledStereo(Checks& check, vtkImageData* image)
     "a stereo picture of tiles is that of its polygons");
 }
 
+/// In a hurry both eyes see pixels of the same size, which one eye alone has, too.
+void CheckHurry(Checks& check, vtkImageData* image)
+{
+  for (const int type :
+    { VTK_STEREO_SPLITVIEWPORT_HORIZONTAL, VTK_STEREO_ANAGLYPH, VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    const std::string name = vtkRenderWindow::GetStereoTypeAsString(type);
+    MattScene scene(image, 200, 160);
+    scene.Window->SetStereoType(type);
+    scene.Window->StereoRenderOn();
+    std::vector<double> distances;
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(&distances);
+    note->SetCallback(
+      [](vtkObject* mapper, unsigned long, void* list, void*)
+      {
+        static_cast<std::vector<double>*>(list)->push_back(static_cast<double>(
+          static_cast<vtkIsosurfaceRayTraceMapper*>(mapper)->GetImageSampleDistance()));
+      });
+    scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, note);
+    // Before the first frame nothing is known of its time.
+    scene.Window->SetDesiredUpdateRate(100000.0);
+    scene.Window->Render();
+    scene.Window->Render();
+    scene.Window->SetDesiredUpdateRate(0.0001);
+    scene.Window->Render();
+    const bool isOne = type == VTK_STEREO_LEFT || type == VTK_STEREO_RIGHT;
+    const std::vector<double> expected = isOne
+      ? std::vector<double>{ 1.0, 10.0, 1.0 }
+      : std::vector<double>{ 1.0, 1.0, 10.0, 10.0, 1.0, 1.0 };
+    check.That(distances == expected, name + ": both eyes have the same distance of rays");
+  }
+}
+
 }
 
 int TestIsosurfaceRayTraceMapperDisplays(int, char*[])
@@ -170,6 +205,7 @@ int TestIsosurfaceRayTraceMapperDisplays(int, char*[])
       CheckStereo(check, image, type, isOffScreen);
     }
   }
+  CheckHurry(check, image);
   CheckScaledPictures(check, image);
   CheckScaledStereo(check, image);
   CheckWall(check, image);

@@ -5,7 +5,9 @@
 
 #include "MapperTesting.h"
 
+#include <vtkAbstractMapper.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 
 #include <functional>
@@ -121,9 +123,32 @@ std::vector<Fault> GetFaults(vtkDataArray* good)
         scene.Mapper->SetCroppingRegionPlanes(-1.0, 1.0, 0.5, -0.5, -1.0, 1.0);
       },
       [](Scene& scene, vtkImageData*) { scene.Mapper->CroppingOff(); } },
+    { "an array of the field data", "SelectScalarArray",
+      [good](Scene& scene, vtkImageData* image)
+      {
+        image->GetFieldData()->AddArray(good);
+        scene.Mapper->SetScalarMode(VTK_SCALAR_MODE_USE_FIELD_DATA);
+        scene.Mapper->SelectScalarArray(good->GetName());
+      },
+      [](Scene& scene, vtkImageData* image)
+      {
+        image->GetFieldData()->Initialize();
+        scene.Mapper->SetScalarModeToDefault();
+      } },
     { "another blend mode", "SetBlendModeToIsoSurface",
       [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToComposite(); },
       [](Scene& scene, vtkImageData*) { scene.Mapper->SetBlendModeToIsoSurface(); } },
+    { "a projection of the tricubic interpolant", "SetInterpolationModeToTrilinear",
+      [](Scene& scene, vtkImageData*)
+      {
+        scene.Mapper->SetInterpolationModeToCubic();
+        scene.Mapper->SetBlendModeToMaximumIntensity();
+      },
+      [](Scene& scene, vtkImageData*)
+      {
+        scene.Mapper->SetInterpolationModeToTrilinear();
+        scene.Mapper->SetBlendModeToIsoSurface();
+      } },
   };
 }
 

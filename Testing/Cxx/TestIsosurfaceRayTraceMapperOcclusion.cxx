@@ -6,6 +6,9 @@
 
 #include "MapperTesting.h"
 
+#include <vtkMath.h>
+#include <vtkRectilinearGrid.h>
+
 #include <functional>
 
 using namespace MapperTesting;
@@ -31,6 +34,36 @@ double GetOpenness(const Point& place)
 {
   const double distance = std::hypot(place[0], place[1], Height);
   return 1.0 - Radius * Radius * Height / (distance * distance * distance);
+}
+
+/// The same samples at uneven distances, from a sixth to twice of those of a cube, with planes
+/// where the floor is.
+vtkSmartPointer<vtkRectilinearGrid> NewUnevenGrid()
+{
+  vtkNew<vtkDoubleArray> places[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i <= 80; ++i)
+    {
+      const double even = i / 40.0 - 1.0;
+      const double wave = std::sin(2.0 * vtkMath::Pi() * (axis == 2 ? 2.0 : 1.0) * even);
+      places[axis]->InsertNextValue(even + (axis == 2 ? 0.06 : -0.13) * wave);
+    }
+  }
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(81, 81, 81);
+  grid->SetXCoordinates(places[0]);
+  grid->SetYCoordinates(places[1]);
+  grid->SetZCoordinates(places[2]);
+  vtkNew<vtkDoubleArray> scalars;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Point point;
+    grid->GetPoint(i, point.data());
+    scalars->InsertNextValue(Field(point));
+  }
+  grid->GetPointData()->SetScalars(scalars);
+  return grid;
 }
 
 void SetLook(Scene& scene)
@@ -67,6 +100,28 @@ std::array<double, 2> Compare(Scene& scene, const std::function<double(const Poi
     ++count;
   }
   return { count > 3000 ? sum / count : 1.0, largest };
+}
+
+/// On a grid whose planes stand at uneven distances the sky is that of the world.
+void CheckUneven(Checks& check)
+{
+  Scene scene(NewUnevenGrid(), Size, Size);
+  SetLook(scene);
+  scene.Mapper->SetNumberOfAmbientOcclusionRays(256);
+  for (const double x : { 1.0, -1.0 })
+  {
+    scene.Volume->SetScale(x, 1.0, 1.0);
+    const auto exact = Compare(scene, GetOpenness);
+    check.Near(exact[0], 0.0, 0.004, "the mean error on an uneven grid");
+    check.Near(exact[1], 0.0, 0.04, "the largest error on an uneven grid");
+  }
+  // The radius is one of the world.
+  scene.Mapper->SetAmbientOcclusionRadius(0.9 * (Height - Radius));
+  check.Equal(Compare(scene, [](const Point&) { return 1.0; })[1], 0.0,
+    "the occlusion within a small radius on an uneven grid");
+  scene.Mapper->SetAmbientOcclusionRadius(1.2 * (Height - Radius));
+  check.That(Compare(scene, [](const Point&) { return 1.0; })[1] > 0.01,
+    "the occlusion within a larger radius on an uneven grid");
 }
 
 }
@@ -114,6 +169,8 @@ int TestIsosurfaceRayTraceMapperOcclusion(int argc, char* argv[])
   scene.Mapper->AmbientOcclusionOn();
   check.Equal(
     GetDifference(RenderAndCapture(scene.Window), unlit, 0), 0.0, "the occlusion without shading");
+
+  CheckUneven(check);
 
   scene.Property()->ShadeOn();
   scene.Mapper->SetNumberOfAmbientOcclusionRays(64);

@@ -8,15 +8,16 @@
 
 #include "vtkIsosurfacePicker.h"
 
+#include <vtkCellData.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkFloatArray.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkHardwareSelector.h>
-#include <vtkIdTypeArray.h>
 #include <vtkMath.h>
 #include <vtkPlane.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 
 #include <functional>
 #include <limits>
@@ -280,6 +281,150 @@ void CheckPixels(Checks& check)
 }
 
 //------------------------------------------------------------------------------
+/// A picture that is given up leaves what there was, and the next is whole.
+void CheckAbort(Checks& check)
+{
+  ProjectedScene scene(NewCube(33, Head));
+  scene.Mapper->SetNumberOfThreads(1);
+  for (const bool isLargest : { true, false })
+  {
+    scene.Mapper->SetBlendMode(isLargest ? vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
+                                         : vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
+    scene.Property()->GetScalarOpacity()->AddPoint(0.0, isLargest ? 0.0 : 0.5);
+    scene.Volume->VisibilityOff();
+    const Picture empty = RenderAndCapture(scene.Window);
+    scene.Volume->VisibilityOn();
+    const Picture whole = RenderAndCapture(scene.Window);
+    check.That(GetDifference(whole, empty, 16) > 0.1, "there are values to see");
+    vtkNew<EventCounter> steps;
+    vtkNew<EventCounter> ends;
+    scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, steps);
+    scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, ends);
+    RenderAndAbort(scene.Window);
+    check.Equal(steps->Count, 1, "the number of steps before the abort");
+    check.Equal(ends->Count, 1, "the number of ends of a picture that is given up");
+    check.Equal(GetDifference(Capture(scene.Window), empty, 0), 0.0, "what it has drawn");
+    check.Equal(GetDifference(RenderAndCapture(scene.Window), whole, 0), 0.0,
+      "the difference of the picture after it");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Values of cells are those of samples at their centres, whatever they are called.
+void CheckCells(Checks& check)
+{
+  const auto centres = NewCube(21, Head);
+  vtkNew<vtkImageData> cells;
+  cells->SetDimensions(22, 22, 22);
+  cells->SetSpacing(centres->GetSpacing());
+  cells->SetOrigin(-1.05, -1.05, -1.05);
+  vtkDataArray* values = centres->GetPointData()->GetScalars();
+  cells->GetCellData()->AddArray(values);
+  vtkNew<vtkDoubleArray> zeros;
+  zeros->SetName("zeros");
+  zeros->SetNumberOfTuples(cells->GetNumberOfCells());
+  zeros->Fill(0.0);
+  cells->GetCellData()->SetScalars(zeros);
+
+  ProjectedScene scene(cells);
+  scene.Mapper->SetScalarModeToUseCellFieldData();
+  scene.Mapper->SelectScalarArray("field");
+  for (const int mode :
+    { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND })
+  {
+    scene.Mapper->SetBlendMode(mode);
+    const auto picture = scene.RenderToImage();
+    ProjectedScene expected(centres);
+    expected.Mapper->SetBlendMode(mode);
+    expected.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    const auto ofCentres = expected.RenderToImage();
+    int shown = 0;
+    int inOtherCells = 0;
+    for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+    {
+      const double value = GetValue(picture, "Value", i);
+      check.Equal(std::isnan(value), std::isnan(GetValue(ofCentres, "Value", i)),
+        "whether there is a value of cells");
+      if (std::isnan(value))
+      {
+        continue;
+      }
+      ++shown;
+      check.Near(value, GetValue(ofCentres, "Value", i), 1e-12, "the value of cells");
+      double place[3];
+      picture->GetPointData()->GetArray("Position")->GetTuple(i, place);
+      int sub;
+      double pcoords[3];
+      double weights[8];
+      const vtkIdType cell = cells->FindCell(place, nullptr, 0, 0.0, sub, pcoords, weights);
+      inOtherCells += cell != static_cast<vtkIdType>(GetValue(picture, "CellId", i)) ? 1 : 0;
+    }
+    check.That(shown > 8000, "there are values of cells");
+    // On the face of two cells, either has it.
+    check.That(inOtherCells < shown / 100, "the cells are those that VTK finds");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Rays, cast through an array that is chosen by name or number, find the values of the picture.
+void CheckCasting(Checks& check)
+{
+  // Rays have different smallest values, too.
+  const auto image = NewCube(33, [](const Point& p) { return Head(p) + 0.3 * p[0]; });
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  other->SetNumberOfTuples(image->GetNumberOfPoints());
+  other->Fill(0.7);
+  image->GetPointData()->AddArray(other);
+  image->GetPointData()->SetActiveScalars("other");
+  ProjectedScene scene(image);
+  scene.Mapper->SetScalarModeToUsePointFieldData();
+  const double* eye = scene.Renderer->GetActiveCamera()->GetPosition();
+  for (const int mode :
+    { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND })
+  {
+    scene.Mapper->SetBlendMode(mode);
+    for (const bool isByName : { true, false })
+    {
+      isByName ? scene.Mapper->SelectScalarArray("field") : scene.Mapper->SelectScalarArray(0);
+      const auto picture = scene.RenderToImage();
+      vtkNew<vtkPoints> origins;
+      origins->SetDataTypeToDouble();
+      vtkNew<vtkDoubleArray> directions;
+      directions->SetNumberOfComponents(3);
+      std::vector<vtkIdType> pixels;
+      for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); i += 5)
+      {
+        if (!std::isnan(GetValue(picture, "Value", i)))
+        {
+          double place[3];
+          picture->GetPointData()->GetArray("Position")->GetTuple(i, place);
+          origins->InsertNextPoint(eye);
+          directions->InsertNextTuple3(place[0] - eye[0], place[1] - eye[1], place[2] - eye[2]);
+          pixels.push_back(i);
+        }
+      }
+      vtkNew<vtkPolyData> hits;
+      check.That(scene.Mapper->CastRays(scene.Volume, origins, directions, hits), "rays are cast");
+      check.Equal(hits->GetNumberOfPoints(), static_cast<vtkIdType>(pixels.size()),
+        "the number of values of rays");
+      check.That(pixels.size() > 2000, "thousands of rays");
+      double range[2];
+      hits->GetPointData()->GetArray("Isovalue")->GetRange(range);
+      check.That(range[1] - range[0] > 0.2, "the values are not those of the other array");
+      for (std::size_t ray = 0; ray < pixels.size(); ++ray)
+      {
+        const auto row = static_cast<vtkIdType>(ray);
+        vtkPointData* data = hits->GetPointData();
+        check.Equal(data->GetArray("RayId")->GetTuple1(row), static_cast<double>(ray), "the ray");
+        check.Near(data->GetArray("Isovalue")->GetTuple1(row),
+          GetValue(picture, "Value", pixels[ray]), 1e-9, "the value of a ray");
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 /// A window shows no depth of values: what is drawn behind them is not hidden.
 void CheckDepth(Checks& check)
 {
@@ -305,6 +450,9 @@ int TestIsosurfaceRayTraceMapperProjection(int argc, char* argv[])
   CheckMinimum(check);
   CheckAgainstRayCasters(check);
   CheckPixels(check);
+  CheckAbort(check);
+  CheckCells(check);
+  CheckCasting(check);
   CheckDepth(check);
 
   ProjectedScene scene(NewCube(65, Head));

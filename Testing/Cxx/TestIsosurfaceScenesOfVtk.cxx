@@ -1,19 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scenes of VTK's tests of its GPU ray caster, by what they put together; their data are
-// replaced by vtkRTAnalyticSource and a ball. Each shows what the polygons of vtkFlyingEdges3D show
-// there.
+// The scenes of VTK's tests of its GPU ray caster and of its pickers, by what they put together;
+// their data are replaced by vtkRTAnalyticSource and a ball. Each shows what the polygons of
+// vtkFlyingEdges3D show there.
 
 #include "MapperTesting.h"
 
+#include "vtkIsosurfacePicker.h"
 #include "vtkIsosurfaceVolume.h"
 
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCellPicker.h>
 #include <vtkExtractVOI.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkLight.h>
+#include <vtkLightKit.h>
+#include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 #include <vtkOutlineSource.h>
 #include <vtkPlane.h>
@@ -310,6 +314,103 @@ void CameraInside(Checks& check)
     "a camera within, an uneven scale");
 }
 
+/// The camera among voxels that are tiny, of a volume that is cut.
+void CameraInsideClipping(Checks& check)
+{
+  const auto image = NewWaves(30);
+  image->SetSpacing(0.008, 0.008, 0.007);
+  Stage stage;
+  vtkVolume* volume = stage.Add(image, 150.0, Brown);
+  const double origin[3] = { 0.02, 0.0, 0.0 };
+  AddPlane(volume, origin, { 0.9, 0.2, -0.3 });
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->SetViewAngle(100.0);
+  camera->SetPosition(0.11, 0.0, 0.02);
+  camera->SetFocalPoint(0.0, 0.03, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  stage.Renderer->ResetCameraClippingRange();
+  check.That(stage.Compare("TestGPURayCastCameraInsideClipping, ...SmallSpacing") < Enough,
+    "a camera among tiny voxels");
+}
+
+void LightKit(Checks& check)
+{
+  Stage stage;
+  stage.Add(NewBallOfSamples(), 0.0, Brown);
+  vtkNew<vtkLightKit> kit;
+  kit->AddLightsToRenderer(stage.Renderer);
+  stage.Renderer->ResetCamera();
+  check.That(stage.Compare("TestGPURayCastLightKit") < Enough, "a kit of lights");
+}
+
+struct Pick
+{
+  bool IsPicked;
+  std::array<double, 3> Position;
+  std::array<double, 3> Normal;
+};
+
+std::vector<Pick> PickAll(Stage& stage, vtkCellPicker* picker)
+{
+  std::vector<Pick> picks;
+  for (int y = 4; y < 180; y += 9)
+  {
+    for (int x = 4; x < 240; x += 9)
+    {
+      Pick pick;
+      // The middle of a pixel: of whole numbers, vtkCellPicker takes the corner.
+      pick.IsPicked = picker->Pick(x + 0.5, y + 0.5, 0.0, stage.Renderer) != 0;
+      picker->GetPickPosition(pick.Position.data());
+      picker->GetPickNormal(pick.Normal.data());
+      picks.push_back(pick);
+    }
+  }
+  return picks;
+}
+
+/// A volume that is cropped and clipped, picked where VTK picks its polygons.
+void VolumePicker(Checks& check)
+{
+  const auto image = NewBallOfSamples();
+  Stage stage;
+  vtkVolume* volume = stage.Add(image, 0.0, Brown);
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  mapper->CroppingOn();
+  mapper->SetCroppingRegionPlanes(17.0, 33.0, 17.0, 33.0, 17.0, 33.0);
+  mapper->SetCroppingRegionFlags(VTK_CROP_FENCE);
+  vtkNew<vtkAppendPolyData> append;
+  AddRegions(image, VTK_CROP_FENCE, append);
+  stage.Actors.pop_back(); // the whole ball
+  stage.AddPolygons(append, Brown);
+  const double origin[3] = { 25.0, 25.0, 40.0 };
+  AddPlane(volume, origin, { 0.2, 0.0, -1.0 });
+  volume->RotateX(20.0);
+  stage.Renderer->ResetCamera();
+  stage.Renderer->GetActiveCamera()->Azimuth(20.0);
+  stage.Renderer->GetActiveCamera()->Zoom(1.8);
+  stage.Window->Render();
+  vtkNew<vtkIsosurfacePicker> isosurfacePicker;
+  const std::vector<Pick> traced = PickAll(stage, isosurfacePicker);
+  check.That(stage.Compare("VolumePicker, VolumePickerCrop") < Enough, "what is picked");
+  vtkNew<vtkCellPicker> cellPicker;
+  cellPicker->SetTolerance(0.0);
+  const std::vector<Pick> polygons = PickAll(stage, cellPicker);
+  int picked = 0;
+  int different = 0;
+  for (std::size_t i = 0; i < traced.size(); ++i)
+  {
+    const bool isSame = traced[i].IsPicked == polygons[i].IsPicked &&
+      (!traced[i].IsPicked ||
+        (vtkMath::Distance2BetweenPoints(traced[i].Position.data(), polygons[i].Position.data()) <
+            0.01 &&
+          vtkMath::Dot(traced[i].Normal.data(), polygons[i].Normal.data()) > 0.99));
+    picked += traced[i].IsPicked ? 1 : 0;
+    different += isSame ? 0 : 1;
+  }
+  std::cout << "VolumePicker: " << picked << " picks, " << different << " unlike polygons\n";
+  check.That(picked > 100 && different <= picked / 50, "picks are those of polygons");
+}
+
 void OrientedVolume(Checks& check)
 {
   const auto image = NewWaves(20);
@@ -405,6 +506,9 @@ int TestIsosurfaceScenesOfVtk(int, char*[])
   ClippingPolyData(check);
   ClippingUserTransform(check);
   CameraInside(check);
+  CameraInsideClipping(check);
+  LightKit(check);
+  VolumePicker(check);
   OrientedVolume(check);
   PositionalLights(check);
   ModelTransform(check);

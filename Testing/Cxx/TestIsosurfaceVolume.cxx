@@ -16,9 +16,6 @@
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkFramebufferPass.h>
 #include <vtkGaussianBlurPass.h>
-#include <vtkHardwareSelector.h>
-#include <vtkIdTypeArray.h>
-#include <vtkInformation.h>
 #include <vtkLightsPass.h>
 #include <vtkOpaquePass.h>
 #include <vtkOutlineSource.h>
@@ -29,8 +26,6 @@
 #include <vtkRenderStepsPass.h>
 #include <vtkSSAAPass.h>
 #include <vtkSSAOPass.h>
-#include <vtkSelection.h>
-#include <vtkSelectionNode.h>
 #include <vtkSequencePass.h>
 #include <vtkVolumetricPass.h>
 
@@ -311,6 +306,39 @@ void CheckOpacity(Checks& check, vtkImageData* image)
   check.That(!volume->HasOpaqueGeometry(), "the second component");
 }
 
+/// A copy of one is one: it draws the same, in the same place among translucent polygons; and a
+/// vtkVolume can be made of it.
+void CheckCopy(Checks& check, vtkImageData* image)
+{
+  BallScene scene(image);
+  scene.Isosurface->SetPosition(0.1, 0.0, -0.2);
+  scene.Isosurface->RotateX(30.0);
+  scene.Isosurface->SetScale(1.2, 0.8, 1.0);
+  scene.Isosurface->PickableOff();
+  AddScreens(scene.Renderer);
+  PeelDepths(scene.Renderer);
+  const Picture expected = RenderAndCapture(scene.Window);
+  vtkNew<vtkIsosurfaceVolume> copy;
+  copy->ShallowCopy(scene.Isosurface);
+  check.That(copy->GetMapper() == scene.Mapper && copy->GetProperty() == scene.Property(),
+    "a copy has the mapper and the property");
+  check.That(copy->HasOpaqueGeometry(), "a copy is opaque");
+  check.That(!copy->GetPickable(), "a copy is not pickable where the original is not");
+  scene.Show(copy);
+  check.Equal(
+    GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0, "the difference of a copy");
+  vtkNew<vtkVolume> volume;
+  volume->ShallowCopy(scene.Isosurface);
+  scene.Renderer->RemoveViewProp(copy);
+  scene.Renderer->AddViewProp(volume);
+  check.That(GetDifference(RenderAndCapture(scene.Window), expected, 8) > 0.02,
+    "a vtkVolume is drawn after the screens");
+  scene.Show(copy);
+  copy->SetMapper(nullptr);
+  check.That(!copy->HasOpaqueGeometry() && scene.Isosurface->HasOpaqueGeometry(),
+    "a copy that loses its mapper takes none away");
+}
+
 /// The depth at a pixel is that of the hit.
 void CheckDepth(Checks& check, vtkImageData* image)
 {
@@ -331,41 +359,22 @@ void CheckDepth(Checks& check, vtkImageData* image)
 }
 
 /// A selector finds the same cells as in a vtkVolume.
-std::set<vtkIdType> SelectCells(vtkRenderer* renderer, vtkProp* prop)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(renderer);
-  selector->SetArea(0, 0, 159, 159);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  const auto selection = vtk::TakeSmartPointer(selector->Select());
-  std::set<vtkIdType> ids;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
-    {
-      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
-    }
-  }
-  return ids;
-}
-
 void CheckSelector(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
   vtkSmartPointer<vtkActor> screen = NewScreen(-0.5, { 1.0, 0.0, 0.0 }, 1.0);
   scene.Renderer->AddActor(screen);
   scene.Window->Render();
-  const std::set<vtkIdType> expected = SelectCells(scene.Renderer, scene.Volume);
+  constexpr int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const std::set<vtkIdType> expected = Select(scene.Renderer, scene.Volume, cells);
   vtkNew<vtkIsosurfaceVolume> volume;
   volume->ShallowCopy(scene.Volume);
   scene.Renderer->RemoveViewProp(scene.Volume);
   scene.Renderer->AddViewProp(volume);
   scene.Window->Render();
   check.That(expected.size() > 100, "hundreds of cells are selected");
-  check.That(SelectCells(scene.Renderer, volume) == expected, "the same cells are selected");
-  check.That(SelectCells(scene.Renderer, screen) == std::set<vtkIdType>{ 0 },
+  check.That(Select(scene.Renderer, volume, cells) == expected, "the same cells are selected");
+  check.That(Select(scene.Renderer, screen, cells) == std::set<vtkIdType>{ 0 },
     "the cell of the screen is selected");
 }
 
@@ -400,6 +409,7 @@ int TestIsosurfaceVolume(int argc, char* argv[])
   CheckTranslucent(check, image);
   CheckPeeling(check, image);
   CheckOpacity(check, image);
+  CheckCopy(check, image);
   CheckDepth(check, image);
   CheckSelector(check, image);
   CheckOtherMapper(check, image);

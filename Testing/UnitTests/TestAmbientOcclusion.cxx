@@ -206,6 +206,30 @@ TEST(AmbientOcclusion, IsTheSameInWhateverCompany)
 }
 
 //------------------------------------------------------------------------------
+TEST(AmbientOcclusion, LooksElsewhereInOtherFrames)
+{
+  OpenScene scene(Corner);
+  scene.TheScene.OcclusionRays = 5;
+  const Hit hit = scene.Find({ 7.5, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
+  const double expected = 1.0 -
+    Integrate(
+      [](const Vector3& direction) { return MeetsWall(direction, 3.0, Infinity) ? 1.0 : 0.0; });
+  constexpr int frames = 400;
+  double sum = 0.0;
+  double largest = 0.0;
+  for (scene.TheScene.OcclusionFrame = 0; scene.TheScene.OcclusionFrame < frames;
+       ++scene.TheScene.OcclusionFrame)
+  {
+    const double openness = scene.GetOpenness(hit);
+    sum += openness;
+    largest = std::max(largest, std::abs(openness - expected));
+  }
+  // Five rays know it to a fifth; the mean of many frames, as well as so many rays.
+  EXPECT_GT(largest, 0.1);
+  EXPECT_NEAR(sum / frames, expected, 0.015);
+}
+
+//------------------------------------------------------------------------------
 TEST(Hemisphere, HasOtherDirectionsInOtherFrames)
 {
   const Vector3 up = { 0.0, 0.0, 1.0 };

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of pictures share: a volume that every clone can make, baselines, comparisons."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+EXAMPLES = os.path.join(HERE, "../../Examples/Python")
+BASELINES = os.path.join(HERE, "../Data/Baseline")
+sys.path.insert(0, EXAMPLES)
+
+SIZE = 160
+ISOVALUE = 150.0
+
+
+def make_waves():
+    source = vtkRTAnalyticSource()
+    source.SetWholeExtent(-20, 20, -20, 20, -20, 20)
+    source.Update()
+    return source.GetOutput()
+
+
+def read(file_name):
+    """The pixels of a picture, in rows."""
+    reader = vtkPNGReader()
+    reader.SetFileName(file_name)
+    reader.Update()
+    scalars = reader.GetOutput().GetPointData().GetScalars()
+    return [scalars.GetTuple(i) for i in range(scalars.GetNumberOfTuples())]
+
+
+def difference(picture, other):
+    """The share of pixels of which a channel differs by more than two steps."""
+    different = sum(1 for a, b in zip(picture, other)
+                    if max(abs(x - y) for x, y in zip(a, b)) > 2)
+    return different / len(picture)
+
+
+class PictureTestCase(unittest.TestCase):
+    def check_baselines(self, pictures, prefix):
+        """Each picture, by its name, is the baseline <prefix>-<name>.png."""
+        for name, picture in pictures.items():
+            with self.subTest(name):
+                baseline = read(os.path.join(BASELINES, f"{prefix}-{name}.png"))
+                self.assertEqual(len(picture), SIZE * SIZE)
+                self.assertEqual([len(picture), len(picture[0])], [len(baseline), len(baseline[0])])
+                self.assertLessEqual(difference(picture, baseline), 0.002)
+
+    def check_none_is_like_another(self, pictures):
+        names = list(pictures)
+        for i, name in enumerate(names):
+            for other in names[:i]:
+                self.assertGreater(
+                    difference(pictures[name], pictures[other]), 0.01, f"{name} and {other}")
+
+    def check_usage(self, script):
+        """Without arguments it says which it needs."""
+        result = subprocess.run(
+            [sys.executable, os.path.join(EXAMPLES, script)], capture_output=True, check=False)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn(script.encode() + b" VOLUME.mhd ISOVALUE FOLDER", result.stderr)
