@@ -10,6 +10,7 @@
 #include "TestLines.h"
 #include "TestVolume.h"
 #include "TracedVolume.h"
+#include "UnevenPlanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -609,6 +611,200 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
         [](const Hit& a, const Hit& b) { return AreSameBits(a, b); }));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Where nothing can be hit, no rays are sent.
+
+/// Lines through one place, or parallel, of any lengths and from anywhere on themselves.
+struct Pencil
+{
+  Vector3 Place;
+  bool IsParallel;
+  Line Lines[4];
+
+  /// The line with a mean of the directions, or with a mean of the places; in all it is long
+  /// enough to pass a volume.
+  Line GetMean(RandomNumbers& random) const
+  {
+    Line mean = { {}, {} };
+    double sum = 0.0;
+    for (const Line& line : this->Lines)
+    {
+      const double weight = random.Integer(0, 3) ? random.Uniform(0.0, 1.0) : 1e-12;
+      mean.Origin = mean.Origin + line.Origin * weight;
+      mean.Direction = mean.Direction + line.Direction * weight;
+      sum += weight;
+    }
+    mean.Direction = mean.Direction * (1.0 / sum);
+    mean.Origin = this->IsParallel ? mean.Origin * (1.0 / sum) : this->Place;
+    mean.Origin = mean.Origin - Normalized(mean.Direction) * 3e6;
+    return mean;
+  }
+};
+
+/// Some of them aim at a place.
+Pencil NewPencil(RandomNumbers& random, const Index3& size, const Vector3& target)
+{
+  Pencil pencil;
+  const double distances[] = { 0.0, random.Uniform(0.0, 50.0), 1000.0, 9e5, 2e6 };
+  const Vector3 forward = random.Integer(0, 3)
+    ? random.Direction()
+    : Normalized({ random.Integer(0, 1) + 0.0, random.Integer(-1, 1) + 0.0, 1.0 });
+  const double distance = distances[random.Integer(0, 4)] * (random.Integer(0, 1) ? 1.0 : -1.0);
+  const Vector3 through = random.Integer(0, 2) ? target : random.PointInBox({}, LastSample(size));
+  pencil.Place = through - forward * distance;
+  pencil.IsParallel = random.Integer(0, 2) == 0;
+  const double widths[] = { 0.0, 1.0, 10.0, 200.0 };
+  const double width = widths[random.Integer(0, 3)];
+  for (Line& line : pencil.Lines)
+  {
+    const Vector3 off = random.PointInBox({ -width, -width, -width }, { width, width, width });
+    if (pencil.IsParallel)
+    {
+      line = { pencil.Place + off, forward };
+      continue;
+    }
+    line.Direction =
+      (forward + off * (1.0 / std::max(std::abs(distance), 30.0))) * random.Uniform(0.1, 10.0);
+    line.Origin = pencil.Place + line.Direction * random.Uniform(-30.0, 30.0);
+  }
+  return pencil;
+}
+
+RayGroup LinesOf(const Pencil& pencil)
+{
+  RayGroup lines;
+  lines.Count = 4;
+  lines.Exists = {};
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      lines.Origin[axis][i] = pencil.Lines[i].Origin[axis];
+      lines.Direction[axis][i] = pencil.Lines[i].Direction[axis];
+    }
+  }
+  return lines;
+}
+
+TEST_P(Beams, AreSentWhereverRaysHit)
+{
+  RandomNumbers random(860);
+  std::size_t withHits = 0;
+  std::size_t leftOut = 0;
+  std::size_t empty = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Index3 longest = { 40, 40, i % 2 == 0 ? 40 : 600 };
+    Index3 size;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      size[axis] = random.Integer(2, longest[(axis + static_cast<std::size_t>(i)) % 3]);
+    }
+    std::vector<float> samples(Count(size), 0.0F);
+    Index3 target = {};
+    for (int k = random.Integer(1, 9); k > 0; --k)
+    {
+      target = { random.Integer(0, size[0] - 1), random.Integer(0, size[1] - 1),
+        random.Integer(0, size[2] - 1) };
+      samples[Offset(target, size)] = 60.0F;
+    }
+    const TestVolume<float> volume(size, samples);
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    for (int k = 0; k < 60; ++k)
+    {
+      const Pencil pencil =
+        NewPencil(random, size, { target[0] + 0.1, target[1] + 0.1, target[2] + 0.1 });
+      Rays rays;
+      for (int ray = 0; ray < 30; ++ray)
+      {
+        rays.push_back(Clip(pencil.GetMean(random), size));
+      }
+      const bool hits = !TraceWith(*traced, rays, OpaqueSurface(50.0), nullptr).Hits.empty();
+      Wanted wanted = OpaqueSurface(50.0);
+      wanted.BeamKernels = &this->TheKernels;
+      traced->Select(wanted, 1);
+      RayGroup lines = LinesOf(pencil);
+      const bool mayHit = traced->MayHitBetween(lines);
+      ASSERT_TRUE(mayHit || !hits) << ToText(pencil.Lines[0]) << ToText(pencil.Lines[3]);
+      withHits += hits ? 1 : 0;
+      empty += hits ? 0 : 1;
+      leftOut += mayHit ? 0 : 1;
+    }
+  }
+  std::cout << "[ tried    ] " << withHits << " pencils of lines with hits, " << empty
+            << " without; of these, " << leftOut << " are left out\n";
+  EXPECT_GT(withHits, 1000U);
+  EXPECT_GT(leftOut, 1000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Beams, AreSentWhereNobodyKnows)
+{
+  const auto volume = TestVolume<float>::Of({ 33, 33, 33 }, AnalyticFields::Sphere{ {}, 3.0 });
+  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  Pencil pencil = { {}, true, {} };
+  std::fill_n(pencil.Lines, 4, Line{ { 20.0, 20.0, -9.0 }, { 0.0, 0.0, 1.0 } });
+  const auto mayHit = [&](Wanted wanted, const Pencil& of)
+  {
+    wanted.BeamKernels = wanted.BeamKernels ? &this->TheKernels : nullptr;
+    traced->Select(wanted, 1);
+    RayGroup lines = LinesOf(of);
+    return traced->MayHitBetween(lines);
+  };
+  const Wanted surface = OpaqueSurface(0.0);
+  EXPECT_FALSE(mayHit(surface, pencil));
+
+  Wanted other = surface;
+  other.BeamKernels = nullptr;
+  EXPECT_TRUE(mayHit(other, pencil));
+  other = surface;
+  other.Projection = Extremum::Largest;
+  EXPECT_TRUE(mayHit(other, pencil));
+  other = surface;
+  std::vector<double> places(33);
+  std::iota(places.begin(), places.end(), 0.0);
+  places[1] = 0.5;
+  const UnevenPlanes planes({ places, places, places });
+  other.Planes = &planes;
+  EXPECT_TRUE(mayHit(other, pencil));
+
+  // Lines that are none, that part, that go opposite ways, or that come from too far.
+  for (const Line& line : { Line{ { 20.0, std::nan(""), 0.0 }, { 0.0, 0.0, 1.0 } },
+         Line{ { 20.0, 20.0, 0.0 }, { 0.0, 0.0, std::nan("") } },
+         Line{ { 20.0, 20.0, 0.0 }, { 0.0, Infinity, 1.0 } },
+         Line{ { 20.0, 20.0, 0.0 }, { 0.0, 0.0, 0.0 } },
+         Line{ { 20.0, 20.0, 0.0 }, { 1.0, 0.0, 0.0 } },
+         Line{ { 20.0, 20.0, 0.0 }, { 0.0, 0.0, -1.0 } },
+         Line{ { 20.0, 20.0, -2e6 }, { 0.0, 0.0, 1.0 } } })
+  {
+    for (const std::size_t place : { 0, 3 })
+    {
+      Pencil odd = pencil;
+      odd.Lines[place] = line;
+      EXPECT_TRUE(mayHit(surface, odd)) << ToText(line);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A walk has no room for so many macrocells of a slice.
+TEST_P(Beams, AreSentWhereLinesAreFarApart)
+{
+  RandomNumbers random(861);
+  const auto volume = Islands<float>(random, { 400, 400, 9 }, 50);
+  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  Pencil pencil = { {}, true, {} };
+  for (int i = 0; i < 4; ++i)
+  {
+    pencil.Lines[i] = { { 399.0 * (i % 2), i < 2 ? 0.0 : 399.0, -9.0 }, { 0.0, 0.0, 1.0 } };
+  }
+  Wanted wanted = OpaqueSurface(50.0);
+  wanted.BeamKernels = &this->TheKernels;
+  traced->Select(wanted, 1);
+  RayGroup lines = LinesOf(pencil);
+  EXPECT_TRUE(traced->MayHitBetween(lines));
 }
 
 //------------------------------------------------------------------------------

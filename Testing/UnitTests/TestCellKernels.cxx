@@ -6,11 +6,9 @@
 
 #include "AllKernels.h"
 #include "BlockMask.h"
-#include "CellSegment.h"
-#include "CellTraversal.h"
+#include "CellReference.h"
 #include "RandomNumbers.h"
 #include "RayGroup.h"
-#include "RobustSolver.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -41,85 +39,7 @@ class CellKernels : public WithKernels
 };
 INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
 
-std::vector<Index3> PassedCells(const Ray& ray, const Index3& dimensions)
-{
-  std::vector<Index3> cells;
-  TraverseCells(ray, ActiveMacrocells(MacrocellLattice(dimensions, {})),
-    [&cells](const Index3& cell)
-    {
-      cells.push_back(cell);
-      return false;
-    });
-  return cells;
-}
-
-RayGroup EmptyGroup()
-{
-  RayGroup group;
-  group.Count = 0;
-  group.Exists = {};
-  return group;
-}
-
 //------------------------------------------------------------------------------
-enum class LineKind
-{
-  Any,
-  AlongAxis,
-  BesidePlane,
-  InFace,
-  ThroughVertices,
-  Diagonal,
-  FromAfar
-};
-constexpr LineKind AllLineKinds[] = { LineKind::Any, LineKind::AlongAxis, LineKind::BesidePlane,
-  LineKind::InFace, LineKind::ThroughVertices, LineKind::Diagonal, LineKind::FromAfar };
-
-/// A line that goes up or down an axis, and not steeply away from it.
-Line LineAlong(RandomNumbers& random, LineKind kind, std::size_t axis, double sign, const Index3& n)
-{
-  Line line;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const bool isWhole = kind == LineKind::BesidePlane || kind == LineKind::ThroughVertices ||
-      kind == LineKind::Diagonal || (kind == LineKind::InFace && i != axis);
-    line.Origin[i] = isWhole ? random.Integer(0, n[i] - 1) : random.Uniform(0.0, n[i] - 1.0);
-    line.Direction[i] = random.Uniform(-1.9, 1.9);
-  }
-  const std::size_t u = (axis + 1) % 3;
-  const std::size_t v = (axis + 2) % 3;
-  line.Direction[axis] = 1.0;
-  const double tiny[] = { 1e-3, -1e-3, 1e-9, -1e-9, 1e-15, 0.0 };
-  switch (kind)
-  {
-    case LineKind::AlongAxis:
-      line.Direction[u] = line.Direction[v] = 0.0;
-      break;
-    case LineKind::BesidePlane:
-      line.Direction[u] = line.Direction[v] = 0.0;
-      line.Direction[random.Integer(0, 1) ? u : v] = tiny[random.Integer(0, 5)];
-      line.Origin[u] += tiny[random.Integer(0, 5)];
-      line.Origin[v] += tiny[random.Integer(0, 5)];
-      break;
-    case LineKind::InFace:
-      line.Direction[random.Integer(0, 1) ? u : v] = 0.0;
-      break;
-    case LineKind::ThroughVertices:
-      line.Direction[u] = 0.5 * random.Integer(-3, 3);
-      line.Direction[v] = 0.25 * random.Integer(-7, 7);
-      break;
-    case LineKind::Diagonal:
-      line.Direction[u] = random.Integer(0, 1) ? 1.0 : -1.0;
-      line.Direction[v] = random.Integer(0, 1) ? 1.0 : -1.0;
-      break;
-    default:
-      break;
-  }
-  line.Direction = line.Direction * (sign * random.Uniform(0.5, 2.0));
-  line.Origin = line.Origin - line.Direction * (kind == LineKind::FromAfar ? 1e6 : 5.0);
-  return line;
-}
-
 /// Calls visit(passage) for every passage that a kernel finds in a block.
 template <typename Visit>
 void ForEachPassage(const Kernels& kernels, const RayGroup& group, const RaySet& rays, int axis,
@@ -149,14 +69,15 @@ void ForEachPassage(const Kernels& kernels, const RayGroup& group, const RaySet&
   }
 }
 
-/// The cells of a volume in a block, or some of them.
+/// The cells of a volume in a block, or some of them: many or very few.
 BlockMask MakeMask(RandomNumbers& random, const Index3& block, const Index3& dimensions, bool all)
 {
   BlockMask mask = {};
+  const int oneOf = random.Integer(0, 1) ? 3 : random.Integer(3, 500);
   ForEachPlace({ 8, 8, 8 },
     [&](const Index3& i)
     {
-      bool isIn = all || random.Integer(0, 2) == 0;
+      bool isIn = all || random.Integer(1, oneOf) == 1;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         isIn = isIn && 8 * block[axis] + i[axis] < dimensions[axis] - 1;
@@ -186,7 +107,7 @@ public:
     {
       if (Has(rays, i))
       {
-        const std::vector<Index3> passed = PassedCells(GetRay(group, i), dimensions);
+        const std::vector<Index3> passed = CellsOnRay(GetRay(group, i), dimensions);
         left[static_cast<std::size_t>(i)].insert(passed.begin(), passed.end());
         this->Passed += all ? passed.size() : 0;
         ++this->Rays;
@@ -307,6 +228,115 @@ TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
 }
 
 //------------------------------------------------------------------------------
+// Bunches of rays.
+
+/// From an eye through the pixels of a small picture, in its rows, or along one direction: up or
+/// down an axis and through the volume.
+void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayGroup& group)
+{
+  const std::size_t u = (axis + 1) % 3;
+  const std::size_t v = (axis + 2) % 3;
+  const bool isParallel = random.Integer(0, 2) == 0;
+  const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
+  const Vector3 through = random.PointInBox({}, { n[0] - 1.0, n[1] - 1.0, n[2] - 1.0 });
+  Vector3 middle = {};
+  middle[axis] = sign;
+  middle[u] = random.Uniform(-1.0, 1.0);
+  middle[v] = random.Integer(0, 2) ? random.Uniform(-1.0, 1.0) : 0.0;
+  // The eye may be within the volume: rays also begin there.
+  const Vector3 eye = through - middle * random.Uniform(0.0, 200.0);
+  const int columns = random.Integer(1, 16);
+  const int count = random.Integer(1, RayGroup::Capacity);
+  const double size = random.Uniform(1e-4, 0.9 / std::max(columns, count / columns));
+  for (int i = 0; i < count; ++i)
+  {
+    Vector3 off = {};
+    off[u] = size * (i % columns - 0.5 * columns);
+    off[v] = size * std::floor(i / columns); // NOLINT(bugprone-integer-division): a row
+    const Line line = isParallel ? Line{ eye + off * 200.0, middle } : Line{ eye, middle + off };
+    const double end = random.Integer(0, 9) ? Infinity : random.Uniform(0.0, 200.0);
+    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, n), group);
+  }
+}
+
+/// Some of the rays that exist, down to very few.
+RaySet SomeRays(RandomNumbers& random, const RayGroup& group)
+{
+  const int oneOf = random.Integer(0, 1) ? 1 : random.Integer(1, 60);
+  RaySet rays = {};
+  for (int i = 0; i < group.Count; ++i)
+  {
+    if (Has(group.Exists, i) && random.Integer(1, oneOf) == 1)
+    {
+      Add(i, rays);
+    }
+  }
+  return rays;
+}
+
+/// What a bunch sweeps must hold its rays all the way, and no more than it needs to at the ends.
+void CheckBunches(const RayGroup& group, const RaySet& rays)
+{
+  for (int bunch = 0; bunch < RayGroup::Bunches; ++bunch)
+  {
+    for (std::size_t j = 0; j < 2; ++j)
+    {
+      for (const double share : { 0.0, 0.3, 0.5, 0.9, 1.0 })
+      {
+        const double plane = group.SweptLow + share * (group.SweptHigh - group.SweptLow);
+        double least = Infinity;
+        double most = -Infinity;
+        for (int i = bunch * RayGroup::Bunch; i < (bunch + 1) * RayGroup::Bunch; ++i)
+        {
+          if (Has(rays, i))
+          {
+            const double place = group.Offset[j][i] + plane * group.Slope[j][i];
+            least = std::min(least, place);
+            most = std::max(most, place);
+          }
+        }
+        const double foundLeast = group.LeastOffset[j][bunch] + plane * group.LeastSlope[j][bunch];
+        const double foundMost = group.MostOffset[j][bunch] + plane * group.MostSlope[j][bunch];
+        const double tiny = 1e-9;
+        ASSERT_LE(foundLeast, least + tiny);
+        ASSERT_GE(foundMost, most - tiny);
+        if (share == 0.0 || share == 1.0 || least > most)
+        {
+          ASSERT_GE(foundLeast, least - tiny);
+          ASSERT_LE(foundMost, most + tiny);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(CellKernels, FindAllCellsThatBunchesOfRaysPass)
+{
+  RandomNumbers random(843);
+  CellChecks checks(this->TheKernels);
+  for (int i = 0; i < 1000; ++i)
+  {
+    Index3 dimensions = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
+    const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+    dimensions[axis] = random.Integer(2, 200);
+    RayGroup group = EmptyGroup();
+    AddRaysOfPixels(random, axis, dimensions, group);
+    const RaySet rays = SomeRays(random, group);
+    if (IsEmpty(rays))
+    {
+      continue;
+    }
+    ASSERT_NO_FATAL_FAILURE(checks.Check(
+      random, group, rays, static_cast<int>(axis), dimensions, random.Integer(0, 3) == 0));
+    ASSERT_NO_FATAL_FAILURE(CheckBunches(group, rays));
+  }
+  std::cout << "[ tried    ] " << checks.GetNumberOfRays() << " rays, " << checks.GetExcess()
+            << " cells found for one that is passed\n";
+  EXPECT_GT(checks.GetNumberOfRays(), 10000U);
+  EXPECT_LT(checks.GetExcess(), 1.5);
+}
+
+//------------------------------------------------------------------------------
 /// A ray of a group, a cell that it passes or comes near to, and the values at its corners.
 struct Question
 {
@@ -364,55 +394,6 @@ CellCorners CornersAround(RandomNumbers& random, double isovalue)
     value = random.Integer(0, 5) ? isovalue * random.Uniform(-1.0, 3.0) : isovalue;
   }
   return corners;
-}
-
-/// As TracedVolume takes off the isovalue: a difference that is not zero never vanishes.
-CellCorners Differences(const CellCorners& corners, const ScaledIsovalue& isovalue)
-{
-  CellCorners differences;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const double value = corners[corner];
-    const double plain = value * isovalue.Scale - isovalue.Isovalue * isovalue.Scale;
-    const double sign = (value > isovalue.Isovalue) - (value < isovalue.Isovalue);
-    differences[corner] = std::abs(plain) < SmallestDifference ? sign * SmallestDifference : plain;
-  }
-  return differences;
-}
-
-/// The first root in a cell.
-struct FirstRoot
-{
-  Place Begin;
-  double T;
-  Vector3 Parametric;
-  bool Rising;
-};
-
-using MaybeRoot = std::optional<FirstRoot>;
-
-/// What the reference has to say.
-MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorners& differences)
-{
-  CellSegment segment;
-  MaybeRoot root;
-  if (!SegmentInCell(ray, cell, segment))
-  {
-    return root;
-  }
-  Robust::ForEachRoot(differences, segment,
-    [&](double u, bool rising)
-    {
-      const double t = segment.Begin + (segment.End - segment.Begin) * u;
-      root = FirstRoot{ { segment.Begin, segment.BeginAxis }, ray.Base + std::min(t, segment.End),
-        {}, rising };
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        root->Parametric[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
-      }
-      return true;
-    });
-  return root;
 }
 
 /// The kernels may leave a cell to others only where a coefficient of its cubic is extreme.
@@ -551,7 +532,7 @@ TEST_P(CellKernels, FindTheFirstRootsOfTheRobustSolver)
         const auto ray = RandomRay(random);
         AddRay(ray, group);
         const std::vector<Index3> passed =
-          ray ? PassedCells(*ray, Dimensions) : std::vector<Index3>();
+          ray ? CellsOnRay(*ray, Dimensions) : std::vector<Index3>();
         const std::size_t first = ray ? random.Bits() % passed.size() : 0;
         for (std::size_t n = first; n < std::min(first + cellsOfRay, passed.size()); ++n)
         {

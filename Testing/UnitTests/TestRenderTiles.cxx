@@ -4,7 +4,10 @@
 // Frames of fields whose picture is known: where surfaces are, how deep, and how colours add up.
 
 #include "Matrices.h"
+#include "RandomNumbers.h"
+#include "RayGroup.h"
 #include "RenderTiles.h"
+#include "TestLines.h"
 #include "TestVolume.h"
 
 #include <algorithm>
@@ -194,6 +197,171 @@ std::ptrdiff_t CountCovered(const Frame& frame)
 {
   return std::count_if(
     frame.Depths.begin(), frame.Depths.end(), [](float depth) { return depth <= 1.0F; });
+}
+
+//------------------------------------------------------------------------------
+// Blocks of pixels whose rays cannot hit anything are left out: nothing may be missing for it.
+
+/// Few small things, many of them at the border of the volume.
+TestVolume<float> NewCrumbs(RandomNumbers& random)
+{
+  const int longest = random.Integer(0, 3) ? 30 : 150;
+  const Index3 n = { random.Integer(2, 20), random.Integer(2, 20), random.Integer(2, longest) };
+  std::vector<float> samples(Count(n), -1.0F);
+  for (int i = random.Integer(1, 20); i > 0; --i)
+  {
+    Index3 place = { random.Integer(0, n[0] - 1), random.Integer(0, n[1] - 1),
+      random.Integer(0, n[2] - 1) };
+    if (random.Integer(0, 1))
+    {
+      const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+      place[axis] = random.Integer(0, 1) ? 0 : n[axis] - 1;
+    }
+    // With a large one, the surface comes very near to the samples beside it.
+    samples[Offset(place, n)] =
+      random.Integer(0, 2) ? static_cast<float>(random.Uniform(0.0, 3.0)) : 1e6F;
+  }
+  return TestVolume<float>(n, samples);
+}
+
+/// From anywhere, in any direction: without, within or beside the volume, or very far from it.
+Camera AnyCamera(RandomNumbers& random, const Index3& n, int width, int height)
+{
+  const Vector3 last = { n[0] - 1.0, n[1] - 1.0, n[2] - 1.0 };
+  const double distances[] = { 0.0, random.Uniform(0.0, 30.0), 100.0, 3e4, 9e5, 1e7 };
+  const double distance = distances[random.Integer(0, 5)];
+  const Vector3 forward = random.Direction();
+  const Vector3 right =
+    Normalized({ forward[1] - forward[2], forward[2] - forward[0], forward[0] - forward[1] });
+  const Vector3 up = { right[1] * forward[2] - right[2] * forward[1],
+    right[2] * forward[0] - right[0] * forward[2], right[0] * forward[1] - right[1] * forward[0] };
+  const Vector3 eye = random.PointInBox({}, last) - forward * distance;
+  const Matrix4 indexFromView = { right[0], up[0], -forward[0], eye[0], right[1], up[1],
+    -forward[1], eye[1], right[2], up[2], -forward[2], eye[2], 0.0, 0.0, 0.0, 1.0 };
+  const double near = std::max(0.1, random.Integer(0, 1) ? distance - 200.0 : 1e-3 * distance);
+  const double halfHeight = random.Uniform(1.0, 20.0);
+  Matrix4 projection = random.Integer(0, 2)
+    ? Perspective(near, distance + 300.0, halfHeight / std::max(distance, 20.0))
+    : Orthographic(near, distance + 300.0, halfHeight);
+  if (random.Integer(0, 2) == 0)
+  {
+    // Off the axis, and sheared.
+    Matrix4 shear = Translation({});
+    shear[1] = random.Uniform(-0.5, 0.5);
+    shear[2] = random.Uniform(-0.2, 0.2);
+    shear[3] = random.Uniform(-0.5, 0.5);
+    projection = Multiply(shear, projection);
+  }
+  return NewCamera(projection, indexFromView, Translation({}), width, height);
+}
+
+/// Along an axis of the volume, so that rays lie in planes of the lattice or next to them.
+Camera CameraAlongAnAxis(RandomNumbers& random, const Index3& n, int width, int height)
+{
+  const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+  Matrix4 worldFromIndex = {};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    worldFromIndex[4 * row + (axis + 1 + row) % 3] = row == 2 && random.Integer(0, 1) ? -1.0 : 1.0;
+  }
+  worldFromIndex[15] = 1.0;
+  const double pixel = random.Integer(0, 1) ? 1.0 : 0.25;
+  const double offs[] = { 0.0, 1e-12, -1e-12, 1e-6, 0.5 };
+  const Vector3 eye = { 0.5 * pixel * width - 3.5 * pixel + offs[random.Integer(0, 4)],
+    0.5 * pixel * height - 2.5 * pixel + offs[random.Integer(0, 4)], n[axis] + 100.0 };
+  const Matrix4 projection = random.Integer(0, 3)
+    ? Orthographic(1.0, 500.0, 0.5 * pixel * height)
+    : Perspective(1.0, 500.0, 0.5 * pixel * height / (n[axis] + 100.0));
+  const Matrix4 square = Multiply(
+    Scaling({ static_cast<double>(height) / static_cast<double>(width), 1.0, 1.0 }), projection);
+  return NewCamera(square, Translation(eye), worldFromIndex, width, height);
+}
+
+Scene AnyScene(RandomNumbers& random, const Index3& n)
+{
+  const int width = random.Integer(1, 80);
+  const int height = random.Integer(1, 60);
+  Scene scene;
+  scene.View = random.Integer(0, 2) ? AnyCamera(random, n, width, height)
+                                    : CameraAlongAnAxis(random, n, width, height);
+  scene.Pixels = random.Integer(0, 1)
+    ? PixelRectangle{ 0, 0, width, height }
+    : PixelRectangle{ random.Integer(-9, 9), random.Integer(-9, 9), random.Integer(1, width),
+        random.Integer(1, height) };
+  const int tiles[][2] = { { 16, 8 }, { 16, 8 }, { 1, 1 }, { 1, 9 }, { 40, 1 }, { 7, 5 },
+    { 33, 31 }, { 200, 200 } };
+  const auto& tile = tiles[random.Integer(0, 7)];
+  scene.TileWidth = tile[0];
+  scene.TileHeight = tile[1];
+  scene.Want.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
+  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  scene.Want.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Fast;
+  scene.Want.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
+  scene.KeepHits = true;
+  return scene;
+}
+
+TEST(RenderTiles, LeavesOutOnlyWhatNothingIsIn)
+{
+  RandomNumbers random(871);
+  std::size_t hits = 0;
+  std::size_t pictures = 0;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const auto volume = NewCrumbs(random);
+    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    for (int k = 0; k < 5; ++k)
+    {
+      Scene scene = AnyScene(random, volume.Dimensions);
+      scene.Want.BeamKernels = nullptr;
+      const Frame reference = Render(scene, *traced);
+      scene.Want.BeamKernels = GetKernels()[random.Bits() % GetKernels().size()];
+      const Frame frame = Render(scene, *traced);
+      ASSERT_EQ(frame.Colors, reference.Colors) << i << " " << k;
+      ASSERT_EQ(frame.Depths, reference.Depths) << i << " " << k;
+      for (std::size_t pixel = 0; pixel < reference.Hits.size(); ++pixel)
+      {
+        ASSERT_TRUE(AreSame(frame.Hits[pixel], reference.Hits[pixel])) << i << " " << k;
+        hits += reference.Hits[pixel].Surface != Hit::NoSurface ? 1 : 0;
+      }
+      ++pictures;
+    }
+  }
+  std::cout << "[ tried    ] " << pictures << " pictures, " << hits << " pixels with a hit\n";
+  EXPECT_GT(hits, 50000U);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
+{
+  static const Kernels* base;
+  static int blocks;
+  Scene scene;
+  scene.View = NewCamera(Orthographic(1.0, 200.0, 64.0), Translation({ 64.0, 64.0, 150.0 }),
+    Scaling({ 1.0, 1.0, 1.0 }), 128, 128);
+  scene.Pixels = { 0, 0, 128, 128 };
+  scene.Want.Surfaces = { { 0.0, 1.0 } };
+  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  // In the middle of one macrocell.
+  const auto volume =
+    TestVolume<float>::Of({ 128, 128, 128 }, AnalyticFields::Sphere{ { 44.0, 84.0, 60.0 }, 1.5 });
+  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  for (const Kernels* kernels : GetKernels())
+  {
+    base = kernels;
+    blocks = 0;
+    Kernels counting = *kernels;
+    counting.MakeRays = [](const PixelBlock& block, RayGroup& group)
+    {
+      ++blocks;
+      base->MakeRays(block, group);
+    };
+    scene.Want.BeamKernels = &counting;
+    const Frame frame = Render(scene, *traced);
+    EXPECT_EQ(CountCovered(frame), 4);
+    // Of 128 x 128 pixels the macrocell covers 8 x 8, which are in one block of 16 x 8.
+    EXPECT_EQ(blocks, 1);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "AllKernels.h"
 #include "RandomNumbers.h"
+#include "TestVolume.h"
 #include "TracedVolume.h"
 #include "TrilinearCell.h"
 #include "VolumeView.h"
@@ -13,6 +14,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -72,21 +74,6 @@ private:
   T* First = nullptr;
 };
 
-template <typename Visit>
-void ForEachType(const Visit& visit)
-{
-  visit(std::int8_t{});
-  visit(std::uint8_t{});
-  visit(std::int16_t{});
-  visit(std::uint16_t{});
-  visit(std::int32_t{});
-  visit(std::uint32_t{});
-  visit(std::int64_t{});
-  visit(std::uint64_t{});
-  visit(float{});
-  visit(double{});
-}
-
 int AnyCell(RandomNumbers& random, int samples)
 {
   return random.Integer(0, samples - 2);
@@ -127,6 +114,50 @@ TEST_P(RowKernels, LoadTheCornersOfCells)
   {
     ForEachType(
       [this, &random](auto type) { CheckCorners<decltype(type)>(this->TheKernels, random); });
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+//------------------------------------------------------------------------------
+// What it says of them is for TestSieve.cxx.
+template <typename T>
+void SiftRandomCells(const Kernels& kernels, RandomNumbers& random)
+{
+  const Index3 size = { random.Integer(2, 9), random.Integer(2, 9), random.Integer(2, 9) };
+  const int step = random.Integer(0, 2) ? 1 : random.Integer(2, 4);
+  const std::ptrdiff_t strides[3] = { step, step * size[0], step * size[0] * size[1] };
+  const GuardedSamples<T> samples(step * (Count(size) - 1) + 1, random.Integer(0, 1) != 0, random);
+  Passages passages;
+  passages.Count = 1;
+  passages.BlockCount = 1;
+  passages.HasEnds = random.Integer(0, 1) != 0;
+  passages.Ways[0] = { { 0.5F, 0.5F, 0.0F, 0.0F }, { -8.0F, 8.0F }, 0, 0 };
+  passages.Hits[0] = false;
+  std::fill_n(passages.First[0], 3, 0);
+  PassedCells cells;
+  cells.Count = random.Integer(1, PassedCells::Capacity - 16);
+  for (int i = 0; i < cells.Count + 16; ++i)
+  {
+    cells.Codes[i] = i < cells.Count ? 0U : cells.Codes[0];
+    cells.First[i] = i < cells.Count ? samples.Get() + AnyCell(random, size[0]) * strides[0] +
+        AnyCell(random, size[1]) * strides[1] + AnyCell(random, size[2]) * strides[2]
+                                     : cells.First[0];
+  }
+  Candidates candidates;
+  candidates.Count = 0;
+  RaySet hits = {};
+  kernels.SiftCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
+    cells, random.Integer(0, 2), strides, { 1.0, 1.0 }, passages, candidates, hits);
+  ASSERT_LE(candidates.Count, cells.Count);
+}
+
+TEST_P(RowKernels, SiftCellsAndReadNothingBesideThem)
+{
+  RandomNumbers random(873);
+  for (int i = 0; i < 300; ++i)
+  {
+    ForEachType(
+      [this, &random](auto type) { SiftRandomCells<decltype(type)>(this->TheKernels, random); });
     ASSERT_FALSE(HasFatalFailure());
   }
 }

@@ -57,6 +57,22 @@ struct TestVolume
   std::vector<T> Values;
 };
 
+/// Calls visit(T()) for every type T of samples.
+template <typename Visit>
+void ForEachType(const Visit& visit)
+{
+  visit(std::int8_t{});
+  visit(std::uint8_t{});
+  visit(std::int16_t{});
+  visit(std::uint16_t{});
+  visit(std::int32_t{});
+  visit(std::uint32_t{});
+  visit(std::int64_t{});
+  visit(std::uint64_t{});
+  visit(float{});
+  visit(double{});
+}
+
 /// Calls visit(index) for every place of a lattice, x fastest.
 template <typename Visit>
 void ForEachPlace(const Index3& size, const Visit& visit)
