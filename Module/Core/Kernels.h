@@ -99,8 +99,9 @@ struct Passages
   /// ...for each ray of a group may add one before anybody asks.
   static constexpr int Capacity = 1024;
   /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
-  /// across). For so many rays, there is room without asking.
-  static constexpr int RaysWithRoom = Capacity / 16;
+  /// across). For so many rays, and one passage that turns out to be none, there is room without
+  /// asking.
+  static constexpr int RaysWithRoom = Capacity / 16 - 1;
 
   /// The way of a ray through a block, counted from the first cell across the axis and from the
   /// middle plane of the block along it.
