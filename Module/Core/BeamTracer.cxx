@@ -168,11 +168,7 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
     return;
   }
   const void* corner = this->Source->FindCorner(block);
-  if (!corner)
-  {
-    this->SolveAlone(beam.Axis, before);
-    return;
-  }
+  this->AllInRows = this->AllInRows && corner;
   this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
   {
@@ -185,6 +181,7 @@ void BeamTracer::ClearPassages()
   this->Passed.Count = 0;
   this->Passed.BlockCount = 0;
   this->Passed.HasEnds = false;
+  this->AllInRows = true;
 }
 
 /// Does what is to be done for the rays in a slice of blocks.
@@ -296,8 +293,10 @@ void BeamTracer::AddCellsOfSlice(int axis, int passage, int slice)
   PassedCells& queue = this->Queue;
   const unsigned int code =
     static_cast<unsigned int>(passage) | static_cast<unsigned int>(slice) << 16;
-  const char* corner = this->Passed.Corner[this->Passed.Ways[passage].Block] +
-    slice * this->CornerSteps[static_cast<std::size_t>(axis)];
+  // What is not kept in rows is copied later.
+  const char* block = this->AllInRows ? this->Passed.Corner[this->Passed.Ways[passage].Block]
+                                      : reinterpret_cast<const char*>(this);
+  const char* corner = block + slice * this->CornerSteps[static_cast<std::size_t>(axis)];
   const auto put = [&](int place, std::uint64_t cells)
   {
     const int bit = __builtin_ctzll(cells);
@@ -325,30 +324,23 @@ void BeamTracer::SiftQueue(const Beam& beam)
     return;
   }
   // The lanes behind the last cell look at the first.
-  std::fill_n(this->Queue.Codes + this->Queue.Count, 16, this->Queue.Codes[0]);
-  std::fill_n(this->Queue.First + this->Queue.Count, 16, this->Queue.First[0]);
-  this->Source->SiftCells(this->Queue, beam.Axis, this->Passed, this->Waiting, this->SurelyHit);
+  std::fill_n(this->Queue.Codes + this->Queue.Count, PassedCells::Spare, this->Queue.Codes[0]);
+  std::fill_n(this->Queue.First + this->Queue.Count, PassedCells::Spare, this->Queue.First[0]);
+  if (!this->AllInRows)
+  {
+    // Those that wait are read from rows, those that come now from copies.
+    this->SolveCandidates();
+    this->Source->CopyCorners(this->Queue, beam.Axis, this->Passed);
+    this->AreCopied = true;
+  }
+  this->Source->SiftCells(
+    this->Queue, beam.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
-  if (this->Waiting.Count >= Candidates::Batch)
+  if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
   {
     this->SolveCandidates();
+    this->AreCopied = false;
   }
-}
-
-/// Solves the cells of passages, from the given one on, that are not kept in rows.
-void BeamTracer::SolveAlone(int axis, int firstPassage)
-{
-  for (int passage = firstPassage; passage < this->Passed.Count; ++passage)
-  {
-    this->CellsOfRay.clear();
-    this->AddCells(axis, passage, this->CellsOfRay);
-    for (const Index3& cell : this->CellsOfRay)
-    {
-      this->FindFirstHit(this->Passed.Ways[passage].Ray, cell);
-    }
-  }
-  this->Passed.Count = firstPassage;
-  --this->Passed.BlockCount;
 }
 
 void BeamTracer::SolveCandidates()
@@ -362,7 +354,7 @@ void BeamTracer::SolveCandidates()
   {
     this->Waiting.Ray[i] = this->Waiting.Ray[0];
   }
-  this->Source->LoadCorners(this->Waiting);
+  this->Source->LoadCorners(this->AreCopied, this->Waiting);
   this->TheKernels.Solve(*this->Group, this->Waiting, *this->Isovalue, this->Solved);
   for (int word = 0; word < Solutions::Words; ++word)
   {

@@ -59,10 +59,12 @@ public:
     virtual const void* FindCorner(const Index3& block) = 0;
     /// How many bytes it is from there to the next along each axis.
     virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
-    /// Calls the kernels for corners that are kept in rows.
-    virtual void SiftCells(const PassedCells& cells, int axis, Passages& passages,
+    /// Copies the corners of cells, wherever they are kept, until the next are copied.
+    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
+    /// Calls the kernels for corners that are kept in rows, or were copied.
+    virtual void SiftCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
       Candidates& candidates, RaySet& hits) = 0;
-    virtual void LoadCorners(Candidates& candidates) = 0;
+    virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
     /// the ray comes into the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) = 0;
@@ -95,7 +97,6 @@ private:
   void SiftPassages(const Beam& beam);
   void AddCellsOfSlice(int axis, int passage, int slice);
   void SiftQueue(const Beam& beam);
-  void SolveAlone(int axis, int firstPassage);
   void FollowPassages(const Beam& beam);
   void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
   void SolveCandidates();
@@ -116,7 +117,11 @@ private:
   /// The rays that surely hit something, wherever that turns out to be.
   RaySet SurelyHit = {};
   Passages Passed;
+  /// Whether the corners of all passages are kept in rows.
+  bool AllInRows = true;
   PassedCells Queue;
+  /// Whether the corners of the candidates were copied.
+  bool AreCopied = false;
   Candidates Waiting;
   Solutions Solved;
   std::array<std::ptrdiff_t, 3> CornerSteps = {};

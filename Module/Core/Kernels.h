@@ -137,7 +137,8 @@ struct PassedCells
 {
   static constexpr int Batch = 128;
   /// A passage adds all its cells in a slice at once; behind the last there is room for a vector.
-  static constexpr int Capacity = Batch + 64 + 16;
+  static constexpr int Spare = 16;
+  static constexpr int Capacity = Batch + 64 + Spare;
 
   int Count;
   /// The passage, 2^16 times the slice, and 2^24 times the bit of the cell in it.

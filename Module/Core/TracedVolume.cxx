@@ -817,17 +817,36 @@ private:
       return { strides[0] * size, strides[1] * size, strides[2] * size };
     }
 
-    void SiftCells(const PassedCells& cells, int axis, Passages& passages, Candidates& candidates,
-      RaySet& hits) override
+    void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
     {
-      this->Volume.Want.BeamKernels->SiftCells[KeptType](cells, axis, this->Reader.GetStrides(),
-        { this->Volume.Want.Surfaces[0].Isovalue, this->Volume.Scales[0] }, passages, candidates,
-        hits);
+      // Those behind the last, up to a vector, are as the first.
+      const int count = cells.Count + PassedCells::Spare;
+      this->Copies.resize(8 * static_cast<std::size_t>(count));
+      for (int i = 0; i < count; ++i)
+      {
+        const unsigned int code = cells.Codes[i];
+        const int* first = passages.First[passages.Ways[code & 0xFFFFU].Block];
+        Index3 cell = { first[0], first[1], first[2] };
+        cell[static_cast<std::size_t>(axis)] += static_cast<int>(code >> 16 & 7U);
+        cell[static_cast<std::size_t>(BlockMask::U[axis])] += static_cast<int>(code >> 24 & 7U);
+        cell[static_cast<std::size_t>(BlockMask::V[axis])] += static_cast<int>(code >> 27);
+        auto* corners = &this->Copies[8 * static_cast<std::size_t>(i)];
+        this->Reader.Load(cell, corners);
+        cells.First[i] = corners;
+      }
     }
 
-    void LoadCorners(Candidates& candidates) override
+    void SiftCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
+      Candidates& candidates, RaySet& hits) override
     {
-      this->Volume.Want.BeamKernels->LoadCorners[KeptType](this->Reader.GetStrides(), candidates);
+      this->Volume.Want.BeamKernels->SiftCells[GetType(areCopied)](cells, axis,
+        this->GetStrides(areCopied), this->Volume.GetIsovalue(0), passages, candidates, hits);
+    }
+
+    void LoadCorners(bool areCopied, Candidates& candidates) override
+    {
+      this->Volume.Want.BeamKernels->LoadCorners[GetType(areCopied)](
+        this->GetStrides(areCopied), candidates);
     }
 
     bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) override
@@ -836,8 +855,17 @@ private:
     }
 
   private:
-    static constexpr auto KeptType =
-      static_cast<std::size_t>(ScalarTypeOf<typename Layout::Kept>());
+    static std::size_t GetType(bool areCopied)
+    {
+      return static_cast<std::size_t>(
+        areCopied ? ScalarTypeOf<typename Layout::Value>() : ScalarTypeOf<typename Layout::Kept>());
+    }
+
+    const std::ptrdiff_t* GetStrides(bool areCopied) const
+    {
+      static constexpr std::ptrdiff_t ofCopies[3] = { 1, 2, 4 };
+      return areCopied ? ofCopies : this->Reader.GetStrides();
+    }
 
     struct PassedCell
     {
@@ -865,6 +893,8 @@ private:
     std::vector<std::vector<Hit>> Hits;
     std::vector<PassedCell> Passed;
     CellRoots Roots;
+    /// The eight corners of each cell that is looked at where there are no rows.
+    std::vector<typename Layout::Value> Copies;
   };
 
   /// The first hit of a ray in a cell, and where the ray enters the cell.
