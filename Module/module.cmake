@@ -1,14 +1,14 @@
 # The library, in the directory scope of vtk.module: by itself and inside a VTK tree alike.
 
 set(core_sources
-  BeamTracer.cxx
-  CastRays.cxx
-  FastSolver.cxx
-  InstructionSets.cxx
-  Ray.cxx
-  RenderTiles.cxx
-  Shading.cxx
-  TracedVolume.cxx)
+  Rays/Ray.cxx
+  Kernels/InstructionSets.cxx
+  Image/Cells/Solvers/FastSolver.cxx
+  Image/Traversal/PacketTracer.cxx
+  Image/TracedVolume.cxx
+  Picture/CastRays.cxx
+  Picture/RenderTiles.cxx
+  Picture/Shader.cxx)
 list(TRANSFORM core_sources PREPEND "Module/Core/")
 
 set(classes
@@ -44,7 +44,7 @@ set(no_contraction "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
 # The inner loops, once for every instruction set; the program takes what the processor has. Only
 # these files may be compiled for more than the baseline. (GCC 12 takes the undefined registers of
 # its own intrinsics for variables that were forgotten: bug 105593.)
-set(kernels "Module/Core/Kernels")
+set(kernels "Module/Core/Kernels/Kernels")
 set(kernel_options
   "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3>" "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno>"
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>" "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>")

@@ -10,7 +10,7 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkMTimeType
 
-#include "RenderTiles.h"
+#include "Picture/RenderTiles.h"
 
 #include <cstdint> // for std::uint16_t
 #include <utility> // for std::pair

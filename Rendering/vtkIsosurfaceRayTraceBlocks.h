@@ -11,7 +11,7 @@
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
-#include "Vector.h"
+#include "Math/Vector.h"
 
 #include <string> // for std::string
 #include <vector> // for std::vector

@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Scene.h"
+#include "Picture/Scene.h"
 
 #include <string> // for std::string
 

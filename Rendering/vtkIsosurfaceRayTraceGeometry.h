@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "UnevenPlanes.h"
+#include "Image/Samples/UnevenPlanes.h"
 
 #include <array>    // for std::array
 #include <optional> // for std::optional

@@ -41,10 +41,10 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include "CastRays.h"
-#include "PixelSampling.h"
-#include "RenderTiles.h"
-#include "Shading.h"
+#include "Picture/CastRays.h"
+#include "Picture/PixelSampling.h"
+#include "Picture/RenderTiles.h"
+#include "Picture/Shader.h"
 
 #include <omp.h>
 

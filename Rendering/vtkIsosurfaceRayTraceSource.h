@@ -12,7 +12,7 @@
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
-#include "TracedVolume.h"
+#include "Image/TracedVolume.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string

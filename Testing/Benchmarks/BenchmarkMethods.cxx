@@ -3,14 +3,14 @@
 
 #include "BenchmarkMethods.h"
 
-#include "AnalyticSolver.h"
-#include "CellTraversal.h"
+#include "Image/Cells/Solvers/AnalyticSolver.h"
+#include "Image/Traversal/CellTraversal.h"
 #include "Contestant.h"
-#include "FastSolver.h"
-#include "LinearSolver.h"
-#include "MarmittSolver.h"
-#include "RobustSolver.h"
-#include "TracedVolume.h"
+#include "Image/Cells/Solvers/FastSolver.h"
+#include "Image/Cells/Solvers/LinearSolver.h"
+#include "Image/Cells/Solvers/MarmittSolver.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
+#include "Image/TracedVolume.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkGenericCell.h>

@@ -4,7 +4,7 @@
 #ifndef HardCases_Scenes_h
 #define HardCases_Scenes_h
 
-#include "CastRays.h"
+#include "Picture/CastRays.h"
 #include "Dice.h"
 #include "Oracle.h"
 

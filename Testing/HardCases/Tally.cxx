@@ -3,7 +3,7 @@
 
 #include "Tally.h"
 
-#include "FastSolver.h"
+#include "Image/Cells/Solvers/FastSolver.h"
 
 #include <gtest/gtest.h>
 

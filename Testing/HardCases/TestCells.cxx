@@ -5,11 +5,11 @@
 
 #include "Tally.h"
 
-#include "AnalyticSolver.h"
-#include "FastSolver.h"
-#include "LinearSolver.h"
-#include "MarmittSolver.h"
-#include "RobustSolver.h"
+#include "Image/Cells/Solvers/AnalyticSolver.h"
+#include "Image/Cells/Solvers/FastSolver.h"
+#include "Image/Cells/Solvers/LinearSolver.h"
+#include "Image/Cells/Solvers/MarmittSolver.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "Tally.h"
 
-#include "Shading.h"
+#include "Picture/Shader.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #ifndef AllKernels_h
 #define AllKernels_h
 
-#include "InstructionSets.h"
-#include "Kernels.h"
+#include "Kernels/InstructionSets.h"
+#include "Kernels/Kernels.h"
 
 #include <cmath>
 #include <cstddef>

@@ -4,10 +4,10 @@
 #ifndef CellReference_h
 #define CellReference_h
 
-#include "CellSegment.h"
-#include "CellTraversal.h"
-#include "Kernels.h"
-#include "RobustSolver.h"
+#include "Image/Cells/CellSegment.h"
+#include "Image/Traversal/CellTraversal.h"
+#include "Kernels/Kernels.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
 
 #include <algorithm>
 #include <cmath>

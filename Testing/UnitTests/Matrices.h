@@ -4,7 +4,7 @@
 #ifndef Matrices_h
 #define Matrices_h
 
-#include "Vector.h"
+#include "Math/Vector.h"
 
 #include <cmath>
 #include <cstddef>

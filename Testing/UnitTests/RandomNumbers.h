@@ -4,7 +4,7 @@
 #ifndef RandomNumbers_h
 #define RandomNumbers_h
 
-#include "Vector.h"
+#include "Math/Vector.h"
 
 #include <cmath>
 #include <cstdint>

@@ -4,11 +4,11 @@
 // How open the sky is above a surface, beside what geometry says: a sum over a fine grid of
 // directions that shares no code with what is tested.
 
-#include "Hemisphere.h"
+#include "Picture/Hemisphere.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
-#include "RenderTiles.h"
-#include "Shading.h"
+#include "Picture/RenderTiles.h"
+#include "Picture/Shader.h"
 #include "TestVolume.h"
 
 #include <cmath>

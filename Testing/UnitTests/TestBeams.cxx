@@ -6,11 +6,11 @@
 
 #include "AllKernels.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
+#include "Rays/RayPacket.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
-#include "UnevenPlanes.h"
+#include "Image/TracedVolume.h"
+#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <cmath>

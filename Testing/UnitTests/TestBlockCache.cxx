@@ -3,10 +3,10 @@
 
 // The memory of bricks and masks: what is kept, what makes room, and that pictures do not care.
 
-#include "BlockCache.h"
+#include "Image/Samples/BlockCache.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
+#include "Image/TracedVolume.h"
 
 #include <gtest/gtest.h>
 

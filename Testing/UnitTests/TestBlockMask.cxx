@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "BlockMask.h"
+#include "Image/Macrocells/BlockMask.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 

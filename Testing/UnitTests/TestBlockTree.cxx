@@ -3,7 +3,7 @@
 
 // The blocks of all levels are compared with those found by looking at every macrocell.
 
-#include "BlockTree.h"
+#include "Image/Macrocells/BlockTree.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 

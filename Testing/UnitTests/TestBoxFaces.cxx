@@ -8,8 +8,8 @@
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
-#include "UnevenPlanes.h"
+#include "Image/TracedVolume.h"
+#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>

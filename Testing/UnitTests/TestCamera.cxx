@@ -3,7 +3,7 @@
 
 // The rays of a camera are compared with those that a pinhole and parallel beams have by geometry.
 
-#include "Camera.h"
+#include "Rays/Camera.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
 

@@ -5,10 +5,10 @@
 // knows them; and the roots in cells must be those of the robust solver, to the last bit.
 
 #include "AllKernels.h"
-#include "BlockMask.h"
+#include "Image/Macrocells/BlockMask.h"
 #include "CellReference.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
+#include "Rays/RayPacket.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

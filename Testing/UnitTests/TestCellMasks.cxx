@@ -3,7 +3,7 @@
 
 // The masks are compared, cell by cell, with the rule they follow.
 
-#include "CellMasks.h"
+#include "Image/Macrocells/CellMasks.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 

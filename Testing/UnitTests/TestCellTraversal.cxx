@@ -4,8 +4,8 @@
 // The cells a ray visits are compared with those found in two slow ways: by sorting all crossings
 // of all lattice planes, and by asking every cell of the volume whether the ray passes it.
 
-#include "CellSegment.h"
-#include "CellTraversal.h"
+#include "Image/Cells/CellSegment.h"
+#include "Image/Traversal/CellTraversal.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 

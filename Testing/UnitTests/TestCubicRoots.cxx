@@ -6,7 +6,7 @@
 
 #include "Oracle.h"
 #include "RandomNumbers.h"
-#include "RobustSolver.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
 
 #include <algorithm>
 #include <cmath>

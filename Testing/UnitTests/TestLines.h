@@ -4,7 +4,7 @@
 #ifndef TestLines_h
 #define TestLines_h
 
-#include "Hit.h"
+#include "Rays/Hit.h"
 #include "RandomNumbers.h"
 
 #include <cstddef>

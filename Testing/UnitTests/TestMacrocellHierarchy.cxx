@@ -5,7 +5,7 @@
 // all samples of each macrocell.
 
 #include "AllKernels.h"
-#include "MacrocellHierarchy.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 

@@ -7,7 +7,7 @@
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
+#include "Image/TracedVolume.h"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,11 @@
 // they are made of, and not much more.
 
 #include "AllKernels.h"
-#include "BlockMask.h"
-#include "Camera.h"
+#include "Image/Macrocells/BlockMask.h"
+#include "Rays/Camera.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
+#include "Rays/RayPacket.h"
 #include "TestLines.h"
 
 #include <algorithm>

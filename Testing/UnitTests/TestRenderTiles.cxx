@@ -5,8 +5,8 @@
 
 #include "Matrices.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
-#include "RenderTiles.h"
+#include "Rays/RayPacket.h"
+#include "Picture/RenderTiles.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

@@ -7,9 +7,9 @@
 #include "AllKernels.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
-#include "TrilinearCell.h"
-#include "VolumeView.h"
+#include "Image/TracedVolume.h"
+#include "Image/Cells/TrilinearCell.h"
+#include "Image/Samples/VolumeView.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

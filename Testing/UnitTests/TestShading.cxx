@@ -5,7 +5,7 @@
 
 #include "Matrices.h"
 #include "RandomNumbers.h"
-#include "Shading.h"
+#include "Picture/Shader.h"
 #include "TestVolume.h"
 
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "AllKernels.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
-#include "Shading.h"
+#include "Rays/RayPacket.h"
+#include "Picture/Shader.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

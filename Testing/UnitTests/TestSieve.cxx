@@ -6,10 +6,10 @@
 // none.
 
 #include "AllKernels.h"
-#include "BlockMask.h"
+#include "Image/Macrocells/BlockMask.h"
 #include "CellReference.h"
 #include "RandomNumbers.h"
-#include "RayGroup.h"
+#include "Rays/RayPacket.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

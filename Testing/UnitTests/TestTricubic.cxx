@@ -6,13 +6,13 @@
 // with quadrics, which it reproduces; and with polynomials of known roots.
 
 #include "AllKernels.h"
-#include "NonicRoots.h"
+#include "Math/NonicRoots.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
-#include "TricubicCell.h"
-#include "UnevenPlanes.h"
+#include "Image/TracedVolume.h"
+#include "Image/Cells/TricubicCell.h"
+#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>

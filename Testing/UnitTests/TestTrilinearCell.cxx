@@ -7,8 +7,8 @@
 
 #include "Oracle.h"
 #include "RandomNumbers.h"
-#include "RobustSolver.h"
-#include "TrilinearCell.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
+#include "Image/Cells/TrilinearCell.h"
 
 #include <algorithm>
 #include <array>

@@ -4,13 +4,13 @@
 // Volumes whose samples are not evenly spaced: rays miss nothing in them, and gradients are those
 // of their space.
 
-#include "CastRays.h"
+#include "Picture/CastRays.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "TracedVolume.h"
-#include "TrilinearCell.h"
-#include "UnevenPlanes.h"
+#include "Image/TracedVolume.h"
+#include "Image/Cells/TrilinearCell.h"
+#include "Image/Samples/UnevenPlanes.h"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef TestVolume_h
 #define TestVolume_h
 
-#include "VolumeView.h"
+#include "Image/Samples/VolumeView.h"
 
 #include "../AnalyticFields.h"
 

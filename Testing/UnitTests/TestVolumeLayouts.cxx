@@ -4,11 +4,11 @@
 // Whatever the layout, the corners of a cell must be the samples of the user; and only the bricks
 // that are read may exist.
 
-#include "ApronBricks.h"
+#include "Image/Samples/ApronBricks.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
-#include "TwoLevelBricks.h"
-#include "Unbricked.h"
+#include "Image/Samples/TwoLevelBricks.h"
+#include "Image/Samples/Unbricked.h"
 
 #include <algorithm>
 #include <cmath>

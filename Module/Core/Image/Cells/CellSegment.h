@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellSegment_h
+#define CellSegment_h
+
+#include "Rays/Hit.h"
+#include "Rays/Ray.h"
+#include "Image/Cells/TrilinearCell.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The part of a ray inside one cell, with its two ends in the cell's own coordinates, [0, 1]^3.
+struct CellSegment
+{
+  double Begin;
+  double End;
+  /// The axis of the plane crossed at Begin; see Place.
+  int BeginAxis;
+  Vector3 Entry;
+  Vector3 Exit;
+};
+
+/// Where the planes of a cell stand.
+struct CellBox
+{
+  Vector3 Lower;
+  Vector3 Upper;
+};
+
+inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
+{
+  CellBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = planes ? planes->Get(axis, cell[axis]) : cell[axis];
+    box.Upper[axis] = planes ? planes->Get(axis, cell[axis] + 1) : cell[axis] + 1;
+  }
+  return box;
+}
+
+/// Where the ray is in the cell at t. On the plane it crosses there, the coordinate is exactly 0 or
+/// 1: the two cells that share the face then interpolate between the same four samples with the
+/// same weights, and agree on the sign of every point of it to the last bit. No ray slips between
+/// them.
+inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Place& place)
+{
+  Vector3 p;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double above = ray.Coordinate(axis, place.T) - box.Lower[axis];
+    const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
+    p[axis] = std::min(1.0, std::max(0.0, share));
+  }
+  return p;
+}
+
+/// The segment of a ray in a cell, computed from the planes of the cell alone. Returns false if the
+/// cell is not among those the ray passes. However the cell was found, the answer is the same.
+inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
+{
+  const CellBox box = GetBox(cell, ray.Planes);
+  Place entry{ -std::numeric_limits<double>::infinity(), 0 };
+  Place exit{ std::numeric_limits<double>::infinity(), Place::StartAxis };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (ray.Step[axis] == 0)
+    {
+      if (ray.Inverse[axis] != cell[axis])
+      {
+        return false;
+      }
+      continue;
+    }
+    const bool up = ray.Step[axis] > 0;
+    const Place in{ ray.CrossingAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
+      static_cast<int>(axis) };
+    const Place out{ ray.CrossingAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
+      static_cast<int>(axis) };
+    entry = std::max(entry, in);
+    exit = std::min(exit, out);
+  }
+
+  // Where the ray begins or ends within the cell, no plane is crossed there.
+  const bool entersThroughFace = entry.T >= ray.Begin;
+  const bool leavesThroughFace = exit.T <= ray.End;
+  const Place begin = entersThroughFace ? entry : Place{ ray.Begin, Place::StartAxis };
+  const Place end = leavesThroughFace ? exit : Place{ ray.End, Place::StartAxis };
+  // A flat cell is passed at one place.
+  const bool isFlat = ray.Planes && entersThroughFace && leavesThroughFace && entry.T == exit.T &&
+    entry.Axis == exit.Axis;
+  if (!(begin < end || isFlat) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
+  {
+    return false;
+  }
+
+  segment.Begin = begin.T;
+  segment.BeginAxis = begin.Axis;
+  segment.End = end.T;
+  segment.Entry = PointInCell(ray, box, begin);
+  segment.Exit = PointInCell(ray, box, end);
+  if (entersThroughFace)
+  {
+    const auto axis = static_cast<std::size_t>(entry.Axis);
+    segment.Entry[axis] = ray.Step[axis] > 0 ? 0.0 : 1.0;
+  }
+  if (leavesThroughFace)
+  {
+    const auto axis = static_cast<std::size_t>(exit.Axis);
+    segment.Exit[axis] = ray.Step[axis] > 0 ? 1.0 : 0.0;
+  }
+  return true;
+}
+
+/// A hit at a fraction of the segment of a ray in a cell.
+inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, double fraction,
+  int surface, bool rising)
+{
+  Vector3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], fraction);
+  }
+  // Written so that it never falls as the fraction grows.
+  const double t = segment.Begin + (segment.End - segment.Begin) * fraction;
+  return { ray.Base + std::min(t, segment.End), cell, surface, point, rising };
+}
+
+}
+
+#endif

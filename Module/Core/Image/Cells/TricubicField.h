@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TricubicField_h
+#define TricubicField_h
+
+#include "Image/Macrocells/BlockMask.h"
+#include "Image/Cells/CellSegment.h"
+#include "Kernels/Kernels.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Math/NonicRoots.h"
+#include "Image/Cells/TricubicCell.h"
+#include "Image/Samples/VolumeView.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The tricubic interpolant of a volume, read from the samples of the user. A cell is empty if one
+/// of the 4^3 samples around it is NaN or infinite.
+template <typename T>
+class TricubicField
+{
+public:
+  explicit TricubicField(const Samples<T>& samples)
+    : TheSamples(samples)
+  {
+  }
+
+  /// Takes the spacing of the samples; null planes stand at whole numbers. Returns whether it is
+  /// another one than before.
+  bool SetPlanes(const UnevenPlanes* planes)
+  {
+    CubicEdges edges(this->TheSamples.GetDimensions(), planes);
+    const bool isOther = !(edges == this->Edges);
+    this->Edges = std::move(edges);
+    return isOther;
+  }
+
+  const CubicEdges& GetEdges() const { return this->Edges; }
+
+  /// Makes the mask of a block of 8^3 cells: those that a surface may pass, because the
+  /// coefficients are on both sides of its isovalue.
+  void MakeMask(
+    const Index3& block, const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
+  {
+    std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
+    const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
+      block[2] * BlockMask::Edge };
+    const BlockRanges ranges = this->GetRanges(first);
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    for (int z = 0; z < std::min(BlockMask::Edge, dimensions[2] - 1 - first[2]); ++z)
+    {
+      for (int y = 0; y < std::min(BlockMask::Edge, dimensions[1] - 1 - first[1]); ++y)
+      {
+        for (int x = 0; x < std::min(BlockMask::Edge, dimensions[0] - 1 - first[0]); ++x)
+        {
+          const ValueRange<T>& range = ranges[Offset({ x, y, z }, RangesSize)];
+          const bool has = std::any_of(isovalues.begin(), isovalues.end(),
+            [&](const ScaledIsovalue& isovalue)
+            {
+              TricubicCell cell;
+              return range.Straddles(isovalue.Isovalue, this->Edges.GetOvershoot()) &&
+                this->Load({ first[0] + x, first[1] + y, first[2] + z }, isovalue, cell);
+            });
+          mask.Slices[2][z] |= static_cast<std::uint64_t>(has) << (x + BlockMask::Edge * y);
+        }
+      }
+    }
+    mask.CompleteSlices();
+  }
+
+  /// Calls visit(fraction, rising) for every root along the segment of a ray in a cell, in order,
+  /// until visit returns true.
+  template <typename Visit>
+  void ForEachRoot(const Index3& cell, const ScaledIsovalue& isovalue, const CellSegment& segment,
+    const Visit& visit) const
+  {
+    TricubicCell coefficients;
+    if (this->Load(cell, isovalue, coefficients))
+    {
+      Nonic::ForEachRoot(NonicAlongSegment(coefficients, segment.Entry, segment.Exit), visit);
+    }
+  }
+
+  /// The value at a point of a cell, less an isovalue: the very one that the polynomials along rays
+  /// which begin or end there begin or end with. None if the cell is empty.
+  std::optional<double> GetDifference(
+    const Index3& cell, const Vector3& parametric, const ScaledIsovalue& isovalue) const
+  {
+    TricubicCell coefficients;
+    if (!this->Load(cell, coefficients))
+    {
+      return std::nullopt;
+    }
+    this->TakeOff(cell, isovalue, coefficients);
+    return NonicAlongSegment(coefficients, parametric, parametric)[0];
+  }
+
+  /// The gradient at a point of a cell, in its own coordinates, per cell edge along each axis.
+  Vector3 GetGradient(const Index3& cell, const Vector3& parametric) const
+  {
+    TricubicCell coefficients;
+    this->Load(cell, coefficients);
+    InterpolateSamples(this->Edges, cell, coefficients);
+    return TricubicGradient(coefficients, parametric);
+  }
+
+private:
+  /// Reads the 4^3 samples around a cell. (Those outside of the volume count for nothing.) Returns
+  /// whether all are finite.
+  bool Load(const Index3& cell, TricubicCell& samples) const
+  {
+    std::ptrdiff_t offsets[3][4];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        offsets[axis][i] =
+          std::clamp(cell[axis] + i - 1, 0, this->TheSamples.GetDimensions()[axis] - 1) *
+          this->TheSamples.GetStride(static_cast<int>(axis));
+      }
+    }
+    const T* origin = this->TheSamples.At({ 0, 0, 0 });
+    // Not a number, if one of them is none.
+    double check = 0.0;
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      samples[i] =
+        static_cast<double>(origin[offsets[0][i % 4] + offsets[1][i / 4 % 4] + offsets[2][i / 16]]);
+      check += samples[i] * 0.0;
+    }
+    return check == 0.0;
+  }
+
+  /// Makes the coefficients of a cell, with an isovalue taken off. Returns whether the surface may
+  /// pass the cell: all samples are finite, and coefficients are on both sides.
+  bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
+  {
+    if (!this->Load(cell, coefficients))
+    {
+      return false;
+    }
+    this->TakeOff(cell, isovalue, coefficients);
+    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside);
+    return inside > 0 && inside < 64;
+  }
+
+  /// Turns samples to coefficients, with an isovalue taken off.
+  void TakeOff(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
+  {
+    for (double& sample : coefficients)
+    {
+      sample = Difference(sample, isovalue.Isovalue, isovalue.Scale);
+    }
+    InterpolateSamples(this->Edges, cell, coefficients);
+  }
+
+  /// For the cells of a block, x fastest, the ranges of the 4^3 samples around them.
+  static constexpr Index3 RangesSize = { BlockMask::Edge + 3, BlockMask::Edge + 3,
+    BlockMask::Edge + 3 };
+  using BlockRanges = std::array<ValueRange<T>, RangesSize[0] * RangesSize[1] * RangesSize[2]>;
+
+  /// At first each sample has a range of its own, from the one before the block on. Then, along one
+  /// axis after the other, each takes in the next three.
+  BlockRanges GetRanges(const Index3& first) const
+  {
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    BlockRanges ranges;
+    std::size_t i = 0;
+    for (int z = 0; z < RangesSize[2]; ++z)
+    {
+      for (int y = 0; y < RangesSize[1]; ++y)
+      {
+        for (int x = 0; x < RangesSize[0]; ++x)
+        {
+          const T sample =
+            *this->TheSamples.At({ std::clamp(first[0] + x - 1, 0, dimensions[0] - 1),
+              std::clamp(first[1] + y - 1, 0, dimensions[1] - 1),
+              std::clamp(first[2] + z - 1, 0, dimensions[2] - 1) });
+          ranges[i++].Include(sample, sample);
+        }
+      }
+    }
+    std::size_t step = 1;
+    for (const int length : RangesSize)
+    {
+      for (i = 0; i + 3 * step < ranges.size(); ++i)
+      {
+        for (std::size_t next = i + step; next <= i + 3 * step; next += step)
+        {
+          ranges[i].Include(ranges[next].Min, ranges[next].Max);
+        }
+      }
+      step *= static_cast<std::size_t>(length);
+    }
+    return ranges;
+  }
+
+  Samples<T> TheSamples;
+  CubicEdges Edges;
+};
+
+}
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellMasks_h
+#define CellMasks_h
+
+#include "Image/Samples/BlockCache.h"
+#include "Image/Macrocells/BlockMask.h"
+#include "Image/Samples/VolumeView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// For blocks of 8^3 cells, which of the cells a surface passes: those with corners on both sides
+/// of an isovalue and none that is NaN or infinite. The mask of a block is made by the first ray
+/// that comes to it.
+template <typename T>
+class CellMasks
+{
+public:
+  explicit CellMasks(const Samples<T>& samples)
+    : TheSamples(samples)
+    , Blocks(BlocksCovering({ samples.GetDimensions()[0] - 1, samples.GetDimensions()[1] - 1,
+                              samples.GetDimensions()[2] - 1 },
+        BlockMask::Edge))
+    , Masks(Count(this->Blocks), sizeof(BlockMask))
+  {
+  }
+
+  void BeginFrame(std::size_t maximumMemory) { this->Masks.BeginFrame(maximumMemory); }
+
+  /// Makes the mask of a block by another rule.
+  using Maker = std::function<void(const Index3& block, BlockMask& mask)>;
+
+  /// Forgets all masks, and takes other isovalues from now on; and another rule, if there is one.
+  void Select(const std::vector<double>& isovalues, Maker maker = nullptr)
+  {
+    this->Isovalues = isovalues;
+    this->MakeOther = std::move(maker);
+    this->Masks.Clear();
+  }
+
+  void Prefetch(const Index3& block) const { this->Masks.Prefetch(Offset(block, this->Blocks)); }
+
+  /// The mask of a block: the one that is kept, or where it cannot be kept, one made in the place
+  /// given.
+  const BlockMask& Get(const Index3& block, BlockMask& own)
+  {
+    const void* kept = this->Masks.Get(Offset(block, this->Blocks),
+      [this, &block](void* memory) { this->Make(block, *new (memory) BlockMask); });
+    if (kept)
+    {
+      return *static_cast<const BlockMask*>(kept);
+    }
+    this->Make(block, own);
+    return own;
+  }
+
+  /// In bytes.
+  std::size_t GetMemory() const { return this->Masks.GetMemory(); }
+
+private:
+  // 64-bit integers are traced as doubles, so they are compared as doubles.
+  using Compared = std::conditional_t<sizeof(T) == 8, double, T>;
+
+  /// The smallest value that is inside.
+  static Compared GetThreshold(double isovalue)
+  {
+    if constexpr (std::is_same_v<Compared, double>)
+    {
+      return isovalue;
+    }
+    else if constexpr (std::is_same_v<Compared, float>)
+    {
+      const auto nearest = static_cast<float>(isovalue);
+      return static_cast<double>(nearest) < isovalue
+        ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+        : nearest;
+    }
+    else
+    {
+      return static_cast<Compared>(std::ceil(isovalue));
+    }
+  }
+
+  /// What eight values around a cell have in common, gathered one axis after the other.
+  struct Corners
+  {
+    std::uint64_t Any = 0;
+    std::uint64_t All = 0;
+
+    Corners Join(const Corners& other) const
+    {
+      return { this->Any | other.Any, this->All & other.All };
+    }
+  };
+
+  // Tests of a sample, and of eight at once, whose answers are 0 or -1 each. (Vectors are passed by
+  // reference: without AVX there is no other agreed way to pass some of them.)
+  struct IsAtLeast
+  {
+    Compared Threshold;
+
+    bool operator()(Compared value) const { return value >= this->Threshold; }
+
+    template <typename Values, typename Answers>
+    void Test(const Values& values, Answers& answers) const
+    {
+      answers = __builtin_convertvector(values >= this->Threshold, Answers);
+    }
+  };
+
+  struct IsFinite
+  {
+    bool operator()(Compared value) const { return value - value == 0; }
+
+    template <typename Values, typename Answers>
+    void Test(const Values& values, Answers& answers) const
+    {
+      answers = __builtin_convertvector(values - values == 0, Answers);
+    }
+  };
+
+  /// One bit for each of a row of samples that passes a test: of nine, or of less at the border of
+  /// the volume.
+  template <typename Test>
+  static unsigned int TestRow(const T* row, std::ptrdiff_t stride, int count, const Test& test)
+  {
+    unsigned int bits = 0;
+    if constexpr (std::is_same_v<Compared, T> && sizeof(T) <= 4)
+    {
+      if (stride == 1 && count == BlockMask::Edge)
+      {
+        // GCC wants the attribute of a dependent type at the end of a typedef.
+        typedef T Vector __attribute__((vector_size(8 * sizeof(T)))); // NOLINT(modernize-use-using)
+        using Bytes = signed char __attribute__((vector_size(8)));
+        Vector values;
+        std::memcpy(&values, row, sizeof(values));
+        Bytes answers;
+        test.Test(values, answers);
+        unsigned char bytes[8];
+        std::memcpy(bytes, &answers, sizeof(bytes));
+        // The product gathers the lowest bits of the bytes in the highest byte.
+        bits = static_cast<unsigned int>(
+          (ToWord(bytes) & 0x0101010101010101U) * 0x0102040810204080U >> 56);
+        return bits | static_cast<unsigned int>(test(row[8])) << 8;
+      }
+    }
+    for (int x = 0; x <= count; ++x)
+    {
+      bits |= static_cast<unsigned int>(test(static_cast<Compared>(row[x * stride]))) << x;
+    }
+    return bits;
+  }
+
+  /// For the cells of a plane of samples, whether any and whether all of the four samples around
+  /// them pass a test.
+  template <typename Test>
+  static Corners JoinInPlane(
+    const T* plane, const Index3& count, const Samples<T>& samples, const Test& test)
+  {
+    // A byte for every row.
+    unsigned char any[BlockMask::Edge + 1] = {};
+    unsigned char all[BlockMask::Edge + 1] = {};
+    for (int y = 0; y <= count[1]; ++y)
+    {
+      const unsigned int bits =
+        TestRow(plane + y * samples.GetStride(1), samples.GetStride(0), count[0], test);
+      any[y] = static_cast<unsigned char>(bits | bits >> 1);
+      all[y] = static_cast<unsigned char>(bits & bits >> 1);
+    }
+    return { ToWord(any) | ToWord(any + 1), ToWord(all) & ToWord(all + 1) };
+  }
+
+  /// Eight bytes as a word, the first one lowest.
+  static std::uint64_t ToWord(const unsigned char* bytes)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof(word));
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    word = __builtin_bswap64(word);
+#endif
+    return word;
+  }
+
+  void Make(const Index3& block, BlockMask& mask) const
+  {
+    if (this->MakeOther)
+    {
+      this->MakeOther(block, mask);
+      return;
+    }
+    const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
+      block[2] * BlockMask::Edge };
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    Index3 count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      count[axis] = std::min(BlockMask::Edge, dimensions[axis] - 1 - first[axis]);
+    }
+    const std::uint64_t row = (1U << count[0]) - 1U;
+    std::uint64_t cells = 0;
+    for (int y = 0; y < count[1]; ++y)
+    {
+      cells |= row << (8 * y);
+    }
+    std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
+    const auto forEachSlice = [&](const auto& test, const auto& use)
+    {
+      const T* sample = this->TheSamples.At(first);
+      Corners below = JoinInPlane(sample, count, this->TheSamples, test);
+      for (int z = 0; z < count[2]; ++z)
+      {
+        sample += this->TheSamples.GetStride(2);
+        const Corners above = JoinInPlane(sample, count, this->TheSamples, test);
+        use(mask.Slices[2][z], below.Join(above));
+        below = above;
+      }
+    };
+    for (const double isovalue : this->Isovalues)
+    {
+      // What no value reaches, or all do, may not be a number of the type either; nor is NaN.
+      constexpr std::numeric_limits<Compared> limits;
+      if (!(isovalue > static_cast<double>(limits.lowest()) &&
+            isovalue <= static_cast<double>(limits.max())))
+      {
+        continue;
+      }
+      const Compared threshold = GetThreshold(isovalue);
+      forEachSlice(IsAtLeast{ threshold },
+        [cells](std::uint64_t& slice, const Corners& inside)
+        { slice |= inside.Any & ~inside.All & cells; });
+    }
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      forEachSlice(
+        IsFinite{}, [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
+    }
+    mask.CompleteSlices();
+  }
+
+  Samples<T> TheSamples;
+  Index3 Blocks;
+  std::vector<double> Isovalues;
+  Maker MakeOther;
+  BlockCache Masks;
+};
+
+}
+
+#endif

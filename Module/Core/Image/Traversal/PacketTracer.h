@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BeamTracer_h
+#define BeamTracer_h
+
+#include "Image/Traversal/FrustumTraversal.h"
+#include "Image/Macrocells/BlockMask.h"
+#include "Rays/Hit.h"
+#include "Kernels/Kernels.h"
+#include "Rays/Ray.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The first hits of the rays of a group.
+struct GroupHits
+{
+  /// The rays that hit.
+  RaySet Found;
+  std::array<Hit, RayGroup::Capacity> Hits;
+  /// Where each ray comes into the cell of its hit.
+  std::array<Place, RayGroup::Capacity> Begin;
+};
+
+/// Leads the rays of a group through the volume together.
+///
+/// They walk as a beam to the active macrocells; for each of them, all cells of a macrocell that
+/// the ray may pass and a surface does are found at once. For first hits, single precision tells of
+/// most of these cells whether the ray surely misses or surely hits the surface there; those it may
+/// hit are solved together, as exactly as for a ray by itself. What a cell has to say to a ray
+/// comes from the two alone (CellSegment.h), so that proposing too many cells costs time and
+/// changes nothing.
+class BeamTracer
+{
+public:
+  /// Where cells come from. Used by one thread.
+  class Cells
+  {
+  public:
+    virtual ~Cells() = default;
+    /// Says that a block is wanted soon.
+    virtual void Prefetch(const Index3& block) = 0;
+    /// Which cells of a block of 8^3 a surface passes; either kept elsewhere or made in own.
+    virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
+
+    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
+    /// been through. Returns whether nothing of the ray is left.
+    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
+
+    // For first hits only:
+    /// Where the first corner of the first cell of a block is kept; null unless all its corners are
+    /// kept in rows.
+    virtual const void* FindCorner(const Index3& block) = 0;
+    /// How many bytes it is from there to the next along each axis.
+    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
+    /// Copies the corners of cells, wherever they are kept, until the next are copied.
+    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
+    /// Calls the kernels for corners that are kept in rows, or were copied.
+    virtual void SiftCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
+      Candidates& candidates, RaySet& hits) = 0;
+    virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
+    /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
+    /// the ray comes into the cell. Returns false if there is none.
+    virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) = 0;
+  };
+
+  BeamTracer(const Kernels& kernels, const BlockTree& tree)
+    : TheKernels(kernels)
+    , Tree(tree)
+  {
+  }
+
+  /// Whether rays between lines may come to an active macrocell; see TracedVolume::MayHitBetween.
+  static bool MayMeet(
+    const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayGroup& lines);
+
+  /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
+  /// many rays are solved at once.
+  const GroupHits& FindFirstHits(RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue);
+
+  /// Leads all rays of a group that exist through the cells that may have hits.
+  void FollowRays(RayGroup& group, Cells& cells);
+
+private:
+  void Trace(RayGroup& group, Cells& cells);
+  void TraceSet(const RaySet& rays, int count);
+  void SetStepsInSlice(int axis);
+  void VisitBlock(const Beam& beam, const Index3& block);
+  void EndSlice(const Beam& beam);
+  void ClearPassages();
+  void SiftPassages(const Beam& beam);
+  void AddCellsOfSlice(int axis, int passage, int slice);
+  void SiftQueue(const Beam& beam);
+  void FollowPassages(const Beam& beam);
+  void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
+  void SolveCandidates();
+  void FindFirstHit(int ray, const Index3& cell);
+  Hit GetHit(int candidate) const;
+  void Keep(int ray, const Hit& hit, const Place& begin);
+
+  const Kernels& TheKernels;
+  const BlockTree& Tree;
+
+  RayGroup* Group = nullptr;
+  Cells* Source = nullptr;
+  /// The rays that are still on their way.
+  RaySet Going = {};
+  /// The surface whose first hits are wanted; none when rays are followed.
+  std::optional<ScaledIsovalue> Isovalue;
+  GroupHits Hits;
+  /// The rays that surely hit something, wherever that turns out to be.
+  RaySet SurelyHit = {};
+  Passages Passed;
+  /// Whether the corners of all passages are kept in rows.
+  bool AllInRows = true;
+  PassedCells Queue;
+  /// Whether the corners of the candidates were copied.
+  bool AreCopied = false;
+  Candidates Waiting;
+  Solutions Solved;
+  std::array<std::ptrdiff_t, 3> CornerSteps = {};
+  /// From the first corner of a slice of cells to that of each of its cells.
+  std::array<std::ptrdiff_t, 64> StepsInSlice = {};
+  /// Kept for its memory.
+  std::vector<Index3> CellsOfRay;
+};
+
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef NonicRoots_h
+#define NonicRoots_h
+
+#include "Image/Cells/TricubicCell.h"
+#include "Image/Cells/TrilinearCell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// All roots of a polynomial of degree 9, found by numbers.
+///
+/// By Descartes' rule a polynomial has no more roots in an interval than its Bernstein coefficients
+/// there change sign: none if they do not, one if they do once. Where they do more often, the
+/// interval is halved, which brings the coefficients nearer to the values (J. M. Lane, R. F.
+/// Riesenfeld: Bounds on a polynomial. BIT 21, 1981). A root alone in its interval is found by
+/// Newton's method in a bracket.
+namespace Nonic
+{
+
+/// An interval this small is not halved any more; whether there is a root the signs at its ends
+/// tell. Two roots nearer to each other, as fractions of the segment, may be taken for none.
+constexpr double SmallestInterval = 0x1p-40;
+/// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
+/// to the square of it.
+constexpr double Tolerance = 1e-10;
+/// Where that does not come soon, bisection brings it to an end.
+constexpr int NewtonIterations = 40;
+constexpr int MaximumIterations = NewtonIterations + 36;
+
+struct ValueAndSlope
+{
+  double Value;
+  double Slope;
+};
+
+/// By convex combinations (de Casteljau).
+inline ValueAndSlope Evaluate(BernsteinNonic b, double u)
+{
+  for (std::size_t count = b.size() - 1; count > 1; --count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      b[i] = Lerp(b[i], b[i + 1], u);
+    }
+  }
+  return { Lerp(b[0], b[1], u), 9.0 * (b[1] - b[0]) };
+}
+
+/// Leaves the lower half of the interval in the polynomial, and returns the upper half. Both have
+/// the very same value in the middle.
+inline BernsteinNonic Halve(BernsteinNonic& b)
+{
+  BernsteinNonic upper;
+  const std::size_t last = b.size() - 1;
+  upper[last] = b[last];
+  for (std::size_t done = 1; done <= last; ++done)
+  {
+    for (std::size_t i = last; i >= done; --i)
+    {
+      b[i] = 0.5 * b[i - 1] + 0.5 * b[i];
+    }
+    upper[last - done] = b[last];
+  }
+  return upper;
+}
+
+inline int CountSignChanges(const BernsteinNonic& b)
+{
+  int count = 0;
+  for (std::size_t i = 1; i < b.size(); ++i)
+  {
+    count += IsInside(b[i]) != IsInside(b[i - 1]) ? 1 : 0;
+  }
+  return count;
+}
+
+/// The one root of a polynomial whose signs at the ends differ, as a fraction of its interval, to a
+/// tolerance.
+inline double RefineRoot(const BernsteinNonic& b, double tolerance)
+{
+  const bool insideAtLo = IsInside(b.front());
+  double lo = 0.0;
+  double hi = 1.0;
+  double u = std::min(1.0, b.front() / (b.front() - b.back()));
+  for (int i = 0; i < MaximumIterations; ++i)
+  {
+    const ValueAndSlope f = Evaluate(b, u);
+    (IsInside(f.Value) == insideAtLo ? lo : hi) = u;
+    double next = u - f.Value / f.Slope;
+    if (!(next >= lo && next <= hi) || i >= NewtonIterations)
+    {
+      next = lo + 0.5 * (hi - lo);
+    }
+    const bool done = std::abs(next - u) <= tolerance;
+    u = next;
+    if (done)
+    {
+      break;
+    }
+  }
+  return u;
+}
+
+/// Calls visit(u, rising) for every root in [0, 1], in order, until visit returns true. Rising
+/// tells whether the ray goes in (from below the isovalue to at or above it).
+template <typename Visit>
+void ForEachRoot(const BernsteinNonic& nonic, const Visit& visit)
+{
+  struct Interval
+  {
+    double Begin;
+    double Width;
+    BernsteinNonic Coefficients;
+  };
+  // One for each halving, and the one at hand.
+  std::array<Interval, 42> waiting;
+  std::size_t count = 0;
+  waiting[count++] = { 0.0, 1.0, nonic };
+  while (count > 0)
+  {
+    Interval& interval = waiting[count - 1];
+    BernsteinNonic& b = interval.Coefficients;
+    const int changes = CountSignChanges(b);
+    if (changes > 1 && interval.Width > SmallestInterval)
+    {
+      const double half = 0.5 * interval.Width;
+      const Interval upper = { interval.Begin + half, half, Halve(b) };
+      waiting[count] = { interval.Begin, half, b };
+      interval = upper;
+      ++count;
+      continue;
+    }
+    --count;
+    if (IsInside(b.front()) != IsInside(b.back()))
+    {
+      const double u = interval.Begin + interval.Width * RefineRoot(b, Tolerance / interval.Width);
+      if (visit(u, IsInside(b.back())))
+      {
+        return;
+      }
+    }
+  }
+}
+
+}
+}
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CastRays_h
+#define CastRays_h
+
+#include "Image/TracedVolume.h"
+
+#include <optional>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The hits of any number of rays, traced on several threads.
+RayHits CastRays(TracedVolume& volume, const std::vector<std::optional<Ray>>& rays, int threads);
+
+}
+
+#endif

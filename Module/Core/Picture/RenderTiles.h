@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef RenderTiles_h
+#define RenderTiles_h
+
+#include "Picture/Scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The picture of the pixels of a scene, in rows from the bottom.
+struct Frame
+{
+  /// Red, green, blue and opacity, the colours multiplied by the opacity.
+  std::vector<std::uint8_t> Colors;
+  /// The depth of the nearest opaque surface, in [0, 1]; NoSurface where there is none.
+  std::vector<float> Depths;
+  /// The nearest hit, if the scene wants it, whatever its opacity.
+  std::vector<Hit> Hits;
+
+  static constexpr float NoSurface = 2.0F;
+};
+
+/// The wall-clock time of a frame, in seconds. All three go on at once, on all threads; the time is
+/// divided in proportion to what the threads spent on each.
+struct FrameTimes
+{
+  double Bricks = 0.0;
+  double Trace = 0.0;
+  double Shade = 0.0;
+};
+
+/// Traces and shades a scene, tile by tile, on all its threads. Now and then keepGoing is called
+/// with the fraction done, on the calling thread only; if it returns false, the work is given up
+/// and so is the frame. Returns whether the frame is complete.
+bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTimes& times,
+  const std::function<bool(double)>& keepGoing);
+
+}
+
+#endif

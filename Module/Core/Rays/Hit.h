@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Hit_h
+#define Hit_h
+
+#include "Image/Samples/UnevenPlanes.h"
+#include "Math/Vector.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where a ray meets an isosurface, or has its extreme value. Everything that is ever said about a
+/// hit is derived from this.
+struct Hit
+{
+  /// On the ray as it was given.
+  double T;
+  Index3 Cell;
+  /// Which of the wanted isosurfaces; NoSurface where there is no hit.
+  int Surface;
+  /// The point in the cell's own coordinates, [0, 1]^3.
+  Vector3 Parametric;
+  /// Whether the ray goes in there: from below the isovalue to at or above it.
+  bool Rising;
+  /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
+  /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
+  int Jump = 0;
+  /// Of a cap, the half-space that it closes: see Visibility. The surface is the one whose inside
+  /// it shows.
+  int Plane = NoPlane;
+  /// The value there, where no surface but an extreme value is looked for; and of a cap.
+  double Value = 0.0;
+
+  static constexpr int NoSurface = -1;
+  static constexpr int NoPlane = -1;
+
+  /// Whether values fall along an axis from the box of one sample to that of the next.
+  bool FallsAlong(std::size_t axis) const { return this->Jump == -1 - static_cast<int>(axis); }
+
+  /// Whether the upper of the two samples along an axis of the cell is nearer. Of the boxes on both
+  /// sides of a hit, it is the one inside.
+  bool IsNearUpper(std::size_t axis) const
+  {
+    return this->Parametric[axis] >= 0.5 && !this->FallsAlong(axis);
+  }
+
+  /// Where it is in the space that rays go through: see Ray::Planes.
+  Vector3 GetPoint(const UnevenPlanes* planes) const
+  {
+    if (planes)
+    {
+      return planes->GetPoint(this->Cell, this->Parametric);
+    }
+    return { this->Cell[0] + this->Parametric[0], this->Cell[1] + this->Parametric[1],
+      this->Cell[2] + this->Parametric[2] };
+  }
+};
+
+}
+
+#endif

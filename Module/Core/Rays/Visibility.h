@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Visibility_h
+#define Visibility_h
+
+#include "Rays/Hit.h"
+#include "Rays/RayPacket.h"
+#include "Math/Vector.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where Dot(Normal, point) + Offset >= 0.
+struct HalfSpace
+{
+  Vector3 Normal;
+  double Offset;
+  /// Whether the insides of surfaces are closed where it ends: see Caps.h.
+  bool IsCapped = false;
+};
+
+/// How a ray goes through the plane where a half-space ends.
+struct PlaneCrossing
+{
+  /// Where; not finite if it is parallel.
+  double T;
+  /// Of the origin, and by how much it grows with t: above zero if the ray goes in.
+  double Height;
+  double Slope;
+};
+
+inline PlaneCrossing FindCrossing(
+  const HalfSpace& half, const Vector3& origin, const Vector3& direction)
+{
+  const double height = Dot(half.Normal, origin) + half.Offset;
+  const double slope = Dot(half.Normal, direction);
+  return { -height / slope, height, slope };
+}
+
+/// Two planes across each axis, the lower first, part space into 27 regions.
+struct CroppingRegions
+{
+  std::array<std::array<double, 2>, 3> Planes = {};
+  /// Bit i + 3 j + 9 k says whether region (i, j, k) is seen. Its border belongs to the one in the
+  /// middle.
+  unsigned int Seen = All;
+
+  static constexpr unsigned int All = 0x7ffffff;
+
+  bool Contain(const Vector3& point) const
+  {
+    int region = 0;
+    int stride = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int place =
+        point[axis] < this->Planes[axis][0] ? 0 : (point[axis] > this->Planes[axis][1] ? 2 : 1);
+      region += stride * place;
+      stride *= 3;
+    }
+    return (this->Seen >> region & 1U) != 0;
+  }
+};
+
+/// Which parts of a volume are seen, in the space that rays go through. A surface that is cut off
+/// hides nothing.
+struct Visibility
+{
+  /// Rays are cut to what is in all of them.
+  std::vector<HalfSpace> HalfSpaces;
+  CroppingRegions Regions;
+  /// One for every cell, not zero where it is not seen; null if all are.
+  const unsigned char* HiddenCells = nullptr;
+
+  bool HasCaps() const
+  {
+    return std::any_of(this->HalfSpaces.begin(), this->HalfSpaces.end(),
+      [](const HalfSpace& half) { return half.IsCapped; });
+  }
+
+  /// Whether every hit of a ray that is cut is seen.
+  bool IsConvex() const { return this->Regions.Seen == CroppingRegions::All && !this->HiddenCells; }
+
+  /// Whether a hit of a ray that is cut is seen, in a volume of so many samples.
+  bool Shows(const Hit& hit, const Index3& dimensions, const UnevenPlanes* planes) const
+  {
+    const Index3 cells = { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 };
+    return this->Regions.Contain(hit.GetPoint(planes)) &&
+      !(this->HiddenCells && this->HiddenCells[Offset(hit.Cell, cells)] != 0);
+  }
+};
+
+/// Calls visit(piece) for the pieces of a ray, in order, that lie in regions that are seen.
+template <typename Visit>
+void ForEachSeenPiece(const Ray& ray, const CroppingRegions& regions, const Visit& visit)
+{
+  if (regions.Seen == CroppingRegions::All)
+  {
+    visit(ray);
+    return;
+  }
+  std::vector<double> cuts = { ray.Begin, ray.End };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double plane : regions.Planes[axis])
+    {
+      const double t = (plane - ray.Origin[axis]) / ray.Direction[axis];
+      if (t > ray.Begin && t < ray.End)
+      {
+        cuts.push_back(t);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
+    if (regions.Contain(
+          { ray.Coordinate(0, middle), ray.Coordinate(1, middle), ray.Coordinate(2, middle) }))
+    {
+      Ray piece = ray;
+      piece.Begin = cuts[i - 1];
+      piece.End = cuts[i];
+      visit(piece);
+    }
+  }
+}
+
+/// Cuts rays to a half-space. Those that have nothing there do not exist any more.
+inline void CutRays(const HalfSpace& half, RayGroup& rays)
+{
+  for (int i = 0; i < rays.Count; ++i)
+  {
+    if (!Has(rays.Exists, i))
+    {
+      continue;
+    }
+    const Vector3 origin = { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] };
+    const Vector3 direction = { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] };
+    const PlaneCrossing crossing = FindCrossing(half, origin, direction);
+    if (crossing.Slope > 0.0)
+    {
+      rays.Begin[i] = std::max(rays.Begin[i], crossing.T);
+    }
+    else if (crossing.Slope < 0.0)
+    {
+      rays.End[i] = std::min(rays.End[i], crossing.T);
+    }
+    const bool isOutside = crossing.Slope == 0.0 && crossing.Height < 0.0;
+    if (isOutside || !(rays.Begin[i] <= rays.End[i]))
+    {
+      Remove(i, rays.Exists);
+    }
+  }
+}
+
+}
+
+#endif
