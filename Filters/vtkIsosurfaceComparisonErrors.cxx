@@ -40,7 +40,7 @@ using Vector = std::array<double, 3>;
 constexpr double StepBack = 1e-6;
 
 /// A point of the volume in its cell, with the values at the corners: (x, y, z) is x + 2 y + 4 z.
-struct Place
+struct Crossing
 {
   int Cell[3];
   double Parametric[3];
@@ -74,11 +74,11 @@ public:
   }
 
   /// Finds the place of a point. One that rounding has put outside is moved to the border.
-  Place Locate(Vector& point) const;
+  Crossing Locate(Vector& point) const;
 
-  double GetValue(const Place& place) const;
+  double GetValue(const Crossing& place) const;
   /// In the world.
-  Vector GetGradient(const Place& place) const;
+  Vector GetGradient(const Crossing& place) const;
 
   bool IsSample(const int ijk[3]) const;
   double GetSample(int ijk[3]) const;
@@ -91,10 +91,10 @@ private:
 };
 
 //------------------------------------------------------------------------------
-Place Interpolant::Locate(Vector& point) const
+Crossing Interpolant::Locate(Vector& point) const
 {
   const int* extent = this->Image->GetExtent();
-  Place place;
+  Crossing place;
   double index[3];
   this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index);
   bool isMoved = false;
@@ -121,7 +121,7 @@ Place Interpolant::Locate(Vector& point) const
 }
 
 //------------------------------------------------------------------------------
-double Interpolant::GetValue(const Place& place) const
+double Interpolant::GetValue(const Crossing& place) const
 {
   double weights[8];
   vtkVoxel::InterpolationFunctions(place.Parametric, weights);
@@ -129,7 +129,7 @@ double Interpolant::GetValue(const Place& place) const
 }
 
 //------------------------------------------------------------------------------
-Vector Interpolant::GetGradient(const Place& place) const
+Vector Interpolant::GetGradient(const Crossing& place) const
 {
   double derivatives[24];
   vtkVoxel::InterpolationDerivs(place.Parametric, derivatives);
@@ -237,7 +237,7 @@ void CastLines(
 /// Keeps the nearest crossing of the edges that end at a corner of the cell, if it is nearer than
 /// what was found. (Not those of the cell alone: rounding may have put a point at a corner into a
 /// neighbour of the cell it belongs to.)
-void TryEdges(const Interpolant& interpolant, const Place& place, const Vector& point,
+void TryEdges(const Interpolant& interpolant, const Crossing& place, const Vector& point,
   double isovalue, const double normal[3], std::size_t number, SurfaceErrors& errors)
 {
   for (int edge = 0; edge < 48; ++edge)
@@ -318,7 +318,7 @@ SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, d
     {
       Vector& point = inside[i - first];
       points->GetPoint(static_cast<vtkIdType>(i), point.data());
-      const Place place = interpolant.Locate(point);
+      const Crossing place = interpolant.Locate(point);
       const Vector gradient = interpolant.GetGradient(place);
       const double cells = interpolant.LengthInCells(gradient);
       if (cells > 0.0 && std::isfinite(cells))
@@ -331,7 +331,7 @@ SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, d
     for (std::size_t i = first; i < last; ++i)
     {
       Vector& point = inside[i - first];
-      const Place place = interpolant.Locate(point);
+      const Crossing place = interpolant.Locate(point);
       double normal[3];
       normals->GetTuple(static_cast<vtkIdType>(i), normal);
       TryEdges(interpolant, place, point, isovalue, normal, i, errors);

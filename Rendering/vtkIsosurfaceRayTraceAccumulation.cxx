@@ -80,11 +80,11 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
   }
   const vtkirt::PixelRectangle& pixels = scene.Pixels;
   Append(std::array<int, 4>{ pixels.X, pixels.Y, pixels.Width, pixels.Height }, this->Numbers);
-  for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
+  for (const vtkirt::Isosurface& surface : scene.Request.Surfaces)
   {
     Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, this->Numbers);
   }
-  for (const vtkirt::HalfSpace& half : scene.Want.Seen.HalfSpaces)
+  for (const vtkirt::HalfSpace& half : scene.Request.Visible.HalfSpaces)
   {
     Append(half.Normal, this->Numbers);
     this->Numbers.push_back(half.Offset);

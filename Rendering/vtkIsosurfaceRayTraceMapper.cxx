@@ -176,15 +176,15 @@ public:
   /// The isovalue of a surface, or the value of a projection.
   double GetValue(const vtkirt::Hit& hit) const
   {
-    return this->Want.Projection
+    return this->Request.Projection
       ? hit.Value
-      : this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+      : this->Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
   }
   /// Whether the picture shows anything at a pixel. A value may have no opacity.
   bool IsSeen(std::size_t pixel) const
   {
     return this->Picture.Hits[pixel].Surface != vtkirt::Hit::NoSurface &&
-      (!this->Want.Projection || this->Picture.Colors[4 * pixel + 3] > 0);
+      (!this->Request.Projection || this->Picture.Colors[4 * pixel + 3] > 0);
   }
   /// In the world, towards smaller values, of length one.
   vtkirt::Vector3 GetNormal(const vtkirt::Hit& hit, int normalMode) const;
@@ -248,7 +248,7 @@ public:
 
   /// What the volume of the last call looks like: see vtkIsosurfaceRayTraceMapper::UpdateVolume.
   vtkirt::Matrix4 WorldFromIndex;
-  vtkirt::Wanted Want;
+  vtkirt::TraceRequest Request;
 
   vtkirt::Frame Picture;
   std::vector<float> SceneDepths;
@@ -276,9 +276,9 @@ vtkirt::RayHits vtkIsosurfaceRayTraceMapper::Internals::Cast(
     using vtkirt::operator-;
     rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
       vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd,
-      this->Source.GetVolume()->GetDimensions(), this->Want.Planes);
+      this->Source.GetVolume()->GetDimensions(), this->Request.Planes);
   }
-  this->Source.GetVolume()->Select(this->Want, threads);
+  this->Source.GetVolume()->Select(this->Request, threads);
   return vtkirt::CastRays(*this->Source.GetVolume(), rays, threads);
 }
 
@@ -320,7 +320,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::Describe(const vtkirt::Hit& hit, in
   std::copy_n(inCell.begin(), 3, pcoords);
   isovalue = this->GetValue(hit);
   const vtkirt::Vector3 point =
-    vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes));
+    vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Request.Planes));
   std::copy_n(point.begin(), 3, x);
   const vtkirt::Vector3 outward = this->GetNormal(hit, normalMode);
   std::copy_n(outward.begin(), 3, normal);
@@ -808,17 +808,17 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
   const vtkIsosurfaceRayTraceGeometry& geometry = internal.Source.GetGeometry();
   internal.WorldFromIndex =
     vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, geometry.GetPhysicalFromIndex());
-  internal.Want.Planes = geometry.GetPlanes();
-  internal.Want.Projection = GetProjection(this->BlendMode);
-  internal.Want.Surfaces = internal.Want.Projection
+  internal.Request.Planes = geometry.GetPlanes();
+  internal.Request.Projection = GetProjection(this->BlendMode);
+  internal.Request.Surfaces = internal.Request.Projection
     ? std::vector<vtkirt::Isosurface>()
     : vtkIsosurfaceRayTraceScene::GetSurfaces(property, internal.PropertyComponent);
-  internal.Want.Field = static_cast<vtkirt::Interpolant>(this->InterpolationMode);
-  internal.Want.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
-  internal.Want.Interpolations = this->NumberOfInterpolations;
-  internal.Want.Seen = vtkIsosurfaceRayTraceScene::GetVisibility(
+  internal.Request.Field = static_cast<vtkirt::Interpolant>(this->InterpolationMode);
+  internal.Request.Solver = static_cast<vtkirt::RootSolver>(this->RootSolver);
+  internal.Request.Interpolations = this->NumberOfInterpolations;
+  internal.Request.Visible = vtkIsosurfaceRayTraceScene::GetVisibility(
     this, this->CapClippingPlanes, internal.Source, internal.WorldFromIndex);
-  internal.Want.MaximumMemory = this->MaximumBrickMemory > 0
+  internal.Request.MaximumMemory = this->MaximumBrickMemory > 0
     ? static_cast<std::size_t>(this->MaximumBrickMemory) << 20
     : std::numeric_limits<std::size_t>::max();
   return true;
@@ -833,8 +833,8 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
   scene.TileWidth = self->TileSize[0];
   scene.TileHeight = self->TileSize[1];
   scene.Normals = static_cast<vtkirt::NormalMode>(self->NormalMode);
-  scene.Want = this->Want;
-  for (const vtkirt::Isosurface& surface : scene.Want.Surfaces)
+  scene.Request = this->Request;
+  for (const vtkirt::Isosurface& surface : scene.Request.Surfaces)
   {
     scene.Colors.push_back(
       vtkIsosurfaceRayTraceScene::GetColor(property, this->PropertyComponent, surface.Isovalue));
@@ -852,7 +852,7 @@ vtkirt::Scene vtkIsosurfaceRayTraceMapper::Internals::MakeScene(
       this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
     scene.ColorsOfHits = this->Colors.get();
   }
-  if (scene.Want.Projection || scene.Want.Seen.HasCaps())
+  if (scene.Request.Projection || scene.Request.Visible.HasCaps())
   {
     this->ValueColors =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(property, this->PropertyComponent);
@@ -938,7 +938,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
                                    renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
     sampling.ToRays(viewport.Width), sampling.ToRays(viewport.Height) };
   vtkirt::Scene scene = internal.MakeScene(this, volume->GetProperty(), view, renderer, sampling);
-  if (scene.Want.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  if (scene.Request.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -949,7 +949,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
   // decides.
   const bool isHidden = renderer->GetNumberOfPropsRendered() > 0 ||
     renderer->GetPreserveDepthBuffer() || renderer->GetPass();
-  if (isHidden && (!selector || scene.Want.Projection))
+  if (isHidden && (!selector || scene.Request.Projection))
   {
     internal.ReadDepths(window, viewport, sampling, scene);
   }
@@ -963,8 +963,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
 
   const Clock::time_point displayStart = Clock::now();
   // A mean is not opaque where a surface ends.
-  bool opaque = !scene.Want.Projection && AreOpaque(scene.Want.Surfaces) && sampling.Rays == 1 &&
-    this->NumberOfAccumulatedFrames <= 1;
+  bool opaque = !scene.Request.Projection && AreOpaque(scene.Request.Surfaces) &&
+    sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1;
   if (selector)
   {
     const bool isComposite = internal.IsComposite;
@@ -979,7 +979,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* 
     {
       vtkirt::TakeNearestRays(sampling.Rays, scene.Pixels.Width, internal.Picture);
     }
-    opaque = !scene.Want.Projection;
+    opaque = !scene.Request.Projection;
   }
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(scene.Pixels);
   const vtkIsosurfaceRayTraceImageDisplay::Image image = { viewport.X + pixels.X,
@@ -1100,8 +1100,8 @@ void vtkIsosurfaceRayTraceMapper::Internals::FindGeometry(vtkIsosurfaceRayTraceM
       continue;
     }
     using vtkirt::operator*;
-    const vtkirt::Vector3 position = vtkirt::TransformPoint(
-      viewFromWorld, vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Want.Planes)));
+    const vtkirt::Vector3 position = vtkirt::TransformPoint(viewFromWorld,
+      vtkirt::TransformPoint(this->WorldFromIndex, hit.GetPoint(this->Request.Planes)));
     vtkirt::Vector3 normal = vtkirt::Normalized(
       vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit, self->NormalMode)));
     // As of polygons: towards the viewer, whose side is that of positive z.
@@ -1136,10 +1136,10 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteIds(
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    if (!this->Want.Projection) // of which a picture has no depth either
+    if (!this->Request.Projection) // of which a picture has no depth either
     {
       picture.Depths[pixel] = static_cast<float>(
-        std::clamp(scene.View.GetDepth(hit.GetPoint(this->Want.Planes)), 0.0, 1.0));
+        std::clamp(scene.View.GetDepth(hit.GetPoint(this->Request.Planes)), 0.0, 1.0));
     }
   }
 }
@@ -1322,7 +1322,7 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
   add(normals, "Normals", 3, nan);
   add(positions, "Position", 3, nan);
   add(cellIds, "CellId", 1, -1.0);
-  if (scene.Want.Projection)
+  if (scene.Request.Projection)
   {
     add(values, "Value", 1, nan);
   }
@@ -1356,11 +1356,11 @@ void vtkIsosurfaceRayTraceMapper::Internals::WriteImage(vtkIsosurfaceRayTraceMap
       normals->SetTypedTuple(to, normal.data());
       positions->SetTypedTuple(to, position.data());
       cellIds->SetValue(to, cellId);
-      if (scene.Want.Projection)
+      if (scene.Request.Projection)
       {
         // A picture of values hides nothing in a window, but each has its place.
         depths->SetValue(
-          to, static_cast<float>(scene.View.GetDepth(hit.GetPoint(this->Want.Planes))));
+          to, static_cast<float>(scene.View.GetDepth(hit.GetPoint(this->Request.Planes))));
         values->SetValue(to, value);
       }
       else

@@ -3,14 +3,14 @@
 
 #include "BenchmarkMethods.h"
 
-#include "Image/Cells/Solvers/AnalyticSolver.h"
-#include "Image/Traversal/CellTraversal.h"
 #include "Contestant.h"
+#include "Image/Cells/Solvers/AnalyticSolver.h"
 #include "Image/Cells/Solvers/FastSolver.h"
 #include "Image/Cells/Solvers/LinearSolver.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/TracedVolume.h"
+#include "Image/Traversal/CellTraversal.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkGenericCell.h>
@@ -352,7 +352,7 @@ std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Li
   const auto addSolver =
     [&](const std::string& family, const std::string& knob, RootSolver solver, int interpolations)
   {
-    const Wanted wanted = { { { input.Isovalue, 1.0 } }, solver, interpolations };
+    const TraceRequest wanted = { { { input.Isovalue, 1.0 } }, solver, interpolations };
     Method method;
     method.Family = family;
     method.Knob = knob;

@@ -315,7 +315,7 @@ void CheckPixels(Checks& check)
 struct Errors
 {
   /// In cells, and in degrees; root mean squares over the pixels.
-  double Place = 0.0;
+  double Crossing = 0.0;
   double Normal = 0.0;
   int Pixels = 0;
 };
@@ -351,11 +351,11 @@ Errors GetErrors(const Field& field, int samples, double isovalue, int mode)
       -(gradient[0] * normal[0] + gradient[1] * normal[1] + gradient[2] * normal[2]) / length;
     const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / vtkMath::Pi();
     const double place = (field(p) - isovalue) / length * 0.5 * (samples - 1);
-    errors.Place += place * place;
+    errors.Crossing += place * place;
     errors.Normal += angle * angle;
     ++errors.Pixels;
   }
-  errors.Place = std::sqrt(errors.Place / errors.Pixels);
+  errors.Crossing = std::sqrt(errors.Crossing / errors.Pixels);
   errors.Normal = std::sqrt(errors.Normal / errors.Pixels);
   return errors;
 }
@@ -383,12 +383,12 @@ void CheckErrors(Checks& check)
       GetErrors(one.Function, one.Samples, one.Isovalue, vtkIsosurfaceRayTraceMapper::TRILINEAR);
     const Errors cubic =
       GetErrors(one.Function, one.Samples, one.Isovalue, vtkIsosurfaceRayTraceMapper::CUBIC);
-    std::cout << one.Name << ", " << one.Samples << "^3: place " << trilinear.Place << " -> "
-              << cubic.Place << " cells, normal " << trilinear.Normal << " -> " << cubic.Normal
+    std::cout << one.Name << ", " << one.Samples << "^3: place " << trilinear.Crossing << " -> "
+              << cubic.Crossing << " cells, normal " << trilinear.Normal << " -> " << cubic.Normal
               << " degrees (" << cubic.Pixels << " pixels)\n";
     check.That(cubic.Pixels > 3000, one.Name + " is seen");
     check.That(
-      one.Factor * cubic.Place < trilinear.Place, "the place of " + one.Name + " is better");
+      one.Factor * cubic.Crossing < trilinear.Crossing, "the place of " + one.Name + " is better");
     check.That(cubic.Normal < trilinear.Normal, "the normal of " + one.Name + " is better");
   }
 }

@@ -49,7 +49,7 @@ struct Hit
   vtkIdType Ray;
   double T;
   vtkIdType Cell;
-  Point Place;
+  Point Crossing;
 };
 
 /// How far a hit is from being cut off; negative where it is.
@@ -104,7 +104,7 @@ public:
       Hit hit{ static_cast<vtkIdType>(data->GetArray("RayId")->GetTuple1(i)),
         data->GetArray("T")->GetTuple1(i),
         static_cast<vtkIdType>(data->GetArray("CellId")->GetTuple1(i)), {} };
-      output->GetPoint(i, hit.Place.data());
+      output->GetPoint(i, hit.Crossing.data());
       hits.push_back(hit);
     }
     return hits;
@@ -215,7 +215,7 @@ void CheckClipping(Checks& check)
         double least = 1.0;
         for (vtkPlane* one : planes)
         {
-          least = std::min(least, Evaluate(one, hit.Place));
+          least = std::min(least, Evaluate(one, hit.Crossing));
         }
         return least;
       },
@@ -267,7 +267,7 @@ void CheckCropping(Checks& check)
       image,
       [&](const Hit& hit)
       {
-        double point[4] = { hit.Place[0], hit.Place[1], hit.Place[2], 1.0 };
+        double point[4] = { hit.Crossing[0], hit.Crossing[1], hit.Crossing[2], 1.0 };
         imageFromWorld->MultiplyPoint(point, point);
         double index[3];
         image->TransformPhysicalPointToContinuousIndex(point, index);

@@ -337,7 +337,7 @@ Verdict Judge(const Field& field, double isovalue, const Line& line, const Claim
   }
   const std::optional<bool> before = IsInsideAt(field, isovalue, line, low);
   const std::optional<bool> behind = IsInsideAt(field, isovalue, line, high);
-  const bool changes = before && behind && *before != *behind && *behind == claim.Rising;
+  const bool changes = before && behind && *before != *behind && *behind == claim.Entering;
   return changes ? Verdict::Proven : Verdict::NoSignChange;
 }
 

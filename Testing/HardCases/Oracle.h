@@ -109,7 +109,7 @@ struct Claim
   Index Cell;
   double Low;
   double High;
-  bool Rising;
+  bool Entering;
 };
 
 enum class Verdict

@@ -46,7 +46,7 @@ bool IsSame(const Hit& a, const Hit& b)
   const auto inA = bits(a);
   const auto inB = bits(b);
   return std::memcmp(inA.data(), inB.data(), sizeof(inA)) == 0 && a.Cell == b.Cell &&
-    a.Surface == b.Surface && a.Rising == b.Rising;
+    a.Surface == b.Surface && a.Entering == b.Entering;
 }
 
 }
@@ -64,7 +64,7 @@ Tracer::Tracer(const Field& field, const VolumeSettings& settings, ScalarType ty
 RayHits Tracer::Cast(
   const std::vector<Line>& lines, double isovalue, RootSolver solver, Reach reach, int threads)
 {
-  Wanted wanted;
+  TraceRequest wanted;
   wanted.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
   wanted.Solver = solver;
   this->Volume->Select(wanted, threads);

@@ -4,9 +4,9 @@
 #ifndef HardCases_Scenes_h
 #define HardCases_Scenes_h
 
-#include "Picture/CastRays.h"
 #include "Dice.h"
 #include "Oracle.h"
+#include "Picture/CastRays.h"
 
 #include <memory>
 
@@ -22,8 +22,8 @@ using vtkIsosurfaceRayTracing::Isosurface;
 using vtkIsosurfaceRayTracing::RayHits;
 using vtkIsosurfaceRayTracing::RootSolver;
 using vtkIsosurfaceRayTracing::ScalarType;
+using vtkIsosurfaceRayTracing::TraceRequest;
 using vtkIsosurfaceRayTracing::VolumeSettings;
-using vtkIsosurfaceRayTracing::Wanted;
 
 /// Which hits of a ray are asked for.
 enum class Reach

@@ -42,7 +42,7 @@ struct Tally::Placed
   Quad T;
   /// How far the point of the hit is beside the line, and how far its T is off its point.
   double Beside;
-  bool Rising;
+  bool Entering;
   Index Cell;
   const Hit* TheHit;
 };
@@ -55,7 +55,7 @@ struct Tally::Interval
   Quad End;
   /// Whether they are on different sides, and the second is inside.
   bool Crosses;
-  bool Rising;
+  bool Entering;
   /// Whether the interpolant comes to the isovalue between them as near as rounding reaches.
   bool InBand;
   /// Whether one of the two places is missing: the line begins or ends in the band.
@@ -73,7 +73,7 @@ struct Tally::Interval
       return 0;
     }
     const bool isWithin = placed.T >= this->Begin && placed.T <= this->End;
-    const bool isFree = this->Crosses && this->Rising == placed.Rising && this->Hits.empty();
+    const bool isFree = this->Crosses && this->Entering == placed.Entering && this->Hits.empty();
     return (isWithin ? 3 : 1) + (isFree ? 2 : (this->InBand ? 1 : 0));
   }
 };
@@ -88,7 +88,7 @@ struct Tally::Question
 };
 
 //------------------------------------------------------------------------------
-Tally::Placed Tally::Place(const Line& line, const Hit& hit)
+Tally::Placed Tally::Crossing(const Line& line, const Hit& hit)
 {
   Oracle::QuadTriple way;
   Quad along = 0;
@@ -112,7 +112,7 @@ Tally::Placed Tally::Place(const Line& line, const Hit& hit)
   // A double far away has no more digits than this.
   const double digits = std::abs(hit.T) * length * 0x1p-51;
   const double tOff = std::abs(static_cast<double>((hit.T - t) * length));
-  return { t, std::max(beside, tOff - digits), hit.Rising, hit.Cell, &hit };
+  return { t, std::max(beside, tOff - digits), hit.Entering, hit.Cell, &hit };
 }
 
 //------------------------------------------------------------------------------
@@ -296,7 +296,7 @@ void Tally::JudgeLine(const Field& field, double isovalue, const Line& line, con
   std::size_t from = 0; // intervals and hits are in order
   for (const Hit* hit = first; hit != last; ++hit)
   {
-    const Placed placed = Place(line, *hit);
+    const Placed placed = Crossing(line, *hit);
     while (from < intervals.size() && placed.T > intervals[from].End + 4 * slack)
     {
       ++from;

@@ -68,7 +68,7 @@ private:
   /// What was asked of whom.
   struct Question;
 
-  static Placed Place(const Line& line, const Hit& hit);
+  static Placed Crossing(const Line& line, const Hit& hit);
   static double Distance(const Question& question, const Placed& placed, const Oracle::Quad& root);
   static bool IsNear(const Question& question, const Placed& placed, const Oracle::Quad& root);
   static bool IsWellConditioned(

@@ -362,7 +362,7 @@ CellCorners RandomBits(Dice& dice)
 
 CellSegment RandomSegment(Dice& dice)
 {
-  CellSegment segment{ 0.0, 1.0, vtkIsosurfaceRayTracing::Place::StartAxis, dice.Point(0.0, 1.0),
+  CellSegment segment{ 0.0, 1.0, vtkIsosurfaceRayTracing::Crossing::StartAxis, dice.Point(0.0, 1.0),
     dice.Point(0.0, 1.0) };
   segment.Entry[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
   segment.Exit[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
@@ -396,8 +396,8 @@ TEST(TestCells, EverySolverEndsOnRandomBits)
   {
     const CellCorners corners = RandomBits(dice);
     const CellSegment segment = RandomSegment(dice);
-    const auto count = [&robust](double u, bool rising) { return robust(u, rising); };
-    const auto countOther = [&others](double u, bool rising) { return others(u, rising); };
+    const auto count = [&robust](double u, bool entering) { return robust(u, entering); };
+    const auto countOther = [&others](double u, bool entering) { return others(u, entering); };
     const std::size_t before = robust.Outside;
     Robust::ForEachRoot(corners, segment, count);
     const bool isFinite = std::all_of(

@@ -48,7 +48,7 @@ struct Comparison
       {
         const Hit& inA = a.Hits[a.First[ray] + i];
         const Hit& inB = b.Hits[b.First[ray] + i];
-        isSame = inA.Rising == inB.Rising;
+        isSame = inA.Entering == inB.Entering;
         this->SameBits = this->SameBits && inA.T == inB.T;
         this->Largest = std::max(this->Largest, std::abs(inA.T - inB.T));
       }
@@ -190,7 +190,7 @@ TEST(TestInvariance, NegatedValues)
     RayHits hits = Tracer(field).Cast(lines, 0.25);
     for (Hit& hit : hits.Hits)
     {
-      hit.Rising = !hit.Rising;
+      hit.Entering = !hit.Entering;
     }
     for (double& value : field.Values)
     {

@@ -54,8 +54,8 @@ TEST(TestOracle, TheCertificateRefusesWhatIsWrong)
     Sample({ 2, 2, 2 }, [](int x, int y, int z) { return (x - 0.25) * (y - 0.5) * (z - 0.75); });
   const Line line = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
   const Index cell = { 0, 0, 0 };
-  const auto judge = [&](double t, bool rising) {
-    return Oracle::Judge(field, 0.0, line, { cell, t - 1e-9, t + 1e-9, rising });
+  const auto judge = [&](double t, bool entering) {
+    return Oracle::Judge(field, 0.0, line, { cell, t - 1e-9, t + 1e-9, entering });
   };
   EXPECT_EQ(judge(0.25, true), Verdict::Proven);
   EXPECT_EQ(judge(0.25, false), Verdict::NoSignChange);
@@ -120,7 +120,7 @@ TEST(TestOracle, EveryFirstHitOfRandomFieldsIsProven)
         continue;
       }
       const Hit& hit = hits.Hits[hits.First[ray]];
-      const Claim claim = { hit.Cell, hit.T - 1e-9, hit.T + 1e-9, hit.Rising };
+      const Claim claim = { hit.Cell, hit.T - 1e-9, hit.T + 1e-9, hit.Entering };
       const Verdict verdict = Oracle::Judge(field, isovalue, lines[ray], claim);
       tally.Count(0, 1, verdict == Verdict::EarlierRoot, verdict == Verdict::NoSignChange);
       EXPECT_EQ(verdict, Verdict::Proven);

@@ -389,7 +389,7 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
         }
       }
       std::size_t first = 0;
-      if (!found.Hits.empty() && found.Hits[0].Rising == isInside)
+      if (!found.Hits.empty() && found.Hits[0].Entering == isInside)
       {
         ++selfHits;
         first = 1;

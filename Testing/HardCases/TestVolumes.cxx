@@ -69,8 +69,8 @@ struct CrackCount
       for (std::size_t i = all.First[ray]; i < all.First[ray + 1]; ++i)
       {
         const Hit& hit = all.Hits[i];
-        isOrdered = isOrdered && hit.Rising != isInside && hit.T >= last;
-        isInside = hit.Rising;
+        isOrdered = isOrdered && hit.Entering != isInside && hit.T >= last;
+        isInside = hit.Entering;
         last = hit.T;
       }
       this->Disorder += isOrdered && !isInside ? 0 : 1;

@@ -5,9 +5,9 @@
 #define CellReference_h
 
 #include "Image/Cells/CellSegment.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/Traversal/CellTraversal.h"
 #include "Kernels/Kernels.h"
-#include "Image/Cells/Solvers/RobustSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,9 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-inline RayGroup EmptyGroup()
+inline RayPacket EmptyGroup()
 {
-  RayGroup group;
+  RayPacket group;
   group.Count = 0;
   group.Exists = {};
   return group;
@@ -58,10 +58,10 @@ inline CellCorners Differences(const CellCorners& corners, const ScaledIsovalue&
 /// The first root in a cell.
 struct FirstRoot
 {
-  Place Begin;
+  Crossing Begin;
   double T;
   Vector3 Parametric;
-  bool Rising;
+  bool Entering;
 };
 
 using MaybeRoot = std::optional<FirstRoot>;
@@ -76,11 +76,11 @@ inline MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorner
     return root;
   }
   Robust::ForEachRoot(differences, segment,
-    [&](double u, bool rising)
+    [&](double u, bool entering)
     {
       const double t = segment.Begin + (segment.End - segment.Begin) * u;
       root = FirstRoot{ { segment.Begin, segment.BeginAxis }, ray.Base + std::min(t, segment.End),
-        {}, rising };
+        {}, entering };
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         root->Parametric[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);

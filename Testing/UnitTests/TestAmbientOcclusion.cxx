@@ -4,11 +4,11 @@
 // How open the sky is above a surface, beside what geometry says: a sum over a fine grid of
 // directions that shares no code with what is tested.
 
-#include "Picture/Hemisphere.h"
 #include "Matrices.h"
-#include "RandomNumbers.h"
+#include "Picture/Hemisphere.h"
 #include "Picture/RenderTiles.h"
 #include "Picture/Shader.h"
+#include "RandomNumbers.h"
 #include "TestVolume.h"
 
 #include <cmath>
@@ -48,11 +48,11 @@ struct OpenScene
   {
     const Matrix4 worldFromIndex = Scaling({ 1.0, 1.0, 2.0 });
     this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
-    this->TheScene.Want.Surfaces = { { 0.0, opacity } };
+    this->TheScene.Request.Surfaces = { { 0.0, opacity } };
     this->TheScene.Colors = { { 0.8, 0.5, 0.3 } };
     this->TheScene.Look = { true, 0.5, 0.4, 0.0, 1.0 };
     this->TheScene.OcclusionRays = 4096;
-    this->Traced->Select(this->TheScene.Want, 1);
+    this->Traced->Select(this->TheScene.Request, 1);
   }
 
   /// The first hit of a ray.
@@ -165,7 +165,7 @@ TEST(AmbientOcclusion, TakesFromTheAmbientTermAlone)
   }
 
   // And the colours of a group of rays have it.
-  RayGroup rays;
+  RayPacket rays;
   rays.Count = 0;
   rays.Exists = {};
   AddRay(ClipToVolume({ 6.0, 20.0, 45.0 }, direction, 0.0, Infinity, { Edge, Edge, Edge }), rays);

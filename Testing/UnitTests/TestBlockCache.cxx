@@ -4,9 +4,9 @@
 // The memory of bricks and masks: what is kept, what makes room, and that pictures do not care.
 
 #include "Image/Samples/BlockCache.h"
+#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ TEST(BlockCache, NeverChangesAHit)
     { 70, 50, 60 }, [&random](const AnalyticFields::Point&) { return random.Uniform(-1.0, 1.0); });
   const auto unlimited = TracedVolume::New(volume.View(), {}, 2);
   const auto limited = TracedVolume::New(volume.View(), {}, 2);
-  Wanted wanted;
+  TraceRequest wanted;
   wanted.Surfaces = { { 0.9, 1.0 } };
   const std::size_t ceilings[] = { 0, 20000, 100000, 100000, 300000, 40000, Unlimited };
   for (const std::size_t ceiling : ceilings)

@@ -5,11 +5,11 @@
 // every face of the volume in higher precision, and, where rays go through edges and corners of
 // boxes, with a walk from box to box in exact arithmetic. Neither knows of cells.
 
+#include "Image/Samples/UnevenPlanes.h"
+#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
-#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>
@@ -42,16 +42,17 @@ TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
 }
 
 /// Surfaces that let nearly all through, so that a ray meets all of them; one is at a sample.
-Wanted Want(double opacity = 1e-9)
+TraceRequest Request(double opacity = 1e-9)
 {
-  Wanted wanted({ { 20.0, opacity }, { 50.0, opacity }, { 50.5, opacity }, { 90.25, opacity } });
+  TraceRequest wanted(
+    { { 20.0, opacity }, { 50.0, opacity }, { 50.5, opacity }, { 90.25, opacity } });
   wanted.Field = Interpolant::Nearest;
   return wanted;
 }
 
 template <typename T>
 std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const Wanted& wanted, const VolumeSettings& settings = {})
+  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
 {
   auto traced = TracedVolume::New(volume.View(), settings, 2);
   traced->Select(wanted, 2);
@@ -68,20 +69,20 @@ std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Inf
 }
 
 /// A crossing of a face, between a sample and the next one along an axis, that is a surface.
-struct Crossing
+struct CrossingT
 {
   long double T;
   std::size_t Axis;
   Index3 Lower;
   int Surface;
-  bool Rising;
+  bool Entering;
   bool RisesAlongAxis;
 };
 
 /// Adds the crossings of a face with all surfaces, in the order of the reference.
 template <typename T>
 void AddCrossings(const TestVolume<T>& volume, const Line& line, long double t, std::size_t axis,
-  const Index3& lower, std::vector<Crossing>& crossings)
+  const Index3& lower, std::vector<CrossingT>& crossings)
 {
   Index3 upper = lower;
   ++upper[axis];
@@ -91,9 +92,9 @@ void AddCrossings(const TestVolume<T>& volume, const Line& line, long double t, 
   {
     return;
   }
-  const std::vector<Isosurface> surfaces = Want().Surfaces;
+  const std::vector<Isosurface> surfaces = Request().Surfaces;
   const bool isRising = (below < above) == (line.Direction[axis] > 0.0);
-  std::vector<Crossing> own;
+  std::vector<CrossingT> own;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
   {
     if ((below >= surfaces[i].Isovalue) != (above >= surfaces[i].Isovalue))
@@ -123,11 +124,11 @@ long double GetEnd(const Index3& size, const UnevenPlanes* planes, std::size_t a
 /// All crossings of a line, by looking at every face. Nothing is returned where the line comes so
 /// near to an edge of a box that this cannot tell.
 template <typename T>
-std::optional<std::vector<Crossing>> LookAtEveryFace(
+std::optional<std::vector<CrossingT>> LookAtEveryFace(
   const TestVolume<T>& volume, const Line& line, const UnevenPlanes* planes = nullptr)
 {
   const Index3& size = volume.Dimensions;
-  std::vector<Crossing> crossings;
+  std::vector<CrossingT> crossings;
   bool isClear = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -166,7 +167,7 @@ std::optional<std::vector<Crossing>> LookAtEveryFace(
       });
   }
   std::stable_sort(crossings.begin(), crossings.end(),
-    [](const Crossing& a, const Crossing& b) { return a.T < b.T; });
+    [](const CrossingT& a, const CrossingT& b) { return a.T < b.T; });
   return isClear ? std::optional(crossings) : std::nullopt;
 }
 
@@ -181,7 +182,8 @@ struct PlaneCrossing
 /// z. Exact where origins are halves of whole numbers, and directions 0, 1 or 2 along an axis.
 /// Nothing is returned where a plane is crossed just where the line comes to the volume or leaves.
 template <typename T>
-std::optional<std::vector<Crossing>> WalkFromBoxToBox(const TestVolume<T>& volume, const Line& line)
+std::optional<std::vector<CrossingT>> WalkFromBoxToBox(
+  const TestVolume<T>& volume, const Line& line)
 {
   std::vector<PlaneCrossing> planes;
   Index3 box = {};
@@ -211,7 +213,7 @@ std::optional<std::vector<Crossing>> WalkFromBoxToBox(const TestVolume<T>& volum
   std::sort(planes.begin(), planes.end(),
     [](const PlaneCrossing& a, const PlaneCrossing& b)
     { return a.T != b.T ? a.T < b.T : a.Axis < b.Axis; });
-  std::vector<Crossing> crossings;
+  std::vector<CrossingT> crossings;
   for (const PlaneCrossing& plane : planes)
   {
     if (plane.T > 0.0 && (plane.T == entry || plane.T == exit))
@@ -230,16 +232,16 @@ std::optional<std::vector<Crossing>> WalkFromBoxToBox(const TestVolume<T>& volum
 }
 
 void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hits,
-  const std::vector<Crossing>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
+  const std::vector<CrossingT>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
 {
   ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
   for (std::size_t i = 0; i < hits.size(); ++i)
   {
     const Hit& hit = hits[i];
-    const Crossing& crossing = expected[i];
+    const CrossingT& crossing = expected[i];
     EXPECT_NEAR(hit.T, static_cast<double>(crossing.T), tolerance) << ToText(line);
     EXPECT_EQ(hit.Surface, crossing.Surface) << ToText(line);
-    EXPECT_EQ(hit.Rising, crossing.Rising) << ToText(line);
+    EXPECT_EQ(hit.Entering, crossing.Entering) << ToText(line);
     EXPECT_EQ(hit.Parametric[crossing.Axis], 0.5) << ToText(line);
     const Vector3 onRay = line.Origin + line.Direction * hit.T;
     EXPECT_LE(Length(onRay - hit.GetPoint(planes)), 1e-9) << ToText(line);
@@ -262,7 +264,7 @@ void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hit
     gradient[crossing.Axis] = crossing.RisesAlongAxis ? 1.0 : -1.0;
     EXPECT_EQ(traced.GetGradient(hit, NormalMode::InterpolantGradient), gradient) << ToText(line);
     EXPECT_EQ(traced.GetGradient(hit, NormalMode::CentralDifferences), gradient) << ToText(line);
-    double gradients[3][RayGroup::Capacity];
+    double gradients[3][RayPacket::Capacity];
     traced.GetGradients(&hit, 1, NormalMode::CentralDifferences, GetBestKernels(), gradients);
     EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), gradient);
   }
@@ -311,7 +313,7 @@ TYPED_TEST(BoxFaces, AreAllMetByRays)
 {
   RandomNumbers random(3);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 5);
-  const auto traced = NewTraced(volume, Want());
+  const auto traced = NewTraced(volume, Request());
   int compared = 0;
   for (int i = 0; i < 400; ++i)
   {
@@ -330,7 +332,7 @@ TYPED_TEST(BoxFaces, AreMetOnceByRaysThroughEdges)
 {
   RandomNumbers random(4);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 6);
-  const auto traced = NewTraced(volume, Want());
+  const auto traced = NewTraced(volume, Request());
   int compared = 0;
   for (int i = 0; i < 2000; ++i)
   {
@@ -367,7 +369,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
   for (const double opacity : { 1e-9, 0.4, 1.0 })
   {
     // One by one, cell after cell.
-    const auto plain = NewTraced(volume, Want(opacity), all.front());
+    const auto plain = NewTraced(volume, Request(opacity), all.front());
     RayHits expected;
     expected.Clear();
     for (const auto& ray : rays)
@@ -381,7 +383,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
     {
       for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Linear })
       {
-        Wanted wanted = Want(opacity);
+        TraceRequest wanted = Request(opacity);
         wanted.Solver = solver;
         RayHits hits;
         NewTraced(volume, wanted, settings)->Trace(rays, hits);
@@ -406,7 +408,7 @@ TEST(BoxFacesOfRays, AreNotBesideWhatIsNoNumber)
   {
     volume.At({ random.Integer(0, 11), random.Integer(0, 8), random.Integer(0, 9) }) = none[i % 3];
   }
-  const auto traced = NewTraced(volume, Want());
+  const auto traced = NewTraced(volume, Request());
   for (int i = 0; i < 200; ++i)
   {
     const Line line = RandomLine(random, volume.Dimensions);
@@ -432,7 +434,7 @@ TEST(BoxFacesOfRays, AreHalfWayBetweenUnevenPlanes)
     }
   }
   const UnevenPlanes planes(places);
-  Wanted wanted = Want();
+  TraceRequest wanted = Request();
   wanted.Planes = &planes;
   const auto traced = NewTraced(volume, wanted);
   int compared = 0;
@@ -456,8 +458,8 @@ TEST(BoxFacesOfRays, AreSeenWhereTheVolumeIsSeen)
   int seenHits = 0;
   for (int i = 0; i < 60; ++i)
   {
-    Wanted wanted = Want(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = wanted.Seen;
+    TraceRequest wanted = Request(i % 2 == 0 ? 1e-9 : 1.0);
+    Visibility& seen = wanted.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
@@ -475,7 +477,7 @@ TEST(BoxFacesOfRays, AreSeenWhereTheVolumeIsSeen)
       const Vector3 normal = random.Direction();
       seen.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
     }
-    const auto isHidden = [&](const Crossing& crossing, const Line& line)
+    const auto isHidden = [&](const CrossingT& crossing, const Line& line)
     {
       Vector3 point = line.Origin + line.Direction * static_cast<double>(crossing.T);
       point[crossing.Axis] = crossing.Lower[crossing.Axis] + 0.5;
@@ -496,7 +498,7 @@ TEST(BoxFacesOfRays, AreSeenWhereTheVolumeIsSeen)
         continue;
       }
       expected->erase(std::remove_if(expected->begin(), expected->end(),
-                        [&](const Crossing& crossing) { return isHidden(crossing, line); }),
+                        [&](const CrossingT& crossing) { return isHidden(crossing, line); }),
         expected->end());
       if (i % 2 != 0 && !expected->empty())
       {
@@ -515,7 +517,7 @@ TEST(BoxFacesOfRays, BeginAndEndWithTheRay)
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 10.0, 0.0, 0.0 }, 5.0 });
   // The planes are at 2.5 (20), 5.5 (50, 50.5) and 9.5 (none: it is beyond the last sample).
-  const auto traced = NewTraced(ramp, Want());
+  const auto traced = NewTraced(ramp, Request());
   const auto countHits = [&traced](double x, double way, double length) {
     return Trace(*traced, { { x, 4.25, 4.75 }, { way, 0.0, 0.0 } }, length).size();
   };
@@ -533,7 +535,7 @@ TEST(BoxFacesOfRays, GoBackToSurfacesOfTheInterpolant)
 {
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.25 });
-  Wanted wanted({ { 0.0, 1.0 } });
+  TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Field = Interpolant::Nearest;
   const auto traced = NewTraced(ramp, wanted);
   const Line line = { { -2.0, 4.5, 4.5 }, { 1.0, 0.0, 0.0 } };

@@ -3,9 +3,9 @@
 
 // The rays of a camera are compared with those that a pinhole and parallel beams have by geometry.
 
-#include "Rays/Camera.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
+#include "Rays/Camera.h"
 
 #include <cmath>
 #include <cstddef>

@@ -4,10 +4,10 @@
 // Caps close what half-spaces cut open: rays go in and out in turn, however they are cut; and caps
 // are where the field says.
 
+#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& siz
 
 /// Counts the rays, among many, of which the hits do not go in and out in turn, or go in and never
 /// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
-int CountLeaks(const TestVolume<float>& volume, Wanted wanted, int& caps)
+int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 {
   const auto traced = TracedVolume::New(volume.View(), {}, 2);
   const auto opaque = TracedVolume::New(volume.View(), {}, 2);
@@ -88,7 +88,7 @@ int CountLeaks(const TestVolume<float>& volume, Wanted wanted, int& caps)
   int leaks = 0;
   for (int scene = 0; scene < 40; ++scene)
   {
-    wanted.Seen.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
+    wanted.Visible.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
     wanted.Surfaces[0].Opacity = 1.0;
     opaque->Select(wanted, 2);
     wanted.Surfaces[0].Opacity = Glass;
@@ -103,7 +103,7 @@ int CountLeaks(const TestVolume<float>& volume, Wanted wanted, int& caps)
       bool isInTurn = hits.size() % 2 == 0;
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
-        isInTurn = isInTurn && hits[i].Rising == (i % 2 == 0);
+        isInTurn = isInTurn && hits[i].Entering == (i % 2 == 0);
         caps += hits[i].Plane != Hit::NoPlane ? 1 : 0;
       }
       const bool isFirst = first.size() == std::min<std::size_t>(1, hits.size()) &&
@@ -123,14 +123,14 @@ TEST(Caps, HoldAllRaysThatComeFromWithout)
     int caps = 0;
     EXPECT_EQ(CountLeaks(volume, { { { isovalue, 1.0 } } }, caps), 0) << "above " << isovalue;
     EXPECT_GT(caps, 3000);
-    Wanted alone({ { isovalue, 1.0 } });
+    TraceRequest alone({ { isovalue, 1.0 } });
     alone.BeamKernels = nullptr;
     EXPECT_EQ(CountLeaks(volume, alone, caps), 0) << "cell by cell, above " << isovalue;
-    Wanted boxes({ { isovalue, 1.0 } });
+    TraceRequest boxes({ { isovalue, 1.0 } });
     boxes.Field = Interpolant::Nearest;
     EXPECT_EQ(CountLeaks(volume, boxes, caps), 0) << "between boxes, above " << isovalue;
     int cubicCaps = 0;
-    Wanted cubic({ { isovalue, 1.0 } });
+    TraceRequest cubic({ { isovalue, 1.0 } });
     cubic.Field = Interpolant::Tricubic;
     EXPECT_EQ(CountLeaks(volume, cubic, cubicCaps), 0) << "tricubic, above " << isovalue;
     EXPECT_GT(cubicCaps, 1000);
@@ -158,7 +158,7 @@ TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
     places[axis].back() = size[axis] - 1.0;
   }
   const UnevenPlanes planes(places);
-  Wanted wanted({ { 1.5, 1.0 } });
+  TraceRequest wanted({ { 1.5, 1.0 } });
   wanted.Planes = &planes;
   int caps = 0;
   EXPECT_EQ(CountLeaks(volume, wanted, caps), 0);
@@ -181,9 +181,9 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
   int found[4] = {};
   for (int scene = 0; scene < 50; ++scene)
   {
-    Wanted wanted(surfaces);
-    wanted.Seen.HalfSpaces = { Behind(random.Direction(), { 9.5, 8.5, 10.5 }) };
-    const HalfSpace& half = wanted.Seen.HalfSpaces[0];
+    TraceRequest wanted(surfaces);
+    wanted.Visible.HalfSpaces = { Behind(random.Direction(), { 9.5, 8.5, 10.5 }) };
+    const HalfSpace& half = wanted.Visible.HalfSpaces[0];
     traced->Select(wanted, 2);
     for (int ray = 0; ray < 100; ++ray)
     {
@@ -215,14 +215,14 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
         continue;
       }
       EXPECT_TRUE(slope > 0.0 ? cap == hits.begin() : cap == hits.end() - 1);
-      EXPECT_EQ(cap->Rising, slope > 0.0);
+      EXPECT_EQ(cap->Entering, slope > 0.0);
       EXPECT_EQ(cap->Plane, 0);
       EXPECT_EQ(cap->Surface, surface);
       EXPECT_NEAR(cap->T, t, 1e-9);
       EXPECT_NEAR(Length(cap->GetPoint(nullptr) - point), 0.0, 1e-9);
       EXPECT_NEAR(cap->Value, value, 1e-9);
       EXPECT_EQ(traced->GetGradient(*cap, NormalMode::CentralDifferences), half.Normal);
-      double gradients[3][RayGroup::Capacity];
+      double gradients[3][RayPacket::Capacity];
       traced->GetGradients(&*cap, 1, NormalMode::CentralDifferences, GetBestKernels(), gradients);
       EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), half.Normal);
     }
@@ -239,19 +239,19 @@ TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = TracedVolume::New(full.View(), {}, 2);
-  Wanted wanted({ { 0.0, 1.0 } });
-  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  TraceRequest wanted({ { 0.0, 1.0 } });
+  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
   traced->Select(wanted, 2);
   const auto look = [&traced](double from, double way) {
     return Trace(*traced, { { 3.5, 3.25, from }, { 0.0, 0.0, way } });
   };
   ASSERT_EQ(look(-5.0, 1.0).size(), 1U);
   EXPECT_EQ(look(-5.0, 1.0)[0].T, 7.25);
-  EXPECT_TRUE(look(-5.0, 1.0)[0].Rising);
+  EXPECT_TRUE(look(-5.0, 1.0)[0].Entering);
   ASSERT_EQ(look(1.0, 1.0).size(), 1U);
   ASSERT_EQ(look(5.0, -1.0).size(), 1U);
   EXPECT_EQ(look(5.0, -1.0)[0].T, 2.75);
-  EXPECT_FALSE(look(5.0, -1.0)[0].Rising);
+  EXPECT_FALSE(look(5.0, -1.0)[0].Entering);
   ASSERT_EQ(look(9.0, -1.0).size(), 1U);
   EXPECT_TRUE(look(5.0, 1.0).empty());
   EXPECT_TRUE(look(2.25 + 1e-8, 1.0).empty());
@@ -269,8 +269,8 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
   const Line line = { { -4.0, 4.25, 4.5 }, { 1.0, 0.0, 0.0 } };
   const auto trace = [&](double skin, double bone, double cut)
   {
-    Wanted wanted({ { 2.0, skin }, { 4.0, bone } });
-    wanted.Seen.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
+    TraceRequest wanted({ { 2.0, skin }, { 4.0, bone } });
+    wanted.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
     traced->Select(wanted, 2);
     std::string order;
     for (const Hit& hit : Trace(*traced, line))
@@ -300,16 +300,16 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
   RandomNumbers random(31);
   for (const double error : { 0.0, 1e-13, 1e-9 })
   {
-    Wanted wanted({ { 0.0, Glass } });
+    TraceRequest wanted({ { 0.0, Glass } });
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       Vector3 normal = { 0.0, 0.0, 0.0 };
       normal[axis] = 0.1;
       Vector3 last = { 8.0, 7.0, 6.0 };
       last[axis] += random.Uniform(-error, error);
-      wanted.Seen.HalfSpaces.push_back(
+      wanted.Visible.HalfSpaces.push_back(
         Behind(normal, { random.Uniform(-error, error), error, -error }));
-      wanted.Seen.HalfSpaces.push_back(Behind(normal * -1.0, last));
+      wanted.Visible.HalfSpaces.push_back(Behind(normal * -1.0, last));
     }
     traced->Select(wanted, 2);
     for (int ray = 0; ray < 1000; ++ray)
@@ -318,12 +318,12 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
       line.Origin = line.Origin - line.Direction * 20.0;
       const std::vector<Hit> hits = Trace(*traced, line);
       ASSERT_EQ(hits.size(), 2U) << ToText(line);
-      EXPECT_TRUE(hits[0].Rising && !hits[1].Rising);
+      EXPECT_TRUE(hits[0].Entering && !hits[1].Entering);
     }
   }
   // A plane outside of the volume cuts nothing.
-  Wanted wanted({ { 0.0, Glass } });
-  wanted.Seen.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { -1e-5, 0.0, 0.0 }) };
+  TraceRequest wanted({ { 0.0, Glass } });
+  wanted.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { -1e-5, 0.0, 0.0 }) };
   traced->Select(wanted, 2);
   EXPECT_TRUE(Trace(*traced, { { -3.0, 3.5, 3.5 }, { 1.0, 0.1, 0.1 } }).empty());
 }
@@ -344,9 +344,9 @@ TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
   int found = 0;
   for (int scene = 0; scene < 30; ++scene)
   {
-    Wanted wanted({ { low, Glass }, { high, Glass } });
+    TraceRequest wanted({ { low, Glass }, { high, Glass } });
     wanted.Field = Interpolant::Nearest;
-    wanted.Seen.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
+    wanted.Visible.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
     traced->Select(wanted, 2);
     for (int ray = 0; ray < 100; ++ray)
     {
@@ -378,10 +378,10 @@ TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
   RandomNumbers random(12);
   for (const double way : { 1.0, -1.0 })
   {
-    Wanted wanted({ { -1.0, Glass }, { 5.5, Glass } });
+    TraceRequest wanted({ { -1.0, Glass }, { 5.5, Glass } });
     wanted.Field = Interpolant::Nearest;
     const double length = way * random.Uniform(0.1, 10.0);
-    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
+    wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
     traced->Select(wanted, 2);
     int found[2] = { 0, 0 };
     for (int ray = 0; ray < 1000; ++ray)
@@ -393,7 +393,7 @@ TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
         EXPECT_TRUE(isCap) << "a face in the plane is not seen";
         EXPECT_EQ(hit.Value, way > 0.0 ? 6.0 : 5.0);
         EXPECT_EQ(hit.Surface, way > 0.0 ? 1 : 0);
-        ++found[hit.Rising ? 1 : 0];
+        ++found[hit.Entering ? 1 : 0];
       }
     }
     EXPECT_GT(found[0], 50);
@@ -412,10 +412,10 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
   std::vector<unsigned char> hidden(8 * 8 * 8, 0);
   hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
   const auto traced = TracedVolume::New(volume.View(), {}, 2);
-  Wanted wanted({ { 0.0, 1.0 } });
-  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
-  wanted.Seen.HiddenCells = hidden.data();
-  wanted.Seen.Regions = { { { { 2.0, 6.0 }, { 2.0, 6.0 }, { 2.0, 6.0 } } },
+  TraceRequest wanted({ { 0.0, 1.0 } });
+  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  wanted.Visible.HiddenCells = hidden.data();
+  wanted.Visible.Regions = { { { { 2.0, 6.0 }, { 2.0, 6.0 }, { 2.0, 6.0 } } },
     CroppingRegions::All & ~(1U << (2 + 3 * 2 + 9 * 1)) };
   for (const Interpolant field : { Interpolant::Trilinear, Interpolant::Nearest })
   {
@@ -458,9 +458,9 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
         }
       });
     const auto traced = TracedVolume::New(volume.View(), {}, 2);
-    Wanted wanted({ { 0.0, Glass } });
+    TraceRequest wanted({ { 0.0, Glass } });
     const double length = way * random.Uniform(0.1, 10.0);
-    wanted.Seen.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
+    wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
     traced->Select(wanted, 2);
     int found = 0;
     for (int ray = 0; ray < 1000; ++ray)
@@ -487,13 +487,13 @@ TEST(Caps, AreNotWhereTheyAreNotWanted)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = TracedVolume::New(full.View(), {}, 2);
-  Wanted wanted({ { 0.0, 1.0 } });
+  TraceRequest wanted({ { 0.0, 1.0 } });
   // The second one cuts later, and has none.
-  wanted.Seen.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),
+  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),
     { { 0.0, 0.0, 1.0 }, -3.5 } };
   traced->Select(wanted, 2);
   EXPECT_TRUE(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).empty());
-  wanted.Seen.HalfSpaces[1].Offset = -1.5;
+  wanted.Visible.HalfSpaces[1].Offset = -1.5;
   traced->Select(wanted, 2);
   EXPECT_EQ(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).size(), 1U);
 }

@@ -5,8 +5,8 @@
 // knows them; and the roots in cells must be those of the robust solver, to the last bit.
 
 #include "AllKernels.h"
-#include "Image/Macrocells/BlockMask.h"
 #include "CellReference.h"
+#include "Image/Macrocells/BlockMask.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
 #include "TestLines.h"
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
 //------------------------------------------------------------------------------
 /// Calls visit(passage) for every passage that a kernel finds in a block.
 template <typename Visit>
-void ForEachPassage(const Kernels& kernels, const RayGroup& group, const RaySet& rays, int axis,
+void ForEachPassage(const Kernels& kernels, const RayPacket& group, const RaySet& rays, int axis,
   const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
@@ -97,12 +97,12 @@ public:
   {
   }
 
-  void Check(RandomNumbers& random, RayGroup& group, const RaySet& rays, int axis,
+  void Check(RandomNumbers& random, RayPacket& group, const RaySet& rays, int axis,
     const Index3& dimensions, bool all)
   {
-    Beam beam;
+    Frustum beam;
     ASSERT_TRUE(this->TheKernels.Align(group, rays, axis, beam));
-    std::vector<std::set<Index3>> left(RayGroup::Capacity);
+    std::vector<std::set<Index3>> left(RayPacket::Capacity);
     for (int i = 0; i < group.Count; ++i)
     {
       if (Has(rays, i))
@@ -193,7 +193,7 @@ TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
       const int axis = random.Integer(0, 2);
       dimensions[static_cast<std::size_t>(axis)] = random.Integer(2, longest);
       const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
-      RayGroup group = EmptyGroup();
+      RayPacket group = EmptyGroup();
       RaySet rays = {};
       const int count = random.Integer(1, i % 3 == 0 ? 128 : 20);
       for (int k = 0; k < count; ++k)
@@ -232,7 +232,7 @@ TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
 
 /// From an eye through the pixels of a small picture, in its rows, or along one direction: up or
 /// down an axis and through the volume.
-void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayGroup& group)
+void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayPacket& group)
 {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
@@ -246,7 +246,7 @@ void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, R
   // The eye may be within the volume: rays also begin there.
   const Vector3 eye = through - middle * random.Uniform(0.0, 200.0);
   const int columns = random.Integer(1, 16);
-  const int count = random.Integer(1, RayGroup::Capacity);
+  const int count = random.Integer(1, RayPacket::Capacity);
   const double size = random.Uniform(1e-4, 0.9 / std::max(columns, count / columns));
   for (int i = 0; i < count; ++i)
   {
@@ -260,7 +260,7 @@ void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, R
 }
 
 /// Some of the rays that exist, down to very few.
-RaySet SomeRays(RandomNumbers& random, const RayGroup& group)
+RaySet SomeRays(RandomNumbers& random, const RayPacket& group)
 {
   const int oneOf = random.Integer(0, 1) ? 1 : random.Integer(1, 60);
   RaySet rays = {};
@@ -275,9 +275,9 @@ RaySet SomeRays(RandomNumbers& random, const RayGroup& group)
 }
 
 /// What a bunch sweeps must hold its rays all the way, and no more than it needs to at the ends.
-void CheckBunches(const RayGroup& group, const RaySet& rays)
+void CheckBunches(const RayPacket& group, const RaySet& rays)
 {
-  for (int bunch = 0; bunch < RayGroup::Bunches; ++bunch)
+  for (int bunch = 0; bunch < RayPacket::Bunches; ++bunch)
   {
     for (std::size_t j = 0; j < 2; ++j)
     {
@@ -286,7 +286,7 @@ void CheckBunches(const RayGroup& group, const RaySet& rays)
         const double plane = group.SweptLow + share * (group.SweptHigh - group.SweptLow);
         double least = Infinity;
         double most = -Infinity;
-        for (int i = bunch * RayGroup::Bunch; i < (bunch + 1) * RayGroup::Bunch; ++i)
+        for (int i = bunch * RayPacket::Bunch; i < (bunch + 1) * RayPacket::Bunch; ++i)
         {
           if (Has(rays, i))
           {
@@ -319,7 +319,7 @@ TEST_P(CellKernels, FindAllCellsThatBunchesOfRaysPass)
     Index3 dimensions = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
     const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
     dimensions[axis] = random.Integer(2, 200);
-    RayGroup group = EmptyGroup();
+    RayPacket group = EmptyGroup();
     AddRaysOfPixels(random, axis, dimensions, group);
     const RaySet rays = SomeRays(random, group);
     if (IsEmpty(rays))
@@ -429,7 +429,7 @@ public:
   HitChecks(const HitChecks&) = delete;
   HitChecks& operator=(const HitChecks&) = delete;
 
-  void Check(RandomNumbers& random, const RayGroup& group, const std::vector<Question>& questions)
+  void Check(RandomNumbers& random, const RayPacket& group, const std::vector<Question>& questions)
   {
     for (std::size_t first = 0; first < questions.size();)
     {
@@ -447,7 +447,7 @@ public:
   std::size_t Extremes = 0;
 
 private:
-  void CheckSome(const RayGroup& group, const Question* questions, std::size_t count)
+  void CheckSome(const RayPacket& group, const Question* questions, std::size_t count)
   {
     Candidates candidates = {};
     candidates.Count = static_cast<int>(count);
@@ -488,7 +488,7 @@ private:
       if (root)
       {
         ASSERT_NO_FATAL_FAILURE(CheckRoot(solutions, i, *root));
-        ASSERT_EQ(has(solutions.Rising, i), root->Rising);
+        ASSERT_EQ(has(solutions.Entering, i), root->Entering);
       }
     }
     for (std::size_t i = count; i < 64 * Solutions::Words; ++i)
@@ -523,9 +523,9 @@ TEST_P(CellKernels, FindTheFirstRootsOfTheRobustSolver)
     HitChecks checks(this->TheKernels, isovalue);
     for (int i = 0; i < (isZero ? 4000 : 150); ++i)
     {
-      RayGroup group = EmptyGroup();
+      RayPacket group = EmptyGroup();
       std::vector<Question> questions;
-      const int rays = random.Integer(1, RayGroup::Capacity);
+      const int rays = random.Integer(1, RayPacket::Capacity);
       const auto cellsOfRay = static_cast<std::size_t>(random.Integer(1, 10));
       for (int k = 0; k < rays; ++k)
       {

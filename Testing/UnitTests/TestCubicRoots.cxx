@@ -4,9 +4,9 @@
 // The roots of cubics are compared with those they were made from, and with those that halving the
 // interval finds in higher precision.
 
+#include "Image/Cells/Solvers/RobustSolver.h"
 #include "Oracle.h"
 #include "RandomNumbers.h"
-#include "Image/Cells/Solvers/RobustSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,11 @@ namespace
 struct Root
 {
   double U;
-  bool Rising;
+  bool Entering;
 
   bool operator==(const Root& other) const
   {
-    return this->U == other.U && this->Rising == other.Rising;
+    return this->U == other.U && this->Entering == other.Entering;
   }
 };
 
@@ -39,9 +39,9 @@ std::vector<Root> FindRoots(const BernsteinCubic& b)
 {
   std::vector<Root> roots;
   Robust::ForEachRoot(b,
-    [&roots](double u, bool rising)
+    [&roots](double u, bool entering)
     {
-      roots.push_back({ u, rising });
+      roots.push_back({ u, entering });
       return false;
     });
   return roots;
@@ -124,9 +124,9 @@ void ExpectConsistent(const BernsteinCubic& b, const std::vector<Root>& roots)
   {
     ASSERT_GE(root.U, u) << ToText(b);
     ASSERT_LE(root.U, 1.0) << ToText(b);
-    ASSERT_EQ(root.Rising, !inside) << ToText(b);
+    ASSERT_EQ(root.Entering, !inside) << ToText(b);
     u = root.U;
-    inside = root.Rising;
+    inside = root.Entering;
   }
 }
 
@@ -295,11 +295,11 @@ TEST(CubicRoots, FollowsTheSignRuleWhereACoefficientIsZero)
   EXPECT_TRUE(FindRoots({ 3.0, 2.0, 1.0, 0.0 }).empty());
   const std::vector<Root> leaving = FindRoots({ 0.0, -1.0, -2.0, -3.0 });
   ASSERT_EQ(leaving.size(), 1U);
-  EXPECT_FALSE(leaving[0].Rising);
+  EXPECT_FALSE(leaving[0].Entering);
   EXPECT_EQ(leaving[0].U, 0.0);
   const std::vector<Root> entering = FindRoots({ -3.0, -2.0, -1.0, 0.0 });
   ASSERT_EQ(entering.size(), 1U);
-  EXPECT_TRUE(entering[0].Rising);
+  EXPECT_TRUE(entering[0].Entering);
   EXPECT_EQ(entering[0].U, 1.0);
   // Roots of order three, where the cubic is nothing but rounding over 1e-5.
   const std::vector<Root> flatAtEnd = FindRoots({ -1.0, 0.0, 0.0, 0.0 });
@@ -430,9 +430,9 @@ TEST(CubicRoots, AreNoMoreThanWereAskedFor)
   {
     std::vector<Root> roots;
     Robust::ForEachRoot(b,
-      [&](double u, bool rising)
+      [&](double u, bool entering)
       {
-        roots.push_back({ u, rising });
+        roots.push_back({ u, entering });
         return roots.size() == wanted;
       });
     EXPECT_EQ(roots, std::vector<Root>(all.begin(), all.begin() + static_cast<int>(wanted)));

@@ -4,8 +4,8 @@
 #ifndef TestLines_h
 #define TestLines_h
 
-#include "Rays/Hit.h"
 #include "RandomNumbers.h"
+#include "Rays/Hit.h"
 
 #include <cstddef>
 #include <sstream>
@@ -118,7 +118,7 @@ inline Line LineAlong(
 inline bool AreSame(const Hit& a, const Hit& b)
 {
   return a.T == b.T && a.Cell == b.Cell && a.Surface == b.Surface && a.Parametric == b.Parametric &&
-    a.Rising == b.Rising && a.Jump == b.Jump && a.Plane == b.Plane && a.Value == b.Value;
+    a.Entering == b.Entering && a.Jump == b.Jump && a.Plane == b.Plane && a.Value == b.Value;
 }
 
 }

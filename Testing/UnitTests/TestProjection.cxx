@@ -4,10 +4,10 @@
 // The largest and smallest values of rays are compared with those of many samples in higher
 // precision, which share no code with what is tested; and with what is known of simple fields.
 
+#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -41,17 +41,17 @@ TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
   return volume;
 }
 
-Wanted Want(Extremum kind, const Visibility& seen = {})
+TraceRequest Request(Extremum kind, const Visibility& seen = {})
 {
-  Wanted wanted;
+  TraceRequest wanted;
   wanted.Projection = kind;
-  wanted.Seen = seen;
+  wanted.Visible = seen;
   return wanted;
 }
 
 template <typename T>
 std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const Wanted& wanted, const VolumeSettings& settings = {})
+  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
 {
   auto traced = TracedVolume::New(volume.View(), settings, 2);
   traced->Select(wanted, 2);
@@ -192,7 +192,7 @@ TYPED_TEST(Projection, FindsTheMostExtremeOfManySamples)
   const auto volume = Noise<TypeParam>({ 19, 14, 11 }, 5);
   for (const Extremum kind : Both)
   {
-    const auto traced = NewTraced(volume, Want(kind));
+    const auto traced = NewTraced(volume, Request(kind));
     for (int i = 0; i < 25; ++i)
     {
       Compare(volume, *traced, RandomLine(random, volume.Dimensions), kind, Everywhere);
@@ -207,7 +207,7 @@ TEST(ProjectionOfRays, FindsWhereTheCubicTurns)
   // Along the diagonal (t, t, t) this is 3 t (1 - t)^2, largest at 1/3: 4/9.
   TestVolume<double> volume({ 2, 2, 2 }, { 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0 });
   const Line diagonal = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
-  const auto largest = Project(*NewTraced(volume, Want(Extremum::Largest)), diagonal);
+  const auto largest = Project(*NewTraced(volume, Request(Extremum::Largest)), diagonal);
   ASSERT_TRUE(largest);
   EXPECT_NEAR(largest->Value, 4.0 / 9.0, 1e-15);
   EXPECT_NEAR(largest->T, 1.0 + 1.0 / 3.0, 1e-8);
@@ -215,7 +215,7 @@ TEST(ProjectionOfRays, FindsWhereTheCubicTurns)
   {
     value = 5.0 - value;
   }
-  const auto smallest = Project(*NewTraced(volume, Want(Extremum::Smallest)), diagonal);
+  const auto smallest = Project(*NewTraced(volume, Request(Extremum::Smallest)), diagonal);
   ASSERT_TRUE(smallest);
   EXPECT_NEAR(smallest->Value, 5.0 - 4.0 / 9.0, 1e-14);
 }
@@ -226,7 +226,7 @@ TEST(ProjectionOfRays, TakesTheFirstOfEqualValues)
   const TestVolume<float> constant({ 20, 20, 20 }, std::vector<float>(8000, 7.0F));
   for (const Extremum kind : Both)
   {
-    const auto traced = NewTraced(constant, Want(kind));
+    const auto traced = NewTraced(constant, Request(kind));
     RayHits hits;
     std::vector<std::optional<Ray>> rays;
     // Later rays know of earlier ones, which came from the other side.
@@ -269,7 +269,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
   for (const Extremum kind : Both)
   {
     // One by one, no ray knows of another.
-    const auto plain = NewTraced(volume, Want(kind), all.front());
+    const auto plain = NewTraced(volume, Request(kind), all.front());
     RayHits expected;
     expected.Clear();
     for (const auto& ray : rays)
@@ -281,7 +281,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
     for (const VolumeSettings& settings : all)
     {
       RayHits hits;
-      NewTraced(volume, Want(kind), settings)->Trace(rays, hits);
+      NewTraced(volume, Request(kind), settings)->Trace(rays, hits);
       ASSERT_EQ(hits.First, expected.First);
       for (std::size_t i = 0; i < hits.Hits.size(); ++i)
       {
@@ -329,7 +329,7 @@ TEST(ProjectionOfRays, SeesWhatIsSeenOnly)
           Dot(seen.HalfSpaces[0].Normal, point) + seen.HalfSpaces[0].Offset >= 0.0);
     };
     const Extremum kind = Both[i % 2];
-    const auto traced = NewTraced(volume, Want(kind, seen));
+    const auto traced = NewTraced(volume, Request(kind, seen));
     for (int ray = 0; ray < 5; ++ray)
     {
       Compare(volume, *traced, RandomLine(random, volume.Dimensions), kind, isSeen);
@@ -351,7 +351,7 @@ TEST(ProjectionOfRays, PassesOverWhatIsNoNumber)
   }
   for (const Extremum kind : Both)
   {
-    const auto traced = NewTraced(volume, Want(kind));
+    const auto traced = NewTraced(volume, Request(kind));
     for (int i = 0; i < 40; ++i)
     {
       Compare(volume, *traced, RandomLine(random, volume.Dimensions), kind, Everywhere);
@@ -359,7 +359,7 @@ TEST(ProjectionOfRays, PassesOverWhatIsNoNumber)
   }
   std::fill(volume.Values.begin(), volume.Values.end(), std::numeric_limits<float>::quiet_NaN());
   EXPECT_FALSE(Project(
-    *NewTraced(volume, Want(Extremum::Largest)), { { 5.0, 5.0, -5.0 }, { 0.1, 0.2, 1.0 } }));
+    *NewTraced(volume, Request(Extremum::Largest)), { { 5.0, 5.0, -5.0 }, { 0.1, 0.2, 1.0 } }));
 }
 
 //------------------------------------------------------------------------------
@@ -367,7 +367,7 @@ TEST(ProjectionOfRays, EndsWithTheRay)
 {
   const TestVolume<std::int16_t> ramp =
     TestVolume<std::int16_t>::Of({ 30, 30, 30 }, AnalyticFields::Plane{ { 100.0, 0.0, 0.0 }, 0.0 });
-  const auto traced = NewTraced(ramp, Want(Extremum::Largest));
+  const auto traced = NewTraced(ramp, Request(Extremum::Largest));
   const auto hit = Project(*traced, { { -2.0, 7.5, 7.5 }, { 1.0, 0.0, 0.0 } }, 19.25);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->Value, 1725.0);
@@ -383,13 +383,13 @@ TEST(ProjectionOfRays, KnowsTheLargestAndSmallestNumbers)
   {
     const TestVolume<double> volume(
       { 2, 2, 2 }, { -size, size, size, -size, size, -size, -size, -size });
-    const auto largest = Project(*NewTraced(volume, Want(Extremum::Largest)), diagonal);
-    const auto smallest = Project(*NewTraced(volume, Want(Extremum::Smallest)), diagonal);
+    const auto largest = Project(*NewTraced(volume, Request(Extremum::Largest)), diagonal);
+    const auto smallest = Project(*NewTraced(volume, Request(Extremum::Smallest)), diagonal);
     ASSERT_TRUE(largest && smallest);
     EXPECT_NEAR(largest->Value / size, 2.0 * 4.0 / 9.0 - 1.0, 1e-3) << size;
     EXPECT_EQ(smallest->Value, -size);
     const auto edge = Project(
-      *NewTraced(volume, Want(Extremum::Largest)), { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } });
+      *NewTraced(volume, Request(Extremum::Largest)), { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } });
     ASSERT_TRUE(edge);
     EXPECT_EQ(edge->Value, size);
   }
@@ -400,7 +400,7 @@ TEST(ProjectionOfRays, GoesBackToSurfaces)
 {
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.5 });
-  const auto traced = NewTraced(ramp, Want(Extremum::Largest));
+  const auto traced = NewTraced(ramp, Request(Extremum::Largest));
   traced->Select({ { Isosurface{ 0.0, 1.0 } } }, 1);
   const auto hit = Project(*traced, { { -2.0, 4.5, 4.5 }, { 1.0, 0.0, 0.0 } });
   ASSERT_TRUE(hit);

@@ -6,9 +6,9 @@
 
 #include "AllKernels.h"
 #include "Image/Macrocells/BlockMask.h"
-#include "Rays/Camera.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
+#include "Rays/Camera.h"
 #include "Rays/RayPacket.h"
 #include "TestLines.h"
 
@@ -114,7 +114,7 @@ View RandomView(RandomNumbers& random)
   block.Width = width;
   block.Height = height;
   block.Columns = random.Integer(1, std::min(width, random.Integer(0, 3) ? 19 : 128));
-  block.Rows = random.Integer(1, std::min(height, RayGroup::Capacity / block.Columns));
+  block.Rows = random.Integer(1, std::min(height, RayPacket::Capacity / block.Columns));
   block.Column = random.Integer(0, width - block.Columns);
   block.Row = random.Integer(0, height - block.Rows);
   block.DepthStride = block.Columns + random.Integer(0, 5);
@@ -169,11 +169,11 @@ public:
     block.IndexFromClip = view.TheCamera.GetIndexFromClip().data();
     block.Depth = hasDepth ? view.Depths.data() : nullptr;
     block.Dimensions = view.Dimensions.data();
-    RayGroup group;
+    RayPacket group;
     std::memset(&group, 0xFF, sizeof(group)); // all numbers are none
     this->TheKernels.MakeRays(block, group);
     ASSERT_EQ(group.Count, block.Columns * block.Rows);
-    for (int k = 0; k < RayGroup::Capacity; ++k)
+    for (int k = 0; k < RayPacket::Capacity; ++k)
     {
       if (k >= group.Count)
       {
@@ -267,15 +267,15 @@ LongPoint PointOn(const Ray& ray, long double t)
 }
 
 /// Rays through one place with directions that differ as much as spread says.
-RayGroup MakeBundle(
+RayPacket MakeBundle(
   RandomNumbers& random, const Index3& dimensions, double spread, std::vector<Line>& lines)
 {
-  RayGroup group;
+  RayPacket group;
   group.Count = 0;
   group.Exists = {};
   lines.clear();
   const Line middle = RandomLine(random, dimensions);
-  const int count = random.Integer(1, RayGroup::Capacity);
+  const int count = random.Integer(1, RayPacket::Capacity);
   for (int i = 0; i < count; ++i)
   {
     const Vector3 off = random.PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
@@ -292,7 +292,7 @@ RayGroup MakeBundle(
   return group;
 }
 
-RaySet SomeOf(RandomNumbers& random, const RayGroup& group, int percent)
+RaySet SomeOf(RandomNumbers& random, const RayPacket& group, int percent)
 {
   RaySet set = {};
   for (int i = 0; i < group.Count; ++i)
@@ -306,7 +306,7 @@ RaySet SomeOf(RandomNumbers& random, const RayGroup& group, int percent)
 }
 
 /// Whether rays make a beam along an axis; undecided is set where rounding may have a say.
-bool MakeBeam(const RayGroup& group, const RaySet& rays, int axis, bool& undecided)
+bool MakeBeam(const RayPacket& group, const RaySet& rays, int axis, bool& undecided)
 {
   bool up = false;
   bool down = false;
@@ -343,7 +343,7 @@ struct Bounds
 class BeamChecks
 {
 public:
-  void Check(RandomNumbers& random, const RayGroup& group, const RaySet& rays, const Beam& beam)
+  void Check(RandomNumbers& random, const RayPacket& group, const RaySet& rays, const Frustum& beam)
   {
     ++this->Beams;
     Bounds bounds;
@@ -375,12 +375,12 @@ public:
 private:
   static constexpr long double Slack = 0.01L;
 
-  static std::size_t Across(const Beam& beam, int j)
+  static std::size_t Across(const Frustum& beam, int j)
   {
     return static_cast<std::size_t>(j == 0 ? BlockMask::U[beam.Axis] : BlockMask::V[beam.Axis]);
   }
 
-  void CheckRay(RandomNumbers& random, const Ray& ray, const Beam& beam)
+  void CheckRay(RandomNumbers& random, const Ray& ray, const Frustum& beam)
   {
     for (int i = 0; i < 6; ++i)
     {
@@ -400,7 +400,7 @@ private:
     }
   }
 
-  static void Include(const Ray& ray, const Beam& beam, Bounds& bounds)
+  static void Include(const Ray& ray, const Frustum& beam, Bounds& bounds)
   {
     const auto axis = static_cast<std::size_t>(beam.Axis);
     for (const double t : { ray.Begin, ray.End })
@@ -437,12 +437,12 @@ TEST_P(RayKernels, AlignRaysToBeamsThatHoldThem)
       random.Integer(2, longest) };
     std::vector<Line> lines;
     const double spreads[] = { 0.0, 0.01, 0.1, 0.5, 3.0 };
-    RayGroup group = MakeBundle(random, dimensions, spreads[i % 5], lines);
+    RayPacket group = MakeBundle(random, dimensions, spreads[i % 5], lines);
     const RaySet rays = SomeOf(random, group, i % 2 == 0 ? 100 : 30);
     const int axis = random.Integer(0, 2);
     bool undecided = false;
     const bool expected = MakeBeam(group, rays, axis, undecided);
-    Beam beam = {};
+    Frustum beam = {};
     const bool isBeam = this->TheKernels.Align(group, rays, axis, beam);
     if (undecided)
     {
@@ -468,14 +468,14 @@ TEST_P(RayKernels, AlignNoRaysThatGoAcrossOrBothWaysOrSteeply)
   const Index3 dimensions = { 20, 20, 20 };
   const auto areBeam = [&](const std::vector<Vector3>& directions)
   {
-    RayGroup group;
+    RayPacket group;
     group.Count = 0;
     group.Exists = {};
     for (const Vector3& direction : directions)
     {
       AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), group);
     }
-    Beam beam;
+    Frustum beam;
     return this->TheKernels.Align(group, group.Exists, 0, beam);
   };
   EXPECT_TRUE(areBeam({ { 1.0, 0.0, 0.0 } }));

@@ -4,9 +4,9 @@
 // Frames of fields whose picture is known: where surfaces are, how deep, and how colours add up.
 
 #include "Matrices.h"
+#include "Picture/RenderTiles.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
-#include "Picture/RenderTiles.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -49,7 +49,7 @@ Scene NewSceneFromAbove()
   scene.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
     Scaling({ 1.0, 1.0, 1.0 }), 8, 8);
   scene.Pixels = { 0, 0, 8, 8 };
-  scene.Want.Surfaces = { { 0.0, 1.0 } };
+  scene.Request.Surfaces = { { 0.0, 1.0 } };
   scene.Colors = { { 1.0, 0.5, 0.25 } };
   return scene;
 }
@@ -186,7 +186,7 @@ Scene NewSceneOfGyroid()
   scene.View =
     NewCamera(Perspective(1.0, 300.0, 0.5), worldFromView, Scaling({ 1.0, 1.1, -0.9 }), 101, 67);
   scene.Pixels = { 0, 0, 101, 67 };
-  scene.Want.Surfaces = { { -0.7, 1.0 }, { 0.2, 0.4 } };
+  scene.Request.Surfaces = { { -0.7, 1.0 }, { 0.2, 0.4 } };
   scene.Colors = { { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.1 } };
   scene.Look.Shade = true;
   scene.Lights = { Light() };
@@ -293,10 +293,10 @@ Scene AnyScene(RandomNumbers& random, const Index3& n)
   const auto& tile = tiles[random.Integer(0, 7)];
   scene.TileWidth = tile[0];
   scene.TileHeight = tile[1];
-  scene.Want.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
+  scene.Request.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
   scene.Colors = { { 1.0, 0.5, 0.25 } };
-  scene.Want.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Fast;
-  scene.Want.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
+  scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Fast;
+  scene.Request.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
   scene.KeepHits = true;
   return scene;
 }
@@ -313,9 +313,9 @@ TEST(RenderTiles, LeavesOutOnlyWhatNothingIsIn)
     for (int k = 0; k < 5; ++k)
     {
       Scene scene = AnyScene(random, volume.Dimensions);
-      scene.Want.BeamKernels = nullptr;
+      scene.Request.BeamKernels = nullptr;
       const Frame reference = Render(scene, *traced);
-      scene.Want.BeamKernels = GetKernels()[random.Bits() % GetKernels().size()];
+      scene.Request.BeamKernels = GetKernels()[random.Bits() % GetKernels().size()];
       const Frame frame = Render(scene, *traced);
       ASSERT_EQ(frame.Colors, reference.Colors) << i << " " << k;
       ASSERT_EQ(frame.Depths, reference.Depths) << i << " " << k;
@@ -340,7 +340,7 @@ TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
   scene.View = NewCamera(Orthographic(1.0, 200.0, 64.0), Translation({ 64.0, 64.0, 150.0 }),
     Scaling({ 1.0, 1.0, 1.0 }), 128, 128);
   scene.Pixels = { 0, 0, 128, 128 };
-  scene.Want.Surfaces = { { 0.0, 1.0 } };
+  scene.Request.Surfaces = { { 0.0, 1.0 } };
   scene.Colors = { { 1.0, 0.5, 0.25 } };
   // In the middle of one macrocell.
   const auto volume =
@@ -351,12 +351,12 @@ TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
     base = kernels;
     blocks = 0;
     Kernels counting = *kernels;
-    counting.MakeRays = [](const PixelBlock& block, RayGroup& group)
+    counting.MakeRays = [](const PixelBlock& block, RayPacket& group)
     {
       ++blocks;
       base->MakeRays(block, group);
     };
-    scene.Want.BeamKernels = &counting;
+    scene.Request.BeamKernels = &counting;
     const Frame frame = Render(scene, *traced);
     EXPECT_EQ(CountCovered(frame), 4);
     // Of 128 x 128 pixels the macrocell covers 8 x 8, which are in one block of 16 x 8.
@@ -382,13 +382,13 @@ TEST(RenderTiles, IsTheSameToTheLastBitWithAllKernels)
     scene.Depth = hasDepth ? depths.data() : nullptr;
     for (const double opacity : { 1.0, 0.4 })
     {
-      scene.Want.Surfaces[0].Opacity = opacity;
-      scene.Want.BeamKernels = nullptr;
+      scene.Request.Surfaces[0].Opacity = opacity;
+      scene.Request.BeamKernels = nullptr;
       const Frame reference = Render(scene, *traced);
       EXPECT_TRUE(opacity < 1.0 || CountCovered(reference) > 500);
       for (const Kernels* kernels : GetKernels())
       {
-        scene.Want.BeamKernels = kernels;
+        scene.Request.BeamKernels = kernels;
         const Frame frame = Render(scene, *traced);
         ASSERT_EQ(frame.Colors, reference.Colors);
         ASSERT_EQ(frame.Depths, reference.Depths);
@@ -525,7 +525,7 @@ TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
   const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, 1.0 }, 0.0 }); // value z
   Scene scene = NewSceneFromAbove();
   // From above: the last first.
-  scene.Want.Surfaces = { { 1.5, 1.0 }, { 3.5, 0.25 }, { 5.5, 0.5 } };
+  scene.Request.Surfaces = { { 1.5, 1.0 }, { 3.5, 0.25 }, { 5.5, 0.5 } };
   scene.Colors = { { 0.4, 0.6, 3.0 }, { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.2 } }; // 3 is clamped to 1
   Frame frame = Render(scene, *field.Traced);
   const auto byte = [](double value) { return static_cast<int>(std::lround(255.0 * value)); };
@@ -535,7 +535,7 @@ TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
       byte(0.5 + behind * 0.4), byte(0.5 * 0.25 + behind * 0.6), byte(0.5 * 0.2 + behind), 255 }));
   EXPECT_NEAR(frame.Depths[27], (19.0 - 1.5) / 30.0, 1e-7);
 
-  scene.Want.Surfaces[0].Opacity = 0.1;
+  scene.Request.Surfaces[0].Opacity = 0.1;
   frame = Render(scene, *field.Traced);
   EXPECT_EQ(PixelOf(frame, 27),
     (std::vector<int>{ byte(0.5 + behind * 0.1 * 0.4), byte(0.5 * 0.25 + behind * 0.1 * 0.6),
@@ -550,11 +550,11 @@ TEST(RenderTiles, FollowsTheSurfacesOfTheScene)
   Scene scene = NewSceneFromAbove();
   for (const double isovalue : { 1.25, 6.75, 1.25, 3.0 })
   {
-    scene.Want.Surfaces = { { isovalue, 1.0 } };
+    scene.Request.Surfaces = { { isovalue, 1.0 } };
     const Frame frame = Render(scene, *field.Traced);
     EXPECT_NEAR(frame.Depths[0], (19.0 - (8.0 - isovalue)) / 30.0, 1e-7);
   }
-  scene.Want.Surfaces.clear();
+  scene.Request.Surfaces.clear();
   EXPECT_EQ(Render(scene, *field.Traced).Depths[0], Frame::NoSurface);
 }
 

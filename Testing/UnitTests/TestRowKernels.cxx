@@ -5,11 +5,11 @@
 // touch nothing beside it: the samples end at a page of memory that nobody may read.
 
 #include "AllKernels.h"
-#include "RandomNumbers.h"
-#include "TestVolume.h"
-#include "Image/TracedVolume.h"
 #include "Image/Cells/TrilinearCell.h"
 #include "Image/Samples/VolumeView.h"
+#include "Image/TracedVolume.h"
+#include "RandomNumbers.h"
+#include "TestVolume.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -121,7 +121,7 @@ TEST_P(RowKernels, LoadTheCornersOfCells)
 //------------------------------------------------------------------------------
 // What it says of them is for TestSieve.cxx.
 template <typename T>
-void SiftRandomCells(const Kernels& kernels, RandomNumbers& random)
+void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
 {
   const Index3 size = { random.Integer(2, 9), random.Integer(2, 9), random.Integer(2, 9) };
   const int step = random.Integer(0, 2) ? 1 : random.Integer(2, 4);
@@ -146,18 +146,18 @@ void SiftRandomCells(const Kernels& kernels, RandomNumbers& random)
   Candidates candidates;
   candidates.Count = 0;
   RaySet hits = {};
-  kernels.SiftCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
+  kernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
     cells, random.Integer(0, 2), strides, { 1.0, 1.0 }, passages, candidates, hits);
   ASSERT_LE(candidates.Count, cells.Count);
 }
 
-TEST_P(RowKernels, SiftCellsAndReadNothingBesideThem)
+TEST_P(RowKernels, ClassifyCellsAndReadNothingBesideThem)
 {
   RandomNumbers random(873);
   for (int i = 0; i < 300; ++i)
   {
-    ForEachType(
-      [this, &random](auto type) { SiftRandomCells<decltype(type)>(this->TheKernels, random); });
+    ForEachType([this, &random](auto type)
+      { ClassifyRandomCells<decltype(type)>(this->TheKernels, random); });
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -172,7 +172,7 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   const GuardedSamples<T> samples(step * (Count(size) - 1) + 1, random.Integer(0, 1) != 0, random);
   const VolumeView view = { samples.Get(), ScalarTypeOf<T>(), size, step };
   const auto volume = TracedVolume::New(view, {}, 1);
-  std::vector<Hit> hits(static_cast<std::size_t>(random.Integer(1, RayGroup::Capacity)));
+  std::vector<Hit> hits(static_cast<std::size_t>(random.Integer(1, RayPacket::Capacity)));
   for (Hit& hit : hits)
   {
     hit.Cell = { AnyCell(random, size[0]), AnyCell(random, size[1]), AnyCell(random, size[2]) };
@@ -183,7 +183,7 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   }
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
   {
-    double gradients[3][RayGroup::Capacity];
+    double gradients[3][RayPacket::Capacity];
     volume->GetGradients(hits.data(), static_cast<int>(hits.size()), mode, kernels, gradients);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {

@@ -4,8 +4,8 @@
 // Normals are compared with those by the inverse transposed, colours with the Phong model by hand.
 
 #include "Matrices.h"
-#include "RandomNumbers.h"
 #include "Picture/Shader.h"
+#include "RandomNumbers.h"
 #include "TestVolume.h"
 
 #include <cmath>
@@ -91,10 +91,10 @@ public:
     , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
   {
     this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
-    this->TheScene.Want.Surfaces = { { 0.0, 1.0 } };
+    this->TheScene.Request.Surfaces = { { 0.0, 1.0 } };
     this->TheScene.Colors = { { 0.8, 0.5, 0.3 } };
     this->TheScene.Look.Shade = true;
-    this->Traced->Select(this->TheScene.Want, 1);
+    this->Traced->Select(this->TheScene.Request, 1);
   }
 
   /// The colour at a place of the plane, seen along a direction.
@@ -194,7 +194,7 @@ TEST(Shading, KnowsTheSideByTheHit)
   const Vector3 direction = Unit({ -0.1, 1.0, 0.0 });
   Hit hit = { 1.0, { 4, 3, 3 }, 0, { 0.0, 0.5, 0.5 }, true };
   ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 1.0, 0.0, scene.Look), 1e-14);
-  hit.Rising = false;
+  hit.Entering = false;
   ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
 }
 

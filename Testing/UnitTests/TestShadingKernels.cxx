@@ -6,9 +6,9 @@
 
 #include "AllKernels.h"
 #include "Matrices.h"
+#include "Picture/Shader.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
-#include "Picture/Shader.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -89,7 +89,7 @@ Scene RandomScene(RandomNumbers& random)
   const Matrix4 worldFromIndex = RandomWorldFromIndex(random);
   Scene scene;
   scene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
-  scene.Want.Surfaces = { { 0.0, random.Integer(0, 1) ? 1.0 : 1e-9 }, { 0.25, 1.0 } };
+  scene.Request.Surfaces = { { 0.0, random.Integer(0, 1) ? 1.0 : 1e-9 }, { 0.25, 1.0 } };
   scene.Colors = { RandomColor(random), RandomColor(random) };
   scene.Normals =
     random.Integer(0, 2) ? NormalMode::CentralDifferences : NormalMode::InterpolantGradient;
@@ -116,7 +116,7 @@ struct CountingKernels
     {
       Base->Shade(phong, hits);
       Hits += hits.Count;
-      for (int i = 0; i < RayGroup::Capacity; ++i)
+      for (int i = 0; i < RayPacket::Capacity; ++i)
       {
         Extremes += Has(hits.Extreme, i) ? 1 : 0;
       }
@@ -149,12 +149,12 @@ TEST_P(ShadingKernels, ShadeHitsOneByOne)
     const auto volume = RandomVolume(random);
     const auto traced = TracedVolume::New(volume.View(), {}, 1);
     Scene scene = RandomScene(random);
-    scene.Want.BeamKernels = &kernels.Counting;
-    traced->Select(scene.Want, 1);
-    RayGroup group;
+    scene.Request.BeamKernels = &kernels.Counting;
+    traced->Select(scene.Request, 1);
+    RayPacket group;
     group.Count = 0;
     group.Exists = {};
-    for (int ray = random.Integer(1, RayGroup::Capacity); ray > 0; --ray)
+    for (int ray = random.Integer(1, RayPacket::Capacity); ray > 0; --ray)
     {
       const Line line =
         random.Integer(0, 3) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);

@@ -4,11 +4,11 @@
 // The hits of rays with the isosurfaces of whole volumes are compared with those found without any
 // traversal, in every cell and in higher precision; and rays must not slip through closed surfaces.
 
+#include "Image/TracedVolume.h"
 #include "Oracle.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -362,7 +362,7 @@ TEST(TracedVolume, FindsThePlaneWhereItIs)
       const double slope =
         Dot(line.Direction, { Slope.Normal[0], Slope.Normal[1], Slope.Normal[2] });
       ASSERT_NEAR(Slope(point), 0.0, 1e-13) << ToText(line);
-      ASSERT_EQ(hit.Rising, slope > 0.0) << ToText(line);
+      ASSERT_EQ(hit.Entering, slope > 0.0) << ToText(line);
       ASSERT_NEAR(hit.T, -Slope(line.Origin) / slope, 1e-13 / std::abs(slope)) << ToText(line);
     }
   }
@@ -430,8 +430,8 @@ std::size_t CountLeaks(TracedVolume& volume, int lines, std::uint64_t seed, cons
       bool good = hits.size() % 2 == 1;
       for (const Hit& hit : hits)
       {
-        good = good && hit.Rising != inside && hit.T >= t;
-        inside = hit.Rising;
+        good = good && hit.Entering != inside && hit.T >= t;
+        inside = hit.Entering;
         t = hit.T;
       }
       leaks += good ? 0 : 1;
@@ -589,9 +589,9 @@ TEST(TracedVolume, FindsEntriesAndExitsInTurn)
     double t = 0.0;
     for (const Hit& hit : Trace(*traced, line))
     {
-      ASSERT_EQ(hit.Rising, !inside) << ToText(line);
+      ASSERT_EQ(hit.Entering, !inside) << ToText(line);
       ASSERT_GE(hit.T, t) << ToText(line);
-      inside = hit.Rising;
+      inside = hit.Entering;
       t = hit.T;
       ++hits;
     }
@@ -623,8 +623,8 @@ TEST(TracedVolume, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
         const std::vector<Hit> hits =
           Trace(*traced, { { -distance, -distance, 0.5 }, { 1.0, 1.0, 0.0 } });
         ASSERT_EQ(hits.size(), 2U);
-        EXPECT_EQ(hits[0].Rising, sign > 0.0) << isovalue << " from " << distance;
-        EXPECT_EQ(hits[1].Rising, sign < 0.0) << isovalue << " from " << distance;
+        EXPECT_EQ(hits[0].Entering, sign > 0.0) << isovalue << " from " << distance;
+        EXPECT_EQ(hits[1].Entering, sign < 0.0) << isovalue << " from " << distance;
       }
     }
   }
@@ -667,10 +667,10 @@ TEST(TracedVolume, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
   const double next = std::nextafter(1.0, 2.0);
   const auto traced =
     NewTraced(volume, { { 1.0, Glass }, { next, Glass }, { std::nextafter(next, 2.0), Glass } });
-  const std::vector<Hit> rising = Trace(*traced, { { -1.0, 1.1, 1.2 }, { 1.0, 0.0, 0.0 } });
-  ASSERT_EQ(rising.size(), 3U);
-  EXPECT_EQ(rising[0].T, rising[2].T);
-  EXPECT_TRUE(rising[0].Surface == 0 && rising[1].Surface == 1 && rising[2].Surface == 2);
+  const std::vector<Hit> entering = Trace(*traced, { { -1.0, 1.1, 1.2 }, { 1.0, 0.0, 0.0 } });
+  ASSERT_EQ(entering.size(), 3U);
+  EXPECT_EQ(entering[0].T, entering[2].T);
+  EXPECT_TRUE(entering[0].Surface == 0 && entering[1].Surface == 1 && entering[2].Surface == 2);
   const std::vector<Hit> falling = Trace(*traced, { { 5.0, 1.1, 1.2 }, { -1.0, 0.0, 0.0 } });
   ASSERT_EQ(falling.size(), 3U);
   EXPECT_EQ(falling[0].T, falling[2].T);

@@ -6,13 +6,13 @@
 // with quadrics, which it reproduces; and with polynomials of known roots.
 
 #include "AllKernels.h"
+#include "Image/Cells/TricubicCell.h"
+#include "Image/Samples/UnevenPlanes.h"
+#include "Image/TracedVolume.h"
 #include "Math/NonicRoots.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
-#include "Image/Cells/TricubicCell.h"
-#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>
@@ -46,16 +46,17 @@ TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
 
 /// Surfaces that let nearly all through, so that a ray meets all of them. The last is above all
 /// samples.
-Wanted Want(double opacity = 1e-9)
+TraceRequest Request(double opacity = 1e-9)
 {
-  Wanted wanted({ { 20.0, opacity }, { 50.0, opacity }, { 90.25, opacity }, { 125.0, opacity } });
+  TraceRequest wanted(
+    { { 20.0, opacity }, { 50.0, opacity }, { 90.25, opacity }, { 125.0, opacity } });
   wanted.Field = Interpolant::Tricubic;
   return wanted;
 }
 
 template <typename T>
 std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const Wanted& wanted, const VolumeSettings& settings = {})
+  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
 {
   auto traced = TracedVolume::New(volume.View(), settings, 2);
   traced->Select(wanted, 2);
@@ -135,7 +136,7 @@ private:
     long double Slope;
   };
 
-  long double Place(std::size_t axis, int plane) const
+  long double Crossing(std::size_t axis, int plane) const
   {
     return this->Planes ? this->Planes->Get(axis, plane) : plane;
   }
@@ -144,12 +145,12 @@ private:
   {
     const int last = this->Volume.Dimensions[axis] - 1;
     int cell = 0;
-    while (cell < last - 1 && this->Place(axis, cell + 1) <= place)
+    while (cell < last - 1 && this->Crossing(axis, cell + 1) <= place)
     {
       ++cell;
     }
-    const long double width = this->Place(axis, cell + 1) - this->Place(axis, cell);
-    const long double t = (place - this->Place(axis, cell)) / width;
+    const long double width = this->Crossing(axis, cell + 1) - this->Crossing(axis, cell);
+    const long double t = (place - this->Crossing(axis, cell)) / width;
     const long double s = 1 - t;
     std::vector<Weight> weights;
     const auto add = [&weights](int sample, long double value, long double slope) {
@@ -171,9 +172,9 @@ private:
       weights.push_back({ other, weight * value, weight * slope });
     };
     const int last = this->Volume.Dimensions[axis] - 1;
-    const long double here = this->Place(axis, sample);
-    const long double below = sample > 0 ? here - this->Place(axis, sample - 1) : 0;
-    const long double above = sample < last ? this->Place(axis, sample + 1) - here : 0;
+    const long double here = this->Crossing(axis, sample);
+    const long double below = sample > 0 ? here - this->Crossing(axis, sample - 1) : 0;
+    const long double above = sample < last ? this->Crossing(axis, sample + 1) - here : 0;
     if (below > 0 && above > 0)
     {
       add(sample - 1, -above / (below * (below + above)));
@@ -203,8 +204,8 @@ struct Compared
 /// which side of it the ray is. Nothing is said where the field all but equals the isovalue, nor
 /// nearer to a hit than this.
 template <typename T>
-void Compare(const Reference<T>& reference, const Wanted& wanted, const Ray& ray, const Line& line,
-  const std::vector<Hit>& hits, Compared& compared)
+void Compare(const Reference<T>& reference, const TraceRequest& wanted, const Ray& ray,
+  const Line& line, const std::vector<Hit>& hits, Compared& compared)
 {
   const long double near = 1e-8L / Length(line.Direction);
   const long double begin = ray.Base + static_cast<long double>(ray.Begin);
@@ -216,7 +217,7 @@ void Compare(const Reference<T>& reference, const Wanted& wanted, const Ray& ray
     std::vector<Hit>& own = hitsOf[static_cast<std::size_t>(hit.Surface)];
     if (!own.empty())
     {
-      ASSERT_NE(hit.Rising, own.back().Rising) << ToText(line);
+      ASSERT_NE(hit.Entering, own.back().Entering) << ToText(line);
       ASSERT_LE(own.back().T, hit.T) << ToText(line);
     }
     own.push_back(hit);
@@ -243,7 +244,7 @@ void Compare(const Reference<T>& reference, const Wanted& wanted, const Ray& ray
       if (!isNear && std::abs(value - isovalue) > 1e-9L)
       {
         ++compared.Places;
-        const bool startsInside = own.empty() ? first >= isovalue : !own.front().Rising;
+        const bool startsInside = own.empty() ? first >= isovalue : !own.front().Entering;
         const bool isInside = ((next - own.begin()) % 2 == 0) == startsInside;
         ASSERT_EQ(value >= isovalue, isInside) << ToText(line) << " t = " << static_cast<double>(t);
       }
@@ -253,7 +254,7 @@ void Compare(const Reference<T>& reference, const Wanted& wanted, const Ray& ray
 }
 
 template <typename T>
-Compared CompareRays(const TestVolume<T>& volume, const Wanted& wanted,
+Compared CompareRays(const TestVolume<T>& volume, const TraceRequest& wanted,
   const std::vector<Line>& lines, const VolumeSettings& settings = {})
 {
   const auto traced = NewTraced(volume, wanted, settings);
@@ -277,7 +278,7 @@ Compared CompareRays(const TestVolume<T>& volume, const Wanted& wanted,
         { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
       {
         const Vector3 gradient = traced->GetGradient(hit, mode);
-        double gradients[3][RayGroup::Capacity];
+        double gradients[3][RayPacket::Capacity];
         traced->GetGradients(&hit, 1, mode, GetBestKernels(), gradients);
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
@@ -326,7 +327,8 @@ TYPED_TEST(Tricubic, SurfacesAreWhereTheInterpolantIs)
 {
   RandomNumbers random(3);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 5);
-  const Compared compared = CompareRays(volume, Want(), ManyLines(random, volume.Dimensions, 100));
+  const Compared compared =
+    CompareRays(volume, Request(), ManyLines(random, volume.Dimensions, 100));
   EXPECT_GT(compared.Hits, 500);
   EXPECT_GT(compared.Places, 100000);
 }
@@ -338,7 +340,7 @@ TEST(TricubicRays, HitThinVolumes)
   for (const Index3& size : { Index3{ 2, 2, 2 }, Index3{ 2, 9, 3 }, Index3{ 20, 3, 2 } })
   {
     const auto volume = Noise<float>(size, 8);
-    EXPECT_GT(CompareRays(volume, Want(), ManyLines(random, size, 200)).Hits, 50);
+    EXPECT_GT(CompareRays(volume, Request(), ManyLines(random, size, 200)).Hits, 50);
   }
 }
 
@@ -358,7 +360,7 @@ TEST(TricubicRays, HitSurfacesThatNoSampleIsBeyond)
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 1 }, { 2, 2, 2 }, { 16, 3 } })
   {
-    Wanted wanted({ { -0.06, 1e-9 }, { -0.02, 1e-9 }, { 1.001, 1e-9 }, { 1.02, 1e-9 } });
+    TraceRequest wanted({ { -0.06, 1e-9 }, { -0.02, 1e-9 }, { 1.001, 1e-9 }, { 1.02, 1e-9 } });
     wanted.Field = Interpolant::Tricubic;
     const Compared compared = CompareRays(
       volume, wanted, ManyLines(random, volume.Dimensions, 60), { branching, BrickLayout::Apron });
@@ -392,12 +394,12 @@ TEST(TricubicRays, DependOnNothingButTheSamples)
   all.push_back({ { 8, 8 }, BrickLayout::TwoLevel, 4, 2 });
   for (const double opacity : { 1e-9, 0.4, 1.0 })
   {
-    Wanted plain = Want(opacity);
+    TraceRequest plain = Request(opacity);
     plain.BeamKernels = nullptr;
     RayHits expected;
     NewTraced(volume, plain, all.front())->Trace(rays, expected);
     EXPECT_GT(expected.Hits.size(), 200U);
-    const auto check = [&](const Wanted& wanted, const VolumeSettings& settings)
+    const auto check = [&](const TraceRequest& wanted, const VolumeSettings& settings)
     {
       RayHits hits;
       NewTraced(volume, wanted, settings)->Trace(rays, hits);
@@ -409,7 +411,7 @@ TEST(TricubicRays, DependOnNothingButTheSamples)
     };
     for (const VolumeSettings& settings : all)
     {
-      Wanted wanted = Want(opacity);
+      TraceRequest wanted = Request(opacity);
       check(wanted, settings);
       wanted.Solver = RootSolver::Fast; // which is not asked
       wanted.BeamKernels = nullptr;
@@ -417,11 +419,11 @@ TEST(TricubicRays, DependOnNothingButTheSamples)
     }
     for (const Kernels* kernels : GetKernels())
     {
-      Wanted wanted = Want(opacity);
+      TraceRequest wanted = Request(opacity);
       wanted.BeamKernels = kernels;
       check(wanted, { { 8, 8 } });
     }
-    Wanted thrifty = Want(opacity);
+    TraceRequest thrifty = Request(opacity);
     thrifty.MaximumMemory = 10000; // for less than all masks
     check(thrifty, { { 8, 8 } });
   }
@@ -441,7 +443,7 @@ TEST(TricubicRays, MeetQuadricsWhereTheyAre)
         (p[1] - center[1]) * (p[1] - center[1]) - sign * (p[2] - center[2]) * (p[2] - center[2]);
     };
     const auto volume = TestVolume<double>::Of(size, field);
-    Wanted wanted({ { 0.0, 1e-9 } });
+    TraceRequest wanted({ { 0.0, 1e-9 } });
     wanted.Field = Interpolant::Tricubic;
     const auto traced = NewTraced(volume, wanted);
     RandomNumbers random(15);
@@ -464,7 +466,7 @@ TEST(TricubicRays, MeetQuadricsWhereTheyAre)
         EXPECT_NEAR(field(point), 0.0, 1e-8);
         EXPECT_LE(
           Length(traced->GetGradient(hit, NormalMode::InterpolantGradient) - gradient), 1e-12);
-        EXPECT_EQ(hit.Rising, Dot(gradient, line.Direction) > 0.0);
+        EXPECT_EQ(hit.Entering, Dot(gradient, line.Direction) > 0.0);
       }
     }
     EXPECT_GT(met, 400);
@@ -479,7 +481,7 @@ TEST(TricubicRays, DoNotSlipThroughEdgesAndCorners)
   const auto ball = TestVolume<float>::Of(size, AnalyticFields::Sphere{ { 8.0, 8.0, 8.0 }, 5.0 });
   for (const double isovalue : { 0.0, 1.0, 2.0, -1.0 })
   {
-    Wanted wanted({ { isovalue, 1e-9 } });
+    TraceRequest wanted({ { isovalue, 1e-9 } });
     wanted.Field = Interpolant::Tricubic;
     const auto traced = NewTraced(ball, wanted);
     ForEachPlace({ 17, 17, 17 },
@@ -495,7 +497,7 @@ TEST(TricubicRays, DoNotSlipThroughEdgesAndCorners)
           const Line line = { { 8.0, 8.0, 8.0 }, direction * inverse };
           const std::vector<Hit> hits = Trace(*traced, line);
           ASSERT_EQ(hits.size(), 1U) << ToText(line);
-          EXPECT_FALSE(hits[0].Rising);
+          EXPECT_FALSE(hits[0].Entering);
           EXPECT_NEAR(hits[0].T * Length(line.Direction), 5.0 - isovalue, 0.05);
         }
       });
@@ -514,7 +516,7 @@ TEST(TricubicRays, DoNotSlipThroughWhereTheSurfaceIsInAFace)
   {
     value = random.Uniform(-1.0, 1.0);
   }
-  Wanted wanted({ { 0.1, 1e-9 } });
+  TraceRequest wanted({ { 0.1, 1e-9 } });
   wanted.Field = Interpolant::Tricubic;
   const auto traced = NewTraced(volume, wanted);
   const Reference<double> reference(volume);
@@ -534,7 +536,7 @@ TEST(TricubicRays, DoNotSlipThroughWhereTheSurfaceIsInAFace)
         const std::vector<Hit> hits = Trace(*traced, line);
         for (std::size_t next = 1; next < hits.size(); ++next)
         {
-          ASSERT_NE(hits[next].Rising, hits[next - 1].Rising) << ToText(line);
+          ASSERT_NE(hits[next].Entering, hits[next - 1].Entering) << ToText(line);
         }
         const auto ray = ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, size);
         const double begin = static_cast<double>(reference.At(line, ray->Base + ray->Begin).Value);
@@ -553,7 +555,7 @@ TEST(TricubicRays, SeeNothingWithinTwoSamplesOfNoNumber)
   auto volume = Noise<float>({ 12, 9, 10 }, 31);
   const float none[] = { std::numeric_limits<float>::quiet_NaN(),
     std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity() };
-  const auto whole = NewTraced(volume, Want());
+  const auto whole = NewTraced(volume, Request());
   std::vector<std::unique_ptr<TracedVolume>> holed;
   auto with = volume;
   const Index3 places[] = { { 3, 4, 5 }, { 8, 2, 2 }, { 6, 6, 7 } };
@@ -566,7 +568,7 @@ TEST(TricubicRays, SeeNothingWithinTwoSamplesOfNoNumber)
   int kept = 0;
   for (const VolumeSettings& settings : { VolumeSettings{ {} }, VolumeSettings{} })
   {
-    const auto traced = NewTraced(with, Want(), settings);
+    const auto traced = NewTraced(with, Request(), settings);
     for (int i = 0; i < 200; ++i)
     {
       const Line line = RandomLine(random, volume.Dimensions);
@@ -617,7 +619,7 @@ TEST(TricubicRays, GoThroughUnevenPlanes)
     }
   }
   const UnevenPlanes planes(places);
-  Wanted wanted = Want();
+  TraceRequest wanted = Request();
   wanted.Planes = &planes;
   for (const std::vector<int>& branching : { std::vector<int>{}, { 8, 8 }, { 2, 2 } })
   {
@@ -639,7 +641,7 @@ TEST(TricubicRays, MeetWallsWherePlanesCoincide)
   const std::vector<double> even = { 0.0, 1.0, 2.0, 3.0, 4.0 };
   const UnevenPlanes planes({ flat, even, even });
   // At 8 the wall ends.
-  Wanted wanted({ { 5.5, 1e-9 }, { 8.0, 1e-9 } });
+  TraceRequest wanted({ { 5.5, 1e-9 }, { 8.0, 1e-9 } });
   wanted.Field = Interpolant::Tricubic;
   wanted.Planes = &planes;
   const auto traced = NewTraced(volume, wanted);
@@ -651,7 +653,7 @@ TEST(TricubicRays, MeetWallsWherePlanesCoincide)
     for (const Hit& hit : hits)
     {
       EXPECT_NEAR(hit.GetPoint(&planes)[0], 4.5, 1e-12);
-      EXPECT_EQ(hit.Rising, direction > 0.0);
+      EXPECT_EQ(hit.Entering, direction > 0.0);
       const Vector3 gradient = traced->GetGradient(hit, NormalMode::CentralDifferences);
       EXPECT_LE(Length(gradient - Vector3{ 4.0, 0.0, 0.0 }), 1e-9);
     }
@@ -689,7 +691,7 @@ TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
   {
     places[1][4] = 4.0 + turn.Shift;
     planes.emplace(places); // in the same place in memory
-    Wanted wanted = Want();
+    TraceRequest wanted = Request();
     wanted.Surfaces = { { turn.Isovalue, 1e-9 } };
     wanted.Field = turn.Field;
     wanted.Planes = turn.Shift == 0.0 ? nullptr : &*planes;
@@ -724,7 +726,7 @@ TEST(TricubicRays, MeetWhatOnlyOtherPlanesHave)
     places[2].push_back(i);
   }
   const UnevenPlanes planes(places);
-  Wanted wanted({ { 2.0, 1e-9 } });
+  TraceRequest wanted({ { 2.0, 1e-9 } });
   wanted.Field = Interpolant::Tricubic;
   const auto traced = NewTraced(volume, wanted);
   const Line line = { { 4.3, -2.0, 4.2 }, { 0.01, 1.0, 0.02 } };
@@ -741,13 +743,13 @@ TEST(TricubicRays, MeetWhatOnlyOtherPlanesHave)
 TEST(TricubicRays, ShowWhatIsSeen)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
-  const auto whole = NewTraced(volume, Want());
+  const auto whole = NewTraced(volume, Request());
   RandomNumbers random(22);
   int shown = 0;
   for (int i = 0; i < 60; ++i)
   {
-    Wanted wanted = Want(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = wanted.Seen;
+    TraceRequest wanted = Request(i % 2 == 0 ? 1e-9 : 1.0);
+    Visibility& seen = wanted.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
@@ -803,13 +805,13 @@ TEST(TricubicRays, KnowNumbersOfAllSizes)
   const auto volume = Noise<double>({ 12, 9, 10 }, 61);
   RandomNumbers random(62);
   const std::vector<Line> lines = ManyLines(random, volume.Dimensions, 100);
-  const auto ordinary = NewTraced(volume, Want());
+  const auto ordinary = NewTraced(volume, Request());
   for (const double factor : { 0x1p1015, 0x1p-1000 })
   {
     auto scaled = volume;
     std::for_each(
       scaled.Values.begin(), scaled.Values.end(), [factor](double& value) { value *= factor; });
-    Wanted wanted = Want();
+    TraceRequest wanted = Request();
     for (Isosurface& surface : wanted.Surfaces)
     {
       surface.Isovalue *= factor;
@@ -866,10 +868,10 @@ std::vector<double> FindRoots(const BernsteinNonic& nonic)
   std::vector<double> roots;
   bool isInside = IsInside(nonic.front());
   Nonic::ForEachRoot(nonic,
-    [&roots, &isInside](double u, bool rising)
+    [&roots, &isInside](double u, bool entering)
     {
-      EXPECT_NE(rising, isInside);
-      isInside = rising;
+      EXPECT_NE(entering, isInside);
+      isInside = entering;
       roots.push_back(u);
       return false;
     });

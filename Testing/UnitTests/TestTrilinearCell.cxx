@@ -5,10 +5,10 @@
 // slipping between cells (the same bits on both sides of a face, signs that no rounding changes) is
 // exact.
 
-#include "Oracle.h"
-#include "RandomNumbers.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/Cells/TrilinearCell.h"
+#include "Oracle.h"
+#include "RandomNumbers.h"
 
 #include <algorithm>
 #include <array>

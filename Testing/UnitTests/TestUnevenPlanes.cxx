@@ -4,13 +4,13 @@
 // Volumes whose samples are not evenly spaced: rays miss nothing in them, and gradients are those
 // of their space.
 
+#include "Image/Cells/TrilinearCell.h"
+#include "Image/Samples/UnevenPlanes.h"
+#include "Image/TracedVolume.h"
 #include "Picture/CastRays.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
-#include "Image/Cells/TrilinearCell.h"
-#include "Image/Samples/UnevenPlanes.h"
 
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ std::vector<double> WholeNumbers(int count)
 
 template <typename T>
 std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const Wanted& wanted, const VolumeSettings& settings = {})
+  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
 {
   auto traced = TracedVolume::New(volume.View(), settings, 1);
   traced->Select(wanted, 1);
@@ -172,7 +172,7 @@ TEST(UnevenPlanes, WholeNumbersChangeNothing)
   const TestVolume<double> volume = Noise(random, size, false);
   const UnevenPlanes planes(
     { WholeNumbers(size[0]), WholeNumbers(size[1]), WholeNumbers(size[2]) });
-  Wanted wanted({ { 0.0, Glass }, { 0.5, Glass } });
+  TraceRequest wanted({ { 0.0, Glass }, { 0.5, Glass } });
   const auto even = NewTraced(volume, wanted);
   wanted.Planes = &planes;
   const auto uneven = NewTraced(volume, wanted);
@@ -201,7 +201,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
   {
     const TestVolume<double> volume = Noise(random, size, true);
     const UnevenPlanes planes = RandomPlanes(random, size, round % 2 == 1);
-    Wanted wanted({ { 0.1, Glass } });
+    TraceRequest wanted({ { 0.1, Glass } });
     wanted.Planes = &planes;
     VolumeSettings cellByCell;
     cellByCell.MacrocellBranching.clear();
@@ -218,7 +218,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
       ASSERT_EQ(hits.size() % 2, 0U) << ToText(line);
       for (std::size_t k = 0; k < hits.size(); ++k)
       {
-        ASSERT_EQ(hits[k].Rising, k % 2 == 0) << ToText(line);
+        ASSERT_EQ(hits[k].Entering, k % 2 == 0) << ToText(line);
         ASSERT_TRUE(k == 0 || hits[k].T >= hits[k - 1].T) << ToText(line);
       }
       for (TracedVolume* volumeToo : { simple.get(), other.get() })
@@ -247,7 +247,7 @@ TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
   {
     const TestVolume<double> volume = Noise(random, size, false);
     const UnevenPlanes planes = RandomPlanes(random, size, false);
-    Wanted wanted({ { 0.1, Glass } });
+    TraceRequest wanted({ { 0.1, Glass } });
     wanted.Planes = &planes;
     const auto traced = NewTraced(volume, wanted);
     for (int i = 0; i < 50; ++i)
@@ -298,7 +298,7 @@ TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
   {
     const TestVolume<double> volume = Noise(random, size, false);
     const UnevenPlanes planes = RandomPlanes(random, size, false);
-    Wanted wanted;
+    TraceRequest wanted;
     wanted.Planes = &planes;
     wanted.Projection = Extremum::Largest;
     const auto traced = NewTraced(volume, wanted);
@@ -338,7 +338,7 @@ TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
       { volume.At(i) = field(planes.Get(0, i[0]), planes.Get(1, i[1]), planes.Get(2, i[2])); });
     return volume;
   };
-  Wanted wanted({ { 0.0, 1.0 } });
+  TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Planes = &planes;
   const auto linear = make([](double x, double y, double z) { return 3.0 * x - 2.0 * y + z; });
   const auto traced = NewTraced(linear, wanted);
@@ -365,10 +365,10 @@ TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
       }
     });
   // Those of many hits at a time are the same.
-  double gradients[3][RayGroup::Capacity];
+  double gradients[3][RayPacket::Capacity];
   curved->GetGradients(
-    hits.data(), RayGroup::Capacity, NormalMode::CentralDifferences, GetBestKernels(), gradients);
-  for (std::size_t i = 0; i < RayGroup::Capacity; ++i)
+    hits.data(), RayPacket::Capacity, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+  for (std::size_t i = 0; i < RayPacket::Capacity; ++i)
   {
     const Vector3 one = curved->GetGradient(hits[i], NormalMode::CentralDifferences);
     EXPECT_EQ((Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }), one);
@@ -390,7 +390,7 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
     const UnevenPlanes planes({ places, WholeNumbers(4), WholeNumbers(4) });
     TestVolume<float> volume(size, std::vector<float>(Count(size)));
     ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
-    Wanted wanted({ { 0.25, 1.0 } });
+    TraceRequest wanted({ { 0.25, 1.0 } });
     wanted.Planes = &planes;
     for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
            RootSolver::Marmitt, RootSolver::Linear })
@@ -404,7 +404,7 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
         ASSERT_EQ(hits.size(), 1U) << "flat cell " << flat;
         EXPECT_EQ(hits[0].Cell[0], flat);
         EXPECT_NEAR(hits[0].Parametric[0], 0.25, 1e-6);
-        EXPECT_EQ(hits[0].Rising, direction > 0.0);
+        EXPECT_EQ(hits[0].Entering, direction > 0.0);
         EXPECT_EQ(hits[0].GetPoint(&planes)[0], planes.Get(0, flat));
         for (const NormalMode mode :
           { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
@@ -426,11 +426,11 @@ TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
   const Index3 size = { 12, 9, 10 };
   const TestVolume<double> volume = Noise(random, size, false);
   const UnevenPlanes planes = RandomPlanes(random, size, false);
-  Wanted wanted({ { 0.0, Glass } });
+  TraceRequest wanted({ { 0.0, Glass } });
   wanted.Planes = &planes;
   const auto all = NewTraced(volume, wanted);
-  wanted.Seen.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
-  wanted.Seen.Regions.Seen = 0x5ab3c17;
+  wanted.Visible.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
+  wanted.Visible.Regions.Visible = 0x5ab3c17;
   const auto cropped = NewTraced(volume, wanted);
   std::size_t seen = 0;
   std::size_t unseen = 0;
@@ -440,7 +440,7 @@ TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
     std::vector<Hit> expected;
     for (const Hit& hit : Trace(*all, line, &planes))
     {
-      if (wanted.Seen.Regions.Contain(hit.GetPoint(&planes)))
+      if (wanted.Visible.Regions.Contain(hit.GetPoint(&planes)))
       {
         expected.push_back(hit);
       }

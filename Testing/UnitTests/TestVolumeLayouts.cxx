@@ -5,10 +5,10 @@
 // that are read may exist.
 
 #include "Image/Samples/ApronBricks.h"
-#include "RandomNumbers.h"
-#include "TestVolume.h"
 #include "Image/Samples/TwoLevelBricks.h"
 #include "Image/Samples/Unbricked.h"
+#include "RandomNumbers.h"
+#include "TestVolume.h"
 
 #include <algorithm>
 #include <cmath>

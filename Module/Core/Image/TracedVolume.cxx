@@ -3,27 +3,27 @@
 
 #include "Image/TracedVolume.h"
 
-#include "Image/Cells/Solvers/AnalyticSolver.h"
-#include "Image/Samples/ApronBricks.h"
-#include "Image/Traversal/PacketTracer.h"
-#include "Image/Macrocells/BlockTree.h"
 #include "Image/Cells/BoxFaces.h"
-#include "Image/Traversal/Caps.h"
-#include "Image/Macrocells/CellMasks.h"
 #include "Image/Cells/CellSegment.h"
-#include "Image/Traversal/CellTraversal.h"
+#include "Image/Cells/Solvers/AnalyticSolver.h"
 #include "Image/Cells/Solvers/FastSolver.h"
-#include "Kernels/Kernels.h"
 #include "Image/Cells/Solvers/LinearSolver.h"
-#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
-#include "Image/Traversal/Projection.h"
-#include "Rays/RayPacket.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/Cells/TricubicField.h"
 #include "Image/Cells/TrilinearCell.h"
+#include "Image/Macrocells/BlockTree.h"
+#include "Image/Macrocells/CellMasks.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/Samples/ApronBricks.h"
 #include "Image/Samples/TwoLevelBricks.h"
 #include "Image/Samples/Unbricked.h"
+#include "Image/Traversal/Caps.h"
+#include "Image/Traversal/CellTraversal.h"
+#include "Image/Traversal/PacketTracer.h"
+#include "Image/Traversal/Projection.h"
+#include "Kernels/Kernels.h"
+#include "Rays/RayPacket.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ struct Root
   /// As a fraction of the segment.
   double Fraction;
   int Surface;
-  bool Rising;
+  bool Entering;
 };
 
 /// The roots in a cell of several surfaces, in order along the ray.
@@ -88,7 +88,7 @@ public:
   void Add(const Root& root)
   {
     const auto first = this->Roots.begin() + this->FirstAllowed;
-    const auto place = root.Rising
+    const auto place = root.Entering
       ? std::upper_bound(first, this->Roots.end(), root.Fraction,
           [](double fraction, const Root& other) { return fraction < other.Fraction; })
       : std::lower_bound(first, this->Roots.end(), root.Fraction,
@@ -107,12 +107,12 @@ private:
 
 Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, const Root& root)
 {
-  return MakeHit(ray, cell, segment, root.Fraction, root.Surface, root.Rising);
+  return MakeHit(ray, cell, segment, root.Fraction, root.Surface, root.Entering);
 }
 
 template <typename Visit>
-void ForEachRoot(const CellCorners& difference, const CellSegment& segment, const Wanted& wanted,
-  const Visit& visit)
+void ForEachRoot(const CellCorners& difference, const CellSegment& segment,
+  const TraceRequest& wanted, const Visit& visit)
 {
   switch (wanted.Solver)
   {
@@ -132,8 +132,8 @@ class RayProgress
 {
 public:
   /// The dimensions are those of the volume, in samples.
-  RayProgress(const Wanted& wanted, const Index3& dimensions)
-    : Want(&wanted)
+  RayProgress(const TraceRequest& wanted, const Index3& dimensions)
+    : Request(&wanted)
     , Dimensions(dimensions)
   {
   }
@@ -156,19 +156,19 @@ public:
   /// Appends a hit, if it is seen. Returns true if nothing of the ray is left behind it.
   bool Pass(const Hit& hit, std::vector<Hit>& hits)
   {
-    if (!this->Want->Seen.IsConvex() &&
-      !this->Want->Seen.Shows(hit, this->Dimensions, this->Want->Planes))
+    if (!this->Request->Visible.IsConvex() &&
+      !this->Request->Visible.Shows(hit, this->Dimensions, this->Request->Planes))
     {
       return false;
     }
     hits.push_back(hit);
     this->Transmittance *=
-      1.0 - this->Want->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+      1.0 - this->Request->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
     return this->Transmittance < NegligibleTransmittance;
   }
 
 private:
-  const Wanted* Want;
+  const TraceRequest* Request;
   Index3 Dimensions;
   double Transmittance = 1.0;
 };
@@ -203,10 +203,10 @@ struct Follower
   /// Its number among all rays.
   std::size_t Number;
   const Ray* TheRay;
-  MacrocellWalk<ActiveMacrocells> Macrocells;
+  MacrocellTraversal<ActiveMacrocells> Macrocells;
   RayProgress Progress;
   /// The walk over the cells of the macrocell that the ray is in, if any.
-  LatticeWalk Cells;
+  LatticeTraversal Cells;
   bool IsInMacrocell = false;
   /// The cell it has come to.
   Index3 Cell = {};
@@ -252,14 +252,14 @@ public:
   {
   }
 
-  void Select(const Wanted& wanted, int threads) override
+  void Select(const TraceRequest& wanted, int threads) override
   {
     this->BeginFrame(wanted.MaximumMemory);
     const bool sameIsovalues = std::equal(wanted.Surfaces.begin(), wanted.Surfaces.end(),
-      this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
+      this->Request.Surfaces.begin(), this->Request.Surfaces.end(),
       [](const Isosurface& a, const Isosurface& b) { return a.Isovalue == b.Isovalue; });
     const bool wasCubic = this->IsCubic();
-    this->Want = wanted;
+    this->Request = wanted;
     const bool isOtherCubic = this->IsCubic() && this->Cubic.SetPlanes(wanted.Planes);
     if (sameIsovalues && wasCubic == this->IsCubic() && !isOtherCubic)
     {
@@ -286,27 +286,27 @@ public:
     this->SelectMasks(isovalues);
   }
 
-  bool MayHitBetween(RayGroup& lines) const override
+  bool MayHitBetween(RayPacket& lines) const override
   {
     // Extreme values and caps may be anywhere, not in active macrocells alone.
-    const bool isInTree = this->HasTree && this->Want.BeamKernels && !this->Want.Projection &&
-      !this->Want.Seen.HasCaps();
-    return !isInTree || this->Want.Planes ||
-      BeamTracer::MayMeet(*this->Want.BeamKernels, this->Tree, this->GetDimensions(), lines);
+    const bool isInTree = this->HasTree && this->Request.BeamKernels && !this->Request.Projection &&
+      !this->Request.Visible.HasCaps();
+    return !isInTree || this->Request.Planes ||
+      PacketTracer::MayMeet(*this->Request.BeamKernels, this->Tree, this->GetDimensions(), lines);
   }
 
-  void Trace(RayGroup& rays, RayHits& hits) override
+  void Trace(RayPacket& rays, RayHits& hits) override
   {
     hits.Clear();
-    for (const HalfSpace& half : this->Want.Seen.HalfSpaces)
+    for (const HalfSpace& half : this->Request.Visible.HalfSpaces)
     {
       CutRays(half, rays);
     }
-    if (this->Want.Projection)
+    if (this->Request.Projection)
     {
       this->Project(rays, hits);
     }
-    else if (this->Want.Seen.HasCaps())
+    else if (this->Request.Visible.HasCaps())
     {
       this->TraceBetweenCaps(rays, hits);
     }
@@ -320,7 +320,7 @@ public:
   {
     if (hit.Plane != Hit::NoPlane)
     {
-      return this->Want.Seen.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
+      return this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
     }
     if (hit.Jump != 0)
     {
@@ -329,9 +329,9 @@ public:
     if (this->IsCubic())
     {
       const Vector3 gradient = this->Cubic.GetGradient(hit.Cell, hit.Parametric);
-      return this->Want.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
+      return this->Request.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
     }
-    const bool isFlat = this->Want.Planes && this->Want.Planes->IsFlat(hit.Cell);
+    const bool isFlat = this->Request.Planes && this->Request.Planes->IsFlat(hit.Cell);
     if (mode == NormalMode::CentralDifferences && !isFlat)
     {
       const Vector3 gradient = this->GetSmoothGradient(hit);
@@ -346,15 +346,15 @@ public:
     CellCorners corners;
     std::copy(values, values + 8, corners.begin());
     const Vector3 gradient = InterpolantGradient(corners, hit.Parametric);
-    return this->Want.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
+    return this->Request.Planes ? this->DivideByWidths(gradient, hit.Cell) : gradient;
   }
 
   void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
-    double (*gradients)[RayGroup::Capacity]) const override
+    double (*gradients)[RayPacket::Capacity]) const override
   {
     // Kernels know even spacing only. Where no cell is inner, none is asked for.
-    const bool areSmooth = mode == NormalMode::CentralDifferences && !this->Want.Planes &&
-      this->Want.Field == Interpolant::Trilinear && this->IsInner({ 1, 1, 1 });
+    const bool areSmooth = mode == NormalMode::CentralDifferences && !this->Request.Planes &&
+      this->Request.Field == Interpolant::Trilinear && this->IsInner({ 1, 1, 1 });
     if (areSmooth)
     {
       InnerCells cells;
@@ -403,7 +403,7 @@ public:
   }
 
 private:
-  bool IsCubic() const { return this->Want.Field == Interpolant::Tricubic; }
+  bool IsCubic() const { return this->Request.Field == Interpolant::Tricubic; }
 
   /// Forgets the masks of cells; those of the tricubic interpolant are made by their own rule.
   void SelectMasks(const std::vector<double>& isovalues)
@@ -433,14 +433,14 @@ private:
   }
 
   /// Adds the hits of rays that are cut with the surfaces.
-  void TraceSurfaces(RayGroup& rays, RayHits& hits)
+  void TraceSurfaces(RayPacket& rays, RayHits& hits)
   {
-    if (this->Want.Field == Interpolant::Nearest)
+    if (this->Request.Field == Interpolant::Nearest)
     {
       this->ForEachRay(
         rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
     }
-    else if (this->Want.Solver == RootSolver::Fast && !this->IsCubic())
+    else if (this->Request.Solver == RootSolver::Fast && !this->IsCubic())
     {
       this->TraceTogether(rays, hits);
     }
@@ -461,11 +461,11 @@ private:
   }
 
   /// The same, with the caps at the ends of the rays. Where the first is opaque, there is no more.
-  void TraceBetweenCaps(const RayGroup& rays, RayHits& hits)
+  void TraceBetweenCaps(const RayPacket& rays, RayHits& hits)
   {
-    RayGroup inner = rays;
-    std::optional<Hit> first[RayGroup::Capacity];
-    std::optional<Hit> last[RayGroup::Capacity];
+    RayPacket inner = rays;
+    std::optional<Hit> first[RayPacket::Capacity];
+    std::optional<Hit> last[RayPacket::Capacity];
     for (int i = 0; i < rays.Count; ++i)
     {
       if (!Has(rays.Exists, i))
@@ -510,10 +510,10 @@ private:
   int GoToPlane(Ray& ray, RayEnd end) const
   {
     const Index3& cells = this->Hierarchy.GetLattice().Cells;
-    const int plane = FindCappedPlane(ray, end, this->Want.Seen.HalfSpaces, cells);
+    const int plane = FindCappedPlane(ray, end, this->Request.Visible.HalfSpaces, cells);
     if (plane != Hit::NoPlane)
     {
-      StepOverPlanes(ray, end, cells, this->Want.Field == Interpolant::Nearest);
+      StepOverPlanes(ray, end, cells, this->Request.Field == Interpolant::Nearest);
     }
     return plane;
   }
@@ -534,8 +534,8 @@ private:
     const bool goesIn = end == RayEnd::Begin;
     Hit hit = MakeHit(ray, place.Cell, segment, goesIn ? 0.0 : 1.0, Hit::NoSurface, goesIn);
     hit.Plane = plane;
-    const bool isSeen = this->Want.Seen.IsConvex() ||
-      this->Want.Seen.Shows(hit, this->GetDimensions(), this->Want.Planes);
+    const bool isSeen = this->Request.Visible.IsConvex() ||
+      this->Request.Visible.Shows(hit, this->GetDimensions(), this->Request.Planes);
     const bool isInside =
       isSeen && (this->IsCubic() ? this->TakeCubicValue(hit) : this->TakeValue(ray, place, hit));
     return isInside ? std::make_optional(hit) : std::nullopt;
@@ -547,7 +547,7 @@ private:
     typename Layout::Value corners[8];
     LoadCorners(this->TheSamples, hit.Cell, corners);
     Vector3 point = hit.Parametric;
-    if (this->Want.Field == Interpolant::Nearest)
+    if (this->Request.Field == Interpolant::Nearest)
     {
       const auto value = corners[FindBox(ray, hit.Cell, place.At)];
       std::fill_n(corners, 8, value);
@@ -586,7 +586,7 @@ private:
   int FindInnermost(const GetDifference& getDifference) const
   {
     static_assert(Hit::NoSurface == -1);
-    auto surface = static_cast<int>(this->Want.Surfaces.size()) - 1;
+    auto surface = static_cast<int>(this->Request.Surfaces.size()) - 1;
     while (surface >= 0 && !IsInside(getDifference(static_cast<std::size_t>(surface))))
     {
       --surface;
@@ -596,19 +596,19 @@ private:
 
   double GetOpacity(const Hit& hit) const
   {
-    return this->Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    return this->Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
   }
 
-  void Project(const RayGroup& rays, RayHits& hits)
+  void Project(const RayPacket& rays, RayHits& hits)
   {
-    if (*this->Want.Projection == Extremum::Largest)
+    if (*this->Request.Projection == Extremum::Largest)
     {
-      Projector<T, Layout, Extremum::Largest>(this->Hierarchy, this->Bricks, this->Want)
+      Projector<T, Layout, Extremum::Largest>(this->Hierarchy, this->Bricks, this->Request)
         .Project(rays, hits);
     }
     else
     {
-      Projector<T, Layout, Extremum::Smallest>(this->Hierarchy, this->Bricks, this->Want)
+      Projector<T, Layout, Extremum::Smallest>(this->Hierarchy, this->Bricks, this->Request)
         .Project(rays, hits);
     }
   }
@@ -619,7 +619,7 @@ private:
     typename Layout::Value corners[8], CellSegment& segment) const
   {
     reader.Load(cell, corners);
-    return HasSurface(corners, this->Want.Surfaces) && IsFinite(corners) &&
+    return HasSurface(corners, this->Request.Surfaces) && IsFinite(corners) &&
       SegmentInCell(ray, cell, segment);
   }
 
@@ -630,7 +630,7 @@ private:
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
       differences[corner] = Difference(static_cast<double>(corners[corner]),
-        this->Want.Surfaces[surface].Isovalue, this->Scales[surface]);
+        this->Request.Surfaces[surface].Isovalue, this->Scales[surface]);
     }
     return differences;
   }
@@ -642,7 +642,7 @@ private:
   {
     this->FindRoots(roots,
       [this, corners, &segment](std::size_t surface, const auto& visit)
-      { ForEachRoot(this->TakeOff(surface, corners), segment, this->Want, visit); });
+      { ForEachRoot(this->TakeOff(surface, corners), segment, this->Request, visit); });
   }
 
   /// The same for the tricubic interpolant.
@@ -653,20 +653,21 @@ private:
       { this->Cubic.ForEachRoot(cell, this->GetIsovalue(surface), segment, visit); });
   }
 
-  /// The same, where forEachRoot(surface, visit) calls visit(fraction, rising) until it returns
+  /// The same, where forEachRoot(surface, visit) calls visit(fraction, entering) until it returns
   /// true.
   template <typename ForEachRootOfSurface>
   void FindRoots(CellRoots& roots, const ForEachRootOfSurface& forEachRoot) const
   {
     roots.Clear();
-    for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
+    for (std::size_t i = 0; i < this->Request.Surfaces.size(); ++i)
     {
-      const bool isLast = this->Want.Surfaces[i].Opacity >= 1.0 && this->Want.Seen.IsConvex();
+      const bool isLast =
+        this->Request.Surfaces[i].Opacity >= 1.0 && this->Request.Visible.IsConvex();
       roots.NextSurface();
       forEachRoot(i,
-        [&roots, i, isLast](double u, bool rising)
+        [&roots, i, isLast](double u, bool entering)
         {
-          roots.Add({ u, static_cast<int>(i), rising });
+          roots.Add({ u, static_cast<int>(i), entering });
           return isLast;
         });
     }
@@ -674,24 +675,24 @@ private:
 
   ScaledIsovalue GetIsovalue(std::size_t surface) const
   {
-    return { this->Want.Surfaces[surface].Isovalue, this->Scales[surface] };
+    return { this->Request.Surfaces[surface].Isovalue, this->Scales[surface] };
   }
 
   RayProgress NewProgress() const
   {
-    return RayProgress(this->Want, this->TheSamples.GetDimensions());
+    return RayProgress(this->Request, this->TheSamples.GetDimensions());
   }
 
   /// A ray of a group that exists.
-  Ray TakeRay(const RayGroup& rays, int i) const
+  Ray TakeRay(const RayPacket& rays, int i) const
   {
     Ray ray = GetRay(rays, i);
-    ray.Planes = this->Want.Planes;
+    ray.Planes = this->Request.Planes;
     return ray;
   }
 
   /// Beams take even spacing, macrocells of 8^3 cells, and rays of ordinary length.
-  bool CanUseBeams(const RayGroup& rays) const
+  bool CanUseBeams(const RayPacket& rays) const
   {
     bool isFinite = true;
     for (int i = 0; i < rays.Count; ++i)
@@ -699,16 +700,16 @@ private:
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->HasTree && this->Want.BeamKernels && !this->Want.Planes;
+    return isFinite && this->HasTree && this->Request.BeamKernels && !this->Request.Planes;
   }
 
-  void TraceBeams(RayGroup& rays, RayHits& hits)
+  void TraceBeams(RayPacket& rays, RayHits& hits)
   {
-    BeamTracer tracer(*this->Want.BeamKernels, this->Tree);
-    BeamCells cells(*this, rays);
-    const bool firstHits = this->Want.Solver == RootSolver::Robust && !this->IsCubic() &&
-      this->Want.Surfaces.size() == 1 && this->Want.Surfaces[0].Opacity >= 1.0 &&
-      this->Want.Seen.IsConvex();
+    PacketTracer tracer(*this->Request.BeamKernels, this->Tree);
+    PacketCells cells(*this, rays);
+    const bool firstHits = this->Request.Solver == RootSolver::Robust && !this->IsCubic() &&
+      this->Request.Surfaces.size() == 1 && this->Request.Surfaces[0].Opacity >= 1.0 &&
+      this->Request.Visible.IsConvex();
     if (!firstHits)
     {
       cells.StartFollowing();
@@ -716,7 +717,7 @@ private:
       cells.GetHits(hits);
       return;
     }
-    const GroupHits& found = tracer.FindFirstHits(rays, cells, this->GetIsovalue(0));
+    const PacketHits& found = tracer.FindFirstHits(rays, cells, this->GetIsovalue(0));
     hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));
     hits.First.resize(static_cast<std::size_t>(rays.Count) + 1);
     Hit* hit = hits.Hits.data();
@@ -732,10 +733,10 @@ private:
   }
 
   /// The cells of the volume, for the beams of one thread.
-  class BeamCells final : public BeamTracer::Cells
+  class PacketCells final : public PacketTracer::Cells
   {
   public:
-    BeamCells(TypedVolume& volume, const RayGroup& rays)
+    PacketCells(TypedVolume& volume, const RayPacket& rays)
       : Volume(volume)
       , Rays(rays)
       , Reader(volume.Bricks)
@@ -777,8 +778,8 @@ private:
       std::sort(this->Passed.begin(), this->Passed.end(),
         [](const PassedCell& a, const PassedCell& b)
         {
-          return Place{ a.Segment.Begin, a.Segment.BeginAxis } <
-            Place{ b.Segment.Begin, b.Segment.BeginAxis };
+          return Crossing{ a.Segment.Begin, a.Segment.BeginAxis } <
+            Crossing{ b.Segment.Begin, b.Segment.BeginAxis };
         });
       const auto number = static_cast<std::size_t>(ray);
       for (const PassedCell& passed : this->Passed)
@@ -836,20 +837,20 @@ private:
       }
     }
 
-    void SiftCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
+    void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
       Candidates& candidates, RaySet& hits) override
     {
-      this->Volume.Want.BeamKernels->SiftCells[GetType(areCopied)](cells, axis,
+      this->Volume.Request.BeamKernels->ClassifyCells[GetType(areCopied)](cells, axis,
         this->GetStrides(areCopied), this->Volume.GetIsovalue(0), passages, candidates, hits);
     }
 
     void LoadCorners(bool areCopied, Candidates& candidates) override
     {
-      this->Volume.Want.BeamKernels->LoadCorners[GetType(areCopied)](
+      this->Volume.Request.BeamKernels->LoadCorners[GetType(areCopied)](
         this->GetStrides(areCopied), candidates);
     }
 
-    bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) override
+    bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
     {
       return this->Volume.FindFirstHit(this->Reader, GetRay(this->Rays, ray), cell, hit, begin);
     }
@@ -886,7 +887,7 @@ private:
     }
 
     TypedVolume& Volume;
-    const RayGroup& Rays;
+    const RayPacket& Rays;
     typename Layout::Reader Reader;
     /// Of each ray that is followed.
     std::vector<RayProgress> Progress;
@@ -899,7 +900,7 @@ private:
 
   /// The first hit of a ray in a cell, and where the ray enters the cell.
   bool FindFirstHit(
-    typename Layout::Reader& reader, const Ray& ray, const Index3& cell, Hit& hit, Place& begin)
+    typename Layout::Reader& reader, const Ray& ray, const Index3& cell, Hit& hit, Crossing& begin)
   {
     typename Layout::Value corners[8];
     CellSegment segment;
@@ -920,7 +921,7 @@ private:
 
   /// Calls trace(ray) for the rays of a group that exist, of which each appends its hits.
   template <typename Trace>
-  void ForEachRay(const RayGroup& rays, RayHits& hits, const Trace& trace) const
+  void ForEachRay(const RayPacket& rays, RayHits& hits, const Trace& trace) const
   {
     for (int i = 0; i < rays.Count; ++i)
     {
@@ -942,7 +943,7 @@ private:
       {
         typename Layout::Value corners[8];
         reader.Load(cell, corners);
-        return VisitFaceHits(ray, cell, corners, this->Want.Surfaces,
+        return VisitFaceHits(ray, cell, corners, this->Request.Surfaces,
           [&progress, &hits](const Hit& hit) { return progress.Pass(hit, hits); });
       });
   }
@@ -999,13 +1000,13 @@ private:
 
   /// Follows rays side by side, each from one cell that it may hit to the next. The cells of all
   /// rays are solved together.
-  void TraceTogether(const RayGroup& group, RayHits& result)
+  void TraceTogether(const RayPacket& group, RayHits& result)
   {
     std::vector<Ray> rays;
     std::vector<Follower> followers;
     std::vector<std::size_t> going;
-    rays.reserve(RayGroup::Capacity);
-    followers.reserve(RayGroup::Capacity);
+    rays.reserve(RayPacket::Capacity);
+    followers.reserve(RayPacket::Capacity);
     for (int i = 0; i < group.Count; ++i)
     {
       if (Has(group.Exists, i))
@@ -1013,7 +1014,8 @@ private:
         rays.push_back(this->TakeRay(group, i));
         going.push_back(followers.size());
         followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
-          MacrocellWalk<ActiveMacrocells>(rays.back(), this->Active), this->NewProgress(), {} });
+          MacrocellTraversal<ActiveMacrocells>(rays.back(), this->Active), this->NewProgress(),
+          {} });
       }
     }
     std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));
@@ -1045,8 +1047,8 @@ private:
     }
   }
 
-  /// Walks a ray on to the next cell that it may hit, if there is one, and queues it once for every
-  /// surface.
+  /// Traversals a ray on to the next cell that it may hit, if there is one, and queues it once for
+  /// every surface.
   void GoToNextCell(std::size_t number, Follower& follower, std::vector<Candidate>& candidates)
   {
     const Ray& ray = *follower.TheRay;
@@ -1062,9 +1064,9 @@ private:
         {
           return;
         }
-        follower.Cells = LatticeWalk(ray, 1, region.First, region.Last, region.Start);
+        follower.Cells = LatticeTraversal(ray, 1, region.First, region.Last, region.Start);
       }
-      LatticeWalk walk = follower.Cells;
+      LatticeTraversal walk = follower.Cells;
       do
       {
         follower.Cell = walk.GetBlock();
@@ -1073,7 +1075,7 @@ private:
       } while (follower.IsInMacrocell && !found);
       follower.Cells = walk;
     }
-    for (std::size_t i = 0; i < this->Want.Surfaces.size(); ++i)
+    for (std::size_t i = 0; i < this->Request.Surfaces.size(); ++i)
     {
       candidates.push_back(
         { number, static_cast<int>(i), ToSinglePrecision(this->TakeOff(i, corners)) });
@@ -1086,8 +1088,8 @@ private:
   void SolveCandidates(const std::vector<Candidate>& candidates,
     const std::vector<Follower>& followers, const Visit& visit) const
   {
-    const bool firstOnly = this->Want.Seen.IsConvex() &&
-      std::all_of(this->Want.Surfaces.begin(), this->Want.Surfaces.end(),
+    const bool firstOnly = this->Request.Visible.IsConvex() &&
+      std::all_of(this->Request.Surfaces.begin(), this->Request.Surfaces.end(),
         [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
     Fast::Batch batch = {};
     Fast::Roots solved;
@@ -1114,10 +1116,10 @@ private:
           if (solved.Found[piece][lane] != 0)
           {
             roots.Add({ static_cast<double>(solved.U[piece][lane]), candidate.Surface,
-              solved.Rising[piece][lane] != 0 });
+              solved.Entering[piece][lane] != 0 });
           }
         }
-        if (static_cast<std::size_t>(candidate.Surface) + 1 == this->Want.Surfaces.size())
+        if (static_cast<std::size_t>(candidate.Surface) + 1 == this->Request.Surfaces.size())
         {
           visit(candidate.Follower, roots);
         }
@@ -1129,10 +1131,10 @@ private:
   /// count: there the gradient is infinite, and this is its direction.
   Vector3 DivideByWidths(Vector3 gradient, const Index3& cell) const
   {
-    const bool isFlat = this->Want.Planes->IsFlat(cell);
+    const bool isFlat = this->Request.Planes->IsFlat(cell);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double width = this->Want.Planes->GetWidth(axis, cell[axis]);
+      const double width = this->Request.Planes->GetWidth(axis, cell[axis]);
       gradient[axis] = isFlat ? (width > 0.0 ? 0.0 : gradient[axis]) : gradient[axis] / width;
     }
     return gradient;
@@ -1149,11 +1151,12 @@ private:
     const auto high = static_cast<double>(*this->TheSamples.At(sample));
     sample[axis] = previous;
     const auto low = static_cast<double>(*this->TheSamples.At(sample));
-    if (this->Want.Planes)
+    if (this->Request.Planes)
     {
       sample[axis] = place;
       const auto middle = static_cast<double>(*this->TheSamples.At(sample));
-      const UnevenPlanes::SlopeWeights& weights = this->Want.Planes->GetSlopeWeights(axis, place);
+      const UnevenPlanes::SlopeWeights& weights =
+        this->Request.Planes->GetSlopeWeights(axis, place);
       return weights.Below * (middle - low) + weights.Above * (high - middle);
     }
     return (high - low) / (next - previous);
@@ -1193,7 +1196,7 @@ private:
   CellMasks<T> Masks;
   Layout Bricks;
   TricubicField<T> Cubic;
-  Wanted Want;
+  TraceRequest Request;
   /// For each surface, see GetScale.
   std::vector<double> Scales;
 };
@@ -1205,12 +1208,12 @@ void TracedVolume::Trace(const std::vector<std::optional<Ray>>& rays, RayHits& h
 {
   hits.Clear();
   RayHits some;
-  RayGroup group;
-  for (std::size_t first = 0; first < rays.size(); first += RayGroup::Capacity)
+  RayPacket group;
+  for (std::size_t first = 0; first < rays.size(); first += RayPacket::Capacity)
   {
     group.Count = 0;
     group.Exists = {};
-    for (std::size_t i = first; i < std::min(first + RayGroup::Capacity, rays.size()); ++i)
+    for (std::size_t i = first; i < std::min(first + RayPacket::Capacity, rays.size()); ++i)
     {
       AddRay(rays[i], group);
     }

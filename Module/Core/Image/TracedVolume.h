@@ -4,12 +4,12 @@
 #ifndef TracedVolume_h
 #define TracedVolume_h
 
-#include "Rays/Hit.h"
+#include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
+#include "Rays/Hit.h"
 #include "Rays/Ray.h"
 #include "Rays/Visibility.h"
-#include "Image/Samples/VolumeView.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -87,10 +87,10 @@ enum class Extremum
 };
 
 /// What to look for along rays, and how.
-struct Wanted
+struct TraceRequest
 {
-  Wanted() = default;
-  Wanted(std::vector<Isosurface> surfaces, RootSolver solver = RootSolver::Robust,
+  TraceRequest() = default;
+  TraceRequest(std::vector<Isosurface> surfaces, RootSolver solver = RootSolver::Robust,
     int interpolations = 3)
     : Surfaces(std::move(surfaces))
     , Solver(solver)
@@ -110,11 +110,11 @@ struct Wanted
   /// interpolant has its extreme value along all that is seen of the ray.
   std::optional<Extremum> Projection;
   /// What of the volume is seen at all.
-  Visibility Seen;
+  Visibility Visible;
   /// Where the samples stand; null if at whole numbers. Rays must be made with the same.
   const UnevenPlanes* Planes = nullptr;
-  /// What rays are traced with where beams of them will do (see BeamTracer.h). With null, each ray
-  /// goes by itself, cell after cell; the hits are the same.
+  /// What rays are traced with where beams of them will do (see PacketTracer.h). With null, each
+  /// ray goes by itself, cell after cell; the hits are the same.
   const Kernels* BeamKernels = &GetBestKernels();
   /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
   /// that were not used lately make room, and rays do without: the hits are the same.
@@ -163,17 +163,17 @@ public:
 
   /// Chooses what to trace from now on: finds the macrocells of the isovalues unless they are the
   /// same as before.
-  virtual void Select(const Wanted& wanted, int threads) = 0;
+  virtual void Select(const TraceRequest& wanted, int threads) = 0;
 
   /// Whether rays between lines that pass through one place, or are parallel, may hit a surface:
   /// those whose directions are means of the lines' own. The lines have an origin and a direction,
   /// and nothing else.
-  virtual bool MayHitBetween(RayGroup& lines) const = 0;
+  virtual bool MayHitBetween(RayPacket& lines) const = 0;
 
   /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
   /// nothing of it is left to see. A ray that does not exist has no hits. Any number of threads may
   /// trace at once; what a ray hits does not depend on the others. Rays are cut to what is seen.
-  virtual void Trace(RayGroup& rays, RayHits& hits) = 0;
+  virtual void Trace(RayPacket& rays, RayHits& hits) = 0;
   /// The same for any number of rays.
   void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits);
 
@@ -183,7 +183,7 @@ public:
 
   /// The same for up to as many hits as a group of rays has, with kernels.
   virtual void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
-    double (*gradients)[RayGroup::Capacity]) const = 0;
+    double (*gradients)[RayPacket::Capacity]) const = 0;
 
   virtual const Index3& GetDimensions() const = 0;
   /// In bytes.

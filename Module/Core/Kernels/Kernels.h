@@ -19,7 +19,7 @@ struct RaySet
 };
 
 /// Rays that are traced side by side, in arrays.
-struct RayGroup
+struct RayPacket
 {
   static constexpr int Capacity = 128;
 
@@ -45,7 +45,7 @@ struct RayGroup
   alignas(64) double Low[Capacity];
   alignas(64) double High[Capacity];
 
-  /// What every eight rays sweep across the axis, the first included and as Beam says: the least
+  /// What every eight rays sweep across the axis, the first included and as Frustum says: the least
   /// and the most coordinates at plane 0, and how they change from plane to plane. Good from
   /// SweptLow to SweptHigh.
   static constexpr int Bunch = 8;
@@ -78,7 +78,7 @@ struct PixelBlock
 
 /// What a set of rays sweeps: between the planes Low and High of an axis they are, across it,
 /// between two lines. (The smallest of linear functions is concave and stays above the chord.)
-struct Beam
+struct Frustum
 {
   int Axis;
   /// Whether the rays go up the axis.
@@ -179,7 +179,7 @@ struct Solutions
   std::uint64_t Found[Words];
   /// Those whose values are too large or too small for the arithmetic of the kernels.
   std::uint64_t Extreme[Words];
-  std::uint64_t Rising[Words];
+  std::uint64_t Entering[Words];
   /// Where the ray comes into the cell, as in CellSegment.
   alignas(64) double Begin[Candidates::Capacity];
   alignas(64) double BeginAxis[Candidates::Capacity];
@@ -192,21 +192,21 @@ struct InnerCells
 {
   int Count;
   /// The first corner of the cell, where the samples are.
-  const void* First[RayGroup::Capacity];
-  alignas(64) double Parametric[3][RayGroup::Capacity];
+  const void* First[RayPacket::Capacity];
+  alignas(64) double Parametric[3][RayPacket::Capacity];
 };
 
 /// Hits to be shaded.
 struct ShadedHits
 {
   int Count;
-  alignas(64) double Gradient[3][RayGroup::Capacity];
+  alignas(64) double Gradient[3][RayPacket::Capacity];
   /// Of the ray, in index space.
-  alignas(64) double Direction[3][RayGroup::Capacity];
+  alignas(64) double Direction[3][RayPacket::Capacity];
   /// That of the surface first, then that of the hit.
-  alignas(64) double Color[3][RayGroup::Capacity];
+  alignas(64) double Color[3][RayPacket::Capacity];
   /// Those where the ray goes in, and so sees the outside of the surface.
-  RaySet Rising;
+  RaySet Entering;
   /// Those whose vectors are too short or too long for the arithmetic of the kernel.
   RaySet Extreme;
 };
@@ -215,9 +215,9 @@ struct ShadedHits
 struct HitPixels
 {
   /// Red, green, blue and opacity, the first one lowest.
-  std::uint32_t Colors[RayGroup::Capacity];
+  std::uint32_t Colors[RayPacket::Capacity];
   /// As in the depth buffer.
-  float Depths[RayGroup::Capacity];
+  float Depths[RayPacket::Capacity];
 };
 
 /// A light that is infinitely far; see Light.
@@ -248,23 +248,23 @@ struct Kernels
 {
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
-  void (*MakeRays)(const PixelBlock& block, RayGroup& group);
+  void (*MakeRays)(const PixelBlock& block, RayPacket& group);
 
   /// Looks at rays along an axis, and finds the beam they make. Returns false if they make none:
   /// if they do not all go the same way along it, or steeply away from it.
-  bool (*Align)(RayGroup& group, const RaySet& rays, int axis, Beam& beam);
+  bool (*Align)(RayPacket& group, const RaySet& rays, int axis, Frustum& beam);
 
   /// Adds the passages of rays of a beam through a block with its first cell at first; slices are
   /// those of its mask across the axis. It may find cells that a ray comes near to; it never leaves
   /// out one that a ray passes.
-  void (*FindPassages)(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+  void (*FindPassages)(const RayPacket& group, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], Passages& passages);
 
   /// Adds those of some cells to the candidates in which a ray may hit the surface, as single
   /// precision can tell; and marks the passages and the rays that surely hit it. Corners are kept
   /// in rows, with so many values from neighbour to neighbour along each axis. One for every
   /// ScalarType.
-  void (*SiftCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+  void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
     const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits);
 
   /// Loads the corners of candidates from where they are kept in rows, with so many values from
@@ -272,13 +272,13 @@ struct Kernels
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
   /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
-  void (*Solve)(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
-    Solutions& solutions);
+  void (*Solve)(const RayPacket& group, const Candidates& candidates,
+    const ScaledIsovalue& isovalue, Solutions& solutions);
 
   /// Interpolates the central differences at the corners of cells, which makes the gradients of
   /// NormalMode::CentralDifferences. Strides are those of Samples. One for every ScalarType.
   void (*InterpolateDifferences[10])(const InnerCells& cells, const std::ptrdiff_t strides[3],
-    double (*gradients)[RayGroup::Capacity]);
+    double (*gradients)[RayPacket::Capacity]);
 
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);
@@ -286,7 +286,7 @@ struct Kernels
   /// Turns opaque hits with their last colours, and places in index space, to pixels, exactly as
   /// RenderTiles does.
   void (*MakePixels)(const double* clipFromIndex, const ShadedHits& hits,
-    const double (*points)[RayGroup::Capacity], HitPixels& pixels);
+    const double (*points)[RayPacket::Capacity], HitPixels& pixels);
 
   /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
   /// One for every ScalarType.

@@ -201,11 +201,11 @@ LANES_INLINE Mask ClipToVolume(Rays& rays, const int dimensions[3], Doubles& bas
   return exists;
 }
 
-void MakeRays(const PixelBlock& block, RayGroup& group)
+void MakeRays(const PixelBlock& block, RayPacket& group)
 {
-  double columns[RayGroup::Capacity + LaneCount];
-  double rows[RayGroup::Capacity + LaneCount];
-  double depths[RayGroup::Capacity + LaneCount];
+  double columns[RayPacket::Capacity + LaneCount];
+  double rows[RayPacket::Capacity + LaneCount];
+  double depths[RayPacket::Capacity + LaneCount];
   int count = 0;
   for (int y = 0; y < block.Rows; ++y)
   {
@@ -248,14 +248,14 @@ void MakeRays(const PixelBlock& block, RayGroup& group)
 
 //------------------------------------------------------------------------------
 /// Finds what the bunches of a group sweep along one of the axes across.
-LANES_INLINE void SweepBunches(RayGroup& group, const RaySet& rays, int j)
+LANES_INLINE void SweepBunches(RayPacket& group, const RaySet& rays, int j)
 {
   const double low = group.SweptLow;
   const double high = group.SweptHigh;
   const double inverse = 1.0 / (high - low);
-  for (int bunch = 0; bunch < RayGroup::Bunches; ++bunch)
+  for (int bunch = 0; bunch < RayPacket::Bunches; ++bunch)
   {
-    const int first = bunch * RayGroup::Bunch;
+    const int first = bunch * RayPacket::Bunch;
     // Bunches without rays are nowhere.
     group.LeastOffset[j][bunch] = Infinity;
     group.LeastSlope[j][bunch] = 0.0;
@@ -267,7 +267,7 @@ LANES_INLINE void SweepBunches(RayGroup& group, const RaySet& rays, int j)
     }
     Doubles least[2] = { Broadcast(Infinity), Broadcast(Infinity) };
     Doubles most[2] = { Broadcast(-Infinity), Broadcast(-Infinity) };
-    for (int i = first; i < first + RayGroup::Bunch; i += LaneCount)
+    for (int i = first; i < first + RayPacket::Bunch; i += LaneCount)
     {
       const Mask mask = LanesOf(GetLanes(rays, i));
       const Doubles slope = Load(&group.Slope[j][i]);
@@ -288,7 +288,7 @@ LANES_INLINE void SweepBunches(RayGroup& group, const RaySet& rays, int j)
   }
 }
 
-bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
+bool Align(RayPacket& group, const RaySet& rays, int axis, Frustum& beam)
 {
   const int across[2] = { AxisU[axis], AxisV[axis] };
   const Doubles zero = Broadcast(0.0);
@@ -353,7 +353,7 @@ bool Align(RayGroup& group, const RaySet& rays, int axis, Beam& beam)
     {
       Doubles least = Broadcast(Infinity);
       Doubles most = Broadcast(-Infinity);
-      for (int i = 0; i < RayGroup::Bunches; i += LaneCount)
+      for (int i = 0; i < RayPacket::Bunches; i += LaneCount)
       {
         const Doubles plane = Broadcast(ends[end]);
         least =
@@ -496,14 +496,14 @@ struct Box
 };
 
 /// The bunches of rays that may come into a box, counted from a first cell; a bit for each.
-LANES_INLINE unsigned int FindBunches(const RayGroup& group, const Box& box, const double first[3])
+LANES_INLINE unsigned int FindBunches(const RayPacket& group, const Box& box, const double first[3])
 {
   const double low = first[0] + box.Middle[0] - box.Extent[0];
   const double high = first[0] + box.Middle[0] + box.Extent[0];
   const Doubles near = Broadcast(low < group.SweptLow ? group.SweptLow : low);
   const Doubles far = Broadcast(high < group.SweptHigh ? high : group.SweptHigh);
   unsigned int found = 0;
-  for (int i = 0; i < RayGroup::Bunches; i += LaneCount)
+  for (int i = 0; i < RayPacket::Bunches; i += LaneCount)
   {
     Mask meets = FirstLanes(LaneCount);
     for (int j = 0; j < 2; ++j)
@@ -576,7 +576,7 @@ LANES_INLINE void CopyPair(const float from[2], float to[2])
   __builtin_memcpy(to, from, 2 * sizeof(float));
 }
 
-void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int first[3],
+void FindPassages(const RayPacket& group, const RaySet& rays, int axis, const int first[3],
   const std::uint64_t slices[8], Passages& passages)
 {
   if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
@@ -611,14 +611,14 @@ void FindPassages(const RayGroup& group, const RaySet& rays, int axis, const int
   // Ends so near to the block's own are none.
   const Doubles lastBegin = Broadcast(first[axis] + 0x1p-20);
   const Doubles firstEnd = Broadcast(first[axis] + 8 - 0x1p-20);
-  float middles[RayGroup::Capacity][2];
-  float ends[RayGroup::Capacity][2];
-  int found[RayGroup::Capacity + LaneCount];
+  float middles[RayPacket::Capacity][2];
+  float ends[RayPacket::Capacity][2];
+  int found[RayPacket::Capacity + LaneCount];
   int foundCount = 0;
   for (unsigned int bunches = FindBunches(group, box, corner); bunches != 0; bunches &= bunches - 1)
   {
-    const int bunch = __builtin_ctz(bunches) * RayGroup::Bunch;
-    for (int i = bunch; i < bunch + RayGroup::Bunch; i += LaneCount)
+    const int bunch = __builtin_ctz(bunches) * RayPacket::Bunch;
+    for (int i = bunch; i < bunch + RayPacket::Bunch; i += LaneCount)
     {
       const Doubles slopeU = Load(&group.Slope[0][i]);
       const Doubles slopeV = Load(&group.Slope[1][i]);
@@ -686,7 +686,7 @@ struct RoughCells
 {
   /// The lower plane of the cell, from the middle plane of the block.
   Floats Plane;
-  Floats Place[2];
+  Floats Crossing[2];
   Floats Slope[2];
   Floats Ends[2];
 };
@@ -702,8 +702,8 @@ LANES_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned 
   LoadFours(lines, line);
   RoughCells cells;
   cells.Plane = GetBits(codes, 16, 7U) - BroadcastFloat(4.0F);
-  cells.Place[0] = line[0] - GetBits(codes, 24, 7U);
-  cells.Place[1] = line[1] - GetBits(codes, 27, 7U);
+  cells.Crossing[0] = line[0] - GetBits(codes, 24, 7U);
+  cells.Crossing[1] = line[1] - GetBits(codes, 27, 7U);
   cells.Slope[0] = line[2];
   cells.Slope[1] = line[3];
   cells.Ends[0] = BroadcastFloat(NoEnd[0]);
@@ -729,7 +729,7 @@ LANES_INLINE Floats Lerp(Floats a, Floats difference, Floats t)
 }
 
 /// What single precision can tell of the part of rays in cells.
-struct Sieve
+struct Classification
 {
   FloatMask Misses;
   FloatMask Hits;
@@ -761,8 +761,8 @@ LANES_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
     // Of a slope that is nearly or really none, a large reciprocal will do.
     const Floats inverse = RoughReciprocal(
       CopySign(Larger(Magnitude(cells.Slope[j]), BroadcastFloat(0x1p-60F)), cells.Slope[j]));
-    const Floats first = (BroadcastFloat(0.0F) - cells.Place[j]) * inverse;
-    const Floats second = (one - cells.Place[j]) * inverse;
+    const Floats first = (BroadcastFloat(0.0F) - cells.Crossing[j]) * inverse;
+    const Floats second = (one - cells.Crossing[j]) * inverse;
     const Floats off = MultiplyAdd(error, Magnitude(inverse), error);
     const Floats in = Smaller(first, second);
     const Floats out = Larger(first, second);
@@ -782,8 +782,8 @@ LANES_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
 /// Looks at the cubics along rays in cells, of values less the isovalue; largest is the largest
 /// size of each cell's. All that single precision gets wrong is less than 2^-16 of it, and what is
 /// wrong with the isovalue.
-LANES_INLINE Sieve Sift(const Floats v[8], Floats largest, Floats isovalueError, const int order[3],
-  const RoughCells& cells, const RoughSegments& segments)
+LANES_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
+  const int order[3], const RoughCells& cells, const RoughSegments& segments)
 {
   // The places in the cell at both ends of the segment.
   Floats p[3];
@@ -792,8 +792,8 @@ LANES_INLINE Sieve Sift(const Floats v[8], Floats largest, Floats isovalueError,
   q[order[0]] = segments.High - cells.Plane;
   for (int j = 0; j < 2; ++j)
   {
-    p[order[1 + j]] = MultiplyAdd(segments.Low, cells.Slope[j], cells.Place[j]);
-    q[order[1 + j]] = MultiplyAdd(segments.High, cells.Slope[j], cells.Place[j]);
+    p[order[1 + j]] = MultiplyAdd(segments.Low, cells.Slope[j], cells.Crossing[j]);
+    q[order[1 + j]] = MultiplyAdd(segments.High, cells.Slope[j], cells.Crossing[j]);
   }
   Floats x[2][4];
   for (int i = 0; i < 4; ++i)
@@ -835,7 +835,7 @@ LANES_INLINE Sieve Sift(const Floats v[8], Floats largest, Floats isovalueError,
   const Floats nearest = Smaller(nearer, Smaller(Magnitude(once), Magnitude(twice)) * third);
   const FloatMask changes = HaveOtherSigns(begin, end);
   const FloatMask mayChange = changes | HaveOtherSigns(begin, once) | HaveOtherSigns(begin, twice);
-  Sieve result;
+  Classification result;
   result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
   result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
   return result;
@@ -861,7 +861,7 @@ LANES_INLINE Floats LoadRoughDifferences(
 }
 
 template <typename T>
-void SiftCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
   const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits)
 {
   // In other magnitudes nothing is told.
@@ -878,7 +878,7 @@ void SiftCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[
     Floats values[8];
     const Floats largest =
       LoadRoughDifferences<T>(&cells.First[i], strides, BroadcastFloat(rounded), values);
-    const Sieve sieve = Sift(values, largest, isovalueError, order, rough, segments);
+    const Classification sieve = Classify(values, largest, isovalueError, order, rough, segments);
     const unsigned int lanes = (1U << SmallerOf(cells.Count - i, FloatCount)) - 1U;
     const unsigned int sure = ToBits(sieve.Hits);
     for (unsigned int left = lanes & ~ToBits(sieve.Misses); left != 0; left &= left - 1)
@@ -960,7 +960,7 @@ struct Segments
 };
 
 // The same as SegmentInCell of CellSegment.h, for rays whose Begin and End are finite.
-LANES_INLINE Segments FindSegments(const RayGroup& group, const int* rays, const Doubles cell[3])
+LANES_INLINE Segments FindSegments(const RayPacket& group, const int* rays, const Doubles cell[3])
 {
   const Doubles zero = Broadcast(0.0);
   const Doubles one = Broadcast(1.0);
@@ -1157,12 +1157,12 @@ LANES_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
   words[first >> 6] |= static_cast<std::uint64_t>(bits) << (first & 63);
 }
 
-void Solve(const RayGroup& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
+void Solve(const RayPacket& group, const Candidates& candidates, const ScaledIsovalue& isovalue,
   Solutions& solutions)
 {
   for (int i = 0; i < Solutions::Words; ++i)
   {
-    solutions.Found[i] = solutions.Extreme[i] = solutions.Rising[i] = 0;
+    solutions.Found[i] = solutions.Extreme[i] = solutions.Entering[i] = 0;
   }
   // Two vectors at a time; see RefineRoots.
   for (int i = 0; i < candidates.Count; i += 2 * LaneCount)
@@ -1198,7 +1198,7 @@ void Solve(const RayGroup& group, const Candidates& candidates, const ScaledIsov
       const int first = i + j * LaneCount;
       const Segments& segment = segments[j];
       SetBits(ToBits(brackets[j].Exists), first, solutions.Found);
-      SetBits(ToBits(IsInside(brackets[j].AtHigh)), first, solutions.Rising);
+      SetBits(ToBits(IsInside(brackets[j].AtHigh)), first, solutions.Entering);
       Store(segment.Begin, &solutions.Begin[first]);
       Store(segment.BeginAxis, &solutions.BeginAxis[first]);
       const Doubles t = segment.Begin + (segment.End - segment.Begin) * u[j];
@@ -1246,8 +1246,8 @@ LANES_INLINE void LoadPair(const void* const* rows, int lanes, std::ptrdiff_t pl
 
 // Each sample is read once for all corners that it is a neighbour of.
 template <typename T>
-void InterpolateDifferences(
-  const InnerCells& cells, const std::ptrdiff_t strides[3], double (*gradients)[RayGroup::Capacity])
+void InterpolateDifferences(const InnerCells& cells, const std::ptrdiff_t strides[3],
+  double (*gradients)[RayPacket::Capacity])
 {
   const Doubles half = Broadcast(0.5);
   for (int i = 0; i < cells.Count; i += LaneCount)
@@ -1395,7 +1395,7 @@ void Shade(const Phong& phong, ShadedHits& hits)
     hits.Extreme.Words[i >> 6] |= static_cast<std::uint64_t>(extreme) << (i & 63);
     if (phong.TwoSidedLighting)
     {
-      const Mask isOutside = LanesOf(GetLanes(hits.Rising, i));
+      const Mask isOutside = LanesOf(GetLanes(hits.Entering, i));
       for (int axis = 0; axis < 3; ++axis)
       {
         normal[axis] = Select(isOutside, normal[axis], normal[axis] * Broadcast(-1.0));
@@ -1428,7 +1428,7 @@ LANES_INLINE void StoreBytes(Doubles values, int* bytes)
 }
 
 void MakePixels(const double* clipFromIndex, const ShadedHits& hits,
-  const double (*points)[RayGroup::Capacity], HitPixels& pixels)
+  const double (*points)[RayPacket::Capacity], HitPixels& pixels)
 {
   const double* m = clipFromIndex;
   const Doubles zero = Broadcast(0.0);
@@ -1498,7 +1498,7 @@ void IncludeRow(const void* row, void* low, void* high, std::ptrdiff_t count)
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(SiftCells),                  \
+  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(ClassifyCells),              \
     FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
     FOR_ALL_TYPES(IncludeRow) }
 

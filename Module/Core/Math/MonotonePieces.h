@@ -39,8 +39,8 @@ inline int TurningPoints(double a, double h, double c, double turns[2])
 
 /// Goes through the pieces of [0, 1] between the turning points of a function. Where its signs at
 /// the two ends of a piece differ, there is one root: refine(lo, hi, atLo, atHi) finds it, and
-/// visit(root, rising) is told, until it returns true. Rising says whether the function goes from
-/// below zero to zero or above.
+/// visit(root, entering) is told, until it returns true. Entering says whether the function goes
+/// from below zero to zero or above.
 template <typename Evaluate, typename Refine, typename Visit>
 void ForEachSignChange(const double turns[2], int count, double atBegin, double atEnd,
   const Evaluate& evaluate, const Refine& refine, Visit&& visit)

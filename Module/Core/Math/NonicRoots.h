@@ -108,7 +108,7 @@ inline double RefineRoot(const BernsteinNonic& b, double tolerance)
   return u;
 }
 
-/// Calls visit(u, rising) for every root in [0, 1], in order, until visit returns true. Rising
+/// Calls visit(u, entering) for every root in [0, 1], in order, until visit returns true. Entering
 /// tells whether the ray goes in (from below the isovalue to at or above it).
 template <typename Visit>
 void ForEachRoot(const BernsteinNonic& nonic, const Visit& visit)

@@ -4,8 +4,8 @@
 #ifndef Hemisphere_h
 #define Hemisphere_h
 
-#include "Rays/Hit.h"
 #include "Math/Vector.h"
+#include "Rays/Hit.h"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "Picture/RenderTiles.h"
 
-#include "Rays/RayPacket.h"
 #include "Picture/Shader.h"
+#include "Rays/RayPacket.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +33,7 @@ std::size_t PixelOffset(const Scene& scene, int x, int y)
 
 /// Makes the rays of some pixels, one after the other.
 void MakeRays(
-  const Scene& scene, const PixelRectangle& pixels, const Index3& dimensions, RayGroup& rays)
+  const Scene& scene, const PixelRectangle& pixels, const Index3& dimensions, RayPacket& rays)
 {
   rays.Count = 0;
   rays.Exists = {};
@@ -44,8 +44,8 @@ void MakeRays(
       const float depth = scene.Depth ? scene.Depth[PixelOffset(scene, x, y)] : 1.0F;
       const Camera::PixelRay pixel =
         scene.View.GetRay(scene.Pixels.X + x, scene.Pixels.Y + y, static_cast<double>(depth));
-      AddRay(
-        ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, dimensions, scene.Want.Planes),
+      AddRay(ClipToVolume(
+               pixel.Origin, pixel.Direction, 0.0, pixel.End, dimensions, scene.Request.Planes),
         rays);
     }
   }
@@ -53,7 +53,7 @@ void MakeRays(
 
 /// Whether a ray through some pixels may hit anything: asks for those at the corners.
 bool MayHit(
-  const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels, RayGroup& corners)
+  const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels, RayPacket& corners)
 {
   corners.Count = 0;
   corners.Exists = {};
@@ -75,14 +75,14 @@ bool MayHit(
 
 /// Makes the rays of some pixels and finds what they hit.
 void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
-  RayGroup& rays, RayHits& hits)
+  RayPacket& rays, RayHits& hits)
 {
   if (!MayHit(scene, volume, pixels, rays))
   {
     hits.Clear();
     return;
   }
-  if (!scene.Want.BeamKernels || scene.Want.Planes)
+  if (!scene.Request.BeamKernels || scene.Request.Planes)
   {
     MakeRays(scene, pixels, volume.GetDimensions(), rays);
     volume.Trace(rays, hits);
@@ -99,7 +99,7 @@ void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& 
   block.Depth = scene.Depth ? scene.Depth + PixelOffset(scene, pixels.X, pixels.Y) : nullptr;
   block.DepthStride = scene.Pixels.Width;
   block.Dimensions = volume.GetDimensions().data();
-  scene.Want.BeamKernels->MakeRays(block, rays);
+  scene.Request.BeamKernels->MakeRays(block, rays);
   volume.Trace(rays, hits);
 }
 
@@ -123,7 +123,8 @@ void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, 
   double transmittance = 1.0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const double opacity = scene.Want.Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
+    const double opacity =
+      scene.Request.Surfaces[static_cast<std::size_t>(hits[i].Surface)].Opacity;
     Vector3 shaded = colors[i];
     for (double& channel : shaded)
     {
@@ -134,7 +135,7 @@ void CompositePixel(const Scene& scene, const Hit* hits, const Vector3* colors, 
     if (opacity >= 1.0)
     {
       depth = static_cast<float>(
-        std::clamp(scene.View.GetDepth(hits[i].GetPoint(scene.Want.Planes)), 0.0, 1.0));
+        std::clamp(scene.View.GetDepth(hits[i].GetPoint(scene.Request.Planes)), 0.0, 1.0));
     }
   }
   rgba[0] = ToByte(color[0]);
@@ -160,7 +161,7 @@ void ColorPixel(const Scene& scene, const Hit* hits, std::size_t count, std::uin
 
 /// Writes the hits of some pixels, where one opaque surface is all there is.
 void WriteOpaque(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
-  const RayGroup& rays, const RayHits& hits, Frame& frame)
+  const RayPacket& rays, const RayHits& hits, Frame& frame)
 {
   HitPixels made;
   shader.MakePixels(rays, hits, made);
@@ -188,7 +189,7 @@ void WriteOpaque(const Scene& scene, const Shader& shader, const PixelRectangle&
 }
 
 void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& pixels,
-  const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
+  const RayPacket& rays, const RayHits& hits, std::vector<Vector3>& colors, Frame& frame)
 {
   if (hits.Hits.empty())
   {
@@ -205,7 +206,7 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
     WriteOpaque(scene, shader, pixels, rays, hits, frame);
     return;
   }
-  if (!scene.Want.Projection)
+  if (!scene.Request.Projection)
   {
     shader.Shade(rays, hits, colors);
   }
@@ -217,7 +218,7 @@ void ShadeBlock(const Scene& scene, const Shader& shader, const PixelRectangle& 
       const std::size_t pixel = PixelOffset(scene, x, y);
       const std::size_t first = hits.First[ray];
       const std::size_t count = hits.First[ray + 1] - first;
-      if (scene.Want.Projection)
+      if (scene.Request.Projection)
       {
         ColorPixel(scene, hits.Hits.data() + first, count, &frame.Colors[4 * pixel]);
         frame.Depths[pixel] = Frame::NoSurface;
@@ -242,7 +243,7 @@ void ForEachBlock(const PixelRectangle& tile, const Visit& visit)
 {
   constexpr int width = 16;
   const int columns = std::min(width, tile.Width);
-  const int rows = RayGroup::Capacity / columns;
+  const int rows = RayPacket::Capacity / columns;
   for (int y = 0; y < tile.Height; y += rows)
   {
     for (int x = 0; x < tile.Width; x += columns)
@@ -273,7 +274,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
   frame.Colors.resize(4 * count);
   frame.Depths.resize(count);
   frame.Hits.assign(scene.KeepHits ? count : 0, Hit{ 0.0, {}, Hit::NoSurface, {}, false });
-  volume.Select(scene.Want, scene.Threads);
+  volume.Select(scene.Request, scene.Threads);
 
   const Shader shader(scene, volume);
   const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
@@ -287,7 +288,7 @@ bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTi
 
 #pragma omp parallel num_threads(scene.Threads) reduction(+ : traceSeconds, shadeSeconds)
   {
-    RayGroup rays;
+    RayPacket rays;
     RayHits hits;
     std::vector<Vector3> colors;
 #pragma omp for schedule(dynamic)

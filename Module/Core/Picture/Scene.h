@@ -4,8 +4,8 @@
 #ifndef Scene_h
 #define Scene_h
 
-#include "Rays/Camera.h"
 #include "Image/TracedVolume.h"
+#include "Rays/Camera.h"
 
 #include <array>
 #include <limits>
@@ -78,7 +78,7 @@ struct Scene
   /// null where there is nothing.
   const float* Depth = nullptr;
 
-  Wanted Want;
+  TraceRequest Request;
   /// The colour of each surface.
   std::vector<Vector3> Colors;
   /// If there is one, it says the colours instead.

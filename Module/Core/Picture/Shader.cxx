@@ -137,8 +137,9 @@ Shader::Shader(const Scene& scene, TracedVolume& volume)
 bool Shader::CanUseKernels() const
 {
   const Scene& scene = this->TheScene;
-  return scene.Want.BeamKernels && scene.Look.Shade && !scene.Shadows && scene.OcclusionRays == 0 &&
-    this->WholePower >= 0 && this->DistantLights.size() == scene.Lights.size();
+  return scene.Request.BeamKernels && scene.Look.Shade && !scene.Shadows &&
+    scene.OcclusionRays == 0 && this->WholePower >= 0 &&
+    this->DistantLights.size() == scene.Lights.size();
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +158,7 @@ Vector3 Shader::GetColor(const Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
-void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const
+void Shader::Shade(const RayPacket& rays, const RayHits& hits, std::vector<Vector3>& colors) const
 {
   colors.resize(hits.Hits.size());
   const bool canUseKernels = this->CanUseKernels();
@@ -174,7 +175,7 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
   }
   ShadedHits some;
   some.Count = 0;
-  some.Rising = {};
+  some.Entering = {};
   std::size_t first = 0;
   const auto takeColors = [&some, &colors, &first]
   {
@@ -183,7 +184,7 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
       colors[first++] = { some.Color[0][i], some.Color[1][i], some.Color[2][i] };
     }
     some.Count = 0;
-    some.Rising = {};
+    some.Entering = {};
   };
   for (int ray = 0; ray < rays.Count; ++ray)
   {
@@ -199,7 +200,7 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
         continue;
       }
       this->Append(hit, rays, ray, some);
-      if (some.Count == RayGroup::Capacity)
+      if (some.Count == RayPacket::Capacity)
       {
         this->ShadeSome(&hits.Hits[first], some);
         takeColors();
@@ -216,18 +217,18 @@ void Shader::Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector
 //------------------------------------------------------------------------------
 bool Shader::CanMakePixels() const
 {
-  const Wanted& want = this->TheScene.Want;
+  const TraceRequest& want = this->TheScene.Request;
   return this->CanUseKernels() && !want.Planes && !want.Projection && want.Surfaces.size() == 1 &&
     want.Surfaces[0].Opacity >= 1.0;
 }
 
 //------------------------------------------------------------------------------
-void Shader::MakePixels(const RayGroup& rays, const RayHits& hits, HitPixels& pixels) const
+void Shader::MakePixels(const RayPacket& rays, const RayHits& hits, HitPixels& pixels) const
 {
   ShadedHits shaded;
   shaded.Count = 0;
-  shaded.Rising = {};
-  alignas(64) double points[3][RayGroup::Capacity];
+  shaded.Entering = {};
+  alignas(64) double points[3][RayPacket::Capacity];
   const Hit* hit = hits.Hits.data();
   for (int ray = 0; ray < rays.Count; ++ray)
   {
@@ -242,18 +243,18 @@ void Shader::MakePixels(const RayGroup& rays, const RayHits& hits, HitPixels& pi
     }
   }
   this->ShadeSome(hits.Hits.data(), shaded);
-  this->TheScene.Want.BeamKernels->MakePixels(
+  this->TheScene.Request.BeamKernels->MakePixels(
     this->TheScene.View.GetClipFromIndex().data(), shaded, points, pixels);
 }
 
 //------------------------------------------------------------------------------
 /// Appends a hit that is to be shaded.
-void Shader::Append(const Hit& hit, const RayGroup& rays, int ray, ShadedHits& shaded) const
+void Shader::Append(const Hit& hit, const RayPacket& rays, int ray, ShadedHits& shaded) const
 {
   const int place = shaded.Count++;
-  if (hit.Rising)
+  if (hit.Entering)
   {
-    Add(place, shaded.Rising);
+    Add(place, shaded.Entering);
   }
   const Vector3 color = this->GetColor(hit);
   for (std::size_t k = 0; k < 3; ++k)
@@ -268,7 +269,7 @@ void Shader::Append(const Hit& hit, const RayGroup& rays, int ray, ShadedHits& s
 void Shader::ShadeSome(const Hit* hits, ShadedHits& shaded) const
 {
   const Scene& scene = this->TheScene;
-  const Kernels& kernels = *scene.Want.BeamKernels;
+  const Kernels& kernels = *scene.Request.BeamKernels;
   this->Volume.GetGradients(hits, shaded.Count, scene.Normals, kernels, shaded.Gradient);
   const Phong phong = { scene.View.GetWorldFromIndex().data(), this->WorldFromGradient.data(),
     scene.TwoSidedLighting, scene.Look.Ambient, scene.Look.Diffuse, scene.Look.Specular,
@@ -298,17 +299,17 @@ std::vector<double> Shader::CastShadows(const std::vector<Hit>& hits) const
 {
   const std::size_t lights = this->TheScene.Lights.size();
   std::vector<double> shares(hits.size() * lights, 1.0);
-  for (std::size_t first = 0; first < hits.size(); first += RayGroup::Capacity)
+  for (std::size_t first = 0; first < hits.size(); first += RayPacket::Capacity)
   {
-    const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, hits.size() - first);
+    const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, hits.size() - first);
     for (std::size_t light = 0; light < lights; ++light)
     {
-      ShadowRay rays[RayGroup::Capacity];
+      ShadowRay rays[RayPacket::Capacity];
       for (std::size_t i = 0; i < count; ++i)
       {
         rays[i] = this->MakeShadowRay(this->TheScene.Lights[light], hits[first + i]);
       }
-      double some[RayGroup::Capacity];
+      double some[RayPacket::Capacity];
       this->FindShares(rays, &hits[first], static_cast<int>(count), some);
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -331,7 +332,7 @@ std::vector<double> Shader::FindOpenness(const std::vector<Hit>& hits) const
     const Vector3 normal =
       Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
     skies.emplace_back(
-      hit.Rising ? normal * -1.0 : normal, count, HitNumbers(hit, this->TheScene.OcclusionFrame));
+      hit.Entering ? normal * -1.0 : normal, count, HitNumbers(hit, this->TheScene.OcclusionFrame));
   }
   // Some rays of all hits at a time, so that among them are many that go the same way.
   constexpr int atOnce = 32;
@@ -374,12 +375,12 @@ void Shader::FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vec
   }
   std::sort(order.begin(), order.end());
   shares.resize(rays.size());
-  for (std::size_t first = 0; first < order.size(); first += RayGroup::Capacity)
+  for (std::size_t first = 0; first < order.size(); first += RayPacket::Capacity)
   {
-    const std::size_t count = std::min<std::size_t>(RayGroup::Capacity, order.size() - first);
-    ShadowRay someRays[RayGroup::Capacity];
-    Hit someStarts[RayGroup::Capacity];
-    double someShares[RayGroup::Capacity];
+    const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, order.size() - first);
+    ShadowRay someRays[RayPacket::Capacity];
+    Hit someStarts[RayPacket::Capacity];
+    double someShares[RayPacket::Capacity];
     for (std::size_t i = 0; i < count; ++i)
     {
       someRays[i] = rays[order[first + i].second];
@@ -398,10 +399,10 @@ void Shader::FindSharesSorted(const std::vector<ShadowRay>& rays, const std::vec
 void Shader::FindShares(
   const ShadowRay* shadowRays, const Hit* hits, int count, double* shares) const
 {
-  RayGroup rays;
+  RayPacket rays;
   rays.Count = 0;
   rays.Exists = {};
-  bool goesInside[RayGroup::Capacity];
+  bool goesInside[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {
     shares[i] = 1.0;
@@ -409,7 +410,7 @@ void Shader::FindShares(
     const Vector3 gradient = this->Volume.GetGradient(hits[i], NormalMode::InterpolantGradient);
     goesInside[i] = Dot(gradient, ray.Direction) > 0.0;
     AddRay(ClipToVolume(ray.Origin, ray.Direction, 0.0, ray.End, this->Volume.GetDimensions(),
-             this->TheScene.Want.Planes),
+             this->TheScene.Request.Planes),
       rays);
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
@@ -426,7 +427,7 @@ void Shader::FindShares(
       std::size_t first = found.First[static_cast<std::size_t>(i)];
       const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
       const bool isOwn = first < last && found.Hits[first].Surface == hits[i].Surface &&
-        found.Hits[first].Rising == goesInside[i];
+        found.Hits[first].Entering == goesInside[i];
       if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
       {
         const Ray ray = GetRay(rays, i);
@@ -451,7 +452,7 @@ void Shader::FindShares(
 Shader::ShadowRay Shader::MakeShadowRay(const Light& light, const Hit& hit) const
 {
   const Matrix4& toWorld = this->TheScene.View.GetWorldFromIndex();
-  const Vector3 origin = hit.GetPoint(this->TheScene.Want.Planes);
+  const Vector3 origin = hit.GetPoint(this->TheScene.Request.Planes);
   const Vector3 toLight =
     light.Positional ? light.Position - TransformPoint(toWorld, origin) : light.Direction;
   // The gradient's matrix is the inverse of the transposed, up to a factor.
@@ -468,14 +469,14 @@ Shader::ShadowRay Shader::MakeOcclusionRay(const Vector3& direction, const Hit& 
 {
   const Vector3 inIndex = TransposeTransformDirection(this->WorldFromGradient, direction);
   const double unit = Length(TransformDirection(this->TheScene.View.GetWorldFromIndex(), inIndex));
-  return { hit.GetPoint(this->TheScene.Want.Planes), inIndex,
+  return { hit.GetPoint(this->TheScene.Request.Planes), inIndex,
     this->TheScene.OcclusionRadius / unit };
 }
 
 //------------------------------------------------------------------------------
 double Shader::GetOpacity(const Hit& hit) const
 {
-  return this->TheScene.Want.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+  return this->TheScene.Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
 }
 
 //------------------------------------------------------------------------------
@@ -513,12 +514,12 @@ Vector3 Shader::Shade(
   Vector3 normal =
     Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient))) * -1.0;
   // Which side is seen, the hit knows; a smooth normal may be turned away from both.
-  if (scene.TwoSidedLighting && !hit.Rising)
+  if (scene.TwoSidedLighting && !hit.Entering)
   {
     normal = normal * -1.0;
   }
 
-  const Vector3 point = TransformPoint(toWorld, hit.GetPoint(scene.Want.Planes));
+  const Vector3 point = TransformPoint(toWorld, hit.GetPoint(scene.Request.Planes));
   Vector3 diffuse = { 0.0, 0.0, 0.0 };
   Vector3 specular = { 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < scene.Lights.size(); ++i)

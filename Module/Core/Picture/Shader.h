@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef Shading_h
-#define Shading_h
+#ifndef Shader_h
+#define Shader_h
 
 #include "Kernels/Kernels.h"
 #include "Picture/Scene.h"
@@ -30,14 +30,14 @@ public:
   std::vector<double> FindOpenness(const std::vector<Hit>& hits) const;
 
   /// The colours of the hits of a group of rays, the same but faster.
-  void Shade(const RayGroup& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
+  void Shade(const RayPacket& rays, const RayHits& hits, std::vector<Vector3>& colors) const;
 
   /// Whether MakePixels may be asked.
   bool CanMakePixels() const;
 
   /// Turns the hits of a group of rays to pixels, in their order, where one opaque surface is all
   /// there is: at most one hit for each ray. The same as by the colours of the hits, but faster.
-  void MakePixels(const RayGroup& rays, const RayHits& hits, HitPixels& pixels) const;
+  void MakePixels(const RayPacket& rays, const RayHits& hits, HitPixels& pixels) const;
 
 private:
   struct ShadowRay
@@ -49,7 +49,7 @@ private:
 
   bool CanUseKernels() const;
   Vector3 GetColor(const Hit& hit) const;
-  void Append(const Hit& hit, const RayGroup& rays, int ray, ShadedHits& shaded) const;
+  void Append(const Hit& hit, const RayPacket& rays, int ray, ShadedHits& shaded) const;
   void ShadeSome(const Hit* hits, ShadedHits& shaded) const;
   std::vector<double> CastShadows(const std::vector<Hit>& hits) const;
   ShadowRay MakeShadowRay(const Light& light, const Hit& hit) const;

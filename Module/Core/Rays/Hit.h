@@ -22,7 +22,7 @@ struct Hit
   /// The point in the cell's own coordinates, [0, 1]^3.
   Vector3 Parametric;
   /// Whether the ray goes in there: from below the isovalue to at or above it.
-  bool Rising;
+  bool Entering;
   /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
   /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
   int Jump = 0;

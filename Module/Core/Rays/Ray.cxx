@@ -26,8 +26,8 @@ bool ClipToSlabs(Ray& ray, const Index3& dimensions)
       }
       continue;
     }
-    ray.Begin = std::max(ray.Begin, ray.Crossing(axis, ray.Step[axis] > 0 ? 0 : last));
-    ray.End = std::min(ray.End, ray.Crossing(axis, ray.Step[axis] > 0 ? last : 0));
+    ray.Begin = std::max(ray.Begin, ray.CrossingT(axis, ray.Step[axis] > 0 ? 0 : last));
+    ray.End = std::min(ray.End, ray.CrossingT(axis, ray.Step[axis] > 0 ? last : 0));
   }
   return ray.Begin <= ray.End;
 }

@@ -41,19 +41,19 @@ struct Ray
   /// of a crossing comes from here, and never from a running sum: neighbouring cells agree on it to
   /// the last bit, and nothing drifts. Rounding is monotone, so it never falls as k moves with
   /// Step.
-  double Crossing(std::size_t axis, int k) const
+  double CrossingT(std::size_t axis, int k) const
   {
-    return this->CrossingAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
+    return this->CrossingTAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
   }
 
   /// The same for the plane at a place.
-  double CrossingAt(std::size_t axis, double place) const
+  double CrossingTAt(std::size_t axis, double place) const
   {
     return (place - this->Origin[axis]) * this->Inverse[axis];
   }
 
   /// The same for the plane in the middle between the lattice planes k and k + 1.
-  double MiddleCrossing(std::size_t axis, int k) const
+  double MiddleCrossingT(std::size_t axis, int k) const
   {
     const double place =
       this->Planes ? this->Planes->Get(axis, k) + 0.5 * this->Planes->GetWidth(axis, k) : k + 0.5;
@@ -71,7 +71,7 @@ struct Ray
 /// Planes crossed at the same t (the ray meets an edge or a vertex) are crossed in the order x, y,
 /// z. So every ray has one sequence of cells, in which neighbours share a face, and every cell of
 /// it can be recognised without knowing the others.
-struct Place
+struct Crossing
 {
   double T;
   /// The axis of the plane crossed; StartAxis where the place is no crossing but a mere t.
@@ -79,7 +79,7 @@ struct Place
 
   static constexpr int StartAxis = 3;
 
-  bool operator<(const Place& other) const
+  bool operator<(const Crossing& other) const
   {
     return this->T < other.T || (this->T == other.T && this->Axis < other.Axis);
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef RayGroup_h
-#define RayGroup_h
+#ifndef RayPacket_h
+#define RayPacket_h
 
 #include "Kernels/Kernels.h"
 #include "Rays/Ray.h"
@@ -38,7 +38,7 @@ inline int CountOf(const RaySet& set)
 }
 
 /// Puts a ray at the end of a group that has room for it.
-inline void AddRay(const std::optional<Ray>& ray, RayGroup& group)
+inline void AddRay(const std::optional<Ray>& ray, RayPacket& group)
 {
   const int place = group.Count++;
   if (!ray)
@@ -58,7 +58,7 @@ inline void AddRay(const std::optional<Ray>& ray, RayGroup& group)
 }
 
 /// A ray of a group that exists.
-inline Ray GetRay(const RayGroup& group, int place)
+inline Ray GetRay(const RayPacket& group, int place)
 {
   Ray ray;
   for (std::size_t axis = 0; axis < 3; ++axis)

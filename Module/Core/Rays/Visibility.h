@@ -4,9 +4,9 @@
 #ifndef Visibility_h
 #define Visibility_h
 
+#include "Math/Vector.h"
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
-#include "Math/Vector.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ struct CroppingRegions
   std::array<std::array<double, 2>, 3> Planes = {};
   /// Bit i + 3 j + 9 k says whether region (i, j, k) is seen. Its border belongs to the one in the
   /// middle.
-  unsigned int Seen = All;
+  unsigned int Visible = All;
 
   static constexpr unsigned int All = 0x7ffffff;
 
@@ -63,7 +63,7 @@ struct CroppingRegions
       region += stride * place;
       stride *= 3;
     }
-    return (this->Seen >> region & 1U) != 0;
+    return (this->Visible >> region & 1U) != 0;
   }
 };
 
@@ -84,7 +84,10 @@ struct Visibility
   }
 
   /// Whether every hit of a ray that is cut is seen.
-  bool IsConvex() const { return this->Regions.Seen == CroppingRegions::All && !this->HiddenCells; }
+  bool IsConvex() const
+  {
+    return this->Regions.Visible == CroppingRegions::All && !this->HiddenCells;
+  }
 
   /// Whether a hit of a ray that is cut is seen, in a volume of so many samples.
   bool Shows(const Hit& hit, const Index3& dimensions, const UnevenPlanes* planes) const
@@ -99,7 +102,7 @@ struct Visibility
 template <typename Visit>
 void ForEachSeenPiece(const Ray& ray, const CroppingRegions& regions, const Visit& visit)
 {
-  if (regions.Seen == CroppingRegions::All)
+  if (regions.Visible == CroppingRegions::All)
   {
     visit(ray);
     return;
@@ -132,7 +135,7 @@ void ForEachSeenPiece(const Ray& ray, const CroppingRegions& regions, const Visi
 }
 
 /// Cuts rays to a half-space. Those that have nothing there do not exist any more.
-inline void CutRays(const HalfSpace& half, RayGroup& rays)
+inline void CutRays(const HalfSpace& half, RayPacket& rays)
 {
   for (int i = 0; i < rays.Count; ++i)
   {

@@ -23,8 +23,8 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// Whether a ray is in a cell where it crosses a plane between boxes across an axis, in the middle
-/// of the cell. By the order of Place, so it is in one cell only.
-inline bool IsInCell(const Ray& ray, const Index3& cell, const Place& crossing)
+/// of the cell. By the order of Crossing, so it is in one cell only.
+inline bool IsInCell(const Ray& ray, const Index3& cell, const Crossing& crossing)
 {
   if (!(crossing.T > ray.Begin && crossing.T <= ray.End))
   {
@@ -38,8 +38,8 @@ inline bool IsInCell(const Ray& ray, const Index3& cell, const Place& crossing)
       continue;
     }
     const bool up = ray.Step[i] > 0;
-    const Place in{ ray.Crossing(i, cell[i] + (up ? 0 : 1)), axis };
-    const Place out{ ray.Crossing(i, cell[i] + (up ? 1 : 0)), axis };
+    const Crossing in{ ray.CrossingT(i, cell[i] + (up ? 0 : 1)), axis };
+    const Crossing out{ ray.CrossingT(i, cell[i] + (up ? 1 : 0)), axis };
     if (crossing < in || !(crossing < out))
     {
       return false;
@@ -50,15 +50,15 @@ inline bool IsInCell(const Ray& ray, const Index3& cell, const Place& crossing)
 
 /// The corner of a cell in whose box a ray is at a place, which is in the cell or before it. A ray
 /// that lies in a plane between boxes stays in those above.
-inline int FindBox(const Ray& ray, const Index3& cell, const Place& place)
+inline int FindBox(const Ray& ray, const Index3& cell, const Crossing& place)
 {
   int corner = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto i = static_cast<std::size_t>(axis);
     const bool isUpper = ray.Step[i] == 0
-      ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Place::StartAxis })[i] >= 0.5
-      : (Place{ ray.MiddleCrossing(i, cell[i]), axis } < place) == (ray.Step[i] > 0);
+      ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Crossing::StartAxis })[i] >= 0.5
+      : (Crossing{ ray.MiddleCrossingT(i, cell[i]), axis } < place) == (ray.Step[i] > 0);
     corner |= isUpper ? 1 << axis : 0;
   }
   return corner;
@@ -70,14 +70,14 @@ inline int FindBox(const Ray& ray, const Index3& cell, const Place& place)
 template <typename Visit>
 bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
 {
-  Place crossings[3];
+  Crossing crossings[3];
   int count = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto i = static_cast<std::size_t>(axis);
     if (ray.Step[i] != 0)
     {
-      crossings[count++] = { ray.MiddleCrossing(i, cell[i]), axis };
+      crossings[count++] = { ray.MiddleCrossingT(i, cell[i]), axis };
     }
   }
   std::sort(crossings, crossings + count);
@@ -113,7 +113,7 @@ bool VisitFaceHits(const Ray& ray, const Index3& cell, const Value corners[8],
     return false;
   }
   return VisitFaces(ray, cell,
-    [&](const Place& crossing, int from, int to)
+    [&](const Crossing& crossing, int from, int to)
     {
       const auto before = static_cast<double>(corners[from]);
       const auto behind = static_cast<double>(corners[to]);
@@ -125,11 +125,11 @@ bool VisitFaceHits(const Ray& ray, const Index3& cell, const Value corners[8],
       Hit hit{ ray.Base + crossing.T, cell, 0, PointInCell(ray, GetBox(cell, ray.Planes), crossing),
         before < behind };
       hit.Parametric[axis] = 0.5;
-      hit.Jump = hit.Rising == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
+      hit.Jump = hit.Entering == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
       const auto count = static_cast<int>(surfaces.size());
       for (int i = 0; i < count; ++i)
       {
-        hit.Surface = hit.Rising ? i : count - 1 - i;
+        hit.Surface = hit.Entering ? i : count - 1 - i;
         const double isovalue = surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
         const bool isSurface = (before < isovalue) != (behind < isovalue);
         if (isSurface && visit(hit))

@@ -4,9 +4,9 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
+#include "Image/Cells/TrilinearCell.h"
 #include "Rays/Hit.h"
 #include "Rays/Ray.h"
-#include "Image/Cells/TrilinearCell.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +19,7 @@ struct CellSegment
 {
   double Begin;
   double End;
-  /// The axis of the plane crossed at Begin; see Place.
+  /// The axis of the plane crossed at Begin; see Crossing.
   int BeginAxis;
   Vector3 Entry;
   Vector3 Exit;
@@ -47,7 +47,7 @@ inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
 /// 1: the two cells that share the face then interpolate between the same four samples with the
 /// same weights, and agree on the sign of every point of it to the last bit. No ray slips between
 /// them.
-inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Place& place)
+inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& place)
 {
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -64,8 +64,8 @@ inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Place& plac
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
   const CellBox box = GetBox(cell, ray.Planes);
-  Place entry{ -std::numeric_limits<double>::infinity(), 0 };
-  Place exit{ std::numeric_limits<double>::infinity(), Place::StartAxis };
+  Crossing entry{ -std::numeric_limits<double>::infinity(), 0 };
+  Crossing exit{ std::numeric_limits<double>::infinity(), Crossing::StartAxis };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (ray.Step[axis] == 0)
@@ -77,9 +77,9 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
       continue;
     }
     const bool up = ray.Step[axis] > 0;
-    const Place in{ ray.CrossingAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
+    const Crossing in{ ray.CrossingTAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
       static_cast<int>(axis) };
-    const Place out{ ray.CrossingAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
+    const Crossing out{ ray.CrossingTAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
       static_cast<int>(axis) };
     entry = std::max(entry, in);
     exit = std::min(exit, out);
@@ -88,8 +88,8 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   // Where the ray begins or ends within the cell, no plane is crossed there.
   const bool entersThroughFace = entry.T >= ray.Begin;
   const bool leavesThroughFace = exit.T <= ray.End;
-  const Place begin = entersThroughFace ? entry : Place{ ray.Begin, Place::StartAxis };
-  const Place end = leavesThroughFace ? exit : Place{ ray.End, Place::StartAxis };
+  const Crossing begin = entersThroughFace ? entry : Crossing{ ray.Begin, Crossing::StartAxis };
+  const Crossing end = leavesThroughFace ? exit : Crossing{ ray.End, Crossing::StartAxis };
   // A flat cell is passed at one place.
   const bool isFlat = ray.Planes && entersThroughFace && leavesThroughFace && entry.T == exit.T &&
     entry.Axis == exit.Axis;
@@ -118,7 +118,7 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
 
 /// A hit at a fraction of the segment of a ray in a cell.
 inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, double fraction,
-  int surface, bool rising)
+  int surface, bool entering)
 {
   Vector3 point;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -127,7 +127,7 @@ inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segmen
   }
   // Written so that it never falls as the fraction grows.
   const double t = segment.Begin + (segment.End - segment.Begin) * fraction;
-  return { ray.Base + std::min(t, segment.End), cell, surface, point, rising };
+  return { ray.Base + std::min(t, segment.End), cell, surface, point, entering };
 }
 
 }

@@ -4,13 +4,13 @@
 #ifndef TricubicField_h
 #define TricubicField_h
 
-#include "Image/Macrocells/BlockMask.h"
 #include "Image/Cells/CellSegment.h"
-#include "Kernels/Kernels.h"
-#include "Image/Macrocells/MacrocellHierarchy.h"
-#include "Math/NonicRoots.h"
 #include "Image/Cells/TricubicCell.h"
+#include "Image/Macrocells/BlockMask.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/VolumeView.h"
+#include "Kernels/Kernels.h"
+#include "Math/NonicRoots.h"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +77,7 @@ public:
     mask.CompleteSlices();
   }
 
-  /// Calls visit(fraction, rising) for every root along the segment of a ray in a cell, in order,
+  /// Calls visit(fraction, entering) for every root along the segment of a ray in a cell, in order,
   /// until visit returns true.
   template <typename Visit>
   void ForEachRoot(const Index3& cell, const ScaledIsovalue& isovalue, const CellSegment& segment,

@@ -4,8 +4,8 @@
 #ifndef CellMasks_h
 #define CellMasks_h
 
-#include "Image/Samples/BlockCache.h"
 #include "Image/Macrocells/BlockMask.h"
+#include "Image/Samples/BlockCache.h"
 #include "Image/Samples/VolumeView.h"
 
 #include <algorithm>

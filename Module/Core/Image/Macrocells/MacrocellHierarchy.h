@@ -5,9 +5,9 @@
 #define MacrocellHierarchy_h
 
 #include "Image/Macrocells/ActiveMacrocells.h"
+#include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
-#include "Image/Samples/VolumeView.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -39,7 +39,7 @@ inline bool IsAtBorder(const Ray& ray, RayEnd end, const Index3& cells)
   {
     const bool isAtFirst = (ray.Step[axis] > 0) == (end == RayEnd::Begin);
     if (ray.Step[axis] != 0 &&
-      ray.Crossing(axis, isAtFirst ? 0 : cells[axis]) ==
+      ray.CrossingT(axis, isAtFirst ? 0 : cells[axis]) ==
         (end == RayEnd::Begin ? ray.Begin : ray.End))
     {
       return true;
@@ -74,7 +74,7 @@ inline int FindCappedPlane(
 struct EndCell
 {
   Index3 Cell;
-  Place At;
+  Crossing At;
 };
 
 inline EndCell FindEndCell(const Ray& ray, RayEnd end, const Index3& cells)
@@ -82,10 +82,10 @@ inline EndCell FindEndCell(const Ray& ray, RayEnd end, const Index3& cells)
   // Of planes that are crossed right there, those at the begin are behind the ray, and those at the
   // end before it.
   constexpr int beforeAllAxes = -1;
-  const Place start =
-    end == RayEnd::Begin ? Place{ ray.Begin, Place::StartAxis } : Place{ ray.End, beforeAllAxes };
-  const LatticeWalk walk(ray, 1, { 0, 0, 0 }, cells, start);
-  const Place last = std::min(Place{ ray.End, Place::StartAxis }, walk.GetExit());
+  const Crossing start = end == RayEnd::Begin ? Crossing{ ray.Begin, Crossing::StartAxis }
+                                              : Crossing{ ray.End, beforeAllAxes };
+  const LatticeTraversal walk(ray, 1, { 0, 0, 0 }, cells, start);
+  const Crossing last = std::min(Crossing{ ray.End, Crossing::StartAxis }, walk.GetExit());
   return { walk.GetBlock(), end == RayEnd::Begin ? start : last };
 }
 
@@ -105,8 +105,8 @@ inline void StepOverPlanes(Ray& ray, RayEnd end, const Index3& cells, bool areBo
       continue;
     }
     const bool isUpper = (ray.Step[axis] > 0) == (end == RayEnd::Begin);
-    const double between = ray.Crossing(axis, cell[axis] + (isUpper ? 1 : 0));
-    const double middle = ray.MiddleCrossing(axis, cell[axis]);
+    const double between = ray.CrossingT(axis, cell[axis] + (isUpper ? 1 : 0));
+    const double middle = ray.MiddleCrossingT(axis, cell[axis]);
     if (end == RayEnd::Begin)
     {
       ray.Begin = coincides(between) ? std::max(ray.Begin, between) : ray.Begin;

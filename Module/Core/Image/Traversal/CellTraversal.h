@@ -18,15 +18,16 @@ namespace vtkIsosurfaceRayTracing
 
 /// Visits the blocks of a lattice that a ray passes, one after the other (J. Amanatides, A. Woo: A
 /// Fast Voxel Traversal Algorithm for Ray Tracing, Eurographics 1987). Blocks are cells (edge 1) or
-/// macrocells. The order of crossings is that of Place, so the walk over cells within a macrocell
-/// is just the piece of the walk over all cells that lies in it.
-class LatticeWalk
+/// macrocells. The order of crossings is that of Crossing, so the walk over cells within a
+/// macrocell is just the piece of the walk over all cells that lies in it.
+class LatticeTraversal
 {
 public:
-  LatticeWalk() = default;
+  LatticeTraversal() = default;
 
   /// Starts at a place of the ray within the region of blocks first <= block < last.
-  LatticeWalk(const Ray& ray, int edge, const Index3& first, const Index3& last, const Place& start)
+  LatticeTraversal(
+    const Ray& ray, int edge, const Index3& first, const Index3& last, const Crossing& start)
     : TheRay(&ray)
     , Edge(edge)
     , First(first)
@@ -36,14 +37,14 @@ public:
     {
       this->Block[axis] = this->Locate(axis, start);
       this->Next[axis] = ray.Step[axis] == 0 ? std::numeric_limits<double>::infinity()
-                                             : this->FarCrossing(axis, this->Block[axis]);
+                                             : this->FarCrossingT(axis, this->Block[axis]);
     }
   }
 
   const Index3& GetBlock() const { return this->Block; }
 
   /// Where the ray leaves the block.
-  Place GetExit() const
+  Crossing GetExit() const
   {
     const auto& next = this->Next;
     const int axis = next[0] <= next[1] && next[0] <= next[2] ? 0 : (next[1] <= next[2] ? 1 : 2);
@@ -51,7 +52,7 @@ public:
   }
 
   /// Steps over the exit of the block. Returns false at the end of the ray or of the region.
-  bool Advance(const Place& exit)
+  bool Advance(const Crossing& exit)
   {
     if (!(exit.T < this->TheRay->End))
     {
@@ -64,26 +65,26 @@ public:
     {
       return false;
     }
-    this->Next[axis] = this->FarCrossing(axis, block);
+    this->Next[axis] = this->FarCrossingT(axis, block);
     return true;
   }
 
 private:
-  double NearCrossing(std::size_t axis, int block) const
+  double NearCrossingT(std::size_t axis, int block) const
   {
-    return this->TheRay->Crossing(
+    return this->TheRay->CrossingT(
       axis, (this->TheRay->Step[axis] > 0 ? block : block + 1) * this->Edge);
   }
 
-  double FarCrossing(std::size_t axis, int block) const
+  double FarCrossingT(std::size_t axis, int block) const
   {
-    return this->TheRay->Crossing(
+    return this->TheRay->CrossingT(
       axis, (this->TheRay->Step[axis] > 0 ? block + 1 : block) * this->Edge);
   }
 
   // The floor of a coordinate is a guess, off by one where rounding will have it so; the planes
   // decide.
-  int Locate(std::size_t axis, const Place& start) const
+  int Locate(std::size_t axis, const Crossing& start) const
   {
     const int step = this->TheRay->Step[axis];
     const int lowest = this->First[axis];
@@ -107,13 +108,13 @@ private:
     const int front = step > 0 ? highest : lowest;
     const int back = step > 0 ? lowest : highest;
     const auto crossed = [&start, axis](double t) {
-      return !(start < Place{ t, static_cast<int>(axis) });
+      return !(start < Crossing{ t, static_cast<int>(axis) });
     };
-    while (block != front && crossed(this->FarCrossing(axis, block)))
+    while (block != front && crossed(this->FarCrossingT(axis, block)))
     {
       block += step;
     }
-    while (block != back && !crossed(this->NearCrossing(axis, block)))
+    while (block != back && !crossed(this->NearCrossingT(axis, block)))
     {
       block -= step;
     }
@@ -133,20 +134,20 @@ struct CellRegion
 {
   Index3 First;
   Index3 Last;
-  Place Start;
+  Crossing Start;
 };
 
 /// The active macrocells of the finest level that a ray passes, in order, each as the region of its
 /// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the walk.
 /// Which ones are active is asked when the walk comes to them, and may change on the way.
 template <typename Macrocells>
-class MacrocellWalk
+class MacrocellTraversal
 {
 public:
   /// More than any volume has use for.
   static constexpr std::size_t MaximumLevels = 8;
 
-  MacrocellWalk(const Ray& ray, const Macrocells& active)
+  MacrocellTraversal(const Ray& ray, const Macrocells& active)
     : TheRay(&ray)
     , Active(&active)
     , Top(active.GetLattice().Levels.size())
@@ -162,7 +163,7 @@ public:
       // Above the levels there is one region: the volume.
       const MacrocellLattice& lattice = this->Active->GetLattice();
       const Index3& size = this->Top == 0 ? lattice.Cells : lattice.Levels.back().Size;
-      region = { { 0, 0, 0 }, size, { this->TheRay->Begin, Place::StartAxis } };
+      region = { { 0, 0, 0 }, size, { this->TheRay->Begin, Crossing::StartAxis } };
       if (std::exchange(this->IsDone, true))
       {
         return false;
@@ -179,7 +180,7 @@ public:
     }
     while (this->Level < this->Top)
     {
-      const Index3& block = this->Walks[this->Level].GetBlock();
+      const Index3& block = this->Traversals[this->Level].GetBlock();
       if (!this->Active->IsActive(this->Level, block))
       {
         this->Advance();
@@ -201,7 +202,7 @@ private:
   {
     while (this->Level < this->Top)
     {
-      LatticeWalk& walk = this->Walks[this->Level];
+      LatticeTraversal& walk = this->Traversals[this->Level];
       this->Places[this->Level] = walk.GetExit();
       if (walk.Advance(this->Places[this->Level]))
       {
@@ -215,8 +216,8 @@ private:
   {
     --this->Level;
     const int edge = this->Active->GetLattice().Levels[this->Level].Edge;
-    this->Walks[this->Level] =
-      LatticeWalk(*this->TheRay, edge, region.First, region.Last, region.Start);
+    this->Traversals[this->Level] =
+      LatticeTraversal(*this->TheRay, edge, region.First, region.Last, region.Start);
     this->Places[this->Level] = region.Start;
   }
 
@@ -241,8 +242,8 @@ private:
   /// Where the walk is; the top when it has not begun or is over.
   std::size_t Level;
   bool IsDone = false;
-  std::array<LatticeWalk, MaximumLevels> Walks;
-  std::array<Place, MaximumLevels> Places;
+  std::array<LatticeTraversal, MaximumLevels> Traversals;
+  std::array<Crossing, MaximumLevels> Places;
 };
 
 /// Calls visit(cell) for the cells of a region that the ray passes, in order, until visit returns
@@ -250,7 +251,7 @@ private:
 template <typename Visit>
 bool VisitCells(const Ray& ray, const CellRegion& region, Visit&& visit)
 {
-  LatticeWalk walk(ray, 1, region.First, region.Last, region.Start);
+  LatticeTraversal walk(ray, 1, region.First, region.Last, region.Start);
   do
   {
     if (visit(walk.GetBlock()))
@@ -266,7 +267,7 @@ bool VisitCells(const Ray& ray, const CellRegion& region, Visit&& visit)
 template <typename Visit>
 void TraverseCells(const Ray& ray, const ActiveMacrocells& active, Visit&& visit)
 {
-  MacrocellWalk walk(ray, active);
+  MacrocellTraversal walk(ray, active);
   CellRegion region;
   while (walk.Next(region) && !VisitCells(ray, region, visit))
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BeamWalk_h
-#define BeamWalk_h
+#ifndef FrustumTraversal_h
+#define FrustumTraversal_h
 
 #include "Image/Macrocells/BlockTree.h"
 #include "Kernels/Kernels.h"
@@ -13,17 +13,17 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Walks a beam of rays through a tree of blocks, slice by slice across its axis, to the active
-/// macrocells it may pass. Those of one slice come together, in no order; a ray meets nothing in a
-/// later slice that is not behind everything it meets in an earlier one.
-class BeamWalk
+/// Traversals a beam of rays through a tree of blocks, slice by slice across its axis, to the
+/// active macrocells it may pass. Those of one slice come together, in no order; a ray meets
+/// nothing in a later slice that is not behind everything it meets in an earlier one.
+class FrustumTraversal
 {
 public:
   /// No beam may be wider, in cells.
   static constexpr double LargestWidth = 96.0;
 
   /// The tree must outlive the walk.
-  BeamWalk(const BlockTree& tree, const Beam& beam)
+  FrustumTraversal(const BlockTree& tree, const Frustum& beam)
     : Tree(tree)
     , TheBeam(beam)
   {
@@ -34,7 +34,7 @@ public:
     }
   }
 
-  static bool IsTooWide(const Beam& beam)
+  static bool IsTooWide(const Frustum& beam)
   {
     for (int j = 0; j < 2; ++j)
     {
@@ -136,7 +136,7 @@ private:
   {
     members.Count = 0;
     const BlockTree::Level& level = this->Tree.GetLevels()[levelNumber];
-    const Beam& beam = this->TheBeam;
+    const Frustum& beam = this->TheBeam;
     const int axis = beam.Axis;
     const double edge = level.MemberEdge;
     const double begin = std::max(slice * edge, beam.Low) - beam.Low;
@@ -191,7 +191,7 @@ private:
   }
 
   const BlockTree& Tree;
-  const Beam& TheBeam;
+  const Frustum& TheBeam;
   double LeastSlope[2];
   double MostSlope[2];
 };

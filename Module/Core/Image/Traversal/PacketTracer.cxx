@@ -21,7 +21,7 @@ int FirstOf(const RaySet& set)
 }
 
 /// The axis along which a ray of a group mainly goes.
-int GetMainAxis(const RayGroup& group, int ray)
+int GetMainAxis(const RayPacket& group, int ray)
 {
   int axis = 0;
   for (int other = 1; other < 3; ++other)
@@ -37,8 +37,8 @@ int GetMainAxis(const RayGroup& group, int ray)
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::MayMeet(
-  const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayGroup& lines)
+bool PacketTracer::MayMeet(
+  const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines)
 {
   // Places on lines that begin farther away are not exact enough.
   constexpr double farthest = 1e6;
@@ -61,18 +61,18 @@ bool BeamTracer::MayMeet(
     lines.Begin[i] = std::min(first, last);
     lines.End[i] = std::max(first, last);
   }
-  Beam beam;
-  if (!kernels.Align(lines, lines.Exists, axis, beam) || BeamWalk::IsTooWide(beam))
+  Frustum beam;
+  if (!kernels.Align(lines, lines.Exists, axis, beam) || FrustumTraversal::IsTooWide(beam))
   {
     return true;
   }
   bool meets = false;
-  BeamWalk(tree, beam).ForEachSlice([&meets](const Index3*, int) { return meets = true; });
+  FrustumTraversal(tree, beam).ForEachSlice([&meets](const Index3*, int) { return meets = true; });
   return meets;
 }
 
-const GroupHits& BeamTracer::FindFirstHits(
-  RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue)
+const PacketHits& PacketTracer::FindFirstHits(
+  RayPacket& group, Cells& cells, const ScaledIsovalue& isovalue)
 {
   this->Isovalue = isovalue;
   this->CornerSteps = cells.GetCornerSteps();
@@ -85,13 +85,13 @@ const GroupHits& BeamTracer::FindFirstHits(
   return this->Hits;
 }
 
-void BeamTracer::FollowRays(RayGroup& group, Cells& cells)
+void PacketTracer::FollowRays(RayPacket& group, Cells& cells)
 {
   this->Isovalue.reset();
   this->Trace(group, cells);
 }
 
-void BeamTracer::Trace(RayGroup& group, Cells& cells)
+void PacketTracer::Trace(RayPacket& group, Cells& cells)
 {
   this->Group = &group;
   this->Source = &cells;
@@ -99,18 +99,18 @@ void BeamTracer::Trace(RayGroup& group, Cells& cells)
 }
 
 /// Traces rays as one beam, or, where they make none, half of them after the other.
-void BeamTracer::TraceSet(const RaySet& rays, int count)
+void PacketTracer::TraceSet(const RaySet& rays, int count)
 {
   if (count == 0)
   {
     return;
   }
   const int axis = GetMainAxis(*this->Group, FirstOf(rays));
-  Beam beam;
+  Frustum beam;
   const bool isBeam = this->TheKernels.Align(*this->Group, rays, axis, beam);
   // All passages of a slice must have room if rays are to be followed in order.
-  const int largestCount = this->Isovalue ? RayGroup::Capacity : Passages::RaysWithRoom;
-  if (count > 1 && (!isBeam || BeamWalk::IsTooWide(beam) || count > largestCount))
+  const int largestCount = this->Isovalue ? RayPacket::Capacity : Passages::RaysWithRoom;
+  if (count > 1 && (!isBeam || FrustumTraversal::IsTooWide(beam) || count > largestCount))
   {
     RaySet half = {};
     RaySet rest = rays;
@@ -127,7 +127,7 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
   this->Going = rays;
   this->ClearPassages();
   this->SetStepsInSlice(axis);
-  BeamWalk(this->Tree, beam)
+  FrustumTraversal(this->Tree, beam)
     .ForEachSlice(
       [this, &beam](const Index3* blocks, int blockCount)
       {
@@ -144,7 +144,7 @@ void BeamTracer::TraceSet(const RaySet& rays, int count)
       });
 }
 
-void BeamTracer::SetStepsInSlice(int axis)
+void PacketTracer::SetStepsInSlice(int axis)
 {
   const std::ptrdiff_t stepU = this->CornerSteps[static_cast<std::size_t>(BlockMask::U[axis])];
   const std::ptrdiff_t stepV = this->CornerSteps[static_cast<std::size_t>(BlockMask::V[axis])];
@@ -154,7 +154,7 @@ void BeamTracer::SetStepsInSlice(int axis)
   }
 }
 
-void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
+void PacketTracer::VisitBlock(const Frustum& beam, const Index3& block)
 {
   BlockMask own;
   const BlockMask& mask = this->Source->GetMask(block, own);
@@ -172,11 +172,11 @@ void BeamTracer::VisitBlock(const Beam& beam, const Index3& block)
   this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
   {
-    this->SiftPassages(beam);
+    this->ClassifyPassages(beam);
   }
 }
 
-void BeamTracer::ClearPassages()
+void PacketTracer::ClearPassages()
 {
   this->Passed.Count = 0;
   this->Passed.BlockCount = 0;
@@ -185,14 +185,14 @@ void BeamTracer::ClearPassages()
 }
 
 /// Does what is to be done for the rays in a slice of blocks.
-void BeamTracer::EndSlice(const Beam& beam)
+void PacketTracer::EndSlice(const Frustum& beam)
 {
   if (!this->Isovalue)
   {
     this->FollowPassages(beam);
     return;
   }
-  this->SiftPassages(beam);
+  this->ClassifyPassages(beam);
   for (int word = 0; word < 2; ++word)
   {
     this->Going.Words[word] &= ~(this->SurelyHit.Words[word] | this->Hits.Found.Words[word]);
@@ -200,12 +200,12 @@ void BeamTracer::EndSlice(const Beam& beam)
 }
 
 /// Follows each ray through the cells of all its passages.
-void BeamTracer::FollowPassages(const Beam& beam)
+void PacketTracer::FollowPassages(const Frustum& beam)
 {
   // The passages of a ray, each with the number of the next.
-  int first[RayGroup::Capacity];
+  int first[RayPacket::Capacity];
   int next[Passages::Capacity];
-  std::fill_n(first, RayGroup::Capacity, -1);
+  std::fill_n(first, RayPacket::Capacity, -1);
   for (int i = 0; i < this->Passed.Count; ++i)
   {
     next[i] = std::exchange(first[this->Passed.Ways[i].Ray], i);
@@ -230,7 +230,7 @@ void BeamTracer::FollowPassages(const Beam& beam)
   this->ClearPassages();
 }
 
-void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) const
+void PacketTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) const
 {
   const int* first = this->Passed.First[this->Passed.Ways[passage].Block];
   for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
@@ -251,7 +251,7 @@ void BeamTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) con
 /// Finds the candidates of every passage, up to where it surely hits something. A ray needs the
 /// cells of a slice only if it does not in the slices before. (Whether there is more to do for a
 /// ray is as good as random: counting is faster than branching.)
-void BeamTracer::SiftPassages(const Beam& beam)
+void PacketTracer::ClassifyPassages(const Frustum& beam)
 {
   int waiting[Passages::Capacity];
   int left = this->Passed.Count;
@@ -274,10 +274,10 @@ void BeamTracer::SiftPassages(const Beam& beam)
       next += others != 0 ? 1 : 0;
       if (this->Queue.Count >= PassedCells::Batch)
       {
-        this->SiftQueue(beam);
+        this->ClassifyQueue(beam);
       }
     }
-    this->SiftQueue(beam);
+    this->ClassifyQueue(beam);
     left = 0;
     for (int i = 0; i < next; ++i)
     {
@@ -288,7 +288,7 @@ void BeamTracer::SiftPassages(const Beam& beam)
   this->ClearPassages();
 }
 
-void BeamTracer::AddCellsOfSlice(int axis, int passage, int slice)
+void PacketTracer::AddCellsOfSlice(int axis, int passage, int slice)
 {
   PassedCells& queue = this->Queue;
   const unsigned int code =
@@ -317,7 +317,7 @@ void BeamTracer::AddCellsOfSlice(int axis, int passage, int slice)
   }
 }
 
-void BeamTracer::SiftQueue(const Beam& beam)
+void PacketTracer::ClassifyQueue(const Frustum& beam)
 {
   if (this->Queue.Count == 0)
   {
@@ -333,7 +333,7 @@ void BeamTracer::SiftQueue(const Beam& beam)
     this->Source->CopyCorners(this->Queue, beam.Axis, this->Passed);
     this->AreCopied = true;
   }
-  this->Source->SiftCells(
+  this->Source->ClassifyCells(
     this->Queue, beam.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
@@ -343,7 +343,7 @@ void BeamTracer::SiftQueue(const Beam& beam)
   }
 }
 
-void BeamTracer::SolveCandidates()
+void PacketTracer::SolveCandidates()
 {
   if (this->Waiting.Count == 0)
   {
@@ -374,7 +374,7 @@ void BeamTracer::SolveCandidates()
   this->Waiting.Count = 0;
 }
 
-Hit BeamTracer::GetHit(int candidate) const
+Hit PacketTracer::GetHit(int candidate) const
 {
   const Candidates& candidates = this->Waiting;
   const Solutions& solved = this->Solved;
@@ -383,14 +383,14 @@ Hit BeamTracer::GetHit(int candidate) const
     0,
     { solved.Parametric[0][candidate], solved.Parametric[1][candidate],
       solved.Parametric[2][candidate] },
-    (solved.Rising[candidate / 64] >> (candidate % 64) & 1) != 0 };
+    (solved.Entering[candidate / 64] >> (candidate % 64) & 1) != 0 };
 }
 
 /// Solves a cell that the kernels do not.
-void BeamTracer::FindFirstHit(int ray, const Index3& cell)
+void PacketTracer::FindFirstHit(int ray, const Index3& cell)
 {
   Hit hit;
-  Place begin;
+  Crossing begin;
   if (this->Source->FindFirstHit(ray, cell, hit, begin))
   {
     this->Keep(ray, hit, begin);
@@ -398,7 +398,7 @@ void BeamTracer::FindFirstHit(int ray, const Index3& cell)
 }
 
 /// Keeps a hit of a ray, unless it has one in a cell before.
-void BeamTracer::Keep(int ray, const Hit& hit, const Place& begin)
+void PacketTracer::Keep(int ray, const Hit& hit, const Crossing& begin)
 {
   const auto number = static_cast<std::size_t>(ray);
   if (!Has(this->Hits.Found, ray) || begin < this->Hits.Begin[number])

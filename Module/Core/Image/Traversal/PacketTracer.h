@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BeamTracer_h
-#define BeamTracer_h
+#ifndef PacketTracer_h
+#define PacketTracer_h
 
-#include "Image/Traversal/FrustumTraversal.h"
 #include "Image/Macrocells/BlockMask.h"
-#include "Rays/Hit.h"
+#include "Image/Traversal/FrustumTraversal.h"
 #include "Kernels/Kernels.h"
+#include "Rays/Hit.h"
 #include "Rays/Ray.h"
 
 #include <array>
@@ -19,13 +19,13 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The first hits of the rays of a group.
-struct GroupHits
+struct PacketHits
 {
   /// The rays that hit.
   RaySet Found;
-  std::array<Hit, RayGroup::Capacity> Hits;
+  std::array<Hit, RayPacket::Capacity> Hits;
   /// Where each ray comes into the cell of its hit.
-  std::array<Place, RayGroup::Capacity> Begin;
+  std::array<Crossing, RayPacket::Capacity> Begin;
 };
 
 /// Leads the rays of a group through the volume together.
@@ -36,7 +36,7 @@ struct GroupHits
 /// hit are solved together, as exactly as for a ray by itself. What a cell has to say to a ray
 /// comes from the two alone (CellSegment.h), so that proposing too many cells costs time and
 /// changes nothing.
-class BeamTracer
+class PacketTracer
 {
 public:
   /// Where cells come from. Used by one thread.
@@ -62,15 +62,15 @@ public:
     /// Copies the corners of cells, wherever they are kept, until the next are copied.
     virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
     /// Calls the kernels for corners that are kept in rows, or were copied.
-    virtual void SiftCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
-      Candidates& candidates, RaySet& hits) = 0;
+    virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
+      Passages& passages, Candidates& candidates, RaySet& hits) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
     /// the ray comes into the cell. Returns false if there is none.
-    virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Place& begin) = 0;
+    virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
   };
 
-  BeamTracer(const Kernels& kernels, const BlockTree& tree)
+  PacketTracer(const Kernels& kernels, const BlockTree& tree)
     : TheKernels(kernels)
     , Tree(tree)
   {
@@ -78,42 +78,42 @@ public:
 
   /// Whether rays between lines may come to an active macrocell; see TracedVolume::MayHitBetween.
   static bool MayMeet(
-    const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayGroup& lines);
+    const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines);
 
   /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
   /// many rays are solved at once.
-  const GroupHits& FindFirstHits(RayGroup& group, Cells& cells, const ScaledIsovalue& isovalue);
+  const PacketHits& FindFirstHits(RayPacket& group, Cells& cells, const ScaledIsovalue& isovalue);
 
   /// Leads all rays of a group that exist through the cells that may have hits.
-  void FollowRays(RayGroup& group, Cells& cells);
+  void FollowRays(RayPacket& group, Cells& cells);
 
 private:
-  void Trace(RayGroup& group, Cells& cells);
+  void Trace(RayPacket& group, Cells& cells);
   void TraceSet(const RaySet& rays, int count);
   void SetStepsInSlice(int axis);
-  void VisitBlock(const Beam& beam, const Index3& block);
-  void EndSlice(const Beam& beam);
+  void VisitBlock(const Frustum& beam, const Index3& block);
+  void EndSlice(const Frustum& beam);
   void ClearPassages();
-  void SiftPassages(const Beam& beam);
+  void ClassifyPassages(const Frustum& beam);
   void AddCellsOfSlice(int axis, int passage, int slice);
-  void SiftQueue(const Beam& beam);
-  void FollowPassages(const Beam& beam);
+  void ClassifyQueue(const Frustum& beam);
+  void FollowPassages(const Frustum& beam);
   void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
   void SolveCandidates();
   void FindFirstHit(int ray, const Index3& cell);
   Hit GetHit(int candidate) const;
-  void Keep(int ray, const Hit& hit, const Place& begin);
+  void Keep(int ray, const Hit& hit, const Crossing& begin);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
 
-  RayGroup* Group = nullptr;
+  RayPacket* Group = nullptr;
   Cells* Source = nullptr;
   /// The rays that are still on their way.
   RaySet Going = {};
   /// The surface whose first hits are wanted; none when rays are followed.
   std::optional<ScaledIsovalue> Isovalue;
-  GroupHits Hits;
+  PacketHits Hits;
   /// The rays that surely hit something, wherever that turns out to be.
   RaySet SurelyHit = {};
   Passages Passed;

@@ -5,12 +5,12 @@
 #define Projection_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Traversal/CellTraversal.h"
-#include "Image/Macrocells/MacrocellHierarchy.h"
-#include "Rays/RayPacket.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/TracedVolume.h"
 #include "Image/Cells/TrilinearCell.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/TracedVolume.h"
+#include "Image/Traversal/CellTraversal.h"
+#include "Rays/RayPacket.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,17 +77,17 @@ class Projector
 {
 public:
   /// All must outlive the projector, which is for one thread.
-  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const Wanted& wanted)
+  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const TraceRequest& wanted)
     : Hierarchy(hierarchy)
     , Reader(bricks)
-    , Seen(wanted.Seen)
+    , Visible(wanted.Visible)
     , Planes(wanted.Planes)
     , Cells(hierarchy.GetLattice().Cells)
   {
   }
 
   /// Appends the hits of rays that are cut to what is seen, at most one each.
-  void Project(const RayGroup& rays, RayHits& hits)
+  void Project(const RayPacket& rays, RayHits& hits)
   {
     for (int i = 0; i < rays.Count; ++i)
     {
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  // What MacrocellWalk asks.
+  // What MacrocellTraversal asks.
   const MacrocellLattice& GetLattice() const { return this->Hierarchy.GetLattice(); }
   bool IsActive(std::size_t level, const Index3& macrocell) const
   {
@@ -120,11 +120,11 @@ private:
     this->Best = -std::numeric_limits<double>::infinity();
     Hit hit;
     hit.Surface = Hit::NoSurface;
-    ForEachSeenPiece(ray, this->Seen.Regions,
+    ForEachSeenPiece(ray, this->Visible.Regions,
       [this, &hit](const Ray& piece)
       {
         this->Guess(piece);
-        MacrocellWalk<Projector> walk(piece, *this);
+        MacrocellTraversal<Projector> walk(piece, *this);
         CellRegion region;
         while (walk.Next(region))
         {
@@ -203,12 +203,12 @@ private:
 
   bool IsHidden(const Index3& cell) const
   {
-    return this->Seen.HiddenCells && this->Seen.HiddenCells[Offset(cell, this->Cells)] != 0;
+    return this->Visible.HiddenCells && this->Visible.HiddenCells[Offset(cell, this->Cells)] != 0;
   }
 
   const MacrocellHierarchy<T>& Hierarchy;
   typename Layout::Reader Reader;
-  const Visibility& Seen;
+  const Visibility& Visible;
   const UnevenPlanes* Planes;
   Index3 Cells;
   /// Only what exceeds this is of interest.

@@ -100,7 +100,7 @@ inline int SolveCubic(const PowerCubic& c, double roots[3])
   return count;
 }
 
-/// Calls visit(u, rising) for every root in [0, 1], in order, until visit returns true.
+/// Calls visit(u, entering) for every root in [0, 1], in order, until visit returns true.
 template <typename Visit>
 void ForEachRoot(const CellCorners& difference, const CellSegment& segment, Visit&& visit)
 {

@@ -199,14 +199,14 @@ void Solve(const Batch& batch, bool firstOnly, Roots& roots)
   for (int piece = 0; piece < 3; ++piece)
   {
     const Real atHi = cubic.EvaluateExactAtEnds(ends[piece + 1]);
-    const Mask rising = IsInside(atHi);
-    const Mask found = open & (IsInside(atLo) != rising);
+    const Mask entering = IsInside(atHi);
+    const Mask found = open & (IsInside(atLo) != entering);
     if (IsAny(found))
     {
       const Real u = RefineRoots(cubic, found, ends[piece], ends[piece + 1], atLo, atHi);
       std::memcpy(roots.U[piece], &u, sizeof(u));
       std::memcpy(roots.Found[piece], &found, sizeof(found));
-      std::memcpy(roots.Rising[piece], &rising, sizeof(rising));
+      std::memcpy(roots.Entering[piece], &entering, sizeof(entering));
       if (firstOnly)
       {
         open &= ~found;

@@ -45,7 +45,7 @@ struct Roots
   /// -1 where there is a root, else 0.
   alignas(16) std::int32_t Found[3][Lanes];
   /// -1 where the ray goes in, else 0.
-  alignas(16) std::int32_t Rising[3][Lanes];
+  alignas(16) std::int32_t Entering[3][Lanes];
 };
 
 /// Solves all lanes. With firstOnly, at most one root is found in a lane: the first.

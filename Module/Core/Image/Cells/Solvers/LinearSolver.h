@@ -17,7 +17,7 @@ namespace vtkIsosurfaceRayTracing
 namespace Linear
 {
 
-/// Calls visit(u, rising) for the root found, if any.
+/// Calls visit(u, entering) for the root found, if any.
 template <typename Visit>
 void ForEachRoot(const CellCorners& difference, const CellSegment& segment, Visit&& visit)
 {

@@ -4,8 +4,8 @@
 #ifndef MarmittSolver_h
 #define MarmittSolver_h
 
-#include "Math/MonotonePieces.h"
 #include "Image/Cells/Solvers/PowerCubic.h"
+#include "Math/MonotonePieces.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -42,7 +42,7 @@ inline double InterpolateRepeatedly(
   return u;
 }
 
-/// Calls visit(u, rising) for every root in [0, 1], in order, until visit returns true.
+/// Calls visit(u, entering) for every root in [0, 1], in order, until visit returns true.
 template <typename Visit>
 void ForEachRoot(
   const CellCorners& difference, const CellSegment& segment, int interpolations, Visit&& visit)

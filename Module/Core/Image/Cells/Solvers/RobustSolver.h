@@ -5,8 +5,8 @@
 #define RobustSolver_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Math/MonotonePieces.h"
 #include "Image/Cells/TrilinearCell.h"
+#include "Math/MonotonePieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +101,8 @@ inline BernsteinCubic Normalize(BernsteinCubic b)
   return b;
 }
 
-/// Calls visit(u, rising) for every root of the cubic in [0, 1], in order, until visit returns
-/// true. Rising tells whether the ray goes in (from below the isovalue to at or above it).
+/// Calls visit(u, entering) for every root of the cubic in [0, 1], in order, until visit returns
+/// true. Entering tells whether the ray goes in (from below the isovalue to at or above it).
 template <typename Visit>
 void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
 {

@@ -6,8 +6,8 @@
 // none.
 
 #include "AllKernels.h"
-#include "Image/Macrocells/BlockMask.h"
 #include "CellReference.h"
+#include "Image/Macrocells/BlockMask.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
 #include "TestLines.h"
@@ -33,10 +33,10 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-class Sieve : public WithKernels
+class Classification : public WithKernels
 {
 };
-INSTANTIATE_TEST_SUITE_P(All, Sieve, AllKernels(), NameOfKernels);
+INSTANTIATE_TEST_SUITE_P(All, Classification, AllKernels(), NameOfKernels);
 
 //------------------------------------------------------------------------------
 // Volumes.
@@ -275,7 +275,7 @@ std::optional<double> FindPlace(
   if (random.Integer(0, 2) == 0)
   {
     const int plane = random.Integer(0, field.Volume.Dimensions[axis] - 1);
-    return ray.Base + ray.Crossing(axis, plane);
+    return ray.Base + ray.CrossingT(axis, plane);
   }
   for (const Index3& cell : CellsOnRay(ray, field.Volume.Dimensions))
   {
@@ -351,10 +351,10 @@ Index3 GetCell(const Passages& passages, const Question& question, std::size_t a
 }
 
 /// Asks the sieve about cells, and compares what it says of each with the reference.
-class SieveChecks
+class ClassificationChecks
 {
 public:
-  explicit SieveChecks(const Kernels& kernels)
+  explicit ClassificationChecks(const Kernels& kernels)
     : TheKernels(kernels)
   {
   }
@@ -365,13 +365,13 @@ public:
     const Index3& n = field.Volume.Dimensions;
     const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
     const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
-    RayGroup group = EmptyGroup();
-    const int count = random.Integer(0, 1) ? RayGroup::Capacity : random.Integer(1, 20);
+    RayPacket group = EmptyGroup();
+    const int count = random.Integer(0, 1) ? RayPacket::Capacity : random.Integer(1, 20);
     for (int i = 0; i < count; ++i)
     {
       AddRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), group);
     }
-    Beam beam;
+    Frustum beam;
     if (IsEmpty(group.Exists) ||
       !this->TheKernels.Align(group, group.Exists, static_cast<int>(axis), beam))
     {
@@ -412,7 +412,7 @@ private:
   /// Asks about the cells of all passages, but never of two of one passage at once: so it is known
   /// which of them is surely hit.
   template <typename T>
-  void CheckPassages(RandomNumbers& random, const Field<T>& field, const RayGroup& group,
+  void CheckPassages(RandomNumbers& random, const Field<T>& field, const RayPacket& group,
     std::size_t axis, bool all, Passages& passages)
   {
     std::vector<std::vector<Question>> rounds;
@@ -460,8 +460,8 @@ private:
 
   template <typename T>
   void CheckSome(RandomNumbers& random, const TestVolume<T>& volume, const ScaledIsovalue& isovalue,
-    const RayGroup& group, std::size_t axis, bool all, const Question* questions, std::size_t count,
-    Passages& passages)
+    const RayPacket& group, std::size_t axis, bool all, const Question* questions,
+    std::size_t count, Passages& passages)
   {
     std::vector<Index3> cells;
     PassedCells passed;
@@ -488,7 +488,7 @@ private:
     const std::ptrdiff_t strides[3] = { stride, stride * n[0], stride * n[0] * n[1] };
     const auto sift = [&]
     {
-      this->TheKernels.SiftCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
+      this->TheKernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
         passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
     };
     sift();
@@ -542,11 +542,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST_P(Sieve, KeepsCellsWithRootsAndIsSureOnlyOfThose)
+TEST_P(Classification, KeepsCellsWithRootsAndIsSureOnlyOfThose)
 {
   for (const FieldKind kind : AllFieldKinds)
   {
-    SieveChecks checks(this->TheKernels);
+    ClassificationChecks checks(this->TheKernels);
     ForEachType(
       [&](auto zero)
       {

@@ -5,12 +5,12 @@
 // by itself, cell after cell: the same to the last bit.
 
 #include "AllKernels.h"
+#include "Image/Samples/UnevenPlanes.h"
+#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
 #include "TestLines.h"
 #include "TestVolume.h"
-#include "Image/TracedVolume.h"
-#include "Image/Samples/UnevenPlanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,7 +167,7 @@ Rays SteepRays(RandomNumbers& random, const Index3& size)
 {
   const Vector3 corner = { 0.0, 8.0 * random.Integer(1, 2), 8.0 * random.Integer(1, 2) };
   Rays rays = { Clip({ corner, { 1.0, 1.0, 1.0 } }, size) };
-  rays.resize(RayGroup::Capacity, Clip({ corner, { 1.0, 2.0, 2.0 } }, size));
+  rays.resize(RayPacket::Capacity, Clip({ corner, { 1.0, 2.0, 2.0 } }, size));
   return rays;
 }
 
@@ -195,14 +195,15 @@ constexpr NewRays AllKinds[] = { PinholeRays, ParallelRays, AxisParallelRays, La
   MixedRays, RaysInAllDirections, SteepRays, OneRay, EndlessRays };
 
 //------------------------------------------------------------------------------
-Wanted OpaqueSurface(double isovalue)
+TraceRequest OpaqueSurface(double isovalue)
 {
-  Wanted wanted;
+  TraceRequest wanted;
   wanted.Surfaces = { { isovalue, 1.0 } };
   return wanted;
 }
 
-RayHits TraceWith(TracedVolume& volume, const Rays& rays, Wanted wanted, const Kernels* kernels)
+RayHits TraceWith(
+  TracedVolume& volume, const Rays& rays, TraceRequest wanted, const Kernels* kernels)
 {
   wanted.BeamKernels = kernels;
   volume.Select(wanted, 1);
@@ -214,7 +215,7 @@ RayHits TraceWith(TracedVolume& volume, const Rays& rays, Wanted wanted, const K
 bool AreSameBits(const Hit& a, const Hit& b)
 {
   return vtkIsosurfaceRayTracing::AreSameBits(a.T, b.T) && a.Cell == b.Cell &&
-    a.Surface == b.Surface && a.Rising == b.Rising &&
+    a.Surface == b.Surface && a.Entering == b.Entering &&
     std::equal(a.Parametric.begin(), a.Parametric.end(), b.Parametric.begin(),
       [](double x, double y) { return vtkIsosurfaceRayTracing::AreSameBits(x, y); });
 }
@@ -246,7 +247,8 @@ public:
   BeamChecks(const BeamChecks&) = delete;
   BeamChecks& operator=(const BeamChecks&) = delete;
 
-  void Check(TracedVolume& volume, const vtkIsosurfaceRayTracing::Rays& rays, const Wanted& wanted)
+  void Check(
+    TracedVolume& volume, const vtkIsosurfaceRayTracing::Rays& rays, const TraceRequest& wanted)
   {
     const RayHits expected = TraceWith(volume, rays, wanted, nullptr);
     const RayHits found = TraceWith(volume, rays, wanted, &this->TheKernels);
@@ -269,7 +271,8 @@ public:
   }
 
   /// All kinds of rays.
-  void CheckAll(RandomNumbers& random, TracedVolume& volume, const Wanted& wanted, int repeats)
+  void CheckAll(
+    RandomNumbers& random, TracedVolume& volume, const TraceRequest& wanted, int repeats)
   {
     for (const NewRays newRays : AllKinds)
     {
@@ -285,7 +288,7 @@ public:
 
 private:
   std::string Describe(
-    std::size_t number, const std::optional<Ray>& ray, const Wanted& wanted) const
+    std::size_t number, const std::optional<Ray>& ray, const TraceRequest& wanted) const
   {
     std::ostringstream text;
     text << this->What << ", solver " << static_cast<int>(wanted.Solver) << ", isovalue "
@@ -420,7 +423,7 @@ void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
       {
         for (const RootSolver solver : AllSolvers)
         {
-          Wanted wanted;
+          TraceRequest wanted;
           wanted.Surfaces = surfaces;
           wanted.Solver = solver;
           ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 2));
@@ -450,7 +453,7 @@ TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
     const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, 1);
     for (const std::size_t memory : { 0, 1000, 20000 })
     {
-      Wanted wanted = OpaqueSurface(50.0);
+      TraceRequest wanted = OpaqueSurface(50.0);
       wanted.MaximumMemory = memory;
       ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
       wanted.Surfaces[0].Opacity = 0.5;
@@ -485,7 +488,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
     }
     ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, OpaqueSurface(50.0)));
 
-    Wanted all;
+    TraceRequest all;
     all.Surfaces = { { 50.0, 1e-9 } };
     traced->Select(all, 1);
     RayHits hits;
@@ -593,7 +596,7 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
   for (int repeat = 0; repeat < 3; ++repeat)
   {
     const auto traced = TracedVolume::New(volume.View(), {}, 2);
-    Wanted wanted = OpaqueSurface(0.2);
+    TraceRequest wanted = OpaqueSurface(0.2);
     wanted.BeamKernels = &this->TheKernels;
     traced->Select(wanted, 2);
     std::vector<RayHits> hits(groups.size());
@@ -619,7 +622,7 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
 /// Lines through one place, or parallel, of any lengths and from anywhere on themselves.
 struct Pencil
 {
-  Vector3 Place;
+  Vector3 Crossing;
   bool IsParallel;
   Line Lines[4];
 
@@ -637,7 +640,7 @@ struct Pencil
       sum += weight;
     }
     mean.Direction = mean.Direction * (1.0 / sum);
-    mean.Origin = this->IsParallel ? mean.Origin * (1.0 / sum) : this->Place;
+    mean.Origin = this->IsParallel ? mean.Origin * (1.0 / sum) : this->Crossing;
     mean.Origin = mean.Origin - Normalized(mean.Direction) * 3e6;
     return mean;
   }
@@ -653,7 +656,7 @@ Pencil NewPencil(RandomNumbers& random, const Index3& size, const Vector3& targe
     : Normalized({ random.Integer(0, 1) + 0.0, random.Integer(-1, 1) + 0.0, 1.0 });
   const double distance = distances[random.Integer(0, 4)] * (random.Integer(0, 1) ? 1.0 : -1.0);
   const Vector3 through = random.Integer(0, 2) ? target : random.PointInBox({}, LastSample(size));
-  pencil.Place = through - forward * distance;
+  pencil.Crossing = through - forward * distance;
   pencil.IsParallel = random.Integer(0, 2) == 0;
   const double widths[] = { 0.0, 1.0, 10.0, 200.0 };
   const double width = widths[random.Integer(0, 3)];
@@ -662,19 +665,19 @@ Pencil NewPencil(RandomNumbers& random, const Index3& size, const Vector3& targe
     const Vector3 off = random.PointInBox({ -width, -width, -width }, { width, width, width });
     if (pencil.IsParallel)
     {
-      line = { pencil.Place + off, forward };
+      line = { pencil.Crossing + off, forward };
       continue;
     }
     line.Direction =
       (forward + off * (1.0 / std::max(std::abs(distance), 30.0))) * random.Uniform(0.1, 10.0);
-    line.Origin = pencil.Place + line.Direction * random.Uniform(-30.0, 30.0);
+    line.Origin = pencil.Crossing + line.Direction * random.Uniform(-30.0, 30.0);
   }
   return pencil;
 }
 
-RayGroup LinesOf(const Pencil& pencil)
+RayPacket LinesOf(const Pencil& pencil)
 {
-  RayGroup lines;
+  RayPacket lines;
   lines.Count = 4;
   lines.Exists = {};
   for (std::size_t i = 0; i < 4; ++i)
@@ -722,10 +725,10 @@ TEST_P(Beams, AreSentWhereverRaysHit)
         rays.push_back(Clip(pencil.GetMean(random), size));
       }
       const bool hits = !TraceWith(*traced, rays, OpaqueSurface(50.0), nullptr).Hits.empty();
-      Wanted wanted = OpaqueSurface(50.0);
+      TraceRequest wanted = OpaqueSurface(50.0);
       wanted.BeamKernels = &this->TheKernels;
       traced->Select(wanted, 1);
-      RayGroup lines = LinesOf(pencil);
+      RayPacket lines = LinesOf(pencil);
       const bool mayHit = traced->MayHitBetween(lines);
       ASSERT_TRUE(mayHit || !hits) << ToText(pencil.Lines[0]) << ToText(pencil.Lines[3]);
       withHits += hits ? 1 : 0;
@@ -746,17 +749,17 @@ TEST_P(Beams, AreSentWhereNobodyKnows)
   const auto traced = TracedVolume::New(volume.View(), {}, 1);
   Pencil pencil = { {}, true, {} };
   std::fill_n(pencil.Lines, 4, Line{ { 20.0, 20.0, -9.0 }, { 0.0, 0.0, 1.0 } });
-  const auto mayHit = [&](Wanted wanted, const Pencil& of)
+  const auto mayHit = [&](TraceRequest wanted, const Pencil& of)
   {
     wanted.BeamKernels = wanted.BeamKernels ? &this->TheKernels : nullptr;
     traced->Select(wanted, 1);
-    RayGroup lines = LinesOf(of);
+    RayPacket lines = LinesOf(of);
     return traced->MayHitBetween(lines);
   };
-  const Wanted surface = OpaqueSurface(0.0);
+  const TraceRequest surface = OpaqueSurface(0.0);
   EXPECT_FALSE(mayHit(surface, pencil));
 
-  Wanted other = surface;
+  TraceRequest other = surface;
   other.BeamKernels = nullptr;
   EXPECT_TRUE(mayHit(other, pencil));
   other = surface;
@@ -800,10 +803,10 @@ TEST_P(Beams, AreSentWhereLinesAreFarApart)
   {
     pencil.Lines[i] = { { 399.0 * (i % 2), i < 2 ? 0.0 : 399.0, -9.0 }, { 0.0, 0.0, 1.0 } };
   }
-  Wanted wanted = OpaqueSurface(50.0);
+  TraceRequest wanted = OpaqueSurface(50.0);
   wanted.BeamKernels = &this->TheKernels;
   traced->Select(wanted, 1);
-  RayGroup lines = LinesOf(pencil);
+  RayPacket lines = LinesOf(pencil);
   EXPECT_TRUE(traced->MayHitBetween(lines));
 }
 
@@ -815,7 +818,7 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
   static int calls;
   base = &this->TheKernels;
   Kernels counting = this->TheKernels;
-  counting.Align = [](RayGroup& group, const RaySet& rays, int axis, Beam& beam)
+  counting.Align = [](RayPacket& group, const RaySet& rays, int axis, Frustum& beam)
   {
     ++calls;
     return base->Align(group, rays, axis, beam);
@@ -823,7 +826,7 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
   const Index3 size = { 17, 18, 19 };
   const AnalyticFields::Gyroid tunnels = { 7.3 };
   const auto volume = TestVolume<float>::Of(size, tunnels);
-  const auto useBeams = [&](const Wanted& wanted, const VolumeSettings& settings, double slow)
+  const auto useBeams = [&](const TraceRequest& wanted, const VolumeSettings& settings, double slow)
   {
     const auto traced = TracedVolume::New(volume.View(), settings, 1);
     traced->Select(wanted, 1);
@@ -832,7 +835,7 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
     traced->Trace({ Clip({ { 1.0, 2.0, 3.0 }, { slow, 0.5 * slow, 0.4 * slow } }, size) }, hits);
     return calls > 0;
   };
-  Wanted wanted = OpaqueSurface(0.2);
+  TraceRequest wanted = OpaqueSurface(0.2);
   wanted.BeamKernels = &counting;
   EXPECT_TRUE(useBeams(wanted, { { 8 }, BrickLayout::Unbricked, 8, 4 }, 1.0));
   EXPECT_FALSE(useBeams(wanted, { { 4, 4 }, BrickLayout::Apron, 8, 4 }, 1.0));
