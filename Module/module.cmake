@@ -29,11 +29,24 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceAccumulation
   Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
+  Rendering/vtkIsosurfaceRayTraceCropping
+  Rendering/vtkIsosurfaceRayTraceEnumerators
+  Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry
+  Rendering/vtkIsosurfaceRayTraceGridInput
+  Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceOutput
+  Rendering/vtkIsosurfaceRayTracePicture
+  Rendering/vtkIsosurfaceRayTraceRequest
   Rendering/vtkIsosurfaceRayTraceScene
+  Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSource
   Rendering/vtkIsosurfaceRayTraceValueColors)
+
+set(private_headers
+  Rendering/vtkIsosurfaceRayTraceInput.h
+  Rendering/vtkIsosurfaceRayTraceSettings.h)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
@@ -79,8 +92,10 @@ set_target_properties(vtkIsosurfaceRayTracingCore
 vtk_module_add_module(VTK::IsosurfaceRayTracing
   CLASSES         ${classes}
   PRIVATE_CLASSES ${private_classes}
+  PRIVATE_HEADERS ${private_headers}
   NOWRAP_HEADERS  Module/vtkIsosurfaceRayTracingCompat.h
-  SOURCES         $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
+  SOURCES         Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
+                  $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
 if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
   vtk_module_compile_options(VTK::IsosurfaceRayTracing

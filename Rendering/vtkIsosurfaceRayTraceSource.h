@@ -66,6 +66,12 @@ public:
   /// null if all are to be seen.
   const unsigned char* GetHiddenCells() const;
 
+  /// A hit in the space that rays go through.
+  vtkIsosurfaceRayTracing::Vector3 GetPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return hit.GetPoint(this->Geometry.GetPlanes());
+  }
+
   /// The cell of the grid that a hit is in, and the point in its coordinates.
   vtkIsosurfaceRayTracing::Index3 FindStructuredCell(
     const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
