@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scripts of Examples/Python that have no test of their own, as a user calls them."""
+"""The scripts of Examples/Python that have no test of their own, and README.md's snippet."""
 
 import os
 import plistlib
+import re
 import subprocess
 import sys
 import tarfile
@@ -12,6 +13,7 @@ import tempfile
 import unittest
 
 from vtkmodules.vtkIOImage import vtkMetaImageReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 
 from PictureTesting import EXAMPLES, ISOVALUE, read, write_waves
 
@@ -85,6 +87,23 @@ class TestExamples(unittest.TestCase):
                 self.assertNotEqual(result.returncode, 0)
                 words = "no image reader for absent.mhd" if given else f"{script} {arguments}"
                 self.assertIn(words, result.stderr)
+
+    def test_readme(self):
+        """Its snippet, between a reader and a window."""
+        with open(os.path.join(EXAMPLES, "../../README.md"), encoding="utf-8") as readme:
+            (snippet,) = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
+        scene = {"reader": vtkMetaImageReader(), "renderer": vtkRenderer(), "vtkVolume": vtkVolume}
+        scene["reader"].SetFileName(write_waves(self.folder))
+        snippet = snippet.replace("300", str(ISOVALUE))  # an isovalue of the waves instead of a bone's
+        exec(compile(snippet, "README.md", "exec"), scene)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.AddRenderer(scene["renderer"])
+        window.Render()
+        width, height = window.GetSize()
+        red, _, blue = window.GetPixelData(
+            width // 2, height // 2, width // 2, height // 2, 0)[:3]
+        self.assertGreater(red, blue)  # ivory
 
     def write_project(self, sample_count=24):
         """An InVesalius project of 2 x 3 x 4 samples, of which as many are there."""
