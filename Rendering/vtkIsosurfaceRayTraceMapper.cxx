@@ -258,8 +258,10 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   this->DisplayTime = 0.0;
   this->NumberOfAccumulatedFrames = 0;
   const Clock::time_point start = Clock::now();
-  if (this->ReportOnce(vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume)))
+  const std::string problem = vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume);
+  if (!problem.empty())
   {
+    this->ReportOnce(problem);
     return;
   }
   const auto request = this->MakeRequest(volume);
