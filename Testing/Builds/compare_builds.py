@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compare all pictures and hits of two builds, bit for bit: compare_builds.py OLD_BUILD NEW_BUILD
+"""Compare the pictures and hits of two builds, bit for bit.
 
-Every scene of record_build.py is made by both builds, with each instruction set, and with settings
-that must not change a bit. Says where each scene that differs does so first. The exit
-status is 1 if there is any difference."""
+All scenes of record_build.py are made by both builds, with the kernels of each instruction set, and
+with settings of the mapper that must not change a bit. Where a scene differs, the first number that
+does is printed. With one build, what it makes with all these kernels and settings is compared. The
+exit status is 1 if anything differs."""
 
 import argparse
-import fnmatch
 import glob
+import itertools
 import os
 import pickle
 import struct
@@ -17,7 +18,8 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-# Instruction sets and settings of the mapper; the quick ones first.
+
+# Kernels and settings. The quick form takes the first ones.
 VARIANTS = (
     ("Baseline", "NumberOfThreads=1"),
     ("AVX2", "NumberOfThreads=1"),
@@ -26,27 +28,29 @@ VARIANTS = (
     ("AVX512", "NumberOfThreads=2", "BrickLayout=NO_BRICKS", "NumberOfMacrocellLevels=0"),
     ("AVX512", "NumberOfThreads=2", "MaximumBrickMemory=1", "NumberOfMacrocellLevels=3"),
 )
+QUICK_VARIANTS = VARIANTS[:4]
 
 
 class Recording:
-    """The scenes of a build, one after the other, as a process of its own makes them."""
+    """The scenes as a build makes them, in a process of its own."""
 
-    def __init__(self, build, kernels, arguments):
-        packages = glob.glob(os.path.join(build, "lib*/python*/*-packages"))
-        if not packages:
+    def __init__(self, build, variant, arguments):
+        packages = glob.glob(os.path.join(build, "lib*/python*/*-packages/vtkIsosurfaceRayTracing"))
+        if len(packages) != 1:
             sys.exit(f"{build} has no Python package")
-        self.build = build
-        # Threads that wait must not take the cores from those of the other build.
-        environment = dict(os.environ, OMP_WAIT_POLICY="passive",
-                           VTK_ISOSURFACE_RAY_TRACING_KERNELS=kernels,
-                           PYTHONPATH=packages[0])
+        kernels, *settings = variant
+        self.name = " ".join((build, *variant))
         self.process = subprocess.Popen(
-            [sys.executable, os.path.join(HERE, "record_build.py"), *arguments],
-            stdout=subprocess.PIPE, env=environment)
+            [sys.executable, os.path.join(HERE, "record_build.py"), *arguments, *settings],
+            stdout=subprocess.PIPE,
+            env=dict(os.environ, PYTHONPATH=os.path.dirname(packages[0]),
+                     VTK_ISOSURFACE_RAY_TRACING_KERNELS=kernels,
+                     # Threads that wait leave the cores to the other recordings.
+                     OMP_WAIT_POLICY="passive"))
 
     def __iter__(self):
-        """Names and arrays."""
-        name = "the first scene"
+        """Yields the name and the arrays of each scene."""
+        name = "the start"
         while True:
             try:
                 name, arrays = pickle.load(self.process.stdout)
@@ -54,81 +58,99 @@ class Recording:
                 break
             yield name, arrays
         if self.process.wait() != 0:
-            sys.exit(f"{self.build} ended with status {self.process.returncode} after {name}")
+            sys.exit(f"{self.name}: exit status {self.process.returncode} after {name}")
 
 
 def show(code, data, index):
     """A number in decimal and hexadecimal."""
     size = struct.calcsize(code)
-    item = data[index * size:(index + 1) * size]
-    if not item:
-        return "missing"
-    value = struct.unpack(code, item)[0]
-    return f"{value!r} (0x{item[::-1].hex()})"
+    bits = data[index * size:(index + 1) * size]
+    if not bits:
+        return "nothing"
+    return f"{struct.unpack(code, bits)[0]!r} (0x{bits[::-1].hex()})"
 
 
-def find_difference(old, new):
+def find_difference(array, other):
     """Where two arrays differ first, in words; None if they do not."""
-    if old == new:
+    if array == other:
         return None
-    if old is None or new is None:
-        return "it is missing in the " + ("old" if old is None else "new") + " build"
-    if old[:2] != new[:2]:
-        return f"type and components are {old[:2]} and {new[:2]}"
-    code, components = old[:2]
-    size = struct.calcsize(code)
-    index = next((i for i, (a, b) in enumerate(zip(old[2], new[2])) if a != b),
-                 min(len(old[2]), len(new[2]))) // size
-    return (f"[{index // components}][{index % components}]: "
-            f"{show(code, old[2], index)} and {show(code, new[2], index)}")
+    if array is None or other is None:
+        return "is in one of them only"
+    if array[:2] != other[:2]:
+        return f"has types and components {array[:2]} and {other[:2]}"
+    code, components, data = array
+    other_data = other[2]
+    byte = next((i for i, (a, b) in enumerate(zip(data, other_data)) if a != b),
+                min(len(data), len(other_data)))
+    index = byte // struct.calcsize(code)
+    return (f"[{index // components}][{index % components}] is "
+            f"{show(code, data, index)} and {show(code, other_data, index)}")
 
 
-class Summary:
+class Comparison:
+    """Of any number of recordings with the first."""
+
     def __init__(self):
-        self.scenes = self.arrays = self.numbers = self.different = 0
-        self.absent = set()
+        self.scenes = self.arrays = self.numbers = self.differences = 0
+        self.skipped = set()
 
-    def compare(self, title, name, old, new):
-        """The arrays of a scene."""
-        if old is None or new is None:
-            which = " and ".join(build for build, arrays in (("old", old), ("new", new))
-                                 if arrays is None)
-            self.absent.add(f"{name} (not in the {which} build)")
-            return
+    def compare(self, recordings):
+        try:
+            self.compare_scenes(recordings)
+        finally:
+            for recording in recordings:
+                recording.process.kill()
+
+    def compare_scenes(self, recordings):
+        for scenes in itertools.zip_longest(*recordings, fillvalue=("nothing more", None)):
+            (name, arrays), *others = scenes
+            for recording, (_, other_arrays) in zip(recordings[1:], others):
+                if arrays is None or other_arrays is None:
+                    self.skipped.add(name)
+                elif difference := self.compare_scene(arrays, other_arrays):
+                    self.differences += 1
+                    print(f"{name}: {difference}\n    in {recordings[0].name}\n"
+                          f"    and {recording.name}", flush=True)
+
+    def compare_scene(self, arrays, others):
+        """Returns the first difference, in words; None if there is none."""
         self.scenes += 1
-        self.arrays += len(old)
-        self.numbers += sum(len(data) // struct.calcsize(code) for code, _, data in old.values())
-        for array in dict.fromkeys([*old, *new]):
-            difference = find_difference(old.get(array), new.get(array))
-            if difference:
-                self.different += 1
-                print(f"{title}: {name}: {array} {difference}", flush=True)
-                break
+        self.arrays += len(arrays)
+        self.numbers += sum(len(data) // struct.calcsize(code) for code, _, data in arrays.values())
+        for name in dict.fromkeys([*arrays, *others]):
+            if difference := find_difference(arrays.get(name), others.get(name)):
+                return f"{name}{difference}" if difference[0] == "[" else f"{name} {difference}"
+        return None
+
+    def report(self):
+        if self.skipped:
+            print("Not in both builds:", *sorted(self.skipped))
+        print(f"{self.scenes} scenes compared, {self.arrays} arrays, {self.numbers} numbers: "
+              f"{self.differences} scenes differ")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("old_build")
-    parser.add_argument("new_build")
-    parser.add_argument("--scenes", default="*", help="the pattern of their names")
-    parser.add_argument("--kernels", default="*", help="the pattern of instruction sets")
-    parser.add_argument("--quick", action="store_true", help="a part of the scenes and settings")
+    parser.add_argument("builds", nargs="+", metavar="BUILD", help="build folders, one or two")
+    parser.add_argument("--scenes", default="*", metavar="PATTERN", help="only scenes so named")
+    parser.add_argument("--kernels", help="Baseline, AVX2 or AVX512 only")
+    parser.add_argument("--quick", action="store_true", help="fewer scenes and settings")
     options = parser.parse_args()
     arguments = ["--scenes", options.scenes] + ["--quick"] * options.quick
-    summary = Summary()
-    for variant in VARIANTS[:4] if options.quick else VARIANTS:
-        kernels, *settings = variant
-        if not fnmatch.fnmatch(kernels, options.kernels):
-            continue
-        recordings = [Recording(build, kernels, [*arguments, *settings])
-                      for build in (options.old_build, options.new_build)]
-        for (name, old), (_, new) in zip(*recordings):
-            summary.compare(" ".join(variant), name, old, new)
-    for line in sorted(summary.absent):
-        print("skipped", line)
-    print(f"{summary.scenes} scenes, {summary.arrays} arrays, {summary.numbers} numbers compared; "
-          f"{summary.different} scenes differ")
-    if summary.scenes == 0 or summary.different:
+    variants = [variant for variant in (QUICK_VARIANTS if options.quick else VARIANTS)
+                if options.kernels in (None, variant[0])]
+
+    def record(build, variant):
+        return Recording(build, variant, arguments)
+
+    comparison = Comparison()
+    if len(options.builds) == 1:
+        comparison.compare([record(options.builds[0], variant) for variant in variants])
+    else:
+        for variant in variants:
+            comparison.compare([record(build, variant) for build in options.builds])
+    comparison.report()
+    if comparison.differences or not comparison.scenes:
         sys.exit(1)
 
 

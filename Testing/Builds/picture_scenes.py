@@ -7,16 +7,22 @@ import itertools
 import os
 import sys
 
-from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_UNSIGNED_CHAR, reference
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
-from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 "../../Examples/Python"))
 import gallery
-import ray_scenes
-from scene import apply_settings, make_array, make_rectilinear
+from mapper_settings import SOLVERS, apply_settings
+from volumes import (
+    INTEGER_RANGES,
+    get_point_arrays,
+    make_array,
+    make_rectilinear,
+    make_volumes,
+)
 
 SIZE = (157, 118)  # not a multiple of the size of tiles
 ISOVALUE = 150.0
@@ -34,7 +40,26 @@ class PictureScene(gallery.Picture):
         output = vtkImageData()
         if not self.mapper.RenderToImage(self.volume, self.camera, self.lights, *SIZE, output):
             raise RuntimeError("There is no picture.")
-        return output
+        return get_point_arrays(output)
+
+
+class PickScene(PictureScene):
+    """What is found at some pixels of the picture in a window, without drawing it."""
+
+    def record(self):
+        renderer = vtkRenderer()
+        renderer.SetActiveCamera(self.camera)
+        window = vtkRenderWindow()
+        window.SetSize(SIZE)
+        window.AddRenderer(renderer)
+        picks = []
+        for row, column in itertools.product(range(0, SIZE[1], 7), range(0, SIZE[0], 7)):
+            cell_id, isovalue = reference(-1), reference(-1.0)
+            point, parametric, normal = [0.0] * 3, [0.0] * 3, [0.0] * 3
+            self.mapper.PickPixel(renderer, self.volume, column, row, point, parametric, cell_id,
+                                  isovalue, normal)
+            picks += [*point, *parametric, cell_id.get(), isovalue.get(), *normal]
+        return {"Picks": make_array(VTK_DOUBLE, picks, 11)}
 
 
 def make_waves(x, y, z):
@@ -137,7 +162,7 @@ DATA = {
     "heaviest-component": heaviest_component,
     "magnitude": gallery.steepness,
     **{name: of_type(scalar_type)
-       for name, (scalar_type, *_) in ray_scenes.INTEGER_RANGES.items()},
+       for name, (scalar_type, *_) in INTEGER_RANGES.items()},
 }
 
 
@@ -228,7 +253,7 @@ LOOKS = {
         several_in_shadow, capped_box, capped_boxes, coloured_by_array, maximum, unlit)},
     "interpolant-gradient": with_settings(NormalMode="INTERPOLANT_GRADIENT"),
     "nearest": with_settings(InterpolationMode="NEAREST"),
-    **{solver.lower(): with_settings(RootSolver=solver) for solver in ray_scenes.SOLVERS},
+    **{solver.lower(): with_settings(RootSolver=solver) for solver in SOLVERS},
 }
 # These take longer.
 LOOKS_OF_WAVES = {
@@ -336,6 +361,9 @@ def make_scenes(is_quick):
     scenes = {}
     add_products(scenes, "gallery", waves, ISOVALUE,
                  {furnish.__name__: furnish for furnish in gallery.SCENES})
+    for furnish in gallery.SCENES:
+        scenes["picks/" + furnish.__name__] = functools.partial(
+            PickScene, waves, ISOVALUE, furnish)
     if is_quick:
         add_products(scenes, "data", waves, ISOVALUE, DATA, choose(LOOKS, "several", "projected"))
         add_products(scenes, "looks", waves, ISOVALUE, LOOKS | LOOKS_OF_WAVES,
@@ -350,7 +378,7 @@ def make_scenes(is_quick):
                  choose(LOOKS, "plain", "several_in_shadow", "capped_box", "projected"),
                  choose(VIEWS, "plain", "along_axis"))
     hard_looks = choose(LOOKS | LOOKS_OF_WAVES, "plain", "several", "nearest", "cubic", "linear")
-    for name, (data, isovalue) in ray_scenes.make_volumes().items():
+    for name, (data, isovalue) in make_volumes().items():
         add_products(scenes, "hard/" + name, data, isovalue,
                      choose(hard_looks, "several") if is_quick else hard_looks,
                      choose(VIEWS, "along_axis", "from_afar"))

@@ -12,22 +12,9 @@ import os
 import pickle
 import sys
 
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
-
 import picture_scenes
 import ray_scenes
-from scene import NotInThisBuild, apply_settings
-
-
-def arrays_of(data_set):
-    """The point coordinates, where they are kept, and the point data."""
-    point_data = data_set.GetPointData()
-    arrays = {point_data.GetArrayName(i): point_data.GetArray(i)
-              for i in range(point_data.GetNumberOfArrays())}
-    if hasattr(data_set, "GetPoints"):
-        arrays["Points"] = data_set.GetPoints().GetData()
-    return {name: (memoryview(array).format, array.GetNumberOfComponents(), bytes(memoryview(array)))
-            for name, array in arrays.items()}
+from mapper_settings import NotInThisBuild, apply_settings
 
 
 def record(make, settings):
@@ -36,7 +23,8 @@ def record(make, settings):
         apply_settings(scene.mapper, settings)
     except NotInThisBuild:
         return None
-    return arrays_of(scene.record())
+    return {name: (memoryview(array).format, array.GetNumberOfComponents(), bytes(memoryview(array)))
+            for name, array in scene.record().items()}
 
 
 def parse_setting(text):
