@@ -3,7 +3,6 @@
 set(core_sources
   Rays/Ray.cxx
   Kernels/InstructionSets.cxx
-  Image/Cells/Solvers/FastSolver.cxx
   Image/Traversal/PacketTracer.cxx
   Image/TracedVolume.cxx
   Picture/CastRays.cxx

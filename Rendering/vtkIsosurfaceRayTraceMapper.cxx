@@ -1393,7 +1393,7 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   const char* const interpolationModes[] = { "Trilinear", "Nearest", "Cubic" };
   os << indent << "InterpolationMode: " << interpolationModes[this->InterpolationMode] << "\n";
-  const char* const solvers[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
+  const char* const solvers[] = { "Robust", "Analytic", "Marmitt", "Linear" };
   os << indent << "RootSolver: " << solvers[this->RootSolver] << "\n";
   os << indent << "NumberOfInterpolations: " << this->NumberOfInterpolations << "\n";
   const char* const layouts[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };

@@ -381,7 +381,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
     EXPECT_GT(expected.Hits.size(), 200U);
     for (const VolumeSettings& settings : all)
     {
-      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Linear })
+      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Linear })
       {
         TraceRequest wanted = Request(opacity);
         wanted.Solver = solver;

@@ -399,8 +399,8 @@ TEST_P(Beams, HitWhatSingleRaysHitInAllLayouts)
 }
 
 //------------------------------------------------------------------------------
-constexpr RootSolver AllSolvers[] = { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
-  RootSolver::Marmitt, RootSolver::Linear };
+constexpr RootSolver AllSolvers[] = { RootSolver::Robust, RootSolver::Analytic, RootSolver::Marmitt,
+  RootSolver::Linear };
 
 /// Translucent and opaque, one and several, also of isovalues that no sample of the type has.
 const std::vector<std::vector<Isosurface>> SetsOfSurfaces = { { { 49.5, 1.0 } }, { { 49.5, 0.5 } },
@@ -848,8 +848,7 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
            { { 0.2, 1.0 } }, { { 0.2, 0.5 } }, { { 0.2, 1.0 }, { 0.3, 1.0 } } })
     {
       wanted.Surfaces = surfaces;
-      // This one solves many rays together by itself.
-      EXPECT_EQ(useBeams(wanted, {}, 1.0), solver != RootSolver::Fast);
+      EXPECT_TRUE(useBeams(wanted, {}, 1.0));
     }
   }
 }

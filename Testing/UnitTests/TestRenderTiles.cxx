@@ -295,7 +295,7 @@ Scene AnyScene(RandomNumbers& random, const Index3& n)
   scene.TileHeight = tile[1];
   scene.Request.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
   scene.Colors = { { 1.0, 0.5, 0.25 } };
-  scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Fast;
+  scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Linear;
   scene.Request.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
   scene.KeepHits = true;
   return scene;

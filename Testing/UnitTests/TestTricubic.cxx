@@ -413,7 +413,7 @@ TEST(TricubicRays, DependOnNothingButTheSamples)
     {
       TraceRequest wanted = Request(opacity);
       check(wanted, settings);
-      wanted.Solver = RootSolver::Fast; // which is not asked
+      wanted.Solver = RootSolver::Linear; // which is not asked
       wanted.BeamKernels = nullptr;
       check(wanted, settings);
     }

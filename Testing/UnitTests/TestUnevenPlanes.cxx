@@ -392,8 +392,8 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
     ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
     TraceRequest wanted({ { 0.25, 1.0 } });
     wanted.Planes = &planes;
-    for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
-           RootSolver::Marmitt, RootSolver::Linear })
+    for (const RootSolver solver :
+      { RootSolver::Robust, RootSolver::Analytic, RootSolver::Marmitt, RootSolver::Linear })
     {
       wanted.Solver = solver;
       const auto traced = NewTraced(volume, wanted);

@@ -6,7 +6,6 @@
 #include "Image/Cells/BoxFaces.h"
 #include "Image/Cells/CellSegment.h"
 #include "Image/Cells/Solvers/AnalyticSolver.h"
-#include "Image/Cells/Solvers/FastSolver.h"
 #include "Image/Cells/Solvers/LinearSolver.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
@@ -172,69 +171,6 @@ private:
   Index3 Dimensions;
   double Transmittance = 1.0;
 };
-
-/// The corners in single precision: in the range where squares are safe, and each with its sign.
-std::array<float, 8> ToSinglePrecision(const CellCorners& difference)
-{
-  double size = 0.0;
-  for (const double value : difference)
-  {
-    size = std::max(size, std::abs(value));
-  }
-  const bool isSafe = size >= Fast::Smallest && size <= Fast::Largest;
-  const int exponent = isSafe ? 0 : -std::clamp(std::ilogb(size), -1000, 1000);
-  std::array<float, 8> result;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const double value = isSafe ? difference[corner] : std::ldexp(difference[corner], exponent);
-    result[corner] = static_cast<float>(value);
-    // What is below stays below in three interpolations in turn: see SmallestDifference.
-    if (value < 0.0 && result[corner] > -0x1p-100F)
-    {
-      result[corner] = -0x1p-100F;
-    }
-  }
-  return result;
-}
-
-/// A ray that is followed side by side with others, from one cell that it may hit to the next.
-struct Follower
-{
-  /// Its number among all rays.
-  std::size_t Number;
-  const Ray* TheRay;
-  MacrocellTraversal<ActiveMacrocells> Macrocells;
-  RayProgress Progress;
-  /// The walk over the cells of the macrocell that the ray is in, if any.
-  LatticeTraversal Cells;
-  bool IsInMacrocell = false;
-  /// The cell it has come to.
-  Index3 Cell = {};
-  CellSegment Segment = {};
-};
-
-/// A surface in the cell of a follower, to be solved.
-struct Candidate
-{
-  std::size_t Follower;
-  int Surface;
-  std::array<float, 8> Difference;
-};
-
-/// Fills a lane of a batch.
-void Load(
-  const Candidate& candidate, const CellSegment& segment, std::size_t lane, Fast::Batch& batch)
-{
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    batch.Difference[corner][lane] = candidate.Difference[corner];
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    batch.Entry[axis][lane] = static_cast<float>(segment.Entry[axis]);
-    batch.Exit[axis][lane] = static_cast<float>(segment.Exit[axis]);
-  }
-}
 
 template <typename T, typename Layout>
 class TypedVolume final : public TracedVolume
@@ -439,10 +375,6 @@ private:
     {
       this->ForEachRay(
         rays, hits, [this, &hits](const Ray& ray) { this->TraceFaces(ray, hits.Hits); });
-    }
-    else if (this->Request.Solver == RootSolver::Fast && !this->IsCubic())
-    {
-      this->TraceTogether(rays, hits);
     }
     else if (this->CanUseBeams(rays))
     {
@@ -996,135 +928,6 @@ private:
         this->FindRoots(corners, segment, roots);
         return progress.Pass(ray, cell, segment, roots, hits);
       });
-  }
-
-  /// Follows rays side by side, each from one cell that it may hit to the next. The cells of all
-  /// rays are solved together.
-  void TraceTogether(const RayPacket& group, RayHits& result)
-  {
-    std::vector<Ray> rays;
-    std::vector<Follower> followers;
-    std::vector<std::size_t> going;
-    rays.reserve(RayPacket::Capacity);
-    followers.reserve(RayPacket::Capacity);
-    for (int i = 0; i < group.Count; ++i)
-    {
-      if (Has(group.Exists, i))
-      {
-        rays.push_back(this->TakeRay(group, i));
-        going.push_back(followers.size());
-        followers.push_back({ static_cast<std::size_t>(i), &rays.back(),
-          MacrocellTraversal<ActiveMacrocells>(rays.back(), this->Active), this->NewProgress(),
-          {} });
-      }
-    }
-    std::vector<std::vector<Hit>> hits(static_cast<std::size_t>(group.Count));
-    std::vector<Candidate> candidates;
-    while (!going.empty())
-    {
-      candidates.clear();
-      for (const std::size_t i : going)
-      {
-        this->GoToNextCell(i, followers[i], candidates);
-      }
-      // Those that came to no cell are at their end.
-      going.clear();
-      this->SolveCandidates(candidates, followers,
-        [&](std::size_t i, const CellRoots& roots)
-        {
-          Follower& follower = followers[i];
-          if (!follower.Progress.Pass(
-                *follower.TheRay, follower.Cell, follower.Segment, roots, hits[follower.Number]))
-          {
-            going.push_back(i);
-          }
-        });
-    }
-    for (const std::vector<Hit>& own : hits)
-    {
-      result.Hits.insert(result.Hits.end(), own.begin(), own.end());
-      result.First.push_back(result.Hits.size());
-    }
-  }
-
-  /// Traversals a ray on to the next cell that it may hit, if there is one, and queues it once for
-  /// every surface.
-  void GoToNextCell(std::size_t number, Follower& follower, std::vector<Candidate>& candidates)
-  {
-    const Ray& ray = *follower.TheRay;
-    typename Layout::Reader reader(this->Bricks);
-    typename Layout::Value corners[8];
-    bool found = false;
-    while (!found)
-    {
-      if (!follower.IsInMacrocell)
-      {
-        CellRegion region;
-        if (!follower.Macrocells.Next(region))
-        {
-          return;
-        }
-        follower.Cells = LatticeTraversal(ray, 1, region.First, region.Last, region.Start);
-      }
-      LatticeTraversal walk = follower.Cells;
-      do
-      {
-        follower.Cell = walk.GetBlock();
-        found = this->Examine(reader, ray, follower.Cell, corners, follower.Segment);
-        follower.IsInMacrocell = walk.Advance(walk.GetExit());
-      } while (follower.IsInMacrocell && !found);
-      follower.Cells = walk;
-    }
-    for (std::size_t i = 0; i < this->Request.Surfaces.size(); ++i)
-    {
-      candidates.push_back(
-        { number, static_cast<int>(i), ToSinglePrecision(this->TakeOff(i, corners)) });
-    }
-  }
-
-  /// Solves all candidates, a batch at a time, and calls visit(follower, roots) for every follower
-  /// they belong to.
-  template <typename Visit>
-  void SolveCandidates(const std::vector<Candidate>& candidates,
-    const std::vector<Follower>& followers, const Visit& visit) const
-  {
-    const bool firstOnly = this->Request.Visible.IsConvex() &&
-      std::all_of(this->Request.Surfaces.begin(), this->Request.Surfaces.end(),
-        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
-    Fast::Batch batch = {};
-    Fast::Roots solved;
-    CellRoots roots;
-    for (std::size_t first = 0; first < candidates.size(); first += Fast::Lanes)
-    {
-      const std::size_t lanes = std::min<std::size_t>(Fast::Lanes, candidates.size() - first);
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-      {
-        const Candidate& candidate = candidates[first + lane];
-        Load(candidate, followers[candidate.Follower].Segment, lane, batch);
-      }
-      Fast::Solve(batch, firstOnly, solved);
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-      {
-        const Candidate& candidate = candidates[first + lane];
-        if (candidate.Surface == 0)
-        {
-          roots.Clear();
-        }
-        roots.NextSurface();
-        for (std::size_t piece = 0; piece < 3; ++piece)
-        {
-          if (solved.Found[piece][lane] != 0)
-          {
-            roots.Add({ static_cast<double>(solved.U[piece][lane]), candidate.Surface,
-              solved.Entering[piece][lane] != 0 });
-          }
-        }
-        if (static_cast<std::size_t>(candidate.Surface) + 1 == this->Request.Surfaces.size())
-        {
-          visit(candidate.Follower, roots);
-        }
-      }
-    }
   }
 
   /// From differences along the edges of a cell to the gradient. In a flat cell only its flat axes

@@ -56,7 +56,6 @@ struct VolumeSettings
 enum class RootSolver
 {
   Robust,
-  Fast,
   Analytic,
   Marmitt,
   Linear
