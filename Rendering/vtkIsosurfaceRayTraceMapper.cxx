@@ -532,28 +532,28 @@ void vtkIsosurfaceRayTraceMapper::SetTileSize(int width, int height)
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMacrocellMemory()
 {
-  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
+  const vtkirt::ImageField* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMacrocellMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetBrickMemory()
 {
-  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
+  const vtkirt::ImageField* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetBrickMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetNumberOfBricks()
 {
-  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
+  const vtkirt::ImageField* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetNumberOfBricks()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 {
-  const vtkirt::TracedVolume* volume = this->Internal->Source.GetVolume();
+  const vtkirt::ImageField* volume = this->Internal->Source.GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMaximumNumberOfBricks()) : 0;
 }
 
@@ -793,7 +793,7 @@ bool vtkIsosurfaceRayTraceMapper::UpdateVolume(vtkVolume* volume)
     return false;
   }
 
-  vtkirt::VolumeSettings settings;
+  vtkirt::ImageSettings settings;
   settings.MacrocellBranching.assign(
     this->MacrocellBranching, this->MacrocellBranching + this->NumberOfMacrocellLevels);
   settings.Layout = static_cast<vtkirt::BrickLayout>(this->BrickLayout);

@@ -231,7 +231,7 @@ TEST(TestInvariance, LayoutsMacrocellsAndThreads)
   Dice dice(104);
   const Field field = Waves();
   const auto lines = RandomLines(dice, Dimensions, 2000);
-  const VolumeSettings settings[] = { { { 8, 8 }, BrickLayout::Apron, 8, 4 },
+  const ImageSettings settings[] = { { { 8, 8 }, BrickLayout::Apron, 8, 4 },
     { {}, BrickLayout::Unbricked, 8, 4 }, { { 2 }, BrickLayout::TwoLevel, 3, 2 },
     { { 3, 2, 5 }, BrickLayout::Apron, 5, 1 }, { { 1 }, BrickLayout::Apron, 1, 1 },
     { { 64 }, BrickLayout::TwoLevel, 16, 4 } };
@@ -243,7 +243,7 @@ TEST(TestInvariance, LayoutsMacrocellsAndThreads)
     {
       const RayHits expected = Tracer(field, settings[0]).Cast(lines, 0.3, solver, reach);
       EXPECT_GT(expected.Hits.size(), 500U) << "solver " << static_cast<int>(solver);
-      for (const VolumeSettings& other : settings)
+      for (const ImageSettings& other : settings)
       {
         for (const int threads : { 1, 2, 7 })
         {
