@@ -3,13 +3,29 @@
 set(core_sources
   Rays/Ray.cxx
   Kernels/InstructionSets.cxx
-  Image/Cells/Solvers/FastSolver.cxx
+  Image/Cells/BoxFaces.cxx
+  Image/Cells/CellsOnRay.cxx
+  Image/Cells/LargestValue.cxx
+  Image/Cells/TricubicCell.cxx
+  Image/Cells/TricubicRoots.cxx
+  Image/Cells/TrilinearRoots.cxx
+  Image/ImageField.cxx
+  Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/PacketTracer.cxx
-  Image/TracedVolume.cxx
   Picture/CastRays.cxx
   Picture/RenderTiles.cxx
   Picture/Shader.cxx)
 list(TRANSFORM core_sources PREPEND "Module/Core/")
+
+# What depends on the type of the samples, compiled for each type by itself: in parallel.
+foreach (sample_type IN ITEMS
+    std::int8_t std::uint8_t std::int16_t std::uint16_t std::int32_t std::uint32_t std::int64_t
+    std::uint64_t float double)
+  string(REPLACE "std::" "" name "${sample_type}")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/Core/TypedImageStructures_${name}.cxx")
+  configure_file("Module/Core/Image/TypedImageStructures.cxx.in" "${source}" @ONLY)
+  list(APPEND core_sources "${source}")
+endforeach ()
 
 set(classes
   Filters/vtkIsosurfaceComparisonFilter

@@ -24,7 +24,6 @@ static_assert(AreEqual(Mapper::NEAREST, vtkirt::Interpolant::Nearest));
 static_assert(AreEqual(Mapper::CUBIC, vtkirt::Interpolant::Tricubic));
 
 static_assert(AreEqual(Mapper::ROBUST, vtkirt::RootSolver::Robust));
-static_assert(AreEqual(Mapper::FAST, vtkirt::RootSolver::Fast));
 static_assert(AreEqual(Mapper::ANALYTIC, vtkirt::RootSolver::Analytic));
 static_assert(AreEqual(Mapper::MARMITT, vtkirt::RootSolver::Marmitt));
 static_assert(AreEqual(Mapper::LINEAR, vtkirt::RootSolver::Linear));

@@ -126,7 +126,7 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceGridInput::Update(
-  vtkVolumeMapper* mapper, const vtkirt::VolumeSettings& settings, int threads)
+  vtkVolumeMapper* mapper, const vtkirt::ImageSettings& settings, int threads)
 {
   const bool isBuilt = this->Source.Update(this->Grid, this->Scalars, settings, threads);
   this->Visible = {};

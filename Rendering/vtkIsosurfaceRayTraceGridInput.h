@@ -37,13 +37,13 @@ public:
 
   /// Makes what was selected ready for rays. Returns whether macrocells had to be built.
   bool Update(
-    vtkVolumeMapper* mapper, const vtkIsosurfaceRayTracing::VolumeSettings& settings, int threads);
+    vtkVolumeMapper* mapper, const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
   /// See vtkIsosurfaceRayTraceMapper::FindBlock. Null if the input is not composite, or no block
   /// has the cell.
   vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
 
-  vtkIsosurfaceRayTracing::TracedVolume* GetVolume() const override
+  vtkIsosurfaceRayTracing::ImageField* GetVolume() const override
   {
     return this->Source.GetVolume();
   }

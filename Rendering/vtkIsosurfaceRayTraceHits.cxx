@@ -22,7 +22,7 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector3>& origins,
   const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
 {
-  vtkirt::TracedVolume& volume = *this->Request.Input.GetVolume();
+  vtkirt::ImageField& volume = *this->Request.Input.GetVolume();
   const vtkirt::Matrix4& worldFromIndex = this->Request.WorldFromIndex;
   vtkirt::Matrix4 indexFromWorld;
   vtkMatrix4x4::Invert(worldFromIndex.data(), indexFromWorld.data());

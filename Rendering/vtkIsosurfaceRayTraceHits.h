@@ -9,7 +9,7 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 
 #include <vector> // for std::vector
 

@@ -25,7 +25,7 @@ public:
   virtual ~vtkIsosurfaceRayTraceInput() = default;
 
   /// Null before the input is first traced.
-  virtual vtkIsosurfaceRayTracing::TracedVolume* GetVolume() const = 0;
+  virtual vtkIsosurfaceRayTracing::ImageField* GetVolume() const = 0;
 
   /// From the space that rays go through to the coordinates of the data.
   virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const = 0;

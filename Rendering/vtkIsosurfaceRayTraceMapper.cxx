@@ -108,28 +108,28 @@ void vtkIsosurfaceRayTraceMapper::SetColorInputData(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMacrocellMemory()
 {
-  const vtkirt::TracedVolume* volume = this->Input->GetVolume();
+  const vtkirt::ImageField* volume = this->Input->GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMacrocellMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetBrickMemory()
 {
-  const vtkirt::TracedVolume* volume = this->Input->GetVolume();
+  const vtkirt::ImageField* volume = this->Input->GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetBrickMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetNumberOfBricks()
 {
-  const vtkirt::TracedVolume* volume = this->Input->GetVolume();
+  const vtkirt::ImageField* volume = this->Input->GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetNumberOfBricks()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 {
-  const vtkirt::TracedVolume* volume = this->Input->GetVolume();
+  const vtkirt::ImageField* volume = this->Input->GetVolume();
   return volume ? static_cast<vtkIdType>(volume->GetMaximumNumberOfBricks()) : 0;
 }
 
@@ -174,7 +174,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeR
   {
     return nullptr;
   }
-  vtkirt::VolumeSettings layout;
+  vtkirt::ImageSettings layout;
   layout.MacrocellBranching.assign(
     this->MacrocellBranching, this->MacrocellBranching + this->NumberOfMacrocellLevels);
   layout.Layout = vtkIsosurfaceRayTraceEnumerators::ToBrickLayout(this->BrickLayout);

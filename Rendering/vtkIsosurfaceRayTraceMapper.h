@@ -181,19 +181,15 @@ public:
     /// (32 + 16 n) 2^-53 of the isovalue (times the largest difference between a corner of the cell
     /// and the isovalue; n is the longest edge of the volume in cells).
     ROBUST = 0,
-    /// The same in single precision, several cells at a time in vector registers. Where a ray
-    /// grazes the surface, with an extremum within 4.8e-7 of the isovalue (times the largest
-    /// difference between a corner of the cell and the isovalue), it may be judged either way.
-    FAST = 1,
     /// The closed form as published by Parker et al. 1998 (J. Schwarze, Graphics Gems 1990). It
     /// loses many hits where a cell is nearly linear along the ray: for comparison only.
-    ANALYTIC = 2,
+    ANALYTIC = 1,
     /// Cut at the extrema, then NumberOfInterpolations linear interpolations (G. Marmitt et al.,
     /// VMV 2004).
-    MARMITT = 3,
+    MARMITT = 2,
     /// Signs at the ends of the segment and one linear interpolation (A. Neubauer et al., VisSym
     /// 2002): a preview, which misses thin sheets.
-    LINEAR = 4
+    LINEAR = 3
   };
 
   ///@{
@@ -203,7 +199,6 @@ public:
   vtkSetClampMacro(RootSolver, int, ROBUST, LINEAR);
   vtkGetMacro(RootSolver, int);
   void SetRootSolverToRobust() { this->SetRootSolver(ROBUST); }
-  void SetRootSolverToFast() { this->SetRootSolver(FAST); }
   void SetRootSolverToAnalytic() { this->SetRootSolver(ANALYTIC); }
   void SetRootSolverToMarmitt() { this->SetRootSolver(MARMITT); }
   void SetRootSolverToLinear() { this->SetRootSolver(LINEAR); }

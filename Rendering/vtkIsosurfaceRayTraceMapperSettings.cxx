@@ -18,7 +18,7 @@ namespace
 {
 
 const char* const InterpolationModeNames[] = { "Trilinear", "Nearest", "Cubic" };
-const char* const RootSolverNames[] = { "Robust", "Fast", "Analytic", "Marmitt", "Linear" };
+const char* const RootSolverNames[] = { "Robust", "Analytic", "Marmitt", "Linear" };
 const char* const NormalModeNames[] = { "InterpolantGradient", "CentralDifferences" };
 const char* const VectorModeNames[] = { "Disabled", "Magnitude", "Component" };
 const char* const BrickLayoutNames[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };

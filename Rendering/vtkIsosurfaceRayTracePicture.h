@@ -50,7 +50,7 @@ public:
   vtkIsosurfaceRayTracing::FrameTimes Times;
 
 private:
-  vtkIsosurfaceRayTracing::TracedVolume* Volume = nullptr;
+  vtkIsosurfaceRayTracing::ImageField* Volume = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
   std::unique_ptr<vtkIsosurfaceRayTracing::ValueColors> ColorsOfValues;
 };

@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 
 #include <string> // for std::string
 
