@@ -90,7 +90,7 @@ void MeasureColdStart(const Setup& setup, double isovalue, Report& report)
   Samples macrocells;
   for (int repeat = 0; repeat < setup.Repeats && !IsEnough(cold, setup.Repeats); ++repeat)
   {
-    Say("Isovalue " + ToText(isovalue) + ": cold start, turn " + std::to_string(repeat + 1) +
+    Log("Isovalue " + ToText(isovalue) + ": cold start, turn " + std::to_string(repeat + 1) +
       " of " + std::to_string(setup.Repeats));
     surface.Forget();
     surface.SetIsovalue(isovalue);
@@ -129,7 +129,7 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
   Samples ratio;
   for (int repeat = 0; repeat <= setup.Repeats; ++repeat)
   {
-    Say("Isovalue " + ToText(isovalue) + ": whole frames, turn " + std::to_string(repeat) + " of " +
+    Log("Isovalue " + ToText(isovalue) + ": whole frames, turn " + std::to_string(repeat) + " of " +
       std::to_string(setup.Repeats));
     for (const View& view : setup.GetOrbit())
     {
@@ -159,7 +159,7 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
 //------------------------------------------------------------------------------
 void MeasureScaling(const Setup& setup, double isovalue, Report& report)
 {
-  Say("Isovalue " + ToText(isovalue) + ": the cost of every tile");
+  Log("Isovalue " + ToText(isovalue) + ": the cost of every tile");
   TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
   surface.SetIsovalue(isovalue);
   const View view = setup.GetOrbit().front();

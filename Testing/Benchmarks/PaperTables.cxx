@@ -68,7 +68,7 @@ void MakeTable1(const Setup& setup, Report& report)
   views.insert(views.end(), paper.begin(), paper.end());
   for (const double isovalue : setup.Isovalues)
   {
-    Say("Parker 1998, table I: isovalue " + ToText(isovalue));
+    Log("Parker 1998, table I: isovalue " + ToText(isovalue));
     TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
     surface.SetIsovalue(isovalue);
     Samples rates;
@@ -114,7 +114,7 @@ void MakeTable2(const Setup& setup, Report& report)
     std::vector<Samples> rates(setup.Threads.size());
     for (int repeat = 0; repeat < setup.Repeats; ++repeat)
     {
-      Say("Parker 1998, table II: " + view.Name + ", turn " + std::to_string(repeat + 1) + " of " +
+      Log("Parker 1998, table II: " + view.Name + ", turn " + std::to_string(repeat + 1) + " of " +
         std::to_string(setup.Repeats));
       for (std::size_t i = 0; i < rates.size(); ++i)
       {
@@ -135,21 +135,20 @@ void MakeTable2(const Setup& setup, Report& report)
 void MakeTable3(const Setup& setup, Report& report)
 {
   const std::vector<Variant> variants = {
-    { { std::string("initial") },
+    { { "initial" },
       [](Mapper& mapper)
       {
         mapper.SetBrickLayoutToNoBricks();
         mapper.SetNumberOfMacrocellLevels(0);
       } },
-    { { std::string("bricking") },
+    { { "bricking" },
       [](Mapper& mapper)
       {
         UseTwoLevelBricks(mapper, 4, 4);
         mapper.SetNumberOfMacrocellLevels(0);
       } },
-    { { std::string("hierarchy and bricking") },
-      [](Mapper& mapper) { UseTwoLevelBricks(mapper, 4, 4); } },
-    { { std::string("this mapper's defaults") }, [](Mapper&) {} },
+    { { "hierarchy and bricking" }, [](Mapper& mapper) { UseTwoLevelBricks(mapper, 4, 4); } },
+    { { "this mapper's defaults" }, [](Mapper&) {} },
   };
   Table table{ "parker 1998 table III", "Parker et al. 1998, table III: trace times, ms",
     "Initial: the array as it is and no macrocells. Bricking: the paper's two levels, n = 4, m = "
@@ -168,8 +167,8 @@ void MakeTable3(const Setup& setup, Report& report)
     TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
     for (const Variant& variant : variants)
     {
-      Say("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
-        std::get<std::string>(variant.Name.front()));
+      Log("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
+        variant.Name.front().Value.asString());
       surface.Forget();
       surface.SetIsovalue(isovalue);
       variant.Apply(*surface.GetMapper());
@@ -200,7 +199,7 @@ void CompareVariants(const Setup& setup, const std::vector<Variant>& variants, T
   usual.SetIsovalue(isovalue);
   for (const Variant& variant : variants)
   {
-    Say(table.Name + ", variant " + std::to_string(table.Rows.size() + 1) + " of " +
+    Log(table.Name + ", variant " + std::to_string(table.Rows.size() + 1) + " of " +
       std::to_string(variants.size()));
     other.Forget();
     other.SetIsovalue(isovalue);
@@ -263,11 +262,11 @@ void MakeHierarchyTable(const Setup& setup, Report& report)
 //------------------------------------------------------------------------------
 void MakeBrickTable(const Setup& setup, Report& report)
 {
-  std::vector<Variant> variants = { { { std::string("none"), std::monostate(), std::monostate() },
+  std::vector<Variant> variants = { { { "none", Cell(), Cell() },
     [](Mapper& mapper) { mapper.SetBrickLayoutToNoBricks(); } } };
   for (const double n : { 4.0, 8.0, 16.0 })
   {
-    variants.push_back({ { std::string("apron"), n, std::monostate() },
+    variants.push_back({ { "apron", n, Cell() },
       [n](Mapper& mapper)
       {
         mapper.SetBrickLayoutToApronBricks();
@@ -278,7 +277,7 @@ void MakeBrickTable(const Setup& setup, Report& report)
   {
     for (const double m : { 1.0, 4.0, 8.0 })
     {
-      variants.push_back({ { std::string("two levels"), n, m }, [n, m](Mapper& mapper) {
+      variants.push_back({ { "two levels", n, m }, [n, m](Mapper& mapper) {
                             UseTwoLevelBricks(mapper, static_cast<int>(n), static_cast<int>(m));
                           } });
     }
@@ -297,8 +296,8 @@ void MakeExtractionTable(const Setup& setup, Report& report)
   vtkNew<vtkIsosurfaceComparisonFilter> filter;
   filter->SetInputData(setup.Image);
   filter->SetNumberOfRepeats(setup.IsLarge() ? 1 : setup.Repeats);
-  const auto isWanted = [&setup](const char* rival)
-  { return std::count(setup.Rivals.begin(), setup.Rivals.end(), rival) != 0; };
+  const auto isWanted = [&setup](const char* baseline)
+  { return std::count(setup.Baselines.begin(), setup.Baselines.end(), baseline) != 0; };
   filter->SetFlyingEdges(isWanted("flying-edges"));
   filter->SetMarchingCubes(isWanted("marching-cubes"));
   filter->SetSpanSpace(isWanted("marching-cubes"));
@@ -315,7 +314,7 @@ void MakeExtractionTable(const Setup& setup, Report& report)
   {
     filter->SetValue(static_cast<int>(i), setup.Isovalues[i]);
   }
-  Say("Parker 1998, table IV: extraction");
+  Log("Parker 1998, table IV: extraction");
   filter->Update();
   Table table{ "extraction",
     "Parker et al. 1998, table IV; Ma and Parker 2001, table 1: extraction of triangles",

@@ -31,7 +31,7 @@ struct Setup
   std::vector<int> Threads;
   int Repeats;
   /// Those that are not absent.
-  std::vector<std::string> Rivals;
+  std::vector<std::string> Baselines;
 
   int GetMostThreads() const { return this->Threads.back(); }
   Bounds GetBounds() const
@@ -55,7 +55,7 @@ struct Setup
 };
 
 /// Says what is going on, to those who wait.
-inline void Say(const std::string& what)
+inline void Log(const std::string& what)
 {
   std::fprintf(stderr, "%s\n", what.c_str());
 }

@@ -117,7 +117,7 @@ std::vector<double> TracedIsosurface::GetDistances()
 {
   const PictureRays rays(this->LastView, this->Size);
   this->CastRays(this->LastView, { 0, 0, this->Size, this->Size });
-  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, Nothing);
+  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, NoHit);
   vtkDataArray* pixels = this->Hits->GetPointData()->GetArray("RayId");
   vtkDataArray* ts = this->Hits->GetPointData()->GetArray("T");
   for (vtkIdType i = 0; i < this->Hits->GetNumberOfPoints(); ++i)
