@@ -11,6 +11,7 @@
 #include "Image/TracedVolume.h"
 #include "Image/Traversal/CellTraversal.h"
 #include "IsosurfaceRenderer.h"
+#include "Samples.h"
 #include "SinglePrecisionSolver.h"
 
 #include <vtkFlyingEdges3D.h>
@@ -23,7 +24,6 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -33,7 +33,6 @@ namespace
 {
 
 using namespace vtkIsosurfaceRayTracing;
-using Clock = std::chrono::steady_clock;
 
 std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 {
@@ -122,105 +121,52 @@ std::vector<CellProblem> GatherProblems(
   return problems;
 }
 
-/// The cells of a ray in batches, until one has a root.
-class SinglePrecisionTracer
+/// The first hit by a solver in single precision, cell after cell.
+double CastInSinglePrecision(const Input& input, const ActiveMacrocells& active, const Ray& ray)
 {
-public:
-  double Trace(const Input& input, const ActiveMacrocells& active, const Ray& ray)
-  {
-    this->Found = NoHit;
-    this->Count = 0;
-    VisitProblems(input, active, ray,
-      [this](const CellProblem& problem)
-      {
-        this->Batch.Set(this->Count, problem.Difference, problem.Segment);
-        this->Segments[this->Count++] = problem.Segment;
-        return this->Count == SinglePrecision::BatchSize && this->Solve();
-      });
-    this->Solve();
-    return ray.Base + this->Found;
-  }
-
-private:
-  /// Returns whether there is a root.
-  bool Solve()
-  {
-    const auto roots = SinglePrecision::FindFirstRoots(this->Batch);
-    for (std::size_t i = 0; i < this->Count && std::isnan(this->Found); ++i)
+  double found = NoHit;
+  VisitProblems(input, active, ray,
+    [&](const CellProblem& problem)
     {
-      const CellSegment& segment = this->Segments[i];
-      this->Found = segment.Begin + (segment.End - segment.Begin) * roots[i];
-    }
-    this->Count = 0;
-    return !std::isnan(this->Found);
-  }
-
-  SinglePrecision::Batch Batch = {};
-  std::array<CellSegment, SinglePrecision::BatchSize> Segments;
-  std::size_t Count = 0;
-  double Found = NoHit;
-};
-
-/// The time of a pass over all cells, per cell: the median of several.
-template <typename Pass>
-double MeasurePerCell(const std::vector<CellProblem>& problems, const Pass& pass)
-{
-  if (problems.empty())
-  {
-    return NotMeasured;
-  }
-  std::vector<double> times;
-  double sum = 0.0;
-  for (int repeat = 0; repeat < 7; ++repeat)
-  {
-    const Clock::time_point start = Clock::now();
-    sum += pass();
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-  }
-  std::nth_element(times.begin(), times.begin() + 3, times.end());
-  // The sum is used, so that the work is not thought useless.
-  return sum == -1.0 ? 0.0 : times[3] / static_cast<double>(problems.size());
+      SinglePrecision::ForEachRoot(problem.Difference, problem.Segment,
+        [&](float u, bool)
+        {
+          const CellSegment& segment = problem.Segment;
+          found = ray.Base + segment.Begin + (segment.End - segment.Begin) * u;
+          return true;
+        });
+      return !std::isnan(found);
+    });
+  return found;
 }
 
+/// The time to solve a problem: the median of several passes over all.
 template <typename Solve>
 double MeasureSolver(const std::vector<CellProblem>& problems, const Solve& solve)
 {
-  return MeasurePerCell(problems,
-    [&]()
-    {
-      double sum = 0.0;
-      for (const CellProblem& problem : problems)
+  constexpr int passes = 7;
+  Benchmark::Samples seconds;
+  double sum = 0.0;
+  for (int pass = 0; pass < passes && !problems.empty(); ++pass)
+  {
+    seconds.Add(Measure(
+      [&]()
       {
-        solve(problem,
-          [&sum](double u, bool)
-          {
-            sum += u;
-            return true;
-          });
-      }
-      return sum;
-    });
-}
-
-double MeasureSinglePrecision(const std::vector<CellProblem>& problems)
-{
-  return MeasurePerCell(problems,
-    [&problems]()
-    {
-      constexpr std::size_t size = SinglePrecision::BatchSize;
-      double sum = 0.0;
-      SinglePrecision::Batch batch = {};
-      for (std::size_t first = 0; first + size <= problems.size(); first += size)
-      {
-        for (std::size_t i = 0; i < size; ++i)
+        for (const CellProblem& problem : problems)
         {
-          batch.Set(i, problems[first + i].Difference, problems[first + i].Segment);
+          solve(problem,
+            [&sum](double u, bool)
+            {
+              sum += u;
+              return true;
+            });
         }
-        const float root = SinglePrecision::FindFirstRoots(batch)[0];
-        sum += std::isnan(root) ? 0.0 : root;
-      }
-      return sum;
-    });
+      }));
+  }
+  // The sum is used, so that the work is not optimized away.
+  return seconds.IsEmpty() || sum == -1.0
+    ? NotMeasured
+    : 1e9 * seconds.GetMedian() / static_cast<double>(problems.size());
 }
 
 //------------------------------------------------------------------------------
@@ -339,7 +285,8 @@ struct PreparedInput
     : Input(input)
     , View{ input.Field.Values.data(), ScalarType::Float64, input.Field.Dimensions, 1 }
     , Volume(TracedVolume::New(this->View, {}, 1))
-    , Active(MacrocellHierarchy<double>(Samples<double>(this->View), { 4, 4, 4 }, 1)
+    , Active(MacrocellHierarchy<double>(
+        vtkIsosurfaceRayTracing::Samples<double>(this->View), { 4, 4, 4 }, 1)
                .FindActive({ input.Isovalue }, 1))
     , Problems(GatherProblems(input, this->Active, lines))
   {
@@ -392,11 +339,15 @@ RayMethod MakeSolverMethod(const std::shared_ptr<PreparedInput>& prepared,
 
 RayMethod MakeSinglePrecisionMethod(const std::shared_ptr<PreparedInput>& prepared)
 {
-  const auto tracer = std::make_shared<SinglePrecisionTracer>();
   RayMethod method = MakeMethod(prepared->Input, "Single precision", "",
-    [prepared, tracer](const Oracle::Line&, const Ray& ray)
-    { return tracer->Trace(prepared->Input, prepared->Active, ray); });
-  method.MeasureCell = [prepared]() { return MeasureSinglePrecision(prepared->Problems); };
+    [prepared](const Oracle::Line&, const Ray& ray)
+    { return CastInSinglePrecision(prepared->Input, prepared->Active, ray); });
+  method.MeasureCell = [prepared]()
+  {
+    return MeasureSolver(prepared->Problems,
+      [](const CellProblem& p, const auto& visit)
+      { SinglePrecision::ForEachRoot(p.Difference, p.Segment, visit); });
+  };
   return method;
 }
 
