@@ -141,7 +141,7 @@ def write_distribution_plot(measured, path):
     )
 
 
-# Each picture with its caption and who writes it, of an input and to a path.
+# Each picture with its caption and what writes it, of an input and to a path.
 PICTURES = {
     "speed-error": ("Rays: speed against error", write_speed_plot),
     "errors": ("How many rays have which error", write_distribution_plot),

@@ -17,7 +17,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
 
-# Colours that are told apart on white, also by readers who do not see all colours.
+# Colours that are told apart on white, also by readers name do not see all colours.
 COLORS = (
     (0, 0, 0), (230, 25, 75), (0, 130, 200), (245, 130, 48), (60, 180, 75), (145, 30, 180),
     (70, 200, 220), (128, 128, 0), (170, 110, 40), (128, 128, 128), (240, 50, 230), (0, 0, 128),
@@ -84,7 +84,7 @@ def environment_list(environment):
     """What must be known of a measurement, as a list."""
     said = {**environment, "command": f"`{environment['command']}`"}
     lines = [f"- {name}: {said[name]}\n" for name in ENVIRONMENT if name in said]
-    return "".join(lines + [f"- absent: {who}\n" for who in environment.get("absent", [])]) + "\n"
+    return "".join(lines + [f"- absent: {name}\n" for name in environment.get("absent", [])]) + "\n"
 
 
 def decades(values):

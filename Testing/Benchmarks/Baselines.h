@@ -21,7 +21,7 @@ std::vector<std::string> GetBaselineNames();
 /// Why there is no such baseline here, and how to get it; empty if there is.
 std::string GetAbsence(const std::string& baseline);
 
-/// The baseline of a name, which must not be absent. Pictures are size x size pixels, taken with at
+/// The baseline of a name, which must be available. Pictures are size x size pixels, taken with at
 /// most so many threads. Those that sample do so at this distance, in the world; where it is 0,
 /// fixed-point does once for every cell and gpu as it finds best.
 std::unique_ptr<IsosurfaceRenderer> NewBaseline(

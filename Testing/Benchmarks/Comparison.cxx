@@ -13,7 +13,6 @@
 #endif
 
 #include <cmath>
-#include <map>
 #include <memory>
 
 namespace Benchmark
@@ -40,7 +39,7 @@ double GetPeakMebibytes()
 #endif
 }
 
-/// The pictures of one renderer with a number of threads: of every round and view, in order.
+/// The pictures of a renderer with a number of threads: of every round and view, in order.
 struct Run
 {
   IsosurfaceRenderer* Renderer;
@@ -49,13 +48,21 @@ struct Run
   double Seconds = 0.0;
 };
 
+/// What a new isovalue costs a baseline.
+struct NewIsovalueTimes
+{
+  Samples Seconds;
+  /// To the time of this mapper.
+  Samples Ratio;
+};
+
 class Comparison
 {
 public:
   Comparison(const Setup& setup, double isovalue, Report& report);
   void MeasureMemory();
-  void BeginAll();
-  void DrawAll();
+  void MeasureNewIsovalue();
+  void MeasurePictures();
 
 private:
   std::string GetTitle(const std::string& what) const
@@ -66,6 +73,7 @@ private:
   {
     return what + " " + ToText(this->Isovalue);
   }
+  void ReportNewIsovalue(const Samples& ours, const std::vector<NewIsovalueTimes>& baselines);
   void DrawRound(std::vector<Run>& runs, bool isFirst) const;
   void ReportPictures(const std::vector<Run>& runs);
   void ReportPictureGoals(const std::vector<Run>& runs);
@@ -93,7 +101,7 @@ Comparison::Comparison(const Setup& setup, double isovalue, Report& report)
 }
 
 //------------------------------------------------------------------------------
-// Ours alone, before the others need memory.
+// This mapper alone, before the baselines need memory.
 void Comparison::MeasureMemory()
 {
   Log(this->GetTitle("memory"));
@@ -125,51 +133,60 @@ void Comparison::MeasureMemory()
 }
 
 //------------------------------------------------------------------------------
-void Comparison::BeginAll()
+void Comparison::MeasureNewIsovalue()
 {
-  const auto count = this->Baselines.size();
   Samples ours;
-  std::vector<Samples> theirs(count);
-  std::vector<Samples> ratios(count);
+  std::vector<NewIsovalueTimes> baselines(this->Baselines.size());
   for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
   {
-    Log(this->GetTitle("a new isovalue, turn ") + std::to_string(repeat + 1) + " of " +
-      std::to_string(this->Settings.Repeats));
+    this->Settings.LogTurn(this->GetTitle("a new isovalue"), repeat);
     const double our = this->Ours.Begin(this->Isovalue, this->Orbit.front());
     ours.Add(our);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < baselines.size(); ++i)
     {
-      if (!IsEnough(theirs[i], this->Settings.Repeats))
+      if (!IsEnough(baselines[i].Seconds, this->Settings.Repeats))
       {
         Log("  " + this->Baselines[i]->GetName());
         const double their = this->Baselines[i]->Begin(this->Isovalue, this->Orbit.front());
-        theirs[i].Add(their);
-        ratios[i].Add(their / our);
+        baselines[i].Seconds.Add(their);
+        baselines[i].Ratio.Add(their / our);
       }
     }
   }
+  this->ReportNewIsovalue(ours, baselines);
+}
 
+//------------------------------------------------------------------------------
+std::string Describe(const IsosurfaceRenderer& renderer)
+{
+  std::string text;
+  for (const auto& [name, value] : renderer.GetDetails())
+  {
+    text += (text.empty() ? "" : ", ") + name + ": " + ToText(value);
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Comparison::ReportNewIsovalue(
+  const Samples& ours, const std::vector<NewIsovalueTimes>& baselines)
+{
   Table table{ this->GetTableName("new isovalue"),
     this->GetTitle("from a new isovalue to a picture"),
-    "All that must be rebuilt, up to the first finished picture (flying-edges and "
-    "marching-cubes: "
-    "up to the triangles). This mapper has drawn another isovalue before; triangles have no "
-    "normals.",
-    { "who", "s", "times this mapper's", "details" }, {} };
-  table.Rows.push_back({ this->Ours.GetName(), ours, 1.0, Cell() });
-  for (std::size_t i = 0; i < count; ++i)
+    "Time from a new isovalue to the first complete frame (flying-edges and marching-cubes: to "
+    "the triangles). This mapper has drawn another isovalue before; triangles have no normals.",
+    { "method", "s", "times this mapper's", "details" }, {} };
+  table.Rows.push_back({ this->Ours.GetName(), ours, 1.0, "" });
+  for (std::size_t i = 0; i < baselines.size(); ++i)
   {
-    std::string details;
-    for (const auto& detail : this->Baselines[i]->GetDetails())
-    {
-      details += (details.empty() ? "" : ", ") + detail.first + ": " + ToText(detail.second);
-    }
-    table.Rows.push_back({ this->Baselines[i]->GetName(), theirs[i], ratios[i], details });
-    if (this->Baselines[i]->GetName() == "polygons")
+    const std::string name = this->Baselines[i]->GetName();
+    table.Rows.push_back(
+      { name, baselines[i].Seconds, baselines[i].Ratio, Describe(*this->Baselines[i]) });
+    if (name == "polygons")
     {
       this->Out.Goals.push_back({ 2,
         this->GetTitle("a new isovalue, flying edges and drawing polygons against this mapper"),
-        ratios[i].GetMedian(), false, this->Settings.IsLarge() ? 100.0 : 20.0 });
+        baselines[i].Ratio.GetMedian(), false, this->Settings.IsLarge() ? 100.0 : 20.0 });
     }
   }
   this->Out.Tables.push_back(table);
@@ -183,19 +200,19 @@ void Comparison::DrawRound(std::vector<Run>& runs, bool isFirst) const
   {
     for (Run& run : runs)
     {
-      // Who is slow has one round.
+      // Slow renderers have one round.
       if (isFirst || run.Seconds < patience)
       {
         const FrameTimes times = run.Renderer->Draw(view, run.Threads);
         run.Frames.push_back(times);
-        run.Seconds += std::isnan(times.Whole) ? times.Trace : times.Whole;
+        run.Seconds += times.GetSeconds();
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void Comparison::DrawAll()
+void Comparison::MeasurePictures()
 {
   std::vector<Run> runs;
   for (const int threads : this->Settings.Threads)
@@ -216,8 +233,7 @@ void Comparison::DrawAll()
   }
   for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
   {
-    Log(this->GetTitle("pictures, turn ") + std::to_string(repeat + 1) + " of " +
-      std::to_string(this->Settings.Repeats));
+    this->Settings.LogTurn(this->GetTitle("pictures"), repeat);
     this->DrawRound(runs, repeat == 0);
   }
   this->ReportPictures(runs);
@@ -252,7 +268,7 @@ void Comparison::ReportPictures(const std::vector<Run>& runs)
     "Trace: making the rays and finding their first hits. Frame: all of it, up to the finished "
     "picture in the window. The ratio is that of the traces where both have one. Rays: per pixel "
     "of the picture. In brackets: of all sides and turns. Pixels hit: in the last picture.",
-    { "who", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
+    { "method", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
       "pixels hit, %" },
     {} };
   for (const Run& run : runs)
@@ -308,8 +324,8 @@ void CompareWithBaselines(const Setup& setup, double isovalue, Report& report)
 {
   Comparison comparison(setup, isovalue, report);
   comparison.MeasureMemory();
-  comparison.BeginAll();
-  comparison.DrawAll();
+  comparison.MeasureNewIsovalue();
+  comparison.MeasurePictures();
 }
 
 }

@@ -76,12 +76,10 @@ Times MeasureAt(const Setup& setup, int n)
   ours.Draw(views.front(), setup.GetMostThreads()); // The window and its shaders.
   for (int repeat = 0; repeat < setup.Repeats; ++repeat)
   {
-    Log("Growth: n = " + std::to_string(n) + ", turn " + std::to_string(repeat + 1) + " of " +
-      std::to_string(setup.Repeats));
+    setup.LogTurn("Growth: n = " + std::to_string(n), repeat);
     ours.Forget();
     ours.SetIsovalue(0.0);
-    const FrameTimes cold = ours.Draw(views.front(), setup.GetMostThreads());
-    times.Cold.Add(1e3 * (std::isnan(cold.Whole) ? cold.Trace : cold.Whole));
+    times.Cold.Add(1e3 * ours.Draw(views.front(), setup.GetMostThreads()).GetSeconds());
     for (const View& view : views)
     {
       ours.Draw(view, setup.GetMostThreads()); // Makes the bricks.

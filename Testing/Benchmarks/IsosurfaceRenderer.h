@@ -29,7 +29,10 @@ struct FrameTimes
   /// Making the rays and finding what they hit first.
   double Trace = NotMeasured;
 
-  /// By which renderers are compared: what they have in common with us.
+  /// Of the picture, finished or not.
+  double GetSeconds() const { return std::isnan(this->Whole) ? this->Trace : this->Whole; }
+
+  /// By which renderers are compared: what both have.
   double GetCommon(const FrameTimes& other) const
   {
     return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;

@@ -22,11 +22,6 @@ namespace
 
 using Mapper = vtkIsosurfaceRayTraceMapper;
 
-double GetSeconds(const FrameTimes& times)
-{
-  return std::isnan(times.Whole) ? times.Trace : times.Whole;
-}
-
 /// A way to set a mapper up, and its name as cells of a table.
 struct Variant
 {
@@ -82,8 +77,8 @@ void MakeTable1(const Setup& setup, Report& report)
       for (int repeat = 0; repeat < setup.Repeats; ++repeat)
       {
         const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
-        seconds.Add(GetSeconds(times));
-        whole += GetSeconds(times);
+        seconds.Add(times.GetSeconds());
+        whole += times.GetSeconds();
         trace += times.Trace;
         // Without a window nothing is shaded, and the time is that of another frame.
         shade += std::isnan(times.Whole) ? 0.0 : surface.GetMapper()->GetShadeTime();
@@ -114,11 +109,10 @@ void MakeTable2(const Setup& setup, Report& report)
     std::vector<Samples> rates(setup.Threads.size());
     for (int repeat = 0; repeat < setup.Repeats; ++repeat)
     {
-      Log("Parker 1998, table II: " + view.Name + ", turn " + std::to_string(repeat + 1) + " of " +
-        std::to_string(setup.Repeats));
+      setup.LogTurn("Parker 1998, table II: " + view.Name, repeat);
       for (std::size_t i = 0; i < rates.size(); ++i)
       {
-        rates[i].Add(1.0 / GetSeconds(surface.Draw(view, setup.Threads[i])));
+        rates[i].Add(1.0 / surface.Draw(view, setup.Threads[i]).GetSeconds());
       }
     }
     for (std::size_t i = 0; i < rates.size(); ++i)
@@ -204,7 +198,7 @@ void CompareVariants(const Setup& setup, const std::vector<Variant>& variants, T
     other.Forget();
     other.SetIsovalue(isovalue);
     variant.Apply(*other.GetMapper());
-    const double cold = GetSeconds(other.Draw(views.front(), setup.GetMostThreads()));
+    const double cold = other.Draw(views.front(), setup.GetMostThreads()).GetSeconds();
     other.Draw(views.back(), setup.GetMostThreads());
     Samples trace;
     Samples ratio;
@@ -296,11 +290,11 @@ void MakeExtractionTable(const Setup& setup, Report& report)
   vtkNew<vtkIsosurfaceComparisonFilter> filter;
   filter->SetInputData(setup.Image);
   filter->SetNumberOfRepeats(setup.IsLarge() ? 1 : setup.Repeats);
-  const auto isWanted = [&setup](const char* baseline)
+  const auto isRequested = [&setup](const char* baseline)
   { return std::count(setup.Baselines.begin(), setup.Baselines.end(), baseline) != 0; };
-  filter->SetFlyingEdges(isWanted("flying-edges"));
-  filter->SetMarchingCubes(isWanted("marching-cubes"));
-  filter->SetSpanSpace(isWanted("marching-cubes"));
+  filter->SetFlyingEdges(isRequested("flying-edges"));
+  filter->SetMarchingCubes(isRequested("marching-cubes"));
+  filter->SetSpanSpace(isRequested("marching-cubes"));
   filter->SynchronizedTemplatesOff();
   filter->ContourFilterOff();
   filter->RayTracingOff();

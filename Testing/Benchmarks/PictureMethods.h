@@ -23,7 +23,7 @@ struct PictureMethod
 };
 
 /// For pictures as the rays are of: our mapper with each of its solvers, and those baselines that
-/// are not absent: polygons, VTK's mappers of volumes at several sample distances. The input must
+/// are available: polygons, VTK's mappers of volumes at several sample distances. The input must
 /// outlive them.
 std::vector<PictureMethod> MakePictureMethods(const Input& input, const Rays& rays);
 

@@ -40,14 +40,14 @@ class TestSpeedAgainstError(ProgramTest):
     def check(self, result, rays, percent, error):
         """At most so many percent of the rays are misjudged, by errors of at most so much; None
         where distances are not known."""
-        who = f"{result['method']} {result['parameter']}"
-        self.assertLessEqual(result["missed"] + result["invented"], percent / 100 * rays, who)
+        name = f"{result['method']} {result['parameter']}"
+        self.assertLessEqual(result["missed"] + result["invented"], percent / 100 * rays, name)
         if error is None:
-            self.assertNotIn("medianError", result, who)
+            self.assertNotIn("medianError", result, name)
         else:
-            self.assertLessEqual(result["medianError"], error, who)
+            self.assertLessEqual(result["medianError"], error, name)
             shares = [share for _, share in result["errorsAndSharesAbove"]]
-            self.assertEqual(shares, sorted(shares, reverse=True), who)
+            self.assertEqual(shares, sorted(shares, reverse=True), name)
 
     def test_fields(self):
         measured = self.measure("fields")

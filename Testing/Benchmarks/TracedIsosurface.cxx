@@ -83,8 +83,7 @@ double TracedIsosurface::Begin(double isovalue, const View& view)
   this->SetIsovalue(isovalue + step < range[1] ? isovalue + step : isovalue - step);
   this->Draw(view, this->Threads);
   this->SetIsovalue(isovalue);
-  const FrameTimes times = this->Draw(view, this->Threads);
-  return std::isnan(times.Whole) ? times.Trace : times.Whole;
+  return this->Draw(view, this->Threads).GetSeconds();
 }
 
 //------------------------------------------------------------------------------

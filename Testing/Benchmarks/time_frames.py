@@ -94,7 +94,7 @@ def describe(times):
 
 def print_table(titles, columns):
     """The times of columns by name, and what they are to the first of the names."""
-    print(f"| who | {' | '.join(titles)} | times the first's |\n|{'---|' * (len(titles) + 2)}")
+    print(f"| method | {' | '.join(titles)} | times the first's |\n|{'---|' * (len(titles) + 2)}")
     for name, own in columns[0].items():
         ratio = statistics.median(a / b for a, b in zip(own, next(iter(columns[0].values()))))
         cells = [describe(column[name]) for column in columns]

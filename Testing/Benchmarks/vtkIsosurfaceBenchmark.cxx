@@ -195,7 +195,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
     ParseThreads(arguments.Threads), arguments.Repeats, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
-  // A display may close itself when nobody has a window on it: this one stays.
+  // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
   report.Environment = DescribeEnvironment(command, window.get());

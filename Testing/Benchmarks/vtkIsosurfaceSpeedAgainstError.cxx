@@ -269,7 +269,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     throw std::runtime_error("the folder " + arguments.Output + " cannot be made");
   }
-  // A display may close itself when nobody has a window on it: this one stays.
+  // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
   Json::Value root;
