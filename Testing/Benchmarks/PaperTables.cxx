@@ -46,7 +46,34 @@ void UseTwoLevelBricks(Mapper& mapper, int n, int m)
 }
 
 //------------------------------------------------------------------------------
-// Where the time of a frame goes, and how many there are in a second.
+// Where the time of frames goes, and how many there are in a second: a row of table I.
+std::vector<Cell> MeasureShares(const Setup& setup, double isovalue, const std::vector<View>& views)
+{
+  TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
+  surface.SetIsovalue(isovalue);
+  Samples rates;
+  double whole = 0.0;
+  double trace = 0.0;
+  double shade = 0.0;
+  for (const View& view : views)
+  {
+    surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+    Samples seconds;
+    for (int repeat = 0; repeat < setup.Repeats; ++repeat)
+    {
+      const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
+      seconds.Add(times.GetSeconds());
+      whole += times.GetSeconds();
+      trace += times.Trace;
+      // Without a window nothing is shaded, and the time is that of another frame.
+      shade += std::isnan(times.Whole) ? 0.0 : surface.GetMapper()->GetShadeTime();
+    }
+    rates.Add(1.0 / seconds.GetMedian());
+  }
+  const double rest = std::max(0.0, whole - trace - shade);
+  return { isovalue, 100.0 * trace / whole, 100.0 * shade / whole, 100.0 * rest / whole, rates };
+}
+
 void MakeTable1(const Setup& setup, Report& report)
 {
   Table table{ "parker 1998 table I", "Parker et al. 1998, table I: where the time goes",
@@ -64,29 +91,7 @@ void MakeTable1(const Setup& setup, Report& report)
   for (const double isovalue : setup.Isovalues)
   {
     Log("Parker 1998, table I: isovalue " + ToText(isovalue));
-    TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
-    surface.SetIsovalue(isovalue);
-    Samples rates;
-    double whole = 0.0;
-    double trace = 0.0;
-    double shade = 0.0;
-    for (const View& view : views)
-    {
-      surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
-      Samples seconds;
-      for (int repeat = 0; repeat < setup.Repeats; ++repeat)
-      {
-        const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
-        seconds.Add(times.GetSeconds());
-        whole += times.GetSeconds();
-        trace += times.Trace;
-        // Without a window nothing is shaded, and the time is that of another frame.
-        shade += std::isnan(times.Whole) ? 0.0 : surface.GetMapper()->GetShadeTime();
-      }
-      rates.Add(1.0 / seconds.GetMedian());
-    }
-    table.Rows.push_back({ isovalue, 100.0 * trace / whole, 100.0 * shade / whole,
-      100.0 * std::max(0.0, whole - trace - shade) / whole, rates });
+    table.Rows.push_back(MeasureShares(setup, isovalue, views));
   }
   report.Tables.push_back(table);
 }
@@ -125,10 +130,10 @@ void MakeTable2(const Setup& setup, Report& report)
 }
 
 //------------------------------------------------------------------------------
-// What bricks and the hierarchy buy.
-void MakeTable3(const Setup& setup, Report& report)
+// What bricks and the hierarchy gain.
+std::vector<Variant> GetVariantsOfTable3()
 {
-  const std::vector<Variant> variants = {
+  return {
     { { "initial" },
       [](Mapper& mapper)
       {
@@ -144,10 +149,24 @@ void MakeTable3(const Setup& setup, Report& report)
     { { "hierarchy and bricking" }, [](Mapper& mapper) { UseTwoLevelBricks(mapper, 4, 4); } },
     { { "this mapper's defaults" }, [](Mapper&) {} },
   };
+}
+
+Samples MeasureTrace(const Setup& setup, TracedIsosurface& surface, const View& view)
+{
+  surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+  Samples seconds;
+  while (!IsEnough(seconds, setup.Repeats))
+  {
+    seconds.Add(surface.Draw(view, setup.GetMostThreads()).Trace);
+  }
+  return seconds * 1e3;
+}
+
+void MakeTable3(const Setup& setup, Report& report)
+{
   Table table{ "parker 1998 table III", "Parker et al. 1998, table III: trace times, ms",
     "Initial: the array as it is and no macrocells. Bricking: the paper's two levels, n = 4, m = "
-    "4. "
-    "Hierarchy: the macrocells of the defaults. On " +
+    "4. Hierarchy: the macrocells of the defaults. On " +
       std::to_string(setup.GetMostThreads()) + " threads, " + setup.GetPictureSize() + ".",
     { "isovalue", "view", "initial", "bricking", "hierarchy and bricking", "defaults" }, {} };
   for (const double isovalue : setup.Isovalues)
@@ -159,7 +178,7 @@ void MakeTable3(const Setup& setup, Report& report)
       rows.push_back({ isovalue, view.Name });
     }
     TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
-    for (const Variant& variant : variants)
+    for (const Variant& variant : GetVariantsOfTable3())
     {
       Log("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
         variant.Name.front().Value.asString());
@@ -168,13 +187,7 @@ void MakeTable3(const Setup& setup, Report& report)
       variant.Apply(*surface.GetMapper());
       for (std::size_t i = 0; i < views.size(); ++i)
       {
-        surface.Draw(views[i], setup.GetMostThreads()); // Makes the bricks.
-        Samples trace;
-        while (!IsEnough(trace, setup.Repeats))
-        {
-          trace.Add(surface.Draw(views[i], setup.GetMostThreads()).Trace);
-        }
-        rows[i].emplace_back(trace * 1e3);
+        rows[i].emplace_back(MeasureTrace(setup, surface, views[i]));
       }
     }
     table.Rows.insert(table.Rows.end(), rows.begin(), rows.end());
@@ -285,21 +298,27 @@ void MakeBrickTable(const Setup& setup, Report& report)
 }
 
 //------------------------------------------------------------------------------
+// Those filters of the comparison that are baselines too, and nothing else.
+void SelectExtraction(const Setup& setup, vtkIsosurfaceComparisonFilter& filter)
+{
+  const auto isRequested = [&setup](const char* baseline)
+  { return std::count(setup.Baselines.begin(), setup.Baselines.end(), baseline) != 0; };
+  filter.SetFlyingEdges(isRequested("flying-edges"));
+  filter.SetMarchingCubes(isRequested("marching-cubes"));
+  filter.SetSpanSpace(isRequested("marching-cubes"));
+  filter.SynchronizedTemplatesOff();
+  filter.ContourFilterOff();
+  filter.RayTracingOff();
+  filter.PicturesOff();
+  filter.AccuracyOff();
+}
+
 void MakeExtractionTable(const Setup& setup, Report& report)
 {
   vtkNew<vtkIsosurfaceComparisonFilter> filter;
   filter->SetInputData(setup.Image);
   filter->SetNumberOfRepeats(setup.IsLarge() ? 1 : setup.Repeats);
-  const auto isRequested = [&setup](const char* baseline)
-  { return std::count(setup.Baselines.begin(), setup.Baselines.end(), baseline) != 0; };
-  filter->SetFlyingEdges(isRequested("flying-edges"));
-  filter->SetMarchingCubes(isRequested("marching-cubes"));
-  filter->SetSpanSpace(isRequested("marching-cubes"));
-  filter->SynchronizedTemplatesOff();
-  filter->ContourFilterOff();
-  filter->RayTracingOff();
-  filter->PicturesOff();
-  filter->AccuracyOff();
+  SelectExtraction(setup, *filter);
   if (!filter->GetFlyingEdges() && !filter->GetMarchingCubes())
   {
     return;

@@ -4,6 +4,7 @@
 """Small runs of vtkIsosurfaceBenchmarkVolume and vtkIsosurfaceBenchmark: everything must be there
 and make sense; times are not judged. See Programs.py."""
 
+import math
 import unittest
 from pathlib import Path
 
@@ -141,7 +142,10 @@ class TestBenchmark(ProgramTest):
         goals = self.measured["goals"]
         self.assertEqual(len(goals), 17 if self.has_embree else 13)
         for goal in goals:
-            self.assertGreater(goal["measured"] * goal["limit"], 0, goal["what"])
+            self.assertTrue(math.isfinite(goal["measured"]), goal["what"])
+            # The power of growth is that of noise in volumes so small.
+            if goal["goal"] != 7:
+                self.assertGreater(goal["measured"], 0, goal["what"])
 
     def test_without_display(self):
         self.run_program(
