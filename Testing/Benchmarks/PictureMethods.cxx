@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "BenchmarkPictures.h"
+#include "PictureMethods.h"
 
-#include "BenchmarkMethods.h"
-#include "Rivals.h"
+#include "Baselines.h"
+#include "RayMethods.h"
 #include "TracedIsosurface.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ int GetMostThreads()
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-std::unique_ptr<Contestant> NewOurs(const Input& input, const Rays& rays, int solver)
+std::unique_ptr<IsosurfaceRenderer> NewOurs(const Input& input, const Rays& rays, int solver)
 {
   auto ours = std::make_unique<TracedIsosurface>(input.Image, rays.Size, GetMostThreads());
   ours->SetIsovalue(input.Isovalue);
@@ -32,29 +32,28 @@ std::unique_ptr<Contestant> NewOurs(const Input& input, const Rays& rays, int so
   return ours;
 }
 
-std::unique_ptr<Contestant> NewTheirs(
+std::unique_ptr<IsosurfaceRenderer> NewTheirs(
   const std::string& name, const Input& input, const Rays& rays, double sampleDistance)
 {
-  std::unique_ptr<Contestant> rival =
-    NewRival(name, input.Image, rays.Size, GetMostThreads(), sampleDistance);
-  rival->Begin(input.Isovalue, rays.Views.front());
-  return rival;
+  std::unique_ptr<IsosurfaceRenderer> baseline =
+    NewBaseline(name, input.Image, rays.Size, GetMostThreads(), sampleDistance);
+  baseline->Begin(input.Isovalue, rays.Views.front());
+  return baseline;
 }
 
 }
 
 //------------------------------------------------------------------------------
-std::vector<Painter> MakePainters(const Input& input, const Rays& rays)
+std::vector<PictureMethod> MakePictureMethods(const Input& input, const Rays& rays)
 {
-  std::vector<Painter> painters;
-  painters.push_back({ "Robust", "", NewOurs(input, rays, Mapper::ROBUST) });
-  painters.push_back({ "Fast", "", NewOurs(input, rays, Mapper::FAST) });
-  painters.push_back({ "Analytic", "", NewOurs(input, rays, Mapper::ANALYTIC) });
-  painters.push_back({ "Marmitt", "N = 3", NewOurs(input, rays, Mapper::MARMITT) });
-  painters.push_back({ "Linear", "", NewOurs(input, rays, Mapper::LINEAR) });
+  std::vector<PictureMethod> methods;
+  methods.push_back({ "Robust", "", NewOurs(input, rays, Mapper::ROBUST) });
+  methods.push_back({ "Analytic", "", NewOurs(input, rays, Mapper::ANALYTIC) });
+  methods.push_back({ "Marmitt", "N = 3", NewOurs(input, rays, Mapper::MARMITT) });
+  methods.push_back({ "Linear", "", NewOurs(input, rays, Mapper::LINEAR) });
   if (GetAbsence("polygons").empty())
   {
-    painters.push_back({ "Polygons of flying edges", "", NewTheirs("polygons", input, rays, 0.0) });
+    methods.push_back({ "Polygons of flying edges", "", NewTheirs("polygons", input, rays, 0.0) });
   }
   const std::array<std::pair<const char*, const char*>, 2> samplers = {
     { { "VTK's GPU mode", "gpu" }, { "VTK's fixed-point mapper", "fixed-point" } }
@@ -65,35 +64,35 @@ std::vector<Painter> MakePainters(const Input& input, const Rays& rays)
     {
       if (GetAbsence(name).empty())
       {
-        painters.push_back(
-          { family, GetSampleKnob(distance), NewTheirs(name, input, rays, distance) });
+        methods.push_back(
+          { family, FormatDistance(distance), NewTheirs(name, input, rays, distance) });
       }
     }
   }
-  return painters;
+  return methods;
 }
 
 //------------------------------------------------------------------------------
-std::vector<FrameTimes> DrawAll(const Painter& painter, const Rays& rays)
+std::vector<FrameTimes> DrawAll(const PictureMethod& method, const Rays& rays)
 {
   std::vector<FrameTimes> times;
   // The first picture after others may make what they did not need.
-  painter.Who->Draw(rays.Views.front(), GetMostThreads());
+  method.Renderer->Draw(rays.Views.front(), GetMostThreads());
   for (const View& view : rays.Views)
   {
-    times.push_back(painter.Who->Draw(view, GetMostThreads()));
+    times.push_back(method.Renderer->Draw(view, GetMostThreads()));
   }
   return times;
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> Look(const Painter& painter, const Rays& rays)
+std::vector<double> GetDistances(const PictureMethod& method, const Rays& rays)
 {
   std::vector<double> found;
   for (const View& view : rays.Views)
   {
-    painter.Who->Draw(view, GetMostThreads());
-    const std::vector<double> distances = painter.Who->GetDistances();
+    method.Renderer->Draw(view, GetMostThreads());
+    const std::vector<double> distances = method.Renderer->GetDistances();
     rays.ForEachPixel([&](int x, int y)
       { found.push_back(distances[static_cast<std::size_t>(x + y * rays.Size)]); });
   }

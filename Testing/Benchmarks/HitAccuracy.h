@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef Judgement_h
-#define Judgement_h
+#ifndef HitAccuracy_h
+#define HitAccuracy_h
 
 #include "BenchmarkInputs.h"
 
@@ -13,17 +13,17 @@ namespace Benchmark
 
 /// The t of the first hit of every line, NaN where there is none, by the oracle: every cell, 113
 /// bits.
-std::vector<double> FindTruth(const Input& input, const std::vector<Oracle::Line>& lines);
+std::vector<double> FindReference(const Input& input, const std::vector<Oracle::Line>& lines);
 
 /// The error of a hit of which it is known that it is there, but not where.
 constexpr double UnknownError = -1.0;
 
-/// How far what was found is from the truth, in cells. NaN where there is nothing and nothing was
-/// found, infinite where one of both is nothing.
-double GetError(double found, double truth);
+/// How far what was found is from the reference, in cells. NaN where there is nothing and nothing
+/// was found, infinite where one of both is nothing.
+double GetError(double found, double reference);
 
-/// What was found, beside the truth.
-struct Judgement
+/// What was found, beside the reference.
+struct HitAccuracy
 {
   int Rays = 0;
   int Hits = 0;
@@ -40,7 +40,7 @@ struct Judgement
   double GetError(double share) const;
 };
 
-Judgement Judge(const std::vector<double>& found, const std::vector<double>& truth);
+HitAccuracy MeasureAccuracy(const std::vector<double>& found, const std::vector<double>& reference);
 
 }
 

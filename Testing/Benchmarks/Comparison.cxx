@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Race.h"
+#include "Comparison.h"
 
-#include "Rivals.h"
+#include "Baselines.h"
 #include "TracedIsosurface.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -13,7 +13,6 @@
 #endif
 
 #include <cmath>
-#include <map>
 #include <memory>
 
 namespace Benchmark
@@ -40,22 +39,30 @@ double GetPeakMebibytes()
 #endif
 }
 
-/// The pictures of one contestant with a number of threads: of every round and view, in order.
-struct Course
+/// The pictures of a renderer with a number of threads: of every round and view, in order.
+struct Run
 {
-  Contestant* Runner;
+  IsosurfaceRenderer* Renderer;
   int Threads;
   std::vector<FrameTimes> Frames;
   double Seconds = 0.0;
 };
 
-class Race
+/// What a new isovalue costs a baseline.
+struct NewIsovalueTimes
+{
+  Samples Seconds;
+  /// To the time of this mapper.
+  Samples Ratio;
+};
+
+class Comparison
 {
 public:
-  Race(const Setup& setup, double isovalue, Report& report);
+  Comparison(const Setup& setup, double isovalue, Report& report);
   void MeasureMemory();
-  void BeginAll();
-  void DrawAll();
+  void MeasureNewIsovalue();
+  void MeasurePictures();
 
 private:
   std::string GetTitle(const std::string& what) const
@@ -66,37 +73,38 @@ private:
   {
     return what + " " + ToText(this->Isovalue);
   }
-  void DrawRound(std::vector<Course>& courses, bool isFirst) const;
-  void ReportPictures(const std::vector<Course>& courses);
-  void ReportPictureGoals(const std::vector<Course>& courses);
+  void ReportNewIsovalue(const Samples& ours, const std::vector<NewIsovalueTimes>& baselines);
+  void DrawRound(std::vector<Run>& runs, bool isFirst) const;
+  void ReportPictures(const std::vector<Run>& runs);
+  void ReportPictureGoals(const std::vector<Run>& runs);
 
   const Setup& Settings;
   double Isovalue;
   Report& Out;
   std::vector<View> Orbit;
   TracedIsosurface Ours;
-  std::vector<std::unique_ptr<Contestant>> Rivals;
+  std::vector<std::unique_ptr<IsosurfaceRenderer>> Baselines;
 };
 
 //------------------------------------------------------------------------------
-Race::Race(const Setup& setup, double isovalue, Report& report)
+Comparison::Comparison(const Setup& setup, double isovalue, Report& report)
   : Settings(setup)
   , Isovalue(isovalue)
   , Out(report)
   , Orbit(setup.GetOrbit())
   , Ours(setup.Image, setup.Size, setup.GetMostThreads())
 {
-  for (const std::string& name : setup.Rivals)
+  for (const std::string& name : setup.Baselines)
   {
-    this->Rivals.push_back(NewRival(name, setup.Image, setup.Size, setup.GetMostThreads()));
+    this->Baselines.push_back(NewBaseline(name, setup.Image, setup.Size, setup.GetMostThreads()));
   }
 }
 
 //------------------------------------------------------------------------------
-// Ours alone, before the others need memory.
-void Race::MeasureMemory()
+// This mapper alone, before the baselines need memory.
+void Comparison::MeasureMemory()
 {
-  Say(this->GetTitle("memory"));
+  Log(this->GetTitle("memory"));
   const double before = GetResidentMebibytes();
   this->Ours.Forget();
   this->Ours.SetIsovalue(this->Isovalue);
@@ -125,87 +133,97 @@ void Race::MeasureMemory()
 }
 
 //------------------------------------------------------------------------------
-void Race::BeginAll()
+void Comparison::MeasureNewIsovalue()
 {
-  const auto count = this->Rivals.size();
   Samples ours;
-  std::vector<Samples> theirs(count);
-  std::vector<Samples> ratios(count);
+  std::vector<NewIsovalueTimes> baselines(this->Baselines.size());
   for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
   {
-    Say(this->GetTitle("a new isovalue, turn ") + std::to_string(repeat + 1) + " of " +
-      std::to_string(this->Settings.Repeats));
+    this->Settings.LogTurn(this->GetTitle("a new isovalue"), repeat);
     const double our = this->Ours.Begin(this->Isovalue, this->Orbit.front());
     ours.Add(our);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < baselines.size(); ++i)
     {
-      if (!IsEnough(theirs[i], this->Settings.Repeats))
+      if (!IsEnough(baselines[i].Seconds, this->Settings.Repeats))
       {
-        Say("  " + this->Rivals[i]->GetName());
-        const double their = this->Rivals[i]->Begin(this->Isovalue, this->Orbit.front());
-        theirs[i].Add(their);
-        ratios[i].Add(their / our);
+        Log("  " + this->Baselines[i]->GetName());
+        const double their = this->Baselines[i]->Begin(this->Isovalue, this->Orbit.front());
+        baselines[i].Seconds.Add(their);
+        baselines[i].Ratio.Add(their / our);
       }
     }
   }
+  this->ReportNewIsovalue(ours, baselines);
+}
 
+//------------------------------------------------------------------------------
+std::string Describe(const IsosurfaceRenderer& renderer)
+{
+  std::string text;
+  for (const auto& [name, value] : renderer.GetDetails())
+  {
+    text += (text.empty() ? "" : ", ") + name + ": " + ToText(value);
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Comparison::ReportNewIsovalue(
+  const Samples& ours, const std::vector<NewIsovalueTimes>& baselines)
+{
   Table table{ this->GetTableName("new isovalue"),
     this->GetTitle("from a new isovalue to a picture"),
-    "All that must be made anew, up to the first finished picture (flying-edges and "
-    "marching-cubes: "
-    "up to the triangles). This mapper has drawn another isovalue before; triangles have no "
-    "normals.",
-    { "who", "s", "times this mapper's", "details" }, {} };
-  table.Rows.push_back({ this->Ours.GetName(), ours, 1.0, std::monostate() });
-  for (std::size_t i = 0; i < count; ++i)
+    "Time from a new isovalue to the first complete frame (flying-edges and marching-cubes: to "
+    "the triangles). This mapper has drawn another isovalue before; triangles have no normals.",
+    { "method", "s", "times this mapper's", "details" }, {} };
+  table.Rows.push_back({ this->Ours.GetName(), ours, 1.0, "" });
+  for (std::size_t i = 0; i < baselines.size(); ++i)
   {
-    std::string details;
-    for (const auto& detail : this->Rivals[i]->GetDetails())
-    {
-      details += (details.empty() ? "" : ", ") + detail.first + ": " + ToText(detail.second);
-    }
-    table.Rows.push_back({ this->Rivals[i]->GetName(), theirs[i], ratios[i], details });
-    if (this->Rivals[i]->GetName() == "polygons")
+    const std::string name = this->Baselines[i]->GetName();
+    table.Rows.push_back(
+      { name, baselines[i].Seconds, baselines[i].Ratio, Describe(*this->Baselines[i]) });
+    if (name == "polygons")
     {
       this->Out.Goals.push_back({ 2,
         this->GetTitle("a new isovalue, flying edges and drawing polygons against this mapper"),
-        ratios[i].GetMedian(), false, this->Settings.IsLarge() ? 100.0 : 20.0 });
+        baselines[i].Ratio.GetMedian(), false, this->Settings.IsLarge() ? 100.0 : 20.0 });
     }
   }
   this->Out.Tables.push_back(table);
 }
 
 //------------------------------------------------------------------------------
-void Race::DrawRound(std::vector<Course>& courses, bool isFirst) const
+void Comparison::DrawRound(std::vector<Run>& runs, bool isFirst) const
 {
   constexpr double patience = 30.0;
   for (const View& view : this->Orbit)
   {
-    for (Course& course : courses)
+    for (Run& run : runs)
     {
-      // Who is slow has one round.
-      if (isFirst || course.Seconds < patience)
+      // Slow renderers have one round.
+      if (isFirst || run.Seconds < patience)
       {
-        const FrameTimes times = course.Runner->Draw(view, course.Threads);
-        course.Frames.push_back(times);
-        course.Seconds += std::isnan(times.Whole) ? times.Trace : times.Whole;
+        const FrameTimes times = run.Renderer->Draw(view, run.Threads);
+        run.Frames.push_back(times);
+        run.Seconds += times.GetSeconds();
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void Race::DrawAll()
+void Comparison::MeasurePictures()
 {
-  std::vector<Course> courses;
+  std::vector<Run> runs;
   for (const int threads : this->Settings.Threads)
   {
-    courses.push_back({ &this->Ours, threads, {} });
-    for (const auto& rival : this->Rivals)
+    runs.push_back({ &this->Ours, threads, {} });
+    for (const auto& baseline : this->Baselines)
     {
-      if (rival->Draws() && (rival->HasThreads() || threads == this->Settings.GetMostThreads()))
+      if (baseline->Draws() &&
+        (baseline->HasThreads() || threads == this->Settings.GetMostThreads()))
       {
-        courses.push_back({ rival.get(), threads, {} });
+        runs.push_back({ baseline.get(), threads, {} });
       }
     }
   }
@@ -215,17 +233,16 @@ void Race::DrawAll()
   }
   for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
   {
-    Say(this->GetTitle("pictures, turn ") + std::to_string(repeat + 1) + " of " +
-      std::to_string(this->Settings.Repeats));
-    this->DrawRound(courses, repeat == 0);
+    this->Settings.LogTurn(this->GetTitle("pictures"), repeat);
+    this->DrawRound(runs, repeat == 0);
   }
-  this->ReportPictures(courses);
-  this->ReportPictureGoals(courses);
+  this->ReportPictures(runs);
+  this->ReportPictureGoals(runs);
 }
 
 //------------------------------------------------------------------------------
 // The ratios of measurements that followed each other: theirs to ours.
-Samples GetRatios(const Course& theirs, const Course& ours)
+Samples GetRatios(const Run& theirs, const Run& ours)
 {
   Samples ratios;
   for (std::size_t i = 0; i < std::min(theirs.Frames.size(), ours.Frames.size()); ++i)
@@ -236,15 +253,14 @@ Samples GetRatios(const Course& theirs, const Course& ours)
   return ratios;
 }
 
-const Course& FindOurs(const std::vector<Course>& courses, const Contestant& ours, int threads)
+const Run& FindOurs(const std::vector<Run>& runs, const IsosurfaceRenderer& ours, int threads)
 {
-  return *std::find_if(courses.begin(), courses.end(),
-    [&ours, threads](const Course& course)
-    { return course.Runner == &ours && course.Threads == threads; });
+  return *std::find_if(runs.begin(), runs.end(),
+    [&ours, threads](const Run& run) { return run.Renderer == &ours && run.Threads == threads; });
 }
 
 //------------------------------------------------------------------------------
-void Race::ReportPictures(const std::vector<Course>& courses)
+void Comparison::ReportPictures(const std::vector<Run>& runs)
 {
   Table table{ this->GetTableName("pictures"),
     this->GetTitle("pictures from " + std::to_string(this->Settings.Views) + " sides, " +
@@ -252,14 +268,14 @@ void Race::ReportPictures(const std::vector<Course>& courses)
     "Trace: making the rays and finding their first hits. Frame: all of it, up to the finished "
     "picture in the window. The ratio is that of the traces where both have one. Rays: per pixel "
     "of the picture. In brackets: of all sides and turns. Pixels hit: in the last picture.",
-    { "who", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
+    { "method", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
       "pixels hit, %" },
     {} };
-  for (const Course& course : courses)
+  for (const Run& run : runs)
   {
     Samples trace;
     Samples whole;
-    for (const FrameTimes& times : course.Frames)
+    for (const FrameTimes& times : run.Frames)
     {
       if (!std::isnan(times.Trace))
       {
@@ -272,32 +288,31 @@ void Race::ReportPictures(const std::vector<Course>& courses)
     }
     const double nanoseconds = 1e6 / this->Settings.Size / this->Settings.Size;
     // The share of the last picture, which is the same for all.
-    const double share = 100.0 * course.Runner->GetHitShare();
-    table.Rows.push_back({ course.Runner->GetName(), static_cast<double>(course.Threads), trace,
-      trace.IsEmpty() ? Cell() : Cell(trace.GetMedian() * nanoseconds), whole,
-      GetRatios(course, FindOurs(courses, this->Ours, course.Threads)), share });
+    const double share = 100.0 * run.Renderer->GetHitShare();
+    table.Rows.push_back({ run.Renderer->GetName(), static_cast<double>(run.Threads), trace,
+      trace.IsEmpty() ? NotMeasured : trace.GetMedian() * nanoseconds, whole,
+      GetRatios(run, FindOurs(runs, this->Ours, run.Threads)), share });
   }
   this->Out.Tables.push_back(table);
 }
 
 //------------------------------------------------------------------------------
-void Race::ReportPictureGoals(const std::vector<Course>& courses)
+void Comparison::ReportPictureGoals(const std::vector<Run>& runs)
 {
-  for (const Course& course : courses)
+  for (const Run& run : runs)
   {
-    const std::string onThreads = " on " + std::to_string(course.Threads) + " threads";
-    const Course& ours = FindOurs(courses, this->Ours, course.Threads);
-    if (course.Runner->GetName() == "embree")
+    const std::string onThreads = " on " + std::to_string(run.Threads) + " threads";
+    const Run& ours = FindOurs(runs, this->Ours, run.Threads);
+    if (run.Renderer->GetName() == "embree")
     {
       this->Out.Goals.push_back(
         { 1, this->GetTitle("trace, this mapper against Embree" + onThreads),
-          GetRatios(ours, course).GetMedian(), true, this->Settings.IsLarge() ? 0.5 : 0.7 });
+          GetRatios(ours, run).GetMedian(), true, this->Settings.IsLarge() ? 0.5 : 0.7 });
     }
-    if (&course == &ours && course.Threads > 1 && this->Settings.Threads.front() == 1)
+    if (&run == &ours && run.Threads > 1 && this->Settings.Threads.front() == 1)
     {
       this->Out.Goals.push_back({ 6, this->GetTitle("speed-up of the trace" + onThreads),
-        GetRatios(FindOurs(courses, this->Ours, 1), ours).GetMedian(), false,
-        0.975 * course.Threads });
+        GetRatios(FindOurs(runs, this->Ours, 1), ours).GetMedian(), false, 0.975 * run.Threads });
     }
   }
 }
@@ -305,12 +320,12 @@ void Race::ReportPictureGoals(const std::vector<Course>& courses)
 }
 
 //------------------------------------------------------------------------------
-void RunRace(const Setup& setup, double isovalue, Report& report)
+void CompareWithBaselines(const Setup& setup, double isovalue, Report& report)
 {
-  Race race(setup, isovalue, report);
-  race.MeasureMemory();
-  race.BeginAll();
-  race.DrawAll();
+  Comparison comparison(setup, isovalue, report);
+  comparison.MeasureMemory();
+  comparison.MeasureNewIsovalue();
+  comparison.MeasurePictures();
 }
 
 }

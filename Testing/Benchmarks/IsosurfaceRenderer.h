@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef Contestant_h
-#define Contestant_h
+#ifndef IsosurfaceRenderer_h
+#define IsosurfaceRenderer_h
 
 #include "Views.h"
 
@@ -18,8 +18,8 @@ namespace Benchmark
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// What is found along a ray is a distance, or one of these.
-constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double Somewhere = std::numeric_limits<double>::infinity();
+constexpr double NoHit = std::numeric_limits<double>::quiet_NaN();
+constexpr double HitAtUnknownDistance = std::numeric_limits<double>::infinity();
 
 /// The seconds that a picture took; NotMeasured where there is no such thing.
 struct FrameTimes
@@ -29,7 +29,10 @@ struct FrameTimes
   /// Making the rays and finding what they hit first.
   double Trace = NotMeasured;
 
-  /// By which contestants are compared: what they have in common with us.
+  /// Of the picture, finished or not.
+  double GetSeconds() const { return std::isnan(this->Whole) ? this->Trace : this->Whole; }
+
+  /// By which renderers are compared: what both have.
   double GetCommon(const FrameTimes& other) const
   {
     return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;
@@ -37,10 +40,10 @@ struct FrameTimes
 };
 
 /// A way to show an isosurface of a volume.
-class Contestant
+class IsosurfaceRenderer
 {
 public:
-  virtual ~Contestant() = default;
+  virtual ~IsosurfaceRenderer() = default;
 
   virtual std::string GetName() const = 0;
   /// Does all that a new isovalue asks for, up to the first picture; returns the seconds.
@@ -56,7 +59,8 @@ public:
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }
   /// How far from the eye the surface is in every pixel of the last picture, in rows from the
-  /// bottom. Somewhere, where it is seen but not how far it is. Empty if there is no picture.
+  /// bottom. HitAtUnknownDistance, where it is seen but not how far it is. Empty if there is no
+  /// picture.
   virtual std::vector<double> GetDistances() { return {}; }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Judgement.h"
+#include "HitAccuracy.h"
 
-#include "Contestant.h"
+#include "IsosurfaceRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,9 @@ bool IsInside(const Oracle::Quad& value)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> FindTruth(const Input& input, const std::vector<Oracle::Line>& lines)
+std::vector<double> FindReference(const Input& input, const std::vector<Oracle::Line>& lines)
 {
-  std::vector<double> truth(lines.size(), Nothing);
+  std::vector<double> reference(lines.size(), NoHit);
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
@@ -36,28 +36,28 @@ std::vector<double> FindTruth(const Input& input, const std::vector<Oracle::Line
       if (beginsInside != IsInside(piece.AtEnd))
       {
         const bool isCrossing = (piece.AtBegin >= 0) != (piece.AtEnd >= 0);
-        truth[i] = static_cast<double>(isCrossing
+        reference[i] = static_cast<double>(isCrossing
             ? Oracle::FindCrossing(input.Field, input.Isovalue, lines[i], piece)
             : (beginsInside ? piece.Begin : piece.End));
         break;
       }
     }
   }
-  return truth;
+  return reference;
 }
 
 //------------------------------------------------------------------------------
-double GetError(double found, double truth)
+double GetError(double found, double reference)
 {
-  if (std::isnan(found) != std::isnan(truth))
+  if (std::isnan(found) != std::isnan(reference))
   {
     return std::numeric_limits<double>::infinity();
   }
-  return found == Somewhere ? UnknownError : std::abs(found - truth);
+  return found == HitAtUnknownDistance ? UnknownError : std::abs(found - reference);
 }
 
 //------------------------------------------------------------------------------
-double Judgement::GetError(double share) const
+double HitAccuracy::GetError(double share) const
 {
   if (this->Errors.empty())
   {
@@ -68,25 +68,25 @@ double Judgement::GetError(double share) const
 }
 
 //------------------------------------------------------------------------------
-Judgement Judge(const std::vector<double>& found, const std::vector<double>& truth)
+HitAccuracy MeasureAccuracy(const std::vector<double>& found, const std::vector<double>& reference)
 {
   constexpr double wrong = 0.05;
-  Judgement judgement;
-  judgement.Rays = static_cast<int>(truth.size());
-  for (std::size_t i = 0; i < truth.size(); ++i)
+  HitAccuracy accuracy;
+  accuracy.Rays = static_cast<int>(reference.size());
+  for (std::size_t i = 0; i < reference.size(); ++i)
   {
-    judgement.Hits += std::isnan(truth[i]) ? 0 : 1;
-    judgement.Missed += std::isnan(found[i]) && !std::isnan(truth[i]) ? 1 : 0;
-    judgement.Invented += !std::isnan(found[i]) && std::isnan(truth[i]) ? 1 : 0;
-    const double error = Benchmark::GetError(found[i], truth[i]);
+    accuracy.Hits += std::isnan(reference[i]) ? 0 : 1;
+    accuracy.Missed += std::isnan(found[i]) && !std::isnan(reference[i]) ? 1 : 0;
+    accuracy.Invented += !std::isnan(found[i]) && std::isnan(reference[i]) ? 1 : 0;
+    const double error = Benchmark::GetError(found[i], reference[i]);
     if (std::isfinite(error) && error != UnknownError)
     {
-      judgement.Errors.push_back(error);
-      judgement.Wrong += error > wrong ? 1 : 0;
+      accuracy.Errors.push_back(error);
+      accuracy.Wrong += error > wrong ? 1 : 0;
     }
   }
-  std::sort(judgement.Errors.begin(), judgement.Errors.end());
-  return judgement;
+  std::sort(accuracy.Errors.begin(), accuracy.Errors.end());
+  return accuracy;
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Rivals.h"
+#include "Baselines.h"
 
 #ifdef BENCHMARK_HAS_EMBREE
 #include "EmbreeTriangles.h"
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkImageData* image, double isovalue)
 
 //------------------------------------------------------------------------------
 template <typename Filter>
-class Extraction : public Contestant
+class Extraction : public IsosurfaceRenderer
 {
 public:
   Extraction(std::string name, vtkImageData* image)
@@ -83,13 +83,13 @@ std::vector<double> GetSilhouette(OffScreenWindow& window)
   std::vector<double> distances;
   for (const bool isDrawn : window.GetDrawn())
   {
-    distances.push_back(isDrawn ? Somewhere : Nothing);
+    distances.push_back(isDrawn ? HitAtUnknownDistance : NoHit);
   }
   return distances;
 }
 
 //------------------------------------------------------------------------------
-class Polygons : public Contestant
+class Polygons : public IsosurfaceRenderer
 {
 public:
   Polygons(vtkImageData* image, int size)
@@ -132,7 +132,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-class VolumePictures : public Contestant
+class VolumePictures : public IsosurfaceRenderer
 {
 public:
   VolumePictures(std::string name, vtkImageData* image, vtkVolumeMapper* mapper, int size)
@@ -168,7 +168,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewFixedPoint(
+std::unique_ptr<IsosurfaceRenderer> NewFixedPoint(
   vtkImageData* image, int size, int threads, double sampleDistance)
 {
   const double* spacing = image->GetSpacing();
@@ -187,7 +187,8 @@ std::unique_ptr<Contestant> NewFixedPoint(
 class GpuPictures : public VolumePictures
 {
 public:
-  static std::unique_ptr<Contestant> New(vtkImageData* image, int size, double sampleDistance)
+  static std::unique_ptr<IsosurfaceRenderer> New(
+    vtkImageData* image, int size, double sampleDistance)
   {
     vtkNew<vtkGPUVolumeRayCastMapper> mapper;
     mapper->SetBlendModeToIsoSurface();
@@ -229,7 +230,7 @@ public:
       {
         const double depth = depths->GetScalarComponentAsDouble(x, y, 0, 0);
         distances.push_back(
-          depth < 1.0 ? this->GetDistance(depth, rays.GetDirection(x, y)) : Nothing);
+          depth < 1.0 ? this->GetDistance(depth, rays.GetDirection(x, y)) : NoHit);
       }
     }
     return distances;
@@ -266,7 +267,7 @@ private:
 
 #ifdef BENCHMARK_HAS_EMBREE
 //------------------------------------------------------------------------------
-class EmbreePictures : public Contestant
+class EmbreePictures : public IsosurfaceRenderer
 {
 public:
   EmbreePictures(vtkImageData* image, int size, int threads)
@@ -322,15 +323,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> GetRivalNames()
+std::vector<std::string> GetBaselineNames()
 {
   return { "flying-edges", "marching-cubes", "polygons", "embree", "fixed-point", "gpu" };
 }
 
 //------------------------------------------------------------------------------
-std::string GetAbsence(const std::string& rival)
+std::string GetAbsence(const std::string& baseline)
 {
-  if (rival == "embree")
+  if (baseline == "embree")
   {
 #ifdef BENCHMARK_HAS_EMBREE
     return {};
@@ -338,14 +339,14 @@ std::string GetAbsence(const std::string& rival)
     return "it was not found when this was built (Debian: libembree-dev)";
 #endif
   }
-  const bool needsWindow = rival == "polygons" || rival == "fixed-point" || rival == "gpu";
+  const bool needsWindow = baseline == "polygons" || baseline == "fixed-point" || baseline == "gpu";
   return needsWindow && !OffScreenWindow::IsPossible()
     ? "there is no display (xvfb-run -a gives one)"
     : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Contestant> NewRival(
+std::unique_ptr<IsosurfaceRenderer> NewBaseline(
   const std::string& name, vtkImageData* image, int size, int threads, double sampleDistance)
 {
   if (name == "flying-edges")
