@@ -9,6 +9,7 @@
 #include "Image/Samples/VolumeView.h"
 #include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestVolume.h"
 
 #include <sys/mman.h>
