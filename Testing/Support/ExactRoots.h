@@ -1,27 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef Oracle_h
-#define Oracle_h
+#ifndef ExactRoots_h
+#define ExactRoots_h
+
+#include "Quad.h"
 
 #include <array>
 #include <vector>
 
-// Numbers become longer here on purpose.
-#ifdef __clang__
-#pragma clang diagnostic ignored "-Wdouble-promotion"
-#endif
-
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Slow and exact arithmetic to judge the fast one by: 113 bits, where the compiler has them.
-#ifdef __SIZEOF_FLOAT128__
-__extension__ typedef __float128 Quad;
-#else
-using Quad = long double;
-#endif
-
+/// In Bernstein form.
 using QuadCubic = std::array<Quad, 4>;
 
 inline bool IsInside(Quad value)
@@ -29,7 +20,7 @@ inline bool IsInside(Quad value)
   return value >= 0;
 }
 
-/// The two halves of a cubic in Bernstein form (de Casteljau).
+/// The two halves of a cubic (de Casteljau).
 inline std::array<QuadCubic, 2> Halves(const QuadCubic& b)
 {
   const Quad m01 = (b[0] + b[1]) / 2;
@@ -41,11 +32,10 @@ inline std::array<QuadCubic, 2> Halves(const QuadCubic& b)
   return { QuadCubic{ b[0], m01, left, middle }, QuadCubic{ middle, right, m23, b[3] } };
 }
 
-/// Appends the places in [low, high] where a cubic in Bernstein form changes its sign: by halving
-/// the interval until the signs of the coefficients leave no more than one such place, and then
-/// until that place is known.
+/// Appends the roots in [low, high] at which a cubic changes its sign. The interval is halved 80
+/// times, or until the coefficients have one sign.
 inline void FindSignChanges(
-  const QuadCubic& b, Quad low, Quad high, std::vector<Quad>& places, int depth = 0)
+  const QuadCubic& b, Quad low, Quad high, std::vector<Quad>& roots, int depth = 0)
 {
   int changes = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -60,14 +50,14 @@ inline void FindSignChanges(
   {
     if (IsInside(b[0]) != IsInside(b[3]))
     {
-      places.push_back((low + high) / 2);
+      roots.push_back((low + high) / 2);
     }
     return;
   }
   const Quad middle = (low + high) / 2;
   const auto halves = Halves(b);
-  FindSignChanges(halves[0], low, middle, places, depth + 1);
-  FindSignChanges(halves[1], middle, high, places, depth + 1);
+  FindSignChanges(halves[0], low, middle, roots, depth + 1);
+  FindSignChanges(halves[1], middle, high, roots, depth + 1);
 }
 
 }

@@ -4,14 +4,15 @@
 #ifndef TestVolume_h
 #define TestVolume_h
 
+#include "AnalyticFields.h"
 #include "Image/Samples/VolumeView.h"
-
-#include "../AnalyticFields.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -56,6 +57,10 @@ struct TestVolume
   std::size_t Stride;
   std::vector<T> Values;
 };
+
+/// The types of samples, as a list for typed tests.
+using SampleTypes = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+  std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
 
 /// Calls visit(T()) for every type T of samples.
 template <typename Visit>

@@ -5,14 +5,16 @@
 #define TestLines_h
 
 #include "RandomNumbers.h"
-#include "Rays/Hit.h"
 
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 
 namespace vtkIsosurfaceRayTracing
 {
+
+inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 struct Line
 {
@@ -34,8 +36,7 @@ inline std::string ToText(const Line& line)
 /// A line through a point of the volume, from without or from within.
 inline Line RandomLine(RandomNumbers& random, const Index3& dimensions)
 {
-  const Vector3 last = { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 };
-  const Vector3 through = random.PointInBox({ 0.0, 0.0, 0.0 }, last);
+  const Vector3 through = random.PointInVolume(dimensions);
   const Vector3 direction = random.Direction();
   return { through - direction * (random.Integer(0, 3) * 20.0), direction };
 }
@@ -113,12 +114,6 @@ inline Line LineAlong(
   line.Direction = line.Direction * (sign * random.Uniform(0.5, 2.0));
   line.Origin = line.Origin - line.Direction * (kind == LineKind::FromAfar ? 1e6 : 5.0);
   return line;
-}
-
-inline bool AreSame(const Hit& a, const Hit& b)
-{
-  return a.T == b.T && a.Cell == b.Cell && a.Surface == b.Surface && a.Parametric == b.Parametric &&
-    a.Entering == b.Entering && a.Jump == b.Jump && a.Plane == b.Plane && a.Value == b.Value;
 }
 
 }

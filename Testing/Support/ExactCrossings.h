@@ -1,27 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef HardCases_Oracle_h
-#define HardCases_Oracle_h
+#ifndef ExactCrossings_h
+#define ExactCrossings_h
+
+#include "Quad.h"
 
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
-/// The truth that the ray tracer is judged by. It shares no code with it: no hierarchy, no
+/// The test oracle: where a line crosses an isosurface of the trilinear interpolant. It looks at
+/// every cell of the volume, in 113 bits, and shares no code with the ray tracer: no hierarchy, no
 /// traversal, no solver; it does not include a header of the core.
-///
-/// Two oracles stand here. The first looks at every cell of the volume with 113 bits, and says
-/// where along the ray the interpolant meets the isovalue. The second proves in rational numbers,
-/// where nothing is rounded at all, that a claimed hit is one and is the first.
 namespace Oracle
 {
 
-/// Only + - * / and comparisons are used, which need no library.
-__extension__ typedef __float128 Quad;
-
+using vtkIsosurfaceRayTracing::Quad;
 using Triple = std::array<double, 3>;
 using Index = std::array<int, 3>;
 using QuadTriple = std::array<Quad, 3>;
@@ -61,9 +57,6 @@ inline Quad Absolute(Quad x)
 
 double Length(const Triple& v);
 
-//------------------------------------------------------------------------------
-// The first oracle
-
 /// A part of the line in one cell where the interpolant is monotone.
 struct Piece
 {
@@ -99,29 +92,6 @@ QuadTriple GradientAt(
 
 /// The angle between a vector and an exact one.
 double AngleBetween(const Triple& claimed, const QuadTriple& exact);
-
-//------------------------------------------------------------------------------
-// The second oracle
-
-/// A claim: the first hit of the line lies in [Low, High], within the cell, and goes in or out.
-struct Claim
-{
-  Index Cell;
-  double Low;
-  double High;
-  bool Entering;
-};
-
-enum class Verdict
-{
-  Proven,
-  NotInCell,
-  NoSignChange,
-  EarlierRoot
-};
-
-/// Proves a claim, or says what is wrong with it.
-Verdict Judge(const Field& field, double isovalue, const Line& line, const Claim& claim);
 
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Oracle.h"
+#include "ExactCrossings.h"
 
 #include <algorithm>
 #include <cmath>

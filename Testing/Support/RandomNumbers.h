@@ -8,21 +8,36 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <random>
+#include <string>
+
+#include <gtest/gtest.h>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Random numbers that every standard library draws alike from a seed.
+/// Random numbers that every standard library draws alike from a seed. An assertion that fails
+/// while the generator is in scope prints the seed.
 class RandomNumbers
 {
 public:
   explicit RandomNumbers(std::uint64_t seed)
-    : Engine(seed)
+    : Trace(__FILE__, __LINE__, "seed " + std::to_string(seed))
+    , Engine(seed)
   {
   }
 
   std::uint64_t Bits() { return this->Engine(); }
+
+  /// Of random bits: infinities, NaNs and denormal numbers too.
+  double AnyDouble()
+  {
+    const std::uint64_t bits = this->Engine();
+    double value;
+    std::memcpy(&value, &bits, sizeof(value));
+    return value;
+  }
 
   double Uniform(double low, double high)
   {
@@ -32,8 +47,8 @@ public:
   /// One of low, low + 1, ..., high.
   int Integer(int low, int high)
   {
-    const auto count = static_cast<std::uint64_t>(high - low + 1);
-    return low + static_cast<int>(this->Engine() % count);
+    const auto count = static_cast<std::uint64_t>(std::int64_t{ high } - low + 1);
+    return static_cast<int>(low + static_cast<std::int64_t>(this->Engine() % count));
   }
 
   /// Of either sign, and of any order of magnitude between two powers of ten.
@@ -50,21 +65,29 @@ public:
     return { x, y, this->Uniform(low[2], high[2]) };
   }
 
+  /// Between the first and the last samples of a volume.
+  Vector3 PointInVolume(const Index3& dimensions)
+  {
+    return this->PointInBox(
+      { 0.0, 0.0, 0.0 }, { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 });
+  }
+
   /// Of length one, no direction likelier than another.
   Vector3 Direction()
   {
     for (;;)
     {
       const Vector3 v = this->PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
-      const double square = Dot(v, v);
-      if (square > 0.01 && square <= 1.0)
+      const double length = std::hypot(v[0], v[1], v[2]);
+      if (length > 0.1 && length <= 1.0)
       {
-        return v * (1.0 / std::sqrt(square));
+        return { v[0] / length, v[1] / length, v[2] / length };
       }
     }
   }
 
 private:
+  testing::ScopedTrace Trace;
   std::mt19937_64 Engine;
 };
 

@@ -7,9 +7,7 @@
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
 
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -33,18 +31,6 @@ inline std::string NameOfKernels(const testing::TestParamInfo<std::size_t>& kern
 {
   constexpr const char* names[] = { "Baseline", "Avx2", "Avx512" }; // in the order of GetKernels
   return names[kernels.param];
-}
-
-/// The same to the last bit; also tells the zeros apart.
-inline bool AreSameBits(double a, double b)
-{
-  return std::memcmp(&a, &b, sizeof(a)) == 0;
-}
-
-/// The same where what is no number may be any NaN: which one, no standard says.
-inline bool AreSameNumbers(double a, double b)
-{
-  return AreSameBits(a, b) || (std::isnan(a) && std::isnan(b));
 }
 
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The judges are judged first.
+// The reference solutions are tested themselves.
 
+#include "Certificate.h"
 #include "Tally.h"
 
 #include <gtest/gtest.h>
@@ -79,12 +80,12 @@ TEST(TestOracle, TheCertificateSeesCloseRootsAndIgnoresTouches)
 
 TEST(TestOracle, TheTwoOraclesAgree)
 {
-  Dice dice(1);
+  RandomNumbers random(1);
   std::size_t count = 0;
   for (int i = 0; i < 50; ++i)
   {
-    const Field field = RandomField(dice, { 4, 4, 4 });
-    for (const Line& line : RandomLines(dice, field.Dimensions, 4))
+    const Field field = RandomField(random, { 4, 4, 4 });
+    for (const Line& line : RandomLines(random, field.Dimensions, 4))
     {
       for (const Oracle::Piece& piece : Oracle::FindPieces(field, 0.1, line))
       {
@@ -104,13 +105,13 @@ TEST(TestOracle, TheTwoOraclesAgree)
 
 TEST(TestOracle, EveryFirstHitOfRandomFieldsIsProven)
 {
-  Dice dice(2);
+  RandomNumbers random(2);
   Tally tally("exact certificate (GMP) of first hits");
   for (int i = 0; i < 100; ++i)
   {
-    const Field field = RandomField(dice, { 5, 4, 6 });
-    const auto lines = RandomLines(dice, field.Dimensions, 20);
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+    const Field field = RandomField(random, { 5, 4, 6 });
+    const auto lines = RandomLines(random, field.Dimensions, 20);
+    const double isovalue = random.Uniform(-0.5, 0.5);
     Tracer tracer(field);
     const RayHits hits = tracer.Cast(lines, isovalue, RootSolver::Robust, Reach::First);
     for (std::size_t ray = 0; ray < lines.size(); ++ray)
