@@ -10,7 +10,6 @@ exit status is 1 if anything differs."""
 
 import argparse
 import glob
-import itertools
 import os
 import pickle
 import struct
@@ -102,8 +101,7 @@ class Comparison:
                 recording.process.kill()
 
     def compare_scenes(self, recordings):
-        for scenes in itertools.zip_longest(*recordings, fillvalue=("nothing more", None)):
-            (name, arrays), *others = scenes
+        for (name, arrays), *others in zip(*recordings):
             for recording, (_, other_arrays) in zip(recordings[1:], others):
                 if arrays is None or other_arrays is None:
                     self.skipped.add(name)
