@@ -10,7 +10,6 @@ exit status is 1 if anything differs."""
 
 import argparse
 import glob
-import itertools
 import os
 import pickle
 import struct
@@ -31,19 +30,23 @@ VARIANTS = (
 QUICK_VARIANTS = VARIANTS[:4]
 
 
+def find_python_path(build):
+    packages = glob.glob(os.path.join(build, "lib*/python*/*-packages/vtkIsosurfaceRayTracing"))
+    if len(packages) != 1:
+        sys.exit(f"{build} has no Python package; build the target vtkIsosurfaceRayTracingPython")
+    return os.path.dirname(packages[0])
+
+
 class Recording:
     """The scenes as a build makes them, in a process of its own."""
 
     def __init__(self, build, variant, arguments):
-        packages = glob.glob(os.path.join(build, "lib*/python*/*-packages/vtkIsosurfaceRayTracing"))
-        if len(packages) != 1:
-            sys.exit(f"{build} has no Python package")
         kernels, *settings = variant
         self.name = " ".join((build, *variant))
         self.process = subprocess.Popen(
             [sys.executable, os.path.join(HERE, "record_build.py"), *arguments, *settings],
             stdout=subprocess.PIPE,
-            env=dict(os.environ, PYTHONPATH=os.path.dirname(packages[0]),
+            env=dict(os.environ, PYTHONPATH=find_python_path(build),
                      VTK_ISOSURFACE_RAY_TRACING_KERNELS=kernels,
                      # Threads that wait leave the cores to the other recordings.
                      OMP_WAIT_POLICY="passive"))
@@ -102,8 +105,7 @@ class Comparison:
                 recording.process.kill()
 
     def compare_scenes(self, recordings):
-        for scenes in itertools.zip_longest(*recordings, fillvalue=("nothing more", None)):
-            (name, arrays), *others = scenes
+        for (name, arrays), *others in zip(*recordings):
             for recording, (_, other_arrays) in zip(recordings[1:], others):
                 if arrays is None or other_arrays is None:
                     self.skipped.add(name)
@@ -139,6 +141,9 @@ def main():
     arguments = ["--scenes", options.scenes] + ["--quick"] * options.quick
     variants = [variant for variant in (QUICK_VARIANTS if options.quick else VARIANTS)
                 if options.kernels in (None, variant[0])]
+
+    for build in options.builds:
+        find_python_path(build)  # before the first process starts
 
     def record(build, variant):
         return Recording(build, variant, arguments)

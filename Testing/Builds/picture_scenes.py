@@ -242,6 +242,11 @@ def maximum(picture, image, isovalue):
     box(picture, image, isovalue)
 
 
+def translucent_alone(picture, image, isovalue):
+    picture.add_surface(isovalue, (0.96, 0.90, 0.80), 0.4)
+    picture.surface.GetIsoSurfaceValues().SetNumberOfContours(1)
+
+
 def unlit(picture, image, isovalue):
     picture.surface.ShadeOff()
 
@@ -250,7 +255,8 @@ LOOKS = {
     **{furnish.__name__: furnish for furnish in (
         gallery.plain, gallery.shadows, gallery.translucent, gallery.clipped, gallery.capped,
         gallery.cropped, gallery.coloured, gallery.projected, gallery.least, several,
-        several_in_shadow, capped_box, capped_boxes, coloured_by_array, maximum, unlit)},
+        several_in_shadow, capped_box, capped_boxes, coloured_by_array, maximum,
+        translucent_alone, unlit)},
     "interpolant-gradient": with_settings(NormalMode="INTERPOLANT_GRADIENT"),
     "nearest": with_settings(InterpolationMode="NEAREST"),
     **{solver.lower(): with_settings(RootSolver=solver) for solver in SOLVERS},
@@ -377,9 +383,11 @@ def make_scenes(is_quick):
     add_products(scenes, "large", make_waves(70, 33, 40), ISOVALUE,
                  choose(LOOKS, "plain", "several_in_shadow", "capped_box", "projected"),
                  choose(VIEWS, "plain", "along_axis"))
-    hard_looks = choose(LOOKS | LOOKS_OF_WAVES, "plain", "several", "nearest", "cubic", "linear")
+    hard_looks = choose(LOOKS | LOOKS_OF_WAVES, "plain", "translucent_alone", "several", "nearest",
+                        "cubic", "linear")
+    hard_views = choose(VIEWS, "plain", "along_axis")
     for name, (data, isovalue) in make_volumes().items():
         add_products(scenes, "hard/" + name, data, isovalue,
-                     choose(hard_looks, "several") if is_quick else hard_looks,
-                     choose(VIEWS, "along_axis", "from_afar"))
+                     choose(LOOKS, "plain", "several") if is_quick else hard_looks,
+                     choose(VIEWS, "along_axis") if is_quick else hard_views)
     return scenes

@@ -94,7 +94,7 @@ def get_rays(dimensions, count):
 
 
 class RayScene:
-    """A volume with two isosurfaces, and rays through it."""
+    """A volume with an opaque isosurface or two translucent ones, and rays through it."""
 
     def __init__(self, data, isovalue, settings, opacity, cut, count):
         self.data, self.count = data, count
@@ -107,7 +107,8 @@ class RayScene:
         surface = self.volume.GetProperty()
         surface.GetIsoSurfaceValues().SetNumberOfContours(0)
         surface.GetIsoSurfaceValues().SetValue(0, isovalue)
-        surface.GetIsoSurfaceValues().SetValue(1, 0.7 * isovalue)
+        if opacity < 1.0:
+            surface.GetIsoSurfaceValues().SetValue(1, 0.7 * isovalue)
         surface.GetScalarOpacity().AddPoint(isovalue, opacity)
 
     def to_world(self, point):

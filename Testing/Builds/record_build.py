@@ -40,7 +40,7 @@ def main():
     options = parser.parse_args()
     settings = dict(map(parse_setting, options.settings))
     scenes = {**picture_scenes.make_scenes(options.quick), **ray_scenes.make_scenes(options.quick)}
-    # Numbers only: what else is printed must not get among them.
+    # The pickles alone: what VTK prints must not get among them.
     output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     for name, make in scenes.items():
