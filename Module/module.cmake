@@ -43,6 +43,8 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceAccumulation
+  Rendering/vtkIsosurfaceRayTraceBlock
+  Rendering/vtkIsosurfaceRayTraceBlockJoin
   Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceCropping

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The mean of the frames of a scene that rests, whose rays go through other places of the pixels in
-// every frame.
+// The mean of the frames of a scene that does not change, whose rays go through other places of the
+// pixels in every frame.
 
 #ifndef vtkIsosurfaceRayTraceAccumulation_h
 #define vtkIsosurfaceRayTraceAccumulation_h

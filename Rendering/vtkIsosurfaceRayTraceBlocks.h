@@ -6,7 +6,7 @@
 #ifndef vtkIsosurfaceRayTraceBlocks_h
 #define vtkIsosurfaceRayTraceBlocks_h
 
-#include "vtkDataSet.h"                    // for ivars
+#include "vtkIsosurfaceRayTraceBlock.h"    // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
@@ -19,8 +19,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCompositeDataSet;
-class vtkDataArray;
-class vtkImageData;
 
 /// Blocks lie on one lattice if their samples stand at the same places, or at whole numbers of
 /// cells from each other; they may overlap. The grid they make has the samples of all, so that
@@ -30,19 +28,7 @@ class vtkImageData;
 class vtkIsosurfaceRayTraceBlocks
 {
 public:
-  struct Block
-  {
-    vtkSmartPointer<vtkDataSet> Data;
-    unsigned int FlatIndex;
-    /// How many points and cells the blocks before it have.
-    vtkIdType FirstPoint;
-    vtkIdType FirstCell;
-    /// Its scalars; and what to colour by, which may be null.
-    vtkDataArray* Scalars;
-    vtkDataArray* Colors;
-    /// The place of its first point among those of the lattice.
-    vtkIsosurfaceRayTracing::Index3 First;
-  };
+  using Block = vtkIsosurfaceRayTraceBlock;
 
   /// What is taken from the blocks, by the words of vtkAbstractMapper.
   struct Choice
@@ -82,10 +68,6 @@ private:
   std::string Collect(vtkCompositeDataSet* input, const Choice& choice);
   std::string PlaceBlocks();
   void Join();
-  vtkSmartPointer<vtkDataArray> JoinArray(bool isColor) const;
-  void CopySamples(const Block& block, vtkDataArray* from, bool ofCells, bool onlyOwn,
-    vtkDataArray* to, std::vector<bool>& known) const;
-  void HideMissingCells(vtkImageData* image) const;
   const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
   std::vector<Block> Blocks;

@@ -45,7 +45,7 @@ public:
     bool Opaque;
   };
 
-  /// What a render pass that looks at the geometry is told besides: for every pixel the point and
+  /// What a render pass that uses the geometry needs besides: for every pixel the point and
   /// the normal of the surface, in coordinates of the view.
   struct Geometry
   {

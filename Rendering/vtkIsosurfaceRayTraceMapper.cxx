@@ -26,13 +26,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN

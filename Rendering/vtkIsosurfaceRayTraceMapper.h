@@ -29,9 +29,9 @@
  * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. Put the
  * mapper in a vtkIsosurfaceVolume, and so does translucent geometry.
  *
- * What the mapper keeps: a hierarchy of macrocells (the smallest and largest value of a block of
+ * The mapper keeps a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for
- * locality), each made when the first ray enters an active macrocell there. Both depend on the
+ * locality), each built when the first ray enters an active macrocell there. Both depend on the
  * scalars alone.
  *
  * All scalar types are read without loss, with one exception: 64-bit integers are compared as
@@ -139,15 +139,16 @@ public:
 
   ///@{
   /**
-   * Set/Get what is between the samples. With NEAREST one sees the samples as they are, labels
-   * among them; a hit lies exactly in the plane of a face, whose normal is that of both
-   * NormalModes, and is found without a RootSolver. A face that parts several isovalues is met once
-   * for each of them. Nothing is drawn beside a sample that is NaN or infinite, nor at the border
-   * of the volume. The boxes of cell scalars are the cells (of a rectilinear grid with uneven
-   * spacing, they end half way between the centres); those at the border are drawn from their
-   * centres on. Of the two points beside a face, the one selected is inside, and so is the cell of
-   * cell scalars. A face between points lies in the middle of four cells, and is hidden in those
-   * that are blanked. Intensity projections and the colours of ColorArrayName stay trilinear.
+   * Set/Get what is between the samples. With NEAREST the samples are shown as they are, for
+   * example labels; a hit lies exactly in the plane of a face, whose normal is that of both
+   * NormalModes, and is found without a RootSolver. A face between samples that several isovalues
+   * separate is hit once for each of them. Nothing is drawn beside a sample that is NaN or
+   * infinite, nor at the border of the volume. The boxes of cell scalars are the cells (of a
+   * rectilinear grid with uneven spacing, they end half way between the centres); those at the
+   * border are drawn from their centres on. Of the two points beside a face, the one selected is
+   * inside, and so is the cell of cell scalars. A face between points lies in the middle of four
+   * cells, and is hidden in those that are blanked. Intensity projections and the colours of
+   * ColorArrayName stay trilinear.
    *
    * With CUBIC the surface is smooth, and so is its normal: that of both NormalModes is the exact
    * gradient of the interpolant. Between samples the values may go beyond them, by up to 61/128 of
@@ -161,8 +162,8 @@ public:
    * several times as long as trilinear ones. Intensity projections are an error; the colours of
    * ColorArrayName stay trilinear.
    *
-   * vtkVolumeProperty::GetInterpolationType() is not asked: it is nearest unless it is set, and
-   * those who draw isosurfaces with VTK without setting it get smooth ones. Default: TRILINEAR.
+   * vtkVolumeProperty::GetInterpolationType() is ignored: its default is nearest, with which other
+   * mappers of VTK draw smooth isosurfaces. Default: TRILINEAR.
    */
   vtkSetClampMacro(InterpolationMode, int, TRILINEAR, CUBIC);
   vtkGetMacro(InterpolationMode, int);
@@ -172,7 +173,7 @@ public:
   ///@}
 
   /**
-   * How the place where a ray meets the surface in a cell is found.
+   * How the intersection of a ray with the surface in a cell is found.
    */
   enum RootSolvers
   {
@@ -217,8 +218,8 @@ public:
    */
   enum NormalModes
   {
-    /// The exact gradient of the trilinear interpolant. It jumps from cell to cell: one sees the
-    /// cells.
+    /// The exact gradient of the trilinear interpolant. It is discontinuous between cells, which
+    /// become visible.
     INTERPOLANT_GRADIENT = 0,
     /// Central differences at the corners of the cell, interpolated trilinearly: a smooth look.
     CENTRAL_DIFFERENCES = 1
@@ -332,12 +333,13 @@ public:
 
   ///@{
   /**
-   * Set/Get whether surfaces keep ambient light from each other and from themselves: the ambient
-   * term of the shading, and no other, is multiplied by how much of the sky above a hit is open, on
-   * the side that is seen. A translucent surface lets through one minus its opacity. Cut off parts
-   * let through all. Shading must be on (vtkVolumeProperty::ShadeOn), and the ambient light strong
-   * enough to see what is missing of it: vtkVolumeProperty::SetAmbient(0.5); the default of 0.1 is
-   * not. Default: off, which costs nothing.
+   * Set/Get whether surfaces occlude ambient light from each other and from themselves: the ambient
+   * term of the shading, and no other, is multiplied by the part of the hemisphere above a hit that
+   * is not occluded, on the side that is seen. A translucent surface lets through one minus its
+   * opacity. Parts that are cut off occlude nothing. Shading must be on
+   * (vtkVolumeProperty::ShadeOn), and the ambient light strong enough for it to be visible:
+   * vtkVolumeProperty::SetAmbient(0.5); the default of 0.1 is not. Default: off, which costs
+   * nothing.
    */
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
@@ -346,10 +348,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of rays that look for it from each hit, more of them upwards than to the
-   * sides, as a matt surface sees the sky. Where they go differs from hit to hit, and is the same
-   * in every picture: few rays give grain. (In the further frames of ProgressiveAccumulation they
-   * go elsewhere.) Range: 1 to 4096. Default: 32.
+   * Set/Get the number of rays that are traced for it from each hit, in directions distributed by
+   * the cosine to the normal. The directions differ from hit to hit, and are the same in every
+   * picture: few rays give noise. (In the further frames of ProgressiveAccumulation they are
+   * others.) Range: 1 to 4096. Default: 32.
    */
   vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
   vtkGetMacro(NumberOfAmbientOcclusionRays, int);
@@ -357,8 +359,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far they look, in units of the world; what is farther away darkens nothing. 0 sets
-   * no limit. Range: from 0. Default: 0.
+   * Set/Get the length of these rays, in units of the world; what is farther away occludes
+   * nothing. 0 sets no limit. Range: from 0. Default: 0.
    */
   vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
@@ -369,7 +371,7 @@ public:
    */
   enum BrickLayouts
   {
-    /// The array of the user, as it is: no memory, poor locality.
+    /// The array of the input, as it is: no memory, poor locality.
     NO_BRICKS = 0,
     /// Every brick holds BrickSize^3 cells with all their corners: one sample is repeated on three
     /// sides, and the eight corners of a cell always lie in one brick.
@@ -415,7 +417,7 @@ public:
   ///@{
   /**
    * Set/Get the number of levels of macrocells between the whole volume and the cells. With 0 every
-   * cell along a ray is looked at. Range: 0 to 8. Default: 2.
+   * cell along a ray is tested. Range: 0 to 8. Default: 2.
    */
   vtkSetClampMacro(NumberOfMacrocellLevels, int, 0, MaximumNumberOfMacrocellLevels);
   vtkGetMacro(NumberOfMacrocellLevels, int);
@@ -423,9 +425,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the ceiling for the memory of bricks and of what is kept with them, in MiB; 0 sets
-   * none. When it is reached, rays read the array of the input instead, and the next frame begins
-   * by giving up the bricks that the last one did not use. The picture is always the same. It holds
+   * Set/Get the limit of the memory of bricks and of what is kept with them, in MiB; 0 sets
+   * no limit. When it is reached, rays read the array of the input instead, and the next frame
+   * first frees the bricks that the last one did not use. The picture is always the same. It holds
    * for APRON_BRICKS, the default layout. Range: 0 to 2^30. Default: 0.
    */
   vtkSetClampMacro(MaximumBrickMemory, int, 0, 1 << 30);
@@ -446,9 +448,9 @@ public:
   ///@{
   /**
    * Set/Get the size in pixels of the tiles of the image that threads take one after the other.
-   * Range: 1 to 4096 each. Default: 16 x 8: rays are traced in groups of up to 128, and walk the
-   * faster the closer they are together; smaller tiles keep many threads busy to the end. (Parker
-   * et al. took 32 x 4.)
+   * Range: 1 to 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which
+   * traverse the volume the faster the closer their rays are together; smaller tiles keep many
+   * threads busy to the end. (Parker et al. took 32 x 4.)
    */
   void SetTileSize(int width, int height);
   void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }
@@ -458,9 +460,9 @@ public:
   ///@{
   /**
    * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
-   * so that the frame is drawn in the time allocated to it: coarser pictures while one turns the
-   * scene (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every
-   * pixel when it is still. In stereo it is chosen once for both eyes. Default: on.
+   * so that the frame is drawn in the time allocated to it: coarser pictures while interacting
+   * (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every pixel
+   * when the scene is still. In stereo it is chosen once for both eyes. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
@@ -492,21 +494,21 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the picture becomes better while nothing moves: each Render() of an unchanged
+   * Set/Get whether the picture is refined while nothing changes: each Render() of an unchanged
    * scene traces one more frame, by rays through other places of the pixels and, with
    * AmbientOcclusion, by other rays from the hits, and shows the mean of all so far. Edges become
    * smooth, grain goes away. The first frame is the very picture that there is without; its depth
    * stays. Whatever changes the picture (camera, lights, property, settings, inputs, size, the
-   * depth of what is in front) begins anew; a frame that is given up
-   * (vtkRenderWindow::CheckAbortStatus) leaves what there is. In stereo each eye has its own mean.
+   * depth of what is in front) starts it again; a frame that is aborted
+   * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. In stereo each eye has its own mean.
    *
-   * Somebody has to call Render(), for example a timer of the interactor, for as long as
+   * The application has to call Render(), for example from a timer of the interactor, as long as
    * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
    *
-   * Coarse pictures (ImageSampleDistance of 2 and more, as in a hurry), those of vtkSSAOPass,
-   * hardware selections, PickPixel and RenderToImage are as without, and leave the mean as it is.
-   * It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is read.
-   * Default: off, which costs nothing.
+   * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
+   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage are as without, and leave the
+   * mean as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth
+   * is read. Default: off, which costs nothing.
    */
   vtkSetMacro(ProgressiveAccumulation, bool);
   vtkGetMacro(ProgressiveAccumulation, bool);
@@ -515,7 +517,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how many frames it takes. After them nothing more is traced: the mean is only
+   * Set/Get the number of frames after which nothing more is traced: the mean is only
    * displayed, and TraceTime is 0. Range: 1 to 256. Default: 16.
    */
   vtkSetClampMacro(MaximumNumberOfAccumulatedFrames, int, 1, 256);
@@ -524,7 +526,7 @@ public:
 
   /**
    * The number of frames whose mean the last Render() showed; 0 if its picture is not one to
-   * accumulate. Of a frame that was given up: how many there are still.
+   * accumulate. After a frame that was aborted: the number of those before it.
    */
   vtkGetMacro(NumberOfAccumulatedFrames, int);
 
@@ -623,7 +625,7 @@ public:
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, to the very bits that are drawn (in stereo, that a
-   * window without it would show, as for all pickers of VTK). Other props are not asked. Needs no
+   * window without it would show, as for all pickers of VTK). Other props are ignored. Needs no
    * window to have been drawn. Returns 1 if there is a surface (or, of a projection, a value with
    * any opacity), else 0 and nothing is changed. What is found is described as by
    * IntersectWithLine.

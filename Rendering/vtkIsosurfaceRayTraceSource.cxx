@@ -97,13 +97,13 @@ vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
 
 /// Whether any corner of a cell has one of some flags. Corners are counted from first.
 bool HasFlagAtCorner(
-  vtkUnsignedCharArray* flags, const vtkirt::Index3& first, const vtkirt::Index3& size, int wanted)
+  vtkUnsignedCharArray* flags, const vtkirt::Index3& first, const vtkirt::Index3& size, int bits)
 {
   for (int corner = 0; corner < 8; ++corner)
   {
     const vtkirt::Index3 place = { first[0] + (corner & 1), first[1] + (corner >> 1 & 1),
       first[2] + (corner >> 2) };
-    if ((flags->GetValue(static_cast<vtkIdType>(vtkirt::Offset(place, size))) & wanted) != 0)
+    if ((flags->GetValue(static_cast<vtkIdType>(vtkirt::Offset(place, size))) & bits) != 0)
     {
       return true;
     }
@@ -227,8 +227,9 @@ bool vtkIsosurfaceRayTraceSource::Update(
     dimension -= selection.AreOfCells ? 1 : 0;
   }
 
-  // Those who write into the scalars often tell the grid, not the array. So a change of the grid
-  // counts as one of the scalars, unless its geometry has changed, which explains it.
+  // Whoever writes into the scalars often calls Modified() of the grid, not of the array. So a
+  // change of the grid counts as one of the scalars, unless its geometry has changed, which
+  // explains it.
   vtkIsosurfaceRayTraceGeometry geometry(grid, selection.AreOfCells);
   const bool isNewer = grid->GetMTime() != this->GridTime;
   const bool gridChanged = isNewer && geometry.HasSamePoints(this->Geometry);
