@@ -8,7 +8,7 @@
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "Image/Traversal/CellTraversal.h"
 #include "IsosurfaceRenderer.h"
 #include "Samples.h"
@@ -42,7 +42,7 @@ std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 //------------------------------------------------------------------------------
 // The solvers of the project, through the path that draws
 
-void CastWithSolver(const Input& input, TracedVolume& volume,
+void CastWithSolver(const Input& input, ImageField& volume,
   const std::vector<Oracle::Line>& lines, std::vector<double>& ts)
 {
   constexpr std::size_t portion = 128;
@@ -284,7 +284,7 @@ struct PreparedInput
   PreparedInput(const Benchmark::Input& input, const std::vector<Oracle::Line>& lines)
     : Input(input)
     , View{ input.Field.Values.data(), ScalarType::Float64, input.Field.Dimensions, 1 }
-    , Volume(TracedVolume::New(this->View, {}, 1))
+    , Volume(ImageField::New(this->View, {}, 1))
     , Active(MacrocellHierarchy<double>(
         vtkIsosurfaceRayTracing::Samples<double>(this->View), { 4, 4, 4 }, 1)
                .FindActive({ input.Isovalue }, 1))
@@ -294,7 +294,7 @@ struct PreparedInput
 
   const Benchmark::Input& Input;
   VolumeView View;
-  std::unique_ptr<TracedVolume> Volume;
+  std::unique_ptr<ImageField> Volume;
   ActiveMacrocells Active;
   std::vector<CellProblem> Problems;
 };

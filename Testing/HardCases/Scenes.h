@@ -4,9 +4,9 @@
 #ifndef HardCases_Scenes_h
 #define HardCases_Scenes_h
 
-#include "Dice.h"
-#include "Oracle.h"
+#include "ExactCrossings.h"
 #include "Picture/CastRays.h"
+#include "RandomNumbers.h"
 
 #include <memory>
 
@@ -18,12 +18,13 @@ using Oracle::Index;
 using Oracle::Line;
 using Oracle::Triple;
 using vtkIsosurfaceRayTracing::Hit;
+using vtkIsosurfaceRayTracing::ImageSettings;
 using vtkIsosurfaceRayTracing::Isosurface;
+using vtkIsosurfaceRayTracing::RandomNumbers;
 using vtkIsosurfaceRayTracing::RayHits;
 using vtkIsosurfaceRayTracing::RootSolver;
 using vtkIsosurfaceRayTracing::ScalarType;
 using vtkIsosurfaceRayTracing::TraceRequest;
-using vtkIsosurfaceRayTracing::VolumeSettings;
 
 /// Which hits of a ray are asked for.
 enum class Reach
@@ -37,17 +38,17 @@ class Tracer
 {
 public:
   explicit Tracer(
-    const Field& field, const VolumeSettings& settings = {}, ScalarType type = ScalarType::Float64);
+    const Field& field, const ImageSettings& settings = {}, ScalarType type = ScalarType::Float64);
 
   /// The hits of every line. All: with a surface so transparent that the ray goes on and on.
   RayHits Cast(const std::vector<Line>& lines, double isovalue,
     RootSolver solver = RootSolver::Robust, Reach reach = Reach::All, int threads = 1);
 
-  vtkIsosurfaceRayTracing::TracedVolume& GetVolume() { return *this->Volume; }
+  vtkIsosurfaceRayTracing::ImageField& GetVolume() { return *this->Volume; }
 
 private:
   std::vector<unsigned char> Bytes;
-  std::unique_ptr<vtkIsosurfaceRayTracing::TracedVolume> Volume;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Volume;
   Index Dimensions;
 };
 
@@ -69,15 +70,16 @@ Field Sample(const Index& dimensions, const Function& function)
   return field;
 }
 
-Field RandomField(Dice& dice, const Index& dimensions, double low = -1.0, double high = 1.0);
+Field RandomField(
+  RandomNumbers& random, const Index& dimensions, double low = -1.0, double high = 1.0);
 
 /// Values are positive within the ball: the isovalue is 0.
 Field Ball(const Index& dimensions, const Triple& center, double radius);
 
 /// A line through the volume, from some cells before it.
-Line RandomLine(Dice& dice, const Index& dimensions, double distance = 3.0);
+Line RandomLine(RandomNumbers& random, const Index& dimensions, double distance = 3.0);
 std::vector<Line> RandomLines(
-  Dice& dice, const Index& dimensions, std::size_t count, double distance = 3.0);
+  RandomNumbers& random, const Index& dimensions, std::size_t count, double distance = 3.0);
 
 /// Whether two sets of hits are the same, to the last bit.
 bool IsSame(const RayHits& a, const RayHits& b);

@@ -5,11 +5,15 @@
 // every face of the volume in higher precision, and, where rays go through edges and corners of
 // boxes, with a walk from box to box in exact arithmetic. Neither knows of cells.
 
+#include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <array>
@@ -27,20 +31,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-template <typename T>
-TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
-{
-  RandomNumbers random(seed);
-  TestVolume<T> volume(size, std::vector<T>(Count(size)));
-  for (T& value : volume.Values)
-  {
-    value = static_cast<T>(random.Integer(0, 120));
-  }
-  return volume;
-}
-
 /// Surfaces that let nearly all through, so that a ray meets all of them; one is at a sample.
 TraceRequest Request(double opacity = 1e-9)
 {
@@ -48,24 +38,6 @@ TraceRequest Request(double opacity = 1e-9)
     { { 20.0, opacity }, { 50.0, opacity }, { 50.5, opacity }, { 90.25, opacity } });
   wanted.Field = Interpolant::Nearest;
   return wanted;
-}
-
-template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
-{
-  auto traced = TracedVolume::New(volume.View(), settings, 2);
-  traced->Select(wanted, 2);
-  return traced;
-}
-
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Infinity,
-  const UnevenPlanes* planes = nullptr)
-{
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions(), planes) }, hits);
-  return hits.Hits;
 }
 
 /// A crossing of a face, between a sample and the next one along an axis, that is a surface.
@@ -231,7 +203,7 @@ std::optional<std::vector<CrossingT>> WalkFromBoxToBox(
   return crossings;
 }
 
-void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hits,
+void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
   const std::vector<CrossingT>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
 {
   ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
@@ -305,9 +277,7 @@ class BoxFaces : public testing::Test
 {
 };
 
-using Types = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-  std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(BoxFaces, Types);
+TYPED_TEST_SUITE(BoxFaces, SampleTypes);
 
 TYPED_TEST(BoxFaces, AreAllMetByRays)
 {
@@ -358,7 +328,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
                                  : RandomLine(random, volume.Dimensions);
     rays.push_back(ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions));
   }
-  std::vector<VolumeSettings> all;
+  std::vector<ImageSettings> all;
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 4 }, { 2, 2, 2, 2 }, { 16, 3 } })
   {
@@ -379,9 +349,9 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
       expected.Append(own);
     }
     EXPECT_GT(expected.Hits.size(), 200U);
-    for (const VolumeSettings& settings : all)
+    for (const ImageSettings& settings : all)
     {
-      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Linear })
+      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Linear })
       {
         TraceRequest wanted = Request(opacity);
         wanted.Solver = solver;

@@ -4,10 +4,13 @@
 // Caps close what half-spaces cut open: rays go in and out in turn, however they are cut; and caps
 // are where the field says.
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,35 +27,10 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// So little that a ray goes through any number of such surfaces.
-constexpr double Glass = 1e-9;
-
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, const UnevenPlanes* planes = nullptr)
-{
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.GetDimensions(), planes) },
-    hits);
-  return hits.Hits;
-}
-
 /// A half-space with caps that ends in a point of its plane.
 HalfSpace Behind(const Vector3& normal, const Vector3& point)
 {
   return { normal, -Dot(normal, point), true };
-}
-
-/// Noise that is 0 at the border, so that what is above is closed.
-TestVolume<float> ClosedNoise(std::uint64_t seed, const Index3& size)
-{
-  RandomNumbers random(seed);
-  TestVolume<float> volume(size, std::vector<float>(Count(size), 0.0F));
-  ForEachPlace({ size[0] - 2, size[1] - 2, size[2] - 2 },
-    [&](const Index3& i) {
-      volume.At({ i[0] + 1, i[1] + 1, i[2] + 1 }) = static_cast<float>(random.Integer(0, 4));
-    });
-  return volume;
 }
 
 /// Half-spaces that leave something of a volume: oblique, or along lattice planes.
@@ -82,8 +60,8 @@ std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& siz
 /// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
 int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 {
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
-  const auto opaque = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
+  const auto opaque = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(77);
   int leaks = 0;
   for (int scene = 0; scene < 40; ++scene)
@@ -98,8 +76,8 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
       Line line = ray % 2 == 0 ? RandomLine(random, volume.Dimensions)
                                : LatticeLine(random, volume.Dimensions);
       line.Origin = line.Origin - line.Direction * 64.0; // from without
-      const std::vector<Hit> hits = Trace(*traced, line, wanted.Planes);
-      const std::vector<Hit> first = Trace(*opaque, line, wanted.Planes);
+      const std::vector<Hit> hits = Trace(*traced, line, Infinity, wanted.Planes);
+      const std::vector<Hit> first = Trace(*opaque, line, Infinity, wanted.Planes);
       bool isInTurn = hits.size() % 2 == 0;
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
@@ -117,7 +95,7 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 //------------------------------------------------------------------------------
 TEST(Caps, HoldAllRaysThatComeFromWithout)
 {
-  const TestVolume<float> volume = ClosedNoise(5, { 21, 19, 23 });
+  const TestVolume<float> volume = ClosedNoise<float>({ 21, 19, 23 }, 5, 0, 4, 0);
   for (const double isovalue : { 2.0, 1.5, 0.25 })
   {
     int caps = 0;
@@ -141,7 +119,7 @@ TEST(Caps, HoldAllRaysThatComeFromWithout)
 TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
 {
   const Index3 size = { 21, 19, 23 };
-  const TestVolume<float> volume = ClosedNoise(6, size);
+  const TestVolume<float> volume = ClosedNoise<float>(size, 6, 0, 4, 0);
   RandomNumbers random(3);
   std::array<std::vector<double>, 3> places;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -176,7 +154,7 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
   const AnalyticFields::Plane field = { { 0.3, -0.7, 0.5 }, -1.0 };
   const TestVolume<double> volume = TestVolume<double>::Of({ 20, 18, 22 }, field);
   const std::vector<Isosurface> surfaces = { { -1.0, Glass }, { 1.0, Glass }, { 3.0, Glass } };
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(9);
   int found[4] = {};
   for (int scene = 0; scene < 50; ++scene)
@@ -238,7 +216,7 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
 TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
   traced->Select(wanted, 2);
@@ -265,7 +243,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
   // From 1 at the border along x to 4 in the middle.
   const TestVolume<double> volume = TestVolume<double>::Of(
     { 15, 9, 9 }, [](const AnalyticFields::Point& p) { return std::min(p[0], 14.0 - p[0]); });
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   const Line line = { { -4.0, 4.25, 4.5 }, { 1.0, 0.0, 0.0 } };
   const auto trace = [&](double skin, double bone, double cut)
   {
@@ -296,7 +274,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
 TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 {
   const TestVolume<double> full({ 9, 8, 7 }, std::vector<double>(504, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   RandomNumbers random(31);
   for (const double error : { 0.0, 1e-13, 1e-9 })
   {
@@ -332,14 +310,14 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
 {
   const Index3 size = { 14, 15, 16 };
-  TestVolume<float> volume = ClosedNoise(8, size);
+  TestVolume<float> volume = ClosedNoise<float>(size, 8, 0, 4, 0);
   for (float& value : volume.Values)
   {
     value *= 0.7F; // of which a weighted mean of equals may be something else
   }
   const auto low = static_cast<double>(2.0F * 0.7F);
   const auto high = static_cast<double>(3.0F * 0.7F);
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(10);
   int found = 0;
   for (int scene = 0; scene < 30; ++scene)
@@ -374,7 +352,7 @@ TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
   const Index3 size = { 12, 12, 12 };
   const TestVolume<float> volume =
     TestVolume<float>::Of(size, [](const AnalyticFields::Point& p) { return p[2]; });
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(12);
   for (const double way : { 1.0, -1.0 })
   {
@@ -411,7 +389,7 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
   volume.At({ 2, 2, 2 }) = std::numeric_limits<float>::quiet_NaN();
   std::vector<unsigned char> hidden(8 * 8 * 8, 0);
   hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
   wanted.Visible.HiddenCells = hidden.data();
@@ -457,7 +435,7 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
           volume.At(i) = std::numeric_limits<float>::quiet_NaN();
         }
       });
-    const auto traced = TracedVolume::New(volume.View(), {}, 2);
+    const auto traced = ImageField::New(volume.View(), {}, 2);
     TraceRequest wanted({ { 0.0, Glass } });
     const double length = way * random.Uniform(0.1, 10.0);
     wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
@@ -486,7 +464,7 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
 TEST(Caps, AreNotWhereTheyAreNotWanted)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   // The second one cuts later, and has none.
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),

@@ -4,10 +4,13 @@
 // The largest and smallest values of rays are compared with those of many samples in higher
 // precision, which share no code with what is tested; and with what is known of simple fields.
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <array>
@@ -26,20 +29,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr Extremum Both[] = { Extremum::Largest, Extremum::Smallest };
-
-template <typename T>
-TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
-{
-  RandomNumbers random(seed);
-  TestVolume<T> volume(size, std::vector<T>(Count(size)));
-  for (T& value : volume.Values)
-  {
-    value = static_cast<T>(random.Integer(0, 120));
-  }
-  return volume;
-}
 
 TraceRequest Request(Extremum kind, const Visibility& seen = {})
 {
@@ -49,16 +39,7 @@ TraceRequest Request(Extremum kind, const Visibility& seen = {})
   return wanted;
 }
 
-template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
-{
-  auto traced = TracedVolume::New(volume.View(), settings, 2);
-  traced->Select(wanted, 2);
-  return traced;
-}
-
-std::optional<Hit> Project(TracedVolume& volume, const Line& line, double tEnd = Infinity)
+std::optional<Hit> Project(ImageField& volume, const Line& line, double tEnd = Infinity)
 {
   RayHits hits;
   volume.Trace(
@@ -154,7 +135,7 @@ bool Everywhere(const Vector3&)
 /// Compares with samples. On half the way between two of them, noise of 0 to 120 rises by no more
 /// than sqrt(3) * 120 / 800; where what is seen ends, on the whole way.
 template <typename T>
-void Compare(const TestVolume<T>& volume, TracedVolume& traced, const Line& line, Extremum kind,
+void Compare(const TestVolume<T>& volume, ImageField& traced, const Line& line, Extremum kind,
   const Predicate& isSeen)
 {
   const std::optional<Hit> hit = Project(traced, line);
@@ -182,9 +163,7 @@ class Projection : public testing::Test
 {
 };
 
-using Types = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-  std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(Projection, Types);
+TYPED_TEST_SUITE(Projection, SampleTypes);
 
 TYPED_TEST(Projection, FindsTheMostExtremeOfManySamples)
 {
@@ -258,7 +237,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
       i % 4 == 0 ? LatticeLine(random, volume.Dimensions) : RandomLine(random, volume.Dimensions);
     rays.push_back(ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions));
   }
-  std::vector<VolumeSettings> all;
+  std::vector<ImageSettings> all;
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 4 }, { 2, 2, 2, 2 }, { 16, 3 } })
   {
@@ -278,7 +257,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
       plain->Trace({ ray }, own);
       expected.Append(own);
     }
-    for (const VolumeSettings& settings : all)
+    for (const ImageSettings& settings : all)
     {
       RayHits hits;
       NewTraced(volume, Request(kind), settings)->Trace(rays, hits);

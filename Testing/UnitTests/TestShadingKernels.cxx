@@ -9,6 +9,7 @@
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -147,7 +148,7 @@ TEST_P(ShadingKernels, ShadeHitsOneByOne)
   for (int i = 0; i < 1500; ++i)
   {
     const auto volume = RandomVolume(random);
-    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    const auto traced = ImageField::New(volume.View(), {}, 1);
     Scene scene = RandomScene(random);
     scene.Request.BeamKernels = &kernels.Counting;
     traced->Select(scene.Request, 1);

@@ -72,8 +72,9 @@ bool PacketTracer::MayMeet(
 }
 
 const PacketHits& PacketTracer::FindFirstHits(
-  RayPacket& group, Cells& cells, const ScaledIsovalue& isovalue)
+  RayPacket& group, FirstHitCells& cells, const ScaledIsovalue& isovalue)
 {
+  this->FirstHitSource = &cells;
   this->Isovalue = isovalue;
   this->CornerSteps = cells.GetCornerSteps();
   this->Queue.Count = 0;
@@ -85,8 +86,9 @@ const PacketHits& PacketTracer::FindFirstHits(
   return this->Hits;
 }
 
-void PacketTracer::FollowRays(RayPacket& group, Cells& cells)
+void PacketTracer::FollowRays(RayPacket& group, FollowedCells& cells)
 {
+  this->FollowedSource = &cells;
   this->Isovalue.reset();
   this->Trace(group, cells);
 }
@@ -167,7 +169,7 @@ void PacketTracer::VisitBlock(const Frustum& beam, const Index3& block)
   {
     return;
   }
-  const void* corner = this->Source->FindCorner(block);
+  const void* corner = this->FirstHitSource->FindCorner(block);
   this->AllInRows = this->AllInRows && corner;
   this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
@@ -222,7 +224,7 @@ void PacketTracer::FollowPassages(const Frustum& beam)
     {
       this->AddCells(beam.Axis, passage, cells);
     }
-    if (this->Source->Follow(ray, cells))
+    if (this->FollowedSource->Follow(ray, cells))
     {
       Remove(ray, this->Going);
     }
@@ -330,10 +332,10 @@ void PacketTracer::ClassifyQueue(const Frustum& beam)
   {
     // Those that wait are read from rows, those that come now from copies.
     this->SolveCandidates();
-    this->Source->CopyCorners(this->Queue, beam.Axis, this->Passed);
+    this->FirstHitSource->CopyCorners(this->Queue, beam.Axis, this->Passed);
     this->AreCopied = true;
   }
-  this->Source->ClassifyCells(
+  this->FirstHitSource->ClassifyCells(
     this->Queue, beam.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
@@ -354,7 +356,7 @@ void PacketTracer::SolveCandidates()
   {
     this->Waiting.Ray[i] = this->Waiting.Ray[0];
   }
-  this->Source->LoadCorners(this->AreCopied, this->Waiting);
+  this->FirstHitSource->LoadCorners(this->AreCopied, this->Waiting);
   this->TheKernels.Solve(*this->Group, this->Waiting, *this->Isovalue, this->Solved);
   for (int word = 0; word < Solutions::Words; ++word)
   {
@@ -391,7 +393,7 @@ void PacketTracer::FindFirstHit(int ray, const Index3& cell)
 {
   Hit hit;
   Crossing begin;
-  if (this->Source->FindFirstHit(ray, cell, hit, begin))
+  if (this->FirstHitSource->FindFirstHit(ray, cell, hit, begin))
   {
     this->Keep(ray, hit, begin);
   }

@@ -44,16 +44,16 @@ public:
   {
   public:
     virtual ~Cells() = default;
-    /// Says that a block is wanted soon.
+    /// Says that a block is needed soon.
     virtual void Prefetch(const Index3& block) = 0;
     /// Which cells of a block of 8^3 a surface passes; either kept elsewhere or made in own.
     virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
+  };
 
-    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
-    /// been through. Returns whether nothing of the ray is left.
-    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
-
-    // For first hits only:
+  /// Cells in which the first hits with one surface are found.
+  class FirstHitCells : public Cells
+  {
+  public:
     /// Where the first corner of the first cell of a block is kept; null unless all its corners are
     /// kept in rows.
     virtual const void* FindCorner(const Index3& block) = 0;
@@ -65,9 +65,18 @@ public:
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
       Passages& passages, Candidates& candidates, RaySet& hits) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
-    /// Solves a cell that the kernels do not: the first hit of a ray of the group in it, and where
+    /// Solves a cell that the kernels do not: the first hit of a ray of the packet in it, and where
     /// the ray comes into the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
+  };
+
+  /// Cells through which each ray is followed.
+  class FollowedCells : public Cells
+  {
+  public:
+    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
+    /// been through. Returns whether nothing of the ray is left.
+    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
   };
 
   PacketTracer(const Kernels& kernels, const BlockTree& tree)
@@ -76,16 +85,17 @@ public:
   {
   }
 
-  /// Whether rays between lines may come to an active macrocell; see TracedVolume::MayHitBetween.
+  /// Whether rays between lines may come to an active macrocell; see ImageField::MayHitBetween.
   static bool MayMeet(
     const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines);
 
   /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
   /// many rays are solved at once.
-  const PacketHits& FindFirstHits(RayPacket& group, Cells& cells, const ScaledIsovalue& isovalue);
+  const PacketHits& FindFirstHits(
+    RayPacket& group, FirstHitCells& cells, const ScaledIsovalue& isovalue);
 
   /// Leads all rays of a group that exist through the cells that may have hits.
-  void FollowRays(RayPacket& group, Cells& cells);
+  void FollowRays(RayPacket& group, FollowedCells& cells);
 
 private:
   void Trace(RayPacket& group, Cells& cells);
@@ -109,6 +119,9 @@ private:
 
   RayPacket* Group = nullptr;
   Cells* Source = nullptr;
+  /// The same; one of them is null.
+  FirstHitCells* FirstHitSource = nullptr;
+  FollowedCells* FollowedSource = nullptr;
   /// The rays that are still on their way.
   RaySet Going = {};
   /// The surface whose first hits are wanted; none when rays are followed.

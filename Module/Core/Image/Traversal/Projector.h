@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Projector_h
+#define Projector_h
+
+#include "Image/Cells/CellSegment.h"
+#include "Image/Cells/LargestValue.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/Traversal/CellTraversal.h"
+#include "Rays/RayHits.h"
+#include "Rays/RayPacket.h"
+#include "Rays/TraceRequest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Finds the extreme values of rays: in every cell that may exceed what was found so far, the
+/// largest value of the cubic. What macrocells cannot exceed it are stepped over, on all levels.
+/// The smallest value is minus the largest of the negated samples, to the last bit.
+///
+/// The value of a cell depends on ray and cell alone and never exceeds the corners, so it makes no
+/// difference to the result which cells are not looked at, and what is known beforehand.
+template <typename T, typename Layout, Extremum Kind>
+class Projector
+{
+public:
+  /// All must outlive the projector, which is for one thread.
+  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const TraceRequest& request)
+    : Hierarchy(hierarchy)
+    , Reader(bricks)
+    , Visible(request.Visible)
+    , Planes(request.Planes)
+    , Cells(hierarchy.GetLattice().Cells)
+  {
+  }
+
+  /// Appends the hits of rays that are cut to what is visible, at most one each.
+  void Project(const RayPacket& rays, RayHits& hits)
+  {
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(rays.Exists, i))
+      {
+        Ray ray = GetRay(rays, i);
+        ray.Planes = this->Planes;
+        this->Project(ray, hits);
+      }
+      hits.EndRay();
+    }
+  }
+
+  // What MacrocellTraversal asks.
+  const MacrocellLattice& GetLattice() const { return this->Hierarchy.GetLattice(); }
+  bool IsActive(std::size_t level, const Index3& macrocell) const
+  {
+    const ValueRange<T>& range = this->Hierarchy.GetRange(level, macrocell);
+    return Directed(static_cast<double>(IsLargest ? range.Max : range.Min)) > this->Best;
+  }
+
+private:
+  using Value = typename Layout::Value;
+  static constexpr bool IsLargest = Kind == Extremum::Largest;
+
+  static double Directed(double value) { return IsLargest ? value : -value; }
+
+  void Project(const Ray& ray, RayHits& hits)
+  {
+    this->Best = -std::numeric_limits<double>::infinity();
+    Hit hit;
+    hit.Surface = Hit::NoSurface;
+    ForEachSeenPiece(ray, this->Visible.Regions,
+      [this, &hit](const Ray& piece)
+      {
+        this->Guess(piece);
+        MacrocellTraversal<Projector> traversal(piece, *this);
+        CellRegion region;
+        while (traversal.Next(region))
+        {
+          VisitCells(piece, region,
+            [this, &piece, &hit](const Index3& cell)
+            {
+              this->Visit(piece, cell, hit);
+              return false;
+            });
+        }
+      });
+    if (hit.Surface != Hit::NoSurface)
+    {
+      hits.Hits.push_back(hit);
+      this->Last = hit.GetPoint(this->Planes);
+    }
+  }
+
+  /// Looks where the ray before had its extreme value: the nearer to that of this ray, the more
+  /// there is to step over. What is found is not the result yet, which may lie before it and be the
+  /// same.
+  void Guess(const Ray& ray)
+  {
+    const double t =
+      Dot(this->Last - ray.Origin, ray.Direction) / Dot(ray.Direction, ray.Direction);
+    if (!std::isfinite(t))
+    {
+      return;
+    }
+    Index3 cell;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double place = ray.Coordinate(axis, t);
+      cell[axis] = this->Planes ? this->Planes->FindCell(axis, place)
+                                : static_cast<int>(std::clamp(std::floor(place), 0.0,
+                                    static_cast<double>(this->Cells[axis] - 1)));
+    }
+    Hit hit;
+    if (this->Visit(ray, cell, hit))
+    {
+      this->Best = std::nextafter(this->Best, -std::numeric_limits<double>::infinity());
+    }
+  }
+
+  /// Takes the largest value of a cell, if it exceeds what was found so far. Returns whether it
+  /// does.
+  bool Visit(const Ray& ray, const Index3& cell, Hit& hit)
+  {
+    Value corners[8];
+    this->Reader.Load(cell, corners);
+    Value outermost = corners[0];
+    for (const Value corner : corners)
+    {
+      outermost = IsLargest ? std::max(outermost, corner) : std::min(outermost, corner);
+    }
+    const double largest = Directed(static_cast<double>(outermost));
+    CellSegment segment;
+    if (!(largest > this->Best) || !IsFinite(corners) || this->IsHidden(cell) ||
+      !SegmentInCell(ray, cell, segment))
+    {
+      return false;
+    }
+    CellCorners values;
+    std::transform(corners, corners + 8, values.begin(),
+      [](Value value) { return Directed(static_cast<double>(value)); });
+    const SegmentValue found = FindLargest(values, largest, segment);
+    if (!(found.Value > this->Best))
+    {
+      return false;
+    }
+    this->Best = found.Value;
+    hit = MakeHit(ray, cell, segment, found.Fraction, 0, false);
+    hit.Value = Directed(this->Best);
+    return true;
+  }
+
+  bool IsHidden(const Index3& cell) const
+  {
+    return this->Visible.HiddenCells && this->Visible.HiddenCells[Offset(cell, this->Cells)] != 0;
+  }
+
+  const MacrocellHierarchy<T>& Hierarchy;
+  typename Layout::Reader Reader;
+  const Visibility& Visible;
+  const UnevenPlanes* Planes;
+  Index3 Cells;
+  /// Only what exceeds this is of interest.
+  double Best = 0.0;
+  /// Where the ray before had its extreme value.
+  Vector3 Last = { 0.0, 0.0, 0.0 };
+};
+
+}
+
+#endif
