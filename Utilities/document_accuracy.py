@@ -154,8 +154,9 @@ PICTURES = {
 
 
 def describe_input(measured, pictures, images):
+    rays, hits = measured["numberOfRays"], measured["numberOfHits"]
     yield f"### {measured['name']}, isovalue {measured['isovalue']:g}\n\n"
-    yield f"{measured['numberOfRays']} rays, of which {measured['numberOfHits']} meet the surface.\n\n"
+    yield f"{rays} rays, of which {hits} meet the surface.\n\n"
     columns = {"ns per ray": "nanosecondsPerRay", "ns per cell": "nanosecondsPerCell"}
     yield result_table("rays", columns, measured["rays"])
     columns = {"ms per frame": "millisecondsPerFrame", "of it, tracing": "millisecondsTracing"}

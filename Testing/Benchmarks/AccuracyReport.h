@@ -13,7 +13,7 @@
 namespace Benchmark
 {
 
-/// What was measured of a method on an input.
+/// The measurements of a method on an input.
 struct Result
 {
   std::string Family;

@@ -59,11 +59,11 @@ public:
   }
 
   std::string GetName() const override { return this->Name; }
-  bool Draws() const override { return false; }
+  bool HasPictures() const override { return false; }
   FrameTimes Draw(const View&, int) override { return {}; }
   Details GetDetails() const override { return { { "triangles", this->Triangles } }; }
 
-  double Begin(double isovalue, const View&) override
+  double ChangeIsovalue(double isovalue, const View&) override
   {
     vtkSmartPointer<vtkPolyData> mesh;
     const double seconds = Measure([&]() { mesh = Extract<Filter>(this->Image, isovalue); });
@@ -101,7 +101,7 @@ public:
   std::string GetName() const override { return "polygons"; }
   Details GetDetails() const override { return this->Steps; }
 
-  double Begin(double isovalue, const View& view) override
+  double ChangeIsovalue(double isovalue, const View& view) override
   {
     vtkSmartPointer<vtkPolyData> mesh;
     const double extraction =
@@ -145,7 +145,7 @@ public:
   }
 
   std::string GetName() const override { return this->Name; }
-  double Begin(double isovalue, const View& view) override
+  double ChangeIsovalue(double isovalue, const View& view) override
   {
     this->Volume->SetProperty(NewSurfaceProperty(isovalue));
     return this->Window.Draw(view);
@@ -282,7 +282,7 @@ public:
   bool HasThreads() const override { return true; }
   Details GetDetails() const override { return this->Steps; }
 
-  double Begin(double isovalue, const View& view) override
+  double ChangeIsovalue(double isovalue, const View& view) override
   {
     vtkSmartPointer<vtkPolyData> mesh;
     const double extraction =

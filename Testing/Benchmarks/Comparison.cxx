@@ -106,7 +106,7 @@ void Comparison::MeasureMemory()
 {
   Log(this->GetTitle("memory"));
   const double before = GetResidentMebibytes();
-  this->Ours.Forget();
+  this->Ours.Reset();
   this->Ours.SetIsovalue(this->Isovalue);
   for (const View& view : this->Orbit)
   {
@@ -140,14 +140,15 @@ void Comparison::MeasureNewIsovalue()
   for (int repeat = 0; repeat < this->Settings.Repeats; ++repeat)
   {
     this->Settings.LogTurn(this->GetTitle("a new isovalue"), repeat);
-    const double our = this->Ours.Begin(this->Isovalue, this->Orbit.front());
+    const double our = this->Ours.ChangeIsovalue(this->Isovalue, this->Orbit.front());
     ours.Add(our);
     for (std::size_t i = 0; i < baselines.size(); ++i)
     {
       if (!IsEnough(baselines[i].Seconds, this->Settings.Repeats))
       {
         Log("  " + this->Baselines[i]->GetName());
-        const double their = this->Baselines[i]->Begin(this->Isovalue, this->Orbit.front());
+        const double their =
+          this->Baselines[i]->ChangeIsovalue(this->Isovalue, this->Orbit.front());
         baselines[i].Seconds.Add(their);
         baselines[i].Ratio.Add(their / our);
       }
@@ -220,7 +221,7 @@ void Comparison::MeasurePictures()
     runs.push_back({ &this->Ours, threads, {} });
     for (const auto& baseline : this->Baselines)
     {
-      if (baseline->Draws() &&
+      if (baseline->HasPictures() &&
         (baseline->HasThreads() || threads == this->Settings.GetMostThreads()))
       {
         runs.push_back({ baseline.get(), threads, {} });

@@ -86,7 +86,7 @@ void MeasureColdStart(const Setup& setup, double isovalue, Report& report)
   for (int repeat = 0; repeat < setup.Repeats && !IsEnough(cold, setup.Repeats); ++repeat)
   {
     setup.LogTurn("Isovalue " + ToText(isovalue) + ": cold start", repeat);
-    surface.Forget();
+    surface.Reset();
     surface.SetIsovalue(isovalue);
     cold.Add(surface.Draw(view, setup.GetMostThreads()).GetSeconds());
     macrocells.Add(surface.GetMapper()->GetMacrocellBuildTime());

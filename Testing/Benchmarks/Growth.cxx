@@ -77,7 +77,7 @@ Times MeasureAt(const Setup& setup, int n)
   for (int repeat = 0; repeat < setup.Repeats; ++repeat)
   {
     setup.LogTurn("Growth: n = " + std::to_string(n), repeat);
-    ours.Forget();
+    ours.Reset();
     ours.SetIsovalue(0.0);
     times.Cold.Add(1e3 * ours.Draw(views.front(), setup.GetMostThreads()).GetSeconds());
     for (const View& view : views)
@@ -85,7 +85,7 @@ Times MeasureAt(const Setup& setup, int n)
       ours.Draw(view, setup.GetMostThreads()); // Makes the bricks.
       times.Trace.Add(1e3 * ours.Draw(view, setup.GetMostThreads()).Trace);
     }
-    times.Extraction.Add(1e3 * theirs->Begin(0.0, views.front()));
+    times.Extraction.Add(1e3 * theirs->ChangeIsovalue(0.0, views.front()));
   }
   return times;
 }

@@ -11,23 +11,23 @@
 namespace Benchmark
 {
 
-/// The t of the first hit of every line, NaN where there is none, by the oracle: every cell, 113
-/// bits.
+/// The exact t of the first hit of every line, NaN where there is none: the oracle searches every
+/// cell in 113 bits.
 std::vector<double> FindReference(const Input& input, const std::vector<Oracle::Line>& lines);
 
-/// The error of a hit of which it is known that it is there, but not where.
+/// The error of a hit at an unknown distance.
 constexpr double UnknownError = -1.0;
 
-/// How far what was found is from the reference, in cells. NaN where there is nothing and nothing
-/// was found, infinite where one of both is nothing.
+/// The distance between a hit and its reference, in cells. NaN where both are none, infinite where
+/// one of them is.
 double GetError(double found, double reference);
 
-/// What was found, beside the reference.
+/// How the hits of a method compare with the reference.
 struct HitAccuracy
 {
   int Rays = 0;
   int Hits = 0;
-  /// Rays that meet the surface, of which the method does not know; and the other way round.
+  /// Rays that hit the surface without the method's finding it, and the other way round.
   int Missed = 0;
   int Invented = 0;
   /// Rays whose hit is more than a twentieth of a cell off: another sheet, or another root.

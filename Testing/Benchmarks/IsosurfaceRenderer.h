@@ -46,15 +46,15 @@ public:
   virtual ~IsosurfaceRenderer() = default;
 
   virtual std::string GetName() const = 0;
-  /// Does all that a new isovalue asks for, up to the first picture; returns the seconds.
-  virtual double Begin(double isovalue, const View& view) = 0;
-  /// Draws one more picture of the isosurface begun with.
+  /// Does all that a new isovalue requires, up to the first picture; returns the seconds.
+  virtual double ChangeIsovalue(double isovalue, const View& view) = 0;
+  /// Draws one more picture of the isosurface.
   virtual FrameTimes Draw(const View& view, int threads) = 0;
-  /// Whether Draw is of use: some make triangles and no pictures.
-  virtual bool Draws() const { return true; }
+  /// Whether Draw makes pictures: some methods only extract triangles.
+  virtual bool HasPictures() const { return true; }
   /// Whether the threads of Draw can be chosen.
   virtual bool HasThreads() const { return false; }
-  /// Numbers about the last Begin, with their names.
+  /// Numbers about the last change of the isovalue, with their names.
   virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }

@@ -13,6 +13,11 @@
 namespace Benchmark
 {
 
+inline Json::Value ToJson(const std::string& text)
+{
+  return text;
+}
+
 /// Null for numbers that are not finite, which JSON cannot hold.
 Json::Value ToJson(double value);
 

@@ -182,7 +182,7 @@ void MakeTable3(const Setup& setup, Report& report)
     {
       Log("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
         variant.Name.front().Value.asString());
-      surface.Forget();
+      surface.Reset();
       surface.SetIsovalue(isovalue);
       variant.Apply(*surface.GetMapper());
       for (std::size_t i = 0; i < views.size(); ++i)
@@ -208,7 +208,7 @@ void CompareVariants(const Setup& setup, const std::vector<Variant>& variants, T
   {
     Log(table.Name + ", variant " + std::to_string(table.Rows.size() + 1) + " of " +
       std::to_string(variants.size()));
-    other.Forget();
+    other.Reset();
     other.SetIsovalue(isovalue);
     variant.Apply(*other.GetMapper());
     const double cold = other.Draw(views.front(), setup.GetMostThreads()).GetSeconds();

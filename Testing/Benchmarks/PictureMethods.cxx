@@ -37,7 +37,7 @@ std::unique_ptr<IsosurfaceRenderer> NewTheirs(
 {
   std::unique_ptr<IsosurfaceRenderer> baseline =
     NewBaseline(name, input.Image, rays.Size, GetMostThreads(), sampleDistance);
-  baseline->Begin(input.Isovalue, rays.Views.front());
+  baseline->ChangeIsovalue(input.Isovalue, rays.Views.front());
   return baseline;
 }
 

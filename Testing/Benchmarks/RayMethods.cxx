@@ -7,8 +7,8 @@
 #include "Image/Cells/Solvers/LinearSolver.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/ImageField.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Traversal/CellTraversal.h"
 #include "IsosurfaceRenderer.h"
 #include "Samples.h"
@@ -42,8 +42,8 @@ std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 //------------------------------------------------------------------------------
 // The solvers of the project, through the path that draws
 
-void CastWithSolver(const Input& input, ImageField& volume,
-  const std::vector<Oracle::Line>& lines, std::vector<double>& ts)
+void CastWithSolver(const Input& input, ImageField& volume, const std::vector<Oracle::Line>& lines,
+  std::vector<double>& ts)
 {
   constexpr std::size_t portion = 128;
   RayHits hits;

@@ -16,20 +16,9 @@ namespace Benchmark
 struct Cell
 {
   Cell() = default;
-  Cell(const char* text)
-    : Value(text)
-  {
-  }
-  Cell(const std::string& text)
-    : Value(text)
-  {
-  }
-  Cell(double number)
-    : Value(ToJson(number))
-  {
-  }
-  Cell(const Samples& samples)
-    : Value(ToJson(samples))
+  template <typename Content>
+  Cell(const Content& content)
+    : Value(ToJson(content))
   {
   }
 

@@ -26,7 +26,8 @@ def make_large():
 class TestBenchmarkVolume(ProgramTest):
     def test_fields(self):
         for field in ("gyroid", "marschner-lobb"):
-            self.run_program(FOLDER, VOLUME, f"--field {field} --dimensions 32 --output {field}.mhd")
+            arguments = f"--field {field} --dimensions 32 --output {field}.mhd"
+            self.run_program(FOLDER, VOLUME, arguments)
             self.assertEqual((FOLDER / f"{field}.raw").stat().st_size, 2 * 32**3)
 
     def test_resampling(self):

@@ -49,14 +49,14 @@ TracedIsosurface::TracedIsosurface(vtkImageData* image, int size, int threads)
   {
     this->Window = std::make_unique<OffScreenWindow>(size);
   }
-  this->Forget();
+  this->Reset();
 }
 
 //------------------------------------------------------------------------------
 TracedIsosurface::~TracedIsosurface() = default;
 
 //------------------------------------------------------------------------------
-void TracedIsosurface::Forget()
+void TracedIsosurface::Reset()
 {
   this->Mapper = vtkSmartPointer<vtkIsosurfaceRayTraceMapper>::New();
   this->Mapper->SetInputData(this->Image);
@@ -75,11 +75,11 @@ void TracedIsosurface::SetIsovalue(double isovalue)
 }
 
 //------------------------------------------------------------------------------
-double TracedIsosurface::Begin(double isovalue, const View& view)
+double TracedIsosurface::ChangeIsovalue(double isovalue, const View& view)
 {
   const double* range = this->Image->GetScalarRange();
   const double step = 0.05 * (range[1] - range[0]);
-  this->Forget();
+  this->Reset();
   this->SetIsovalue(isovalue + step < range[1] ? isovalue + step : isovalue - step);
   this->Draw(view, this->Threads);
   this->SetIsovalue(isovalue);

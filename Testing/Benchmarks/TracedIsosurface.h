@@ -29,20 +29,20 @@ vtkSmartPointer<vtkVolumeProperty> NewSurfaceProperty(double isovalue);
 class TracedIsosurface : public IsosurfaceRenderer
 {
 public:
-  /// Begin uses so many threads.
+  /// ChangeIsovalue uses so many threads.
   TracedIsosurface(vtkImageData* image, int size, int threads);
   ~TracedIsosurface() override;
 
   std::string GetName() const override { return "this mapper"; }
   /// The mapper has drawn another isovalue before, from the same place.
-  double Begin(double isovalue, const View& view) override;
+  double ChangeIsovalue(double isovalue, const View& view) override;
   FrameTimes Draw(const View& view, int threads) override;
   bool HasThreads() const override { return true; }
   double GetHitShare() override;
   std::vector<double> GetDistances() override;
 
   /// A new mapper, which has built nothing, with the settings of a new one.
-  void Forget();
+  void Reset();
   void SetIsovalue(double isovalue);
   vtkIsosurfaceRayTraceMapper* GetMapper() { return this->Mapper; }
 
