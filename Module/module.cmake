@@ -11,6 +11,7 @@ set(core_sources
   Image/Cells/TrilinearRoots.cxx
   Image/ImageField.cxx
   Image/Tracers/SurfaceTracer.cxx
+  Image/Traversal/Caps.cxx
   Image/Traversal/PacketTracer.cxx
   Picture/CastRays.cxx
   Picture/RenderTiles.cxx

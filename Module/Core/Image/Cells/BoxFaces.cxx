@@ -56,12 +56,12 @@ bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
       continue;
     }
     const Crossing crossing = { ray.MiddleCrossingT(i, cell[i]), axis };
-    int place = count++;
-    for (; place > 0 && crossing < crossings[place - 1]; --place)
+    int position = count++;
+    for (; position > 0 && crossing < crossings[position - 1]; --position)
     {
-      crossings[place] = crossings[place - 1];
+      crossings[position] = crossings[position - 1];
     }
-    crossings[place] = crossing;
+    crossings[position] = crossing;
   }
   int corner = FindBox(ray, cell, { -std::numeric_limits<double>::infinity(), 0 });
   for (int i = 0; i < count; ++i)
@@ -79,7 +79,7 @@ bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
 }
 
 //------------------------------------------------------------------------------
-int FindBox(const Ray& ray, const Index3& cell, const Crossing& place)
+int FindBox(const Ray& ray, const Index3& cell, const Crossing& at)
 {
   int corner = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -87,7 +87,7 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& place)
     const auto i = static_cast<std::size_t>(axis);
     const bool isUpper = ray.Step[i] == 0
       ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Crossing::StartAxis })[i] >= 0.5
-      : (Crossing{ ray.MiddleCrossingT(i, cell[i]), axis } < place) == (ray.Step[i] > 0);
+      : (Crossing{ ray.MiddleCrossingT(i, cell[i]), axis } < at) == (ray.Step[i] > 0);
     corner |= isUpper ? 1 << axis : 0;
   }
   return corner;

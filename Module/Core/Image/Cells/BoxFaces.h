@@ -20,9 +20,9 @@ namespace vtkIsosurfaceRayTracing
 
 class HitCollector;
 
-/// The corner of a cell in whose box a ray is at a point, which is in the cell or before it. A ray
-/// that lies in a plane between boxes stays in those above.
-int FindBox(const Ray& ray, const Index3& cell, const Crossing& place);
+/// The corner of a cell in whose box a ray is at a crossing, which is in the cell or before it. A
+/// ray that lies in a plane between boxes stays in those above.
+int FindBox(const Ray& ray, const Index3& cell, const Crossing& at);
 
 /// Adds the hits of a ray in a cell with those of the faces between boxes that are surfaces, in
 /// order. Returns whether nothing of the ray is left. Where a face is several surfaces, a ray that

@@ -60,7 +60,7 @@ struct ImageSelection
     return this->Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
   }
 
-  /// Whether no root of a surface behind its first in a cell is needed: nothing is seen behind it.
+  /// Whether rays end at a surface, so that only its first root in a cell counts.
   bool EndsRays(std::size_t surface) const
   {
     return this->Request.Surfaces[surface].Opacity >= 1.0 && this->Request.Visible.IsConvex();

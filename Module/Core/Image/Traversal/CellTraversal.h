@@ -18,14 +18,14 @@ namespace vtkIsosurfaceRayTracing
 
 /// Visits the blocks of a lattice that a ray passes, one after the other (J. Amanatides, A. Woo: A
 /// Fast Voxel Traversal Algorithm for Ray Tracing, Eurographics 1987). Blocks are cells (edge 1) or
-/// macrocells. The order of crossings is that of Crossing, so the walk over cells within a
-/// macrocell is just the piece of the walk over all cells that lies in it.
+/// macrocells. The order of crossings is that of Crossing, so the traversal over cells within a
+/// macrocell is just the piece of the traversal over all cells that lies in it.
 class LatticeTraversal
 {
 public:
   LatticeTraversal() = default;
 
-  /// Starts at a place of the ray within the region of blocks first <= block < last.
+  /// Starts at a crossing of the ray within the region of blocks first <= block < last.
   LatticeTraversal(
     const Ray& ray, int edge, const Index3& first, const Index3& last, const Crossing& start)
     : TheRay(&ray)
@@ -129,7 +129,7 @@ private:
   Vector3 Next;
 };
 
-/// A block of cells, first <= cell < last, and the place where a ray comes to it.
+/// A block of cells, first <= cell < last, and the crossing at which a ray enters it.
 struct CellRegion
 {
   Index3 First;
@@ -138,8 +138,9 @@ struct CellRegion
 };
 
 /// The active macrocells of the finest level that a ray passes, in order, each as the region of its
-/// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the walk.
-/// Which ones are active is asked when the walk comes to them, and may change on the way.
+/// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the
+/// traversal. Which ones are active is asked when the traversal comes to them, and may change on
+/// the way.
 template <typename Macrocells>
 class MacrocellTraversal
 {
@@ -202,9 +203,9 @@ private:
   {
     while (this->Level < this->Top)
     {
-      LatticeTraversal& walk = this->Traversals[this->Level];
-      this->Places[this->Level] = walk.GetExit();
-      if (walk.Advance(this->Places[this->Level]))
+      LatticeTraversal& traversal = this->Traversals[this->Level];
+      this->Starts[this->Level] = traversal.GetExit();
+      if (traversal.Advance(this->Starts[this->Level]))
       {
         return;
       }
@@ -218,7 +219,7 @@ private:
     const int edge = this->Active->GetLattice().Levels[this->Level].Edge;
     this->Traversals[this->Level] =
       LatticeTraversal(*this->TheRay, edge, region.First, region.Last, region.Start);
-    this->Places[this->Level] = region.Start;
+    this->Starts[this->Level] = region.Start;
   }
 
   /// What a block of the level is made of: blocks of the level below, or cells.
@@ -227,7 +228,7 @@ private:
     const MacrocellLattice& lattice = this->Active->GetLattice();
     const int branching = lattice.Levels[this->Level].Branching;
     const Index3& size = this->Level == 0 ? lattice.Cells : lattice.Levels[this->Level - 1].Size;
-    CellRegion region{ {}, {}, this->Places[this->Level] };
+    CellRegion region{ {}, {}, this->Starts[this->Level] };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       region.First[axis] = block[axis] * branching;
@@ -239,11 +240,11 @@ private:
   const Ray* TheRay;
   const Macrocells* Active;
   std::size_t Top;
-  /// Where the walk is; the top when it has not begun or is over.
+  /// Where the traversal is; the top when it has not begun or has ended.
   std::size_t Level;
   bool IsDone = false;
   std::array<LatticeTraversal, MaximumLevels> Traversals;
-  std::array<Crossing, MaximumLevels> Places;
+  std::array<Crossing, MaximumLevels> Starts;
 };
 
 /// Calls visit(cell) for the cells of a region that the ray passes, in order, until visit returns
@@ -251,14 +252,14 @@ private:
 template <typename Visit>
 bool VisitCells(const Ray& ray, const CellRegion& region, Visit&& visit)
 {
-  LatticeTraversal walk(ray, 1, region.First, region.Last, region.Start);
+  LatticeTraversal traversal(ray, 1, region.First, region.Last, region.Start);
   do
   {
-    if (visit(walk.GetBlock()))
+    if (visit(traversal.GetBlock()))
     {
       return true;
     }
-  } while (walk.Advance(walk.GetExit()));
+  } while (traversal.Advance(traversal.GetExit()));
   return false;
 }
 
@@ -267,9 +268,9 @@ bool VisitCells(const Ray& ray, const CellRegion& region, Visit&& visit)
 template <typename Visit>
 void TraverseCells(const Ray& ray, const ActiveMacrocells& active, Visit&& visit)
 {
-  MacrocellTraversal walk(ray, active);
+  MacrocellTraversal traversal(ray, active);
   CellRegion region;
-  while (walk.Next(region) && !VisitCells(ray, region, visit))
+  while (traversal.Next(region) && !VisitCells(ray, region, visit))
   {
   }
 }

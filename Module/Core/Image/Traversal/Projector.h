@@ -110,9 +110,9 @@ private:
     Index3 cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double place = ray.Coordinate(axis, t);
-      cell[axis] = this->Planes ? this->Planes->FindCell(axis, place)
-                                : static_cast<int>(std::clamp(std::floor(place), 0.0,
+      const double coordinate = ray.Coordinate(axis, t);
+      cell[axis] = this->Planes ? this->Planes->FindCell(axis, coordinate)
+                                : static_cast<int>(std::clamp(std::floor(coordinate), 0.0,
                                     static_cast<double>(this->Cells[axis] - 1)));
     }
     Hit hit;
