@@ -120,7 +120,7 @@ void CastFromInside(RandomNumbers& random, RootSolver solver, std::size_t rays, 
 
 }
 
-TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
+TEST(TestVolumes, NoRayLeaksThroughAClosedSurface)
 {
   const struct
   {
@@ -141,7 +141,7 @@ TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
   }
 }
 
-TEST(TestVolumes, IsovalueOfSamples)
+TEST(TestVolumes, IsovalueEqualToSamples)
 {
   RandomNumbers random(81);
   Tally ramps("8-bit ramps, isovalue of samples (Robust)");
@@ -171,7 +171,7 @@ TEST(TestVolumes, IsovalueOfSamples)
   fast.Report();
 }
 
-TEST(TestVolumes, FlatCellsAtTheIsovalue)
+TEST(TestVolumes, ConstantCellsAtTheIsovalue)
 {
   // Layers along z. What equals the isovalue is inside: in a slab of zeros no surface is seen.
   const struct
@@ -223,7 +223,7 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
   }
 }
 
-TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
+TEST(TestVolumes, BoundariesOfMacrocellsAndBricks)
 {
   RandomNumbers random(83);
   Tally tally("sizes 8 n + {-1, 0, 1, 2}, sparse (Robust)");
@@ -265,7 +265,7 @@ TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
   tally.Report();
 }
 
-TEST(TestVolumes, SamplesThatAreNotFinite)
+TEST(TestVolumes, NonFiniteSamples)
 {
   RandomNumbers random(84);
   Tally tally("5 % NaN and infinite samples (Robust)");
@@ -286,7 +286,7 @@ TEST(TestVolumes, SamplesThatAreNotFinite)
   fast.Report();
 }
 
-TEST(TestVolumes, IsovalueThatIsNotFinite)
+TEST(TestVolumes, NonFiniteIsovalue)
 {
   RandomNumbers random(85);
   const Field field = Sample({ 6, 6, 6 },
