@@ -94,7 +94,7 @@ TEST(TestCells, TangentRays)
   nearest.Report();
 }
 
-TEST(TestCells, RaysThatOnlyTouch)
+TEST(TestCells, TangentRaysWithoutCrossing)
 {
   // (p (1 - x) - q x) (p (1 - y) - q y) on the diagonal is a square: exact, as small integers.
   RandomNumbers random(12);
@@ -115,7 +115,7 @@ TEST(TestCells, RaysThatOnlyTouch)
   below.Report();
 }
 
-TEST(TestCells, RaysThatTouchAndThenCross)
+TEST(TestCells, TangentThenCrossing)
 {
   // A square as above, times a third factor: the hit is the crossing, never the touch.
   RandomNumbers random(22);
@@ -214,7 +214,7 @@ TEST(TestCells, Cancellation)
   large.Report();
 }
 
-TEST(TestCells, EverySignPatternWithItsSaddles)
+TEST(TestCells, AllSignPatternsWithSaddles)
 {
   // All ways in which corners can be inside: the ambiguous ones of marching cubes among them.
   RandomNumbers random(17);
@@ -343,7 +343,7 @@ struct RootCounter
 
 }
 
-TEST(TestCells, EverySolverEndsOnRandomBits)
+TEST(TestCells, AllSolversTerminateOnRandomBits)
 {
   RandomNumbers random(20);
   const std::size_t cells = IsLongRun() ? 1000000000 : 1000000;

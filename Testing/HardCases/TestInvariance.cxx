@@ -259,7 +259,7 @@ TEST(TestInvariance, LayoutsMacrocellsAndThreads)
   tally.Report();
 }
 
-TEST(TestInvariance, AloneOrInBatches)
+TEST(TestInvariance, SingleRaysAndBatches)
 {
   RandomNumbers random(105);
   const Field field = Waves();
@@ -309,7 +309,7 @@ TEST(TestInvariance, AloneOrInBatches)
   tally.Report();
 }
 
-TEST(TestInvariance, FirstIsTheFirstOfAll)
+TEST(TestInvariance, FirstHitIsTheFirstOfAllHits)
 {
   RandomNumbers random(106);
   for (const RootSolver solver : Solvers)

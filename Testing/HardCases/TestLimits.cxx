@@ -21,7 +21,7 @@ std::size_t CountHits(const Field& field, double isovalue, const Line& line)
 
 }
 
-TEST(TestLimits, ATouchFromBelowIsSeenOrNot)
+TEST(TestLimits, TangentFromBelowHitsTwiceOrNever)
 {
   // -(1 - 2 x) (1 - 2 y) is 0 in the middle of the diagonal and below elsewhere. What equals the
   // isovalue is inside: the ray is inside at one point. Rounding decides whether it goes in and out
@@ -34,7 +34,7 @@ TEST(TestLimits, ATouchFromBelowIsSeenOrNot)
   EXPECT_EQ(CountHits(field, 1e-14, line), 0U);
 }
 
-TEST(TestLimits, RaysOneRoundingBesideTheBorder)
+TEST(TestLimits, RayThatLeavesTheBoundaryByADenormal)
 {
   // Begins in the border of the volume and leaves it by a denormal: it counts as being in the
   // border.
@@ -52,7 +52,7 @@ TEST(TestLimits, DirectionsTooShortForAnInverse)
   EXPECT_EQ(CountHits(field, 0.5, { { -1.0, 0.5, 0.5 }, { 1e-300, 0.0, 0.0 } }), 1U);
 }
 
-TEST(TestLimits, TripleRootsAreFoundToTheCubeRootOfRounding)
+TEST(TestLimits, AccuracyOfTripleRoots)
 {
   // (1/5 - x) (1/5 - y) (1/5 - z), times -3500, in integers; exactly on the diagonal.
   const Field field = Sample({ 2, 2, 2 },

@@ -78,7 +78,7 @@ TEST(TestRays, FarOrigins)
   }
 }
 
-TEST(TestRays, AlongLatticeDirections)
+TEST(TestRays, LatticeDirections)
 {
   RandomNumbers random(41);
   Tally exact("in faces, along edges, through vertices, 26 directions (Robust)");
@@ -152,7 +152,7 @@ TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
   tally.Report();
 }
 
-TEST(TestRays, OnTheBorderOfTheVolume)
+TEST(TestRays, RaysInTheBoundaryOfTheVolume)
 {
   // In the outermost faces and edges, which belong to the volume, with zeros of both signs.
   RandomNumbers random(43);
@@ -202,7 +202,7 @@ TEST(TestRays, DirectionsOfAnyLength)
   tally.Report();
 }
 
-TEST(TestRays, SpacingOneToTenThousand)
+TEST(TestRays, AnisotropicSpacing)
 {
   // In index space, directions of the world are compressed along one axis.
   RandomNumbers random(45);
@@ -245,7 +245,7 @@ TEST(TestRays, SpacingOneToTenThousand)
   tally.Report();
 }
 
-TEST(TestRays, WorldFarFromItsOrigin)
+TEST(TestRays, VolumeFarFromTheWorldOrigin)
 {
   // World origin 1e6 and 1e9, spacing 1e-3: index space is reached by subtracting first. A double
   // at 1e9 stands 1.2e-7 from the next, which is 1.2e-4 cells: no arithmetic can do better.
@@ -293,7 +293,7 @@ TEST(TestRays, WorldFarFromItsOrigin)
   }
 }
 
-TEST(TestRays, CameraInsideOnVertexOnSurface)
+TEST(TestRays, CameraInsideTheVolume)
 {
   RandomNumbers random(47);
   Tally inside("origin inside a cell (Robust)");
@@ -338,7 +338,7 @@ TEST(TestRays, CameraInsideOnVertexOnSurface)
   clip.Report();
 }
 
-TEST(TestRays, SecondaryRaysLeavingASurface)
+TEST(TestRays, SecondaryRaysFromASurface)
 {
   // Rays that start at a hit. What is on the surface may be judged either way; so half of them hit
   // the surface they leave, where they start. The side they leave to tells which hits are real: a
@@ -405,7 +405,7 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
   tally.Report();
 }
 
-TEST(TestRays, NoDriftOver4096Cells)
+TEST(TestRays, ErrorDoesNotGrowOver4096Cells)
 {
   RandomNumbers random(49);
   Tally tally("4096 cells along (Robust)");
@@ -433,7 +433,7 @@ TEST(TestRays, NoDriftOver4096Cells)
   tally.Report();
 }
 
-TEST(TestRays, WhatIsNoRayHitsNothing)
+TEST(TestRays, InvalidRaysHitNothing)
 {
   RandomNumbers random(50);
   const Field field = RandomField(random, { 5, 5, 5 });
@@ -460,7 +460,7 @@ TEST(TestRays, WhatIsNoRayHitsNothing)
   tally.Report();
 }
 
-TEST(TestRays, RandomBitsEnd)
+TEST(TestRays, RandomBitsTerminate)
 {
   RandomNumbers random(51);
   const std::size_t count = IsLongRun() ? 100000000 : 200000;

@@ -120,7 +120,7 @@ void CastFromInside(RandomNumbers& random, RootSolver solver, std::size_t rays, 
 
 }
 
-TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
+TEST(TestVolumes, NoRayLeaksThroughAClosedSurface)
 {
   const struct
   {
@@ -141,7 +141,7 @@ TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
   }
 }
 
-TEST(TestVolumes, IsovalueOfSamples)
+TEST(TestVolumes, IsovalueEqualToSamples)
 {
   RandomNumbers random(81);
   Tally ramps("8-bit ramps, isovalue of samples (Robust)");
@@ -167,7 +167,7 @@ TEST(TestVolumes, IsovalueOfSamples)
   checkers.Report();
 }
 
-TEST(TestVolumes, FlatCellsAtTheIsovalue)
+TEST(TestVolumes, ConstantCellsAtTheIsovalue)
 {
   // Layers along z. What equals the isovalue is inside: in a slab of zeros no surface is seen.
   const struct
@@ -213,7 +213,7 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
   }
 }
 
-TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
+TEST(TestVolumes, BoundariesOfMacrocellsAndBricks)
 {
   RandomNumbers random(83);
   Tally tally("sizes 8 n + {-1, 0, 1, 2}, sparse (Robust)");
@@ -255,7 +255,7 @@ TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
   tally.Report();
 }
 
-TEST(TestVolumes, SamplesThatAreNotFinite)
+TEST(TestVolumes, NonFiniteSamples)
 {
   RandomNumbers random(84);
   Tally tally("5 % NaN and infinite samples (Robust)");
@@ -273,7 +273,7 @@ TEST(TestVolumes, SamplesThatAreNotFinite)
   tally.Report();
 }
 
-TEST(TestVolumes, IsovalueThatIsNotFinite)
+TEST(TestVolumes, NonFiniteIsovalue)
 {
   RandomNumbers random(85);
   const Field field = Sample({ 6, 6, 6 },

@@ -104,7 +104,7 @@ bool MeetsWall(const Vector3& direction, double distance, double length)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, LeavesAPlaneAlone)
+TEST(AmbientOcclusion, PlaneIsNotOccluded)
 {
   OpenScene scene(Floor);
   for (const double slant : { 0.0, 0.3, -0.4 })
@@ -116,7 +116,7 @@ TEST(AmbientOcclusion, LeavesAPlaneAlone)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, IsHalfInACorner)
+TEST(AmbientOcclusion, HalfInACorner)
 {
   OpenScene scene(Corner);
   for (const double distance : { 1.0, 3.0, 10.0, 25.0 })
@@ -138,7 +138,7 @@ TEST(AmbientOcclusion, IsHalfInACorner)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, LetsThroughWhatSurfacesLetThrough)
+TEST(AmbientOcclusion, TranslucentSurfacesOccludeByTheirOpacity)
 {
   OpenScene scene(Corner, 0.4);
   const Hit hit = scene.Find({ 7.5, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
@@ -148,7 +148,7 @@ TEST(AmbientOcclusion, LetsThroughWhatSurfacesLetThrough)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, TakesFromTheAmbientTermAlone)
+TEST(AmbientOcclusion, AffectsOnlyTheAmbientTerm)
 {
   OpenScene scene(Corner);
   scene.TheScene.Lights = { Light() };
@@ -178,7 +178,7 @@ TEST(AmbientOcclusion, TakesFromTheAmbientTermAlone)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, IsTheSameInWhateverCompany)
+TEST(AmbientOcclusion, IndependentOfTheOtherHits)
 {
   OpenScene scene(AnalyticFields::Gyroid{ 9.0 }, 0.6);
   scene.TheScene.OcclusionRays = 41;
@@ -206,7 +206,7 @@ TEST(AmbientOcclusion, IsTheSameInWhateverCompany)
 }
 
 //------------------------------------------------------------------------------
-TEST(AmbientOcclusion, LooksElsewhereInOtherFrames)
+TEST(AmbientOcclusion, DirectionsVaryBetweenFrames)
 {
   OpenScene scene(Corner);
   scene.TheScene.OcclusionRays = 5;
@@ -230,7 +230,7 @@ TEST(AmbientOcclusion, LooksElsewhereInOtherFrames)
 }
 
 //------------------------------------------------------------------------------
-TEST(Hemisphere, HasOtherDirectionsInOtherFrames)
+TEST(Hemisphere, DirectionsVaryBetweenFrames)
 {
   const Vector3 up = { 0.0, 0.0, 1.0 };
   const Hit hit = { 0.0, { 1, 2, 3 }, 0, { 0.1, 0.2, 0.3 }, true };
@@ -247,7 +247,7 @@ TEST(Hemisphere, HasOtherDirectionsInOtherFrames)
 }
 
 //------------------------------------------------------------------------------
-TEST(Hemisphere, HasTheDirectionsThatAMattSurfaceSees)
+TEST(Hemisphere, DirectionsAreCosineWeighted)
 {
   RandomNumbers random(8);
   for (int i = 0; i < 50; ++i)

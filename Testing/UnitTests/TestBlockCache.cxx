@@ -50,7 +50,7 @@ public:
 };
 
 //------------------------------------------------------------------------------
-TEST(BlockCache, MakesABlockOnce)
+TEST(BlockCache, CreatesABlockOnce)
 {
   NumberedBlocks blocks(100000);
   blocks.Cache.BeginFrame(Unlimited);
@@ -68,7 +68,7 @@ TEST(BlockCache, MakesABlockOnce)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockCache, ForgetsWhenCleared)
+TEST(BlockCache, IsEmptyAfterClear)
 {
   NumberedBlocks blocks(10);
   blocks.Cache.BeginFrame(Unlimited);
@@ -80,7 +80,7 @@ TEST(BlockCache, ForgetsWhenCleared)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockCache, GivesUpWhatTheLastFrameDidNotUse)
+TEST(BlockCache, EvictsBlocksThatTheLastFrameDidNotUse)
 {
   NumberedBlocks blocks(100);
   const auto beginFrame = [&blocks] { blocks.Cache.BeginFrame(10 * SlotSize + 1); };
@@ -120,7 +120,7 @@ TEST(BlockCache, GivesUpWhatTheLastFrameDidNotUse)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockCache, TakesALowerCeilingAtOnce)
+TEST(BlockCache, LowerLimitTakesEffectAtOnce)
 {
   NumberedBlocks blocks(20000);
   blocks.Cache.BeginFrame(Unlimited);
@@ -147,7 +147,7 @@ TEST(BlockCache, TakesALowerCeilingAtOnce)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockCache, NeverChangesAHit)
+TEST(BlockCache, DoesNotChangeHits)
 {
   RandomNumbers random(1301);
   const auto volume = TestVolume<float>::Of(

@@ -54,7 +54,7 @@ void CheckMask(const Members& members)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockMask, HasTheAxesAcrossInOrder)
+TEST(BlockMask, TransverseAxesAreInOrder)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -64,7 +64,7 @@ TEST(BlockMask, HasTheAxesAcrossInOrder)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockMask, HoldsEverySingleMember)
+TEST(BlockMask, SingleCells)
 {
   ASSERT_NO_FATAL_FAILURE(CheckMask({}));
   for (std::size_t i = 0; i < 512; ++i)
@@ -76,7 +76,7 @@ TEST(BlockMask, HoldsEverySingleMember)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockMask, HoldsTheSameMembersInSlicesAcrossAllAxes)
+TEST(BlockMask, SlicesAcrossAllAxesHoldTheSameCells)
 {
   RandomNumbers random(801);
   for (int i = 0; i < 300; ++i)

@@ -77,7 +77,7 @@ void CheckTree(const Index3& macrocells, const std::vector<bool>& isActive, int 
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockTree, HoldsTheActiveMacrocellsAndTheBlocksOfBlocksOfThem)
+TEST(BlockTree, HoldsActiveMacrocellsAndTheirAncestors)
 {
   RandomNumbers random(811);
   const std::vector<Index3> sizes = { { 1, 1, 1 }, { 2, 1, 3 }, { 7, 8, 9 }, { 10, 15, 16 },
@@ -109,7 +109,7 @@ TEST(BlockTree, HoldsTheActiveMacrocellsAndTheBlocksOfBlocksOfThem)
 }
 
 //------------------------------------------------------------------------------
-TEST(BlockTree, IsAsDeepAsItMustBe)
+TEST(BlockTree, DepthFollowsTheNumberOfMacrocells)
 {
   const auto depthOf = [](const Index3& size) {
     return BlockTree(MakeActive(size, std::vector<bool>(Count(size), true)), 1).GetLevels().size();

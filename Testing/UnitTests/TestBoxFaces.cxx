@@ -279,7 +279,7 @@ class BoxFaces : public testing::Test
 
 TYPED_TEST_SUITE(BoxFaces, SampleTypes);
 
-TYPED_TEST(BoxFaces, AreAllMetByRays)
+TYPED_TEST(BoxFaces, RaysHitAllFaces)
 {
   RandomNumbers random(3);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 5);
@@ -298,7 +298,7 @@ TYPED_TEST(BoxFaces, AreAllMetByRays)
   EXPECT_GT(compared, 250);
 }
 
-TYPED_TEST(BoxFaces, AreMetOnceByRaysThroughEdges)
+TYPED_TEST(BoxFaces, RaysThroughEdgesHitOnce)
 {
   RandomNumbers random(4);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 6);
@@ -317,7 +317,7 @@ TYPED_TEST(BoxFaces, AreMetOnceByRaysThroughEdges)
 }
 
 //------------------------------------------------------------------------------
-TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
+TEST(BoxFacesOfRays, IndependentOfSettings)
 {
   const auto volume = Noise<std::int16_t>({ 70, 30, 25 }, 9);
   RandomNumbers random(11);
@@ -368,7 +368,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
 }
 
 //------------------------------------------------------------------------------
-TEST(BoxFacesOfRays, AreNotBesideWhatIsNoNumber)
+TEST(BoxFacesOfRays, SkipNonFiniteSamples)
 {
   auto volume = Noise<float>({ 12, 9, 10 }, 31);
   RandomNumbers random(32);
@@ -390,7 +390,7 @@ TEST(BoxFacesOfRays, AreNotBesideWhatIsNoNumber)
 }
 
 //------------------------------------------------------------------------------
-TEST(BoxFacesOfRays, AreHalfWayBetweenUnevenPlanes)
+TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 41);
   RandomNumbers random(42);
@@ -421,7 +421,7 @@ TEST(BoxFacesOfRays, AreHalfWayBetweenUnevenPlanes)
 }
 
 //------------------------------------------------------------------------------
-TEST(BoxFacesOfRays, AreSeenWhereTheVolumeIsSeen)
+TEST(BoxFacesOfRays, RespectCroppingAndClipping)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
   RandomNumbers random(22);
@@ -501,7 +501,7 @@ TEST(BoxFacesOfRays, BeginAndEndWithTheRay)
 }
 
 //------------------------------------------------------------------------------
-TEST(BoxFacesOfRays, GoBackToSurfacesOfTheInterpolant)
+TEST(BoxFacesOfRays, TrilinearSurfacesAfterNearest)
 {
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.25 });

@@ -43,7 +43,7 @@ double Length(const Vector3& v)
 }
 
 //------------------------------------------------------------------------------
-TEST(Camera, HasRaysThatMeetInAPinhole)
+TEST(Camera, PerspectiveRaysMeetAtTheEye)
 {
   RandomNumbers random(701);
   for (int i = 0; i < 2000; ++i)
@@ -80,7 +80,7 @@ TEST(Camera, HasRaysThatMeetInAPinhole)
 }
 
 //------------------------------------------------------------------------------
-TEST(Camera, HasParallelRays)
+TEST(Camera, ParallelProjection)
 {
   RandomNumbers random(702);
   for (int i = 0; i < 2000; ++i)
@@ -111,7 +111,7 @@ TEST(Camera, HasParallelRays)
 }
 
 //------------------------------------------------------------------------------
-TEST(Camera, HasRaysThroughOtherPlacesOfThePixelsIfShifted)
+TEST(Camera, SubpixelOffsets)
 {
   RandomNumbers random(703);
   for (int i = 0; i < 500; ++i)
@@ -142,7 +142,7 @@ TEST(Camera, HasRaysThroughOtherPlacesOfThePixelsIfShifted)
 }
 
 //------------------------------------------------------------------------------
-TEST(Camera, SeesWithoutEndIfTheFarPlaneIsAtInfinity)
+TEST(Camera, FarPlaneAtInfinity)
 {
   // The limit of Perspective(1, far, 1).
   const Matrix4 projection = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -2.0, 0.0,

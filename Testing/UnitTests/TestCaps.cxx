@@ -93,7 +93,7 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, HoldAllRaysThatComeFromWithout)
+TEST(Caps, NoRayFromOutsideLeaks)
 {
   const TestVolume<float> volume = ClosedNoise<float>({ 21, 19, 23 }, 5, 0, 4, 0);
   for (const double isovalue : { 2.0, 1.5, 0.25 })
@@ -116,7 +116,7 @@ TEST(Caps, HoldAllRaysThatComeFromWithout)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
+TEST(Caps, NoRayLeaksBetweenUnevenPlanes)
 {
   const Index3 size = { 21, 19, 23 };
   const TestVolume<float> volume = ClosedNoise<float>(size, 6, 0, 4, 0);
@@ -148,7 +148,7 @@ TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
+TEST(Caps, LieWhereTheFieldReachesTheLargestIsovalue)
 {
   // Trilinear interpolation reproduces the field.
   const AnalyticFields::Plane field = { { 0.3, -0.7, 0.5 }, -1.0 };
@@ -213,7 +213,7 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
 
 //------------------------------------------------------------------------------
 /// What a ray from within looks at is not a cap; from behind, it is.
-TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
+TEST(Caps, AreHitFromBothSidesButNotInTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = ImageField::New(full.View(), {}, 2);
@@ -238,7 +238,7 @@ TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
+TEST(Caps, HaveTheOpacityOfTheirSurface)
 {
   // From 1 at the border along x to 4 in the middle.
   const TestVolume<double> volume = TestVolume<double>::Of(
@@ -271,7 +271,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
+TEST(Caps, CloseFacesOfTheVolumeThatLieInAPlane)
 {
   const TestVolume<double> full({ 9, 8, 7 }, std::vector<double>(504, 1.0));
   const auto traced = ImageField::New(full.View(), {}, 2);
@@ -307,7 +307,7 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
+TEST(Caps, HaveTheValuesOfNearestSamples)
 {
   const Index3 size = { 14, 15, 16 };
   TestVolume<float> volume = ClosedNoise<float>(size, 8, 0, 4, 0);
@@ -347,7 +347,7 @@ TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
 
 //------------------------------------------------------------------------------
 /// Half-spaces that end between two layers of boxes show those that they leave.
-TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
+TEST(Caps, BetweenNearestSamplesHaveTheValueOfTheRemainingOne)
 {
   const Index3 size = { 12, 12, 12 };
   const TestVolume<float> volume =
@@ -380,7 +380,7 @@ TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
+TEST(Caps, SkipHiddenAndNonFiniteCells)
 {
   const Index3 size = { 9, 9, 9 };
   // From inside to outside between the last two planes.
@@ -420,7 +420,7 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
 
 //------------------------------------------------------------------------------
 /// Half-spaces that end in a lattice plane show the cells that they leave, whatever is beyond.
-TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
+TEST(Caps, InLatticePlanesBelongToTheRemainingCells)
 {
   const Index3 size = { 12, 12, 12 };
   RandomNumbers random(13);
@@ -461,7 +461,7 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
 }
 
 //------------------------------------------------------------------------------
-TEST(Caps, AreNotWhereTheyAreNotWanted)
+TEST(Caps, AreOnlyOnRequestedPlanes)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = ImageField::New(full.View(), {}, 2);

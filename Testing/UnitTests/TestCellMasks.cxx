@@ -152,7 +152,7 @@ TYPED_TEST_SUITE(CellMasksOf, SampleTypes);
 
 //------------------------------------------------------------------------------
 // One object is asked for all isovalues in turn: it has to forget.
-TYPED_TEST(CellMasksOf, HoldTheCellsThatASurfacePasses)
+TYPED_TEST(CellMasksOf, MarkTheCellsThatASurfaceIntersects)
 {
   using T = TypeParam;
   RandomNumbers random(821);
@@ -183,7 +183,7 @@ TYPED_TEST(CellMasksOf, HoldTheCellsThatASurfacePasses)
 
 //------------------------------------------------------------------------------
 // All threads go through the same blocks at the same time.
-TYPED_TEST(CellMasksOf, AreTheSameForAllThreads)
+TYPED_TEST(CellMasksOf, IdenticalForAllThreads)
 {
   using T = TypeParam;
   RandomNumbers random(822);
@@ -208,7 +208,7 @@ TYPED_TEST(CellMasksOf, AreTheSameForAllThreads)
 
 //------------------------------------------------------------------------------
 // Where there is no memory to keep them, they are made anew.
-TYPED_TEST(CellMasksOf, AreTheSameWithLittleMemory)
+TYPED_TEST(CellMasksOf, IdenticalWithLittleMemory)
 {
   using T = TypeParam;
   RandomNumbers random(823);
@@ -227,7 +227,7 @@ TYPED_TEST(CellMasksOf, AreTheSameWithLittleMemory)
 }
 
 //------------------------------------------------------------------------------
-TEST(CellMasks, TakeMemoryForTheBlocksThatAreAskedFor)
+TEST(CellMasks, MemoryIsAllocatedForRequestedBlocksOnly)
 {
   const auto volume = TestVolume<float>::Of(
     { 34, 35, 36 }, [](const AnalyticFields::Point& p) { return static_cast<float>(p[0]); });

@@ -457,7 +457,7 @@ TEST(CellTraversal, VisitsTheCellsOfRaysFromFarAway)
 }
 
 //------------------------------------------------------------------------------
-TEST(CellTraversal, StopsWhereTheRayIsCut)
+TEST(CellTraversal, StopsAtTheEndOfTheRay)
 {
   RandomNumbers random(104);
   const Index3 size = { 9, 8, 7 };
@@ -504,7 +504,7 @@ TEST(CellTraversal, StopsWhenTheVisitorIsSatisfied)
 }
 
 //------------------------------------------------------------------------------
-TEST(CellTraversal, RejectsWhatIsNoRay)
+TEST(CellTraversal, RejectsInvalidRays)
 {
   const Index3 size = { 4, 4, 4 };
   const Vector3 origin = { 1.0, 1.0, 1.0 };
@@ -535,7 +535,7 @@ TEST(CellTraversal, RejectsWhatIsNoRay)
 // However large or small the numbers of a ray, the walk ends, and stays in the volume. Only where
 // the entry is not found to within 1e9 cells (the origin is 1e25 cells away) lattice planes melt
 // together and cells are left out.
-TEST(CellTraversal, EndsForRaysOfAnyMagnitude)
+TEST(CellTraversal, TerminatesForRaysOfAnyMagnitude)
 {
   RandomNumbers random(105);
   const Index3 size = { 7, 8, 9 };

@@ -192,7 +192,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FindsTheRootsACubicIsMadeOf)
+TEST(CubicRoots, CubicsOfGivenRoots)
 {
   RandomNumbers random(201);
   RootChecks checks;
@@ -219,7 +219,7 @@ TEST(CubicRoots, FindsTheRootsACubicIsMadeOf)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FindsTheRootsOfRandomCubics)
+TEST(CubicRoots, RandomCubics)
 {
   RandomNumbers random(202);
   RootChecks checks;
@@ -237,7 +237,7 @@ TEST(CubicRoots, FindsTheRootsOfRandomCubics)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FindsTheRootsOfNearlyTangentCubics)
+TEST(CubicRoots, NearlyTangentCubics)
 {
   RandomNumbers random(203);
   RootChecks checks;
@@ -257,7 +257,7 @@ TEST(CubicRoots, FindsTheRootsOfNearlyTangentCubics)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FindsTheRootsOfLinesAndParabolas)
+TEST(CubicRoots, LinesAndParabolas)
 {
   RandomNumbers random(204);
   RootChecks checks;
@@ -276,7 +276,7 @@ TEST(CubicRoots, FindsTheRootsOfLinesAndParabolas)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FindsNoneWhereAllCoefficientsAreOnOneSide)
+TEST(CubicRoots, NoRootsWithoutSignChange)
 {
   EXPECT_TRUE(FindRoots({ 0.0, 0.0, 0.0, 0.0 }).empty());
   for (const double value : { 5e-324, 1e-300, 1.0, 1e300 })
@@ -288,7 +288,7 @@ TEST(CubicRoots, FindsNoneWhereAllCoefficientsAreOnOneSide)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, FollowsTheSignRuleWhereACoefficientIsZero)
+TEST(CubicRoots, SignRuleForZeroCoefficients)
 {
   // At the ends: zero is inside.
   EXPECT_TRUE(FindRoots({ 0.0, 1.0, 2.0, 3.0 }).empty());
@@ -316,7 +316,7 @@ TEST(CubicRoots, FollowsTheSignRuleWhereACoefficientIsZero)
 //------------------------------------------------------------------------------
 // 3 (u - 1/2)^2 and 3 (1 - 2 u)^2 (1 + u) to the last bit: they touch zero, which is inside. From
 // inside that is no root. From outside, either none or a pair without length obeys the sign rule.
-TEST(CubicRoots, FindsNoneWhereACubicTouchesFromInside)
+TEST(CubicRoots, NoRootsWhereACubicIsTangentFromInside)
 {
   EXPECT_TRUE(FindRoots({ 0.75, -0.25, -0.25, 0.75 }).empty());
   EXPECT_TRUE(FindRoots({ 3.0, 0.0, -1.0, 6.0 }).empty());
@@ -333,7 +333,7 @@ TEST(CubicRoots, FindsNoneWhereACubicTouchesFromInside)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, AreTheSameToTheLastBitAtAnyMagnitude)
+TEST(CubicRoots, IdenticalAtAnyMagnitude)
 {
   RandomNumbers random(205);
   std::size_t found = 0;
@@ -364,7 +364,7 @@ TEST(CubicRoots, AreTheSameToTheLastBitAtAnyMagnitude)
 //------------------------------------------------------------------------------
 // The signs at the ends, which neighbouring cells must agree on, are those of the coefficients,
 // even if another coefficient is so large that the one at the end is nothing beside it.
-TEST(CubicRoots, KeepTheSignsAtTheEndsBesideHugeCoefficients)
+TEST(CubicRoots, SignsAtTheEndsBesideHugeCoefficients)
 {
   for (const double tiny : { 1e-30, 1e-200, 1e-300, 5e-324 })
   {
@@ -379,7 +379,7 @@ TEST(CubicRoots, KeepTheSignsAtTheEndsBesideHugeCoefficients)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, AreConsistentForAnyFiniteBits)
+TEST(CubicRoots, ConsistentForAnyFiniteBits)
 {
   RandomNumbers random(206);
   std::size_t cubics = 0;
@@ -408,7 +408,7 @@ TEST(CubicRoots, AreConsistentForAnyFiniteBits)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, AreFoundOrNotInFiniteTimeIfCoefficientsAreNot)
+TEST(CubicRoots, TerminatesForNonFiniteCoefficients)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double values[] = { 0.0, 1.0, -1.0, std::nan(""), infinity, -infinity };
@@ -421,7 +421,7 @@ TEST(CubicRoots, AreFoundOrNotInFiniteTimeIfCoefficientsAreNot)
 }
 
 //------------------------------------------------------------------------------
-TEST(CubicRoots, AreNoMoreThanWereAskedFor)
+TEST(CubicRoots, StopsWhenTheVisitorIsSatisfied)
 {
   const BernsteinCubic b = FromRoots(0.2, 0.5, 0.9, 1.0);
   const std::vector<Root> all = FindRoots(b);

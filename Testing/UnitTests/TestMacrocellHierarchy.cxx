@@ -142,7 +142,7 @@ void CheckHierarchy(
   }
 }
 
-TYPED_TEST(MacrocellHierarchyOf, HasTheRangesOfAllSamplesAndIsActiveWhereTheyStraddle)
+TYPED_TEST(MacrocellHierarchyOf, RangesAndActivityMatchTheSamples)
 {
   RandomNumbers random(501);
   std::size_t checked = 0;
@@ -162,7 +162,7 @@ TYPED_TEST(MacrocellHierarchyOf, HasTheRangesOfAllSamplesAndIsActiveWhereTheyStr
 }
 
 //------------------------------------------------------------------------------
-TEST(MacrocellHierarchy, IsTheSameForAnyNumberOfThreads)
+TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
 {
   RandomNumbers random(502);
   const auto volume = RandomVolume<float>(random, { 37, 26, 41 }, 1);
@@ -190,7 +190,7 @@ TEST(MacrocellHierarchy, IsTheSameForAnyNumberOfThreads)
 
 //------------------------------------------------------------------------------
 // Two values, 3 and 4: equal to the isovalue is inside.
-TEST(MacrocellHierarchy, IsActiveByTheSignRule)
+TEST(MacrocellHierarchy, ActiveByTheSignRule)
 {
   TestVolume<std::uint8_t> volume({ 3, 2, 2 }, { 3, 3, 4, 3, 3, 4, 3, 3, 4, 3, 3, 4 });
   const MacrocellHierarchy<std::uint8_t> hierarchy(Samples<std::uint8_t>(volume.View()), { 1 }, 1);
@@ -211,7 +211,7 @@ TEST(MacrocellHierarchy, IsActiveByTheSignRule)
 }
 
 //------------------------------------------------------------------------------
-TEST(MacrocellHierarchy, TakesLittleMemory)
+TEST(MacrocellHierarchy, MemoryIsSmall)
 {
   const Index3 size = { 256, 256, 108 };
   const TestVolume<std::int16_t> volume(size, std::vector<std::int16_t>(Count(size)));
@@ -278,7 +278,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(All, RangeKernels, AllKernels(), NameOfKernels);
 
-TEST_P(RangeKernels, IncludeRowsOfSamplesOfAllTypes)
+TEST_P(RangeKernels, ExtendRangesByRowsOfSamples)
 {
   ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::int8_t>());
   ASSERT_NO_FATAL_FAILURE(this->CheckRows<std::uint8_t>());

@@ -165,7 +165,7 @@ class Projection : public testing::Test
 
 TYPED_TEST_SUITE(Projection, SampleTypes);
 
-TYPED_TEST(Projection, FindsTheMostExtremeOfManySamples)
+TYPED_TEST(Projection, MatchesDenseSampling)
 {
   RandomNumbers random(3);
   const auto volume = Noise<TypeParam>({ 19, 14, 11 }, 5);
@@ -181,7 +181,7 @@ TYPED_TEST(Projection, FindsTheMostExtremeOfManySamples)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, FindsWhereTheCubicTurns)
+TEST(ProjectionOfRays, FindsExtremaWithinCells)
 {
   // Along the diagonal (t, t, t) this is 3 t (1 - t)^2, largest at 1/3: 4/9.
   TestVolume<double> volume({ 2, 2, 2 }, { 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0 });
@@ -200,7 +200,7 @@ TEST(ProjectionOfRays, FindsWhereTheCubicTurns)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, TakesTheFirstOfEqualValues)
+TEST(ProjectionOfRays, FirstOfEqualValues)
 {
   const TestVolume<float> constant({ 20, 20, 20 }, std::vector<float>(8000, 7.0F));
   for (const Extremum kind : Both)
@@ -226,7 +226,7 @@ TEST(ProjectionOfRays, TakesTheFirstOfEqualValues)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
+TEST(ProjectionOfRays, IndependentOfSettings)
 {
   const auto volume = Noise<std::int16_t>({ 70, 30, 25 }, 9);
   RandomNumbers random(11);
@@ -271,7 +271,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, SeesWhatIsSeenOnly)
+TEST(ProjectionOfRays, RespectsCroppingAndClipping)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
   RandomNumbers random(22);
@@ -317,7 +317,7 @@ TEST(ProjectionOfRays, SeesWhatIsSeenOnly)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, PassesOverWhatIsNoNumber)
+TEST(ProjectionOfRays, SkipsNonFiniteSamples)
 {
   auto volume = Noise<float>({ 12, 13, 14 }, 31);
   RandomNumbers random(32);
@@ -342,7 +342,7 @@ TEST(ProjectionOfRays, PassesOverWhatIsNoNumber)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, EndsWithTheRay)
+TEST(ProjectionOfRays, EndsAtTheEndOfTheRay)
 {
   const TestVolume<std::int16_t> ramp =
     TestVolume<std::int16_t>::Of({ 30, 30, 30 }, AnalyticFields::Plane{ { 100.0, 0.0, 0.0 }, 0.0 });
@@ -354,7 +354,7 @@ TEST(ProjectionOfRays, EndsWithTheRay)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, KnowsTheLargestAndSmallestNumbers)
+TEST(ProjectionOfRays, ExtremeMagnitudes)
 {
   const double most = std::numeric_limits<double>::max();
   const Line diagonal = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
@@ -375,7 +375,7 @@ TEST(ProjectionOfRays, KnowsTheLargestAndSmallestNumbers)
 }
 
 //------------------------------------------------------------------------------
-TEST(ProjectionOfRays, GoesBackToSurfaces)
+TEST(ProjectionOfRays, SurfacesAfterAProjection)
 {
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.5 });

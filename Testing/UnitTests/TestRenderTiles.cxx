@@ -86,7 +86,7 @@ std::vector<int> PixelOf(const Frame& frame, std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, SeesAPlaneWhereItIs)
+TEST(RenderTiles, PlaneInParallelProjection)
 {
   // z = 2 + 0.5 x - 0.25 y, inside is below
   const TracedField field(AnalyticFields::Plane{ { 0.5, -0.25, -1.0 }, -2.0 });
@@ -104,7 +104,7 @@ TEST(RenderTiles, SeesAPlaneWhereItIs)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, SeesAPlaneInPerspectiveWhereItIs)
+TEST(RenderTiles, PlaneInPerspectiveProjection)
 {
   const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
   Scene scene = NewSceneFromAbove();
@@ -122,7 +122,7 @@ TEST(RenderTiles, SeesAPlaneInPerspectiveWhereItIs)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, LeavesPixelsWithoutSurfaceEmpty)
+TEST(RenderTiles, PixelsWithoutSurfaceAreEmpty)
 {
   const TracedField field(AnalyticFields::Plane{ { 1.0, 0.0, -1.0 }, 0.75 }); // z = x - 0.75
   Scene scene = NewSceneFromAbove();
@@ -145,7 +145,7 @@ TEST(RenderTiles, LeavesPixelsWithoutSurfaceEmpty)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, DrawsARectangleOfTheWholePicture)
+TEST(RenderTiles, RectangleMatchesTheWholePicture)
 {
   const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
   Scene scene = NewSceneFromAbove();
@@ -164,7 +164,7 @@ TEST(RenderTiles, DrawsARectangleOfTheWholePicture)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, DrawsAnEmptyRectangle)
+TEST(RenderTiles, EmptyRectangle)
 {
   const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
   Scene scene = NewSceneFromAbove();
@@ -302,7 +302,7 @@ Scene AnyScene(RandomNumbers& random, const Index3& n)
   return scene;
 }
 
-TEST(RenderTiles, LeavesOutOnlyWhatNothingIsIn)
+TEST(RenderTiles, SkippingEmptyRegionsChangesNoPixel)
 {
   RandomNumbers random(871);
   std::size_t hits = 0;
@@ -333,7 +333,7 @@ TEST(RenderTiles, LeavesOutOnlyWhatNothingIsIn)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
+TEST(RenderTiles, CastsRaysOnlyWhereTheyMayHit)
 {
   static const Kernels* base;
   static int blocks;
@@ -367,7 +367,7 @@ TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
 
 //------------------------------------------------------------------------------
 // From the rays of the pixels to their colours.
-TEST(RenderTiles, IsTheSameToTheLastBitWithAllKernels)
+TEST(RenderTiles, IdenticalWithAllKernels)
 {
   const auto volume = NewGyroid();
   const auto traced = ImageField::New(volume.View(), {}, 1);
@@ -399,7 +399,7 @@ TEST(RenderTiles, IsTheSameToTheLastBitWithAllKernels)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
+TEST(RenderTiles, IdenticalForAllThreadsAndTiles)
 {
   const auto volume = NewGyroid();
   Scene scene = NewSceneOfGyroid();
@@ -438,7 +438,7 @@ TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, StopsWhenToldTo)
+TEST(RenderTiles, StopsWhenAborted)
 {
   const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
   Scene scene = NewSceneFromAbove();
@@ -465,7 +465,7 @@ TEST(RenderTiles, StopsWhenToldTo)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, AsksOnlyOnTheCallingThread)
+TEST(RenderTiles, AbortIsCheckedOnTheCallingThreadOnly)
 {
   const TracedField field(AnalyticFields::Gyroid{ 5.0 });
   Scene scene = NewSceneFromAbove();
@@ -497,7 +497,7 @@ TEST(RenderTiles, AsksOnlyOnTheCallingThread)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, EndsRaysAtWhatIsDrawnAlready)
+TEST(RenderTiles, RaysEndAtTheDepthBuffer)
 {
   const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
   Scene scene = NewSceneFromAbove();
@@ -545,7 +545,7 @@ TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, FollowsTheSurfacesOfTheScene)
+TEST(RenderTiles, SurfacesOfTheSceneCanChange)
 {
   const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -8.0 }); // value 8 - z
   Scene scene = NewSceneFromAbove();

@@ -41,7 +41,7 @@ void ExpectNear(const Vector3& a, const Vector3& b, double tolerance)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, TurnsGradientsIntoWorldByTheInverseTransposed)
+TEST(Shading, NormalsAreTransformedByTheInverseTranspose)
 {
   RandomNumbers random(801);
   double worst = 0.0;
@@ -67,7 +67,7 @@ TEST(Shading, TurnsGradientsIntoWorldByTheInverseTransposed)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, TurnsGradientsIntoWorldAtAnySpacing)
+TEST(Shading, NormalsAtAnySpacing)
 {
   for (const double spacing : { 1e-300, 1e-200, 1e-100, 1e-9, 1e9, 1e100, 1e200, 1e300 })
   {
@@ -122,7 +122,7 @@ Vector3 Phong(const Vector3& color, double diffuse, double specular, const Mater
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, ShowsTheColourAloneIfShadingIsOff)
+TEST(Shading, ColorWithoutShading)
 {
   PlaneScene plane;
   plane.TheScene.Look.Shade = false;
@@ -130,14 +130,14 @@ TEST(Shading, ShowsTheColourAloneIfShadingIsOff)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, ShowsTheAmbientLightWithoutLights)
+TEST(Shading, AmbientTermWithoutLights)
 {
   PlaneScene plane;
   ExpectNear(plane.Shade(3.0, 3.0), plane.TheScene.Colors[0] * 0.1, 1e-15);
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, FollowsPhongForADistantLight)
+TEST(Shading, PhongWithADirectionalLight)
 {
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
   {
@@ -166,7 +166,7 @@ TEST(Shading, FollowsPhongForADistantLight)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, LightsTheBackOnlyIfBothSidesAreLit)
+TEST(Shading, TwoSidedLighting)
 {
   PlaneScene plane;
   Scene& scene = plane.TheScene;
@@ -183,7 +183,7 @@ TEST(Shading, LightsTheBackOnlyIfBothSidesAreLit)
 }
 
 // A smooth normal may look away from a viewer who sees the outside: the hit tells which side it is.
-TEST(Shading, KnowsTheSideByTheHit)
+TEST(Shading, FrontAndBackAreThoseOfTheHit)
 {
   PlaneScene plane;
   Scene& scene = plane.TheScene;
@@ -199,7 +199,7 @@ TEST(Shading, KnowsTheSideByTheHit)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, FollowsPhongForALampWithAttenuationAndCone)
+TEST(Shading, PhongWithASpotLightAndAttenuation)
 {
   PlaneScene plane;
   Scene& scene = plane.TheScene;
@@ -229,7 +229,7 @@ TEST(Shading, FollowsPhongForALampWithAttenuationAndCone)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, TakesPlacesAndDirectionsOfTheWorld)
+TEST(Shading, LightsAreInWorldCoordinates)
 {
   // The plane x = 4 of index space is x = -8 in the world, mirrored; the viewer is at +x.
   PlaneScene plane(Scaling({ -2.0, 1e4, 0.5 }));
@@ -245,7 +245,7 @@ TEST(Shading, TakesPlacesAndDirectionsOfTheWorld)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, DoesNotDependOnTheMagnitudeOfTheData)
+TEST(Shading, IndependentOfTheMagnitudeOfTheData)
 {
   Light light;
   light.Direction = { -1.0, 0.0, 0.0 };
@@ -259,7 +259,7 @@ TEST(Shading, DoesNotDependOnTheMagnitudeOfTheData)
 }
 
 //------------------------------------------------------------------------------
-TEST(Shading, TakesGradientsFromTheSamplesAround)
+TEST(Shading, CentralDifferencesAndInterpolantGradients)
 {
   // x^2 along x: the central difference at 3 and 4 is 6 and 8, the difference between them 7.
   const auto volume = TestVolume<std::int16_t>::Of(

@@ -9,17 +9,17 @@
 
 using Benchmark::GetEfficiency;
 
-TEST(TileSchedule, OneThreadWastesNothing)
+TEST(TileSchedule, OneThreadIsNeverIdle)
 {
   EXPECT_DOUBLE_EQ(GetEfficiency({ 3.0, 1.0, 2.0 }, 1), 1.0);
 }
 
-TEST(TileSchedule, ALongTileFirstIsHidden)
+TEST(TileSchedule, LongTileFirstLeavesNoThreadIdle)
 {
   EXPECT_DOUBLE_EQ(GetEfficiency({ 3.0, 1.0, 1.0, 1.0 }, 2), 1.0);
 }
 
-TEST(TileSchedule, ALongTileLastIsWaitedFor)
+TEST(TileSchedule, LongTileLastLeavesAThreadIdle)
 {
   // One thread ends at 2, the other at 4.
   EXPECT_DOUBLE_EQ(GetEfficiency({ 1.0, 1.0, 1.0, 3.0 }, 2), 6.0 / 8.0);

@@ -72,7 +72,7 @@ Quad Define(const CellCorners& v, const std::array<Quad, 3>& p)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, InterpolatesAsDefined)
+TEST(TrilinearCell, MatchesTheDefinition)
 {
   RandomNumbers random(401);
   double worst = 0.0;
@@ -88,7 +88,7 @@ TEST(TrilinearCell, InterpolatesAsDefined)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, HasItsSamplesAtItsCorners)
+TEST(TrilinearCell, ReproducesCornerSamples)
 {
   RandomNumbers random(402);
   for (int i = 0; i < 1000; ++i)
@@ -103,7 +103,7 @@ TEST(TrilinearCell, HasItsSamplesAtItsCorners)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, AgreesWithItsNeighbourToTheLastBitOnTheFaceBetween)
+TEST(TrilinearCell, IsContinuousAcrossFacesToTheLastBit)
 {
   RandomNumbers random(403);
   for (int i = 0; i < 100000; ++i)
@@ -128,7 +128,7 @@ TEST(TrilinearCell, AgreesWithItsNeighbourToTheLastBitOnTheFaceBetween)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, HasTheCubicThatTheInterpolantIsAlongASegment)
+TEST(TrilinearCell, CubicAlongASegmentMatchesTheInterpolant)
 {
   RandomNumbers random(404);
   double worst = 0.0;
@@ -156,7 +156,7 @@ TEST(TrilinearCell, HasTheCubicThatTheInterpolantIsAlongASegment)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, HasTheGradientOfTheInterpolant)
+TEST(TrilinearCell, GradientMatchesTheInterpolant)
 {
   RandomNumbers random(405);
   double worst = 0.0;
@@ -184,7 +184,7 @@ TEST(TrilinearCell, HasTheGradientOfTheInterpolant)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, LerpIsExactAtTheEndsAndKeepsSigns)
+TEST(TrilinearCell, LerpIsExactAtEndpointsAndKeepsSigns)
 {
   RandomNumbers random(406);
   for (int i = 0; i < 1000000; ++i)
@@ -200,7 +200,7 @@ TEST(TrilinearCell, LerpIsExactAtTheEndsAndKeepsSigns)
 }
 
 //------------------------------------------------------------------------------
-TEST(TrilinearCell, KeepsTheCommonSignOfItsCornersAlongASegment)
+TEST(TrilinearCell, CubicKeepsTheCommonSignOfTheCorners)
 {
   RandomNumbers random(407);
   for (int i = 0; i < 300000; ++i)
@@ -221,7 +221,7 @@ TEST(TrilinearCell, KeepsTheCommonSignOfItsCornersAlongASegment)
 
 //------------------------------------------------------------------------------
 // The smallest of numbers: half of one is rounded to zero, which must not turn outside to inside.
-TEST(TrilinearCell, KeepsTheCommonSignOfTheSmallestDifferences)
+TEST(TrilinearCell, CubicKeepsTheCommonSignOfDenormalDifferences)
 {
   CellCorners v;
   v.fill(-SmallestDifference);

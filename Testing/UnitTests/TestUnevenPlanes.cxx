@@ -155,7 +155,7 @@ TEST(UnevenPlanes, FindsCells)
 }
 
 // Even planes, said plane by plane, are even planes.
-TEST(UnevenPlanes, WholeNumbersChangeNothing)
+TEST(UnevenPlanes, EvenPlanesMatchNoPlanes)
 {
   RandomNumbers random(1);
   const Index3 size = { 21, 18, 15 };
@@ -182,7 +182,7 @@ TEST(UnevenPlanes, WholeNumbersChangeNothing)
 
 // A closed surface is entered as often as left, whatever the planes, and the macrocells hide
 // nothing.
-TEST(UnevenPlanes, NoRaySlipsThrough)
+TEST(UnevenPlanes, NoRayLeaksThroughAClosedSurface)
 {
   RandomNumbers random(2);
   const Index3 size = { 20, 19, 12 };
@@ -227,7 +227,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
 
 // Where the ray tracer finds a hit, the interpolant has the isovalue; and walking along the ray in
 // small steps finds no change of sign that it has not.
-TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
+TEST(UnevenPlanes, HitsLieOnTheInterpolant)
 {
   RandomNumbers random(3);
   const Index3 size = { 12, 9, 10 };
@@ -280,7 +280,7 @@ TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
 }
 
 // The largest value of a ray is no smaller than any along it, and is taken where it is said to be.
-TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
+TEST(UnevenPlanes, ExtremeValuesMatchTheInterpolant)
 {
   RandomNumbers random(6);
   const Index3 size = { 20, 9, 10 };
@@ -315,7 +315,7 @@ TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
 }
 
 // Both normals are exact for a plane, and smooth ones for a quadric at its samples.
-TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
+TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
 {
   RandomNumbers random(4);
   const Index3 size = { 9, 8, 7 };
@@ -366,7 +366,7 @@ TEST(UnevenPlanes, GradientsAreThoseOfTheSpace)
 }
 
 // Where two planes coincide and the values beside them differ, there is a wall.
-TEST(UnevenPlanes, FlatCellsAreWalls)
+TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
 {
   const Index3 size = { 20, 4, 4 };
   for (int flat = 1; flat < size[0] - 2; ++flat)
@@ -410,7 +410,7 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
 }
 
 // Cropping is said in the space of the rays.
-TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
+TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
 {
   RandomNumbers random(5);
   const Index3 size = { 12, 9, 10 };

@@ -97,7 +97,7 @@ class VolumeLayoutOf : public testing::Test
 TYPED_TEST_SUITE(VolumeLayoutOf, SampleTypes);
 
 //------------------------------------------------------------------------------
-TYPED_TEST(VolumeLayoutOf, HasTheSamplesOfTheUser)
+TYPED_TEST(VolumeLayoutOf, ReturnsTheInputSamples)
 {
   RandomNumbers random(601);
   std::size_t layouts = 0;
@@ -123,7 +123,7 @@ TYPED_TEST(VolumeLayoutOf, HasTheSamplesOfTheUser)
 }
 
 //------------------------------------------------------------------------------
-TYPED_TEST(VolumeLayoutOf, HoldsEveryValueExactlyOrAsTheNearestDouble)
+TYPED_TEST(VolumeLayoutOf, ValuesAreExactOrTheNearestDouble)
 {
   RandomNumbers random(602);
   constexpr bool isExact = sizeof(TypeParam) < 8 || std::is_floating_point_v<TypeParam>;
@@ -144,7 +144,7 @@ TYPED_TEST(VolumeLayoutOf, HoldsEveryValueExactlyOrAsTheNearestDouble)
 }
 
 //------------------------------------------------------------------------------
-TEST(VolumeLayout, MakesOnlyTheBricksThatAreRead)
+TEST(VolumeLayout, CreatesOnlyTheBricksThatAreRead)
 {
   RandomNumbers random(603);
   const Index3 size = { 33, 17, 25 };
@@ -224,7 +224,7 @@ void CheckAddresses(const Index3& size, int edge, int group)
     });
 }
 
-TEST(VolumeLayout, GivesEverySampleAnAddressOfItsOwn)
+TEST(VolumeLayout, AddressesAreUnique)
 {
   std::size_t layouts = 0;
   for (const Index3& size : Sizes)
@@ -273,7 +273,7 @@ void ReadByManyThreads(const TestVolume<T>& volume, Layout& layout, Layout& read
   EXPECT_GE(layout.GetNumberOfBricks(), 100U);
 }
 
-TEST(VolumeLayout, IsReadByManyThreadsAtOnce)
+TEST(VolumeLayout, ConcurrentReads)
 {
   RandomNumbers random(605);
   const auto volume = RandomVolume<std::int32_t>(random, { 33, 34, 35 }, 1);
