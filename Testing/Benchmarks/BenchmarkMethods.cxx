@@ -99,7 +99,7 @@ std::vector<CellProblem> GatherCells(const Input& input, const std::vector<Oracl
             input.Isovalue;
         }
         const auto inside =
-          std::count_if(problem.Difference.begin(), problem.Difference.end(), IsInside);
+          std::count_if(problem.Difference.begin(), problem.Difference.end(), IsInside<double>);
         if (inside != 0 && inside != 8 && SegmentInCell(*ray, cell, problem.Segment))
         {
           problems.push_back(problem);

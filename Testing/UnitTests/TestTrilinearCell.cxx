@@ -6,7 +6,7 @@
 // exact.
 
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/TrilinearCell.h"
 #include "Oracle.h"
 #include "RandomNumbers.h"
 

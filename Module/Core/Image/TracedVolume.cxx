@@ -11,7 +11,6 @@
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Image/Cells/TricubicField.h"
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/Macrocells/BlockTree.h"
 #include "Image/Macrocells/CellMasks.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
@@ -23,6 +22,7 @@
 #include "Image/Traversal/PacketTracer.h"
 #include "Image/Traversal/Projection.h"
 #include "Kernels/Kernels.h"
+#include "Math/TrilinearCell.h"
 #include "Rays/RayPacket.h"
 
 #include <algorithm>

@@ -4,8 +4,9 @@
 #ifndef TricubicCell_h
 #define TricubicCell_h
 
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/Samples/UnevenPlanes.h"
+#include "Math/NonicRoots.h"
+#include "Math/TrilinearCell.h"
 #include "Math/Vector.h"
 
 #include <algorithm>
@@ -181,9 +182,6 @@ void RestrictAlong(double p, double q, TricubicCell& c)
       c[i + 3 * next] = Lerp(qq[0], qq[1], q);
     });
 }
-
-/// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients.
-using BernsteinNonic = std::array<double, 10>;
 
 /// The interpolant along the straight line from p to q, as a polynomial of the fraction of the way:
 /// that along the diagonal of the box [p, q]. As for CubicAlongSegment, there are convex

@@ -6,10 +6,10 @@
 
 #include "Image/Cells/CellSegment.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/TracedVolume.h"
 #include "Image/Traversal/CellTraversal.h"
+#include "Math/TrilinearCell.h"
 #include "Rays/RayPacket.h"
 
 #include <algorithm>
