@@ -3,13 +3,29 @@
 set(core_sources
   Rays/Ray.cxx
   Kernels/InstructionSets.cxx
-  Image/Cells/Solvers/FastSolver.cxx
+  Image/Cells/BoxFaces.cxx
+  Image/Cells/CellsOnRay.cxx
+  Image/Cells/LargestValue.cxx
+  Image/Cells/TricubicCell.cxx
+  Image/Cells/TricubicRoots.cxx
+  Image/Cells/TrilinearRoots.cxx
+  Image/ImageField.cxx
+  Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/PacketTracer.cxx
-  Image/TracedVolume.cxx
   Picture/CastRays.cxx
   Picture/RenderTiles.cxx
   Picture/Shader.cxx)
 list(TRANSFORM core_sources PREPEND "Module/Core/")
+
+# What depends on the type of the samples, compiled for each type by itself: in parallel.
+foreach (sample_type IN ITEMS
+    std::int8_t std::uint8_t std::int16_t std::uint16_t std::int32_t std::uint32_t std::int64_t
+    std::uint64_t float double)
+  string(REPLACE "std::" "" name "${sample_type}")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/Core/TypedImageStructures_${name}.cxx")
+  configure_file("Module/Core/Image/TypedImageStructures.cxx.in" "${source}" @ONLY)
+  list(APPEND core_sources "${source}")
+endforeach ()
 
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
@@ -29,11 +45,24 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceAccumulation
   Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
+  Rendering/vtkIsosurfaceRayTraceCropping
+  Rendering/vtkIsosurfaceRayTraceEnumerators
+  Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry
+  Rendering/vtkIsosurfaceRayTraceGridInput
+  Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceOutput
+  Rendering/vtkIsosurfaceRayTracePicture
+  Rendering/vtkIsosurfaceRayTraceRequest
   Rendering/vtkIsosurfaceRayTraceScene
+  Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSource
   Rendering/vtkIsosurfaceRayTraceValueColors)
+
+set(private_headers
+  Rendering/vtkIsosurfaceRayTraceInput.h
+  Rendering/vtkIsosurfaceRayTraceSettings.h)
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
@@ -79,8 +108,10 @@ set_target_properties(vtkIsosurfaceRayTracingCore
 vtk_module_add_module(VTK::IsosurfaceRayTracing
   CLASSES         ${classes}
   PRIVATE_CLASSES ${private_classes}
+  PRIVATE_HEADERS ${private_headers}
   NOWRAP_HEADERS  Module/vtkIsosurfaceRayTracingCompat.h
-  SOURCES         $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
+  SOURCES         Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
+                  $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
 if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
   vtk_module_compile_options(VTK::IsosurfaceRayTracing

@@ -48,9 +48,8 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceColors::GetPlace(const vtkirt::Hit& hit) co
     const vtkirt::Index3 cell = this->Source.FindStructuredCell(hit, place);
     return { cell[0] + place[0], cell[1] + place[1], cell[2] + place[2] };
   }
-  const vtkIsosurfaceRayTraceGeometry& geometry = this->Source.GetGeometry();
-  const vtkirt::Vector3 point =
-    vtkirt::TransformPoint(geometry.GetPhysicalFromIndex(), hit.GetPoint(geometry.GetPlanes()));
+  const vtkirt::Vector3 point = vtkirt::TransformPoint(
+    this->Source.GetGeometry().GetPhysicalFromIndex(), this->Source.GetPoint(hit));
   this->Image->TransformPhysicalPointToContinuousIndex(point.data(), place.data());
   const int* extent = this->Image->GetExtent();
   return { place[0] - extent[0], place[1] - extent[2], place[2] - extent[4] };

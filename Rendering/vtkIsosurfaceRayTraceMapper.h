@@ -94,16 +94,25 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+namespace vtkIsosurfaceRayTracing
+{
+struct FrameTimes;
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
+class vtkIsosurfaceRayTraceFrame;
+class vtkIsosurfaceRayTraceGridInput;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
-class vtkRenderWindow;
+class vtkVolumeProperty;
+struct vtkIsosurfaceRayTraceRequest;
+struct vtkIsosurfaceRayTraceSettings;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMapper : public vtkVolumeMapper
 {
@@ -172,19 +181,15 @@ public:
     /// (32 + 16 n) 2^-53 of the isovalue (times the largest difference between a corner of the cell
     /// and the isovalue; n is the longest edge of the volume in cells).
     ROBUST = 0,
-    /// The same in single precision, several cells at a time in vector registers. Where a ray
-    /// grazes the surface, with an extremum within 4.8e-7 of the isovalue (times the largest
-    /// difference between a corner of the cell and the isovalue), it may be judged either way.
-    FAST = 1,
     /// The closed form as published by Parker et al. 1998 (J. Schwarze, Graphics Gems 1990). It
     /// loses many hits where a cell is nearly linear along the ray: for comparison only.
-    ANALYTIC = 2,
+    ANALYTIC = 1,
     /// Cut at the extrema, then NumberOfInterpolations linear interpolations (G. Marmitt et al.,
     /// VMV 2004).
-    MARMITT = 3,
+    MARMITT = 2,
     /// Signs at the ends of the segment and one linear interpolation (A. Neubauer et al., VisSym
     /// 2002): a preview, which misses thin sheets.
-    LINEAR = 4
+    LINEAR = 3
   };
 
   ///@{
@@ -194,7 +199,6 @@ public:
   vtkSetClampMacro(RootSolver, int, ROBUST, LINEAR);
   vtkGetMacro(RootSolver, int);
   void SetRootSolverToRobust() { this->SetRootSolver(ROBUST); }
-  void SetRootSolverToFast() { this->SetRootSolver(FAST); }
   void SetRootSolverToAnalytic() { this->SetRootSolver(ANALYTIC); }
   void SetRootSolverToMarmitt() { this->SetRootSolver(MARMITT); }
   void SetRootSolverToLinear() { this->SetRootSolver(LINEAR); }
@@ -679,17 +683,22 @@ private:
   vtkIsosurfaceRayTraceMapper(const vtkIsosurfaceRayTraceMapper&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
 
-  int GetThreads();
+  /// Whether there can be a level; if not, reports it.
+  bool HasMacrocellLevel(int level);
+  template <typename Visitor>
+  static void VisitSettings(const Visitor& visit);
+  vtkIsosurfaceRayTraceSettings GetSettings() const;
+  void SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times);
   void UpdateInputs();
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
-  /// Says what the problem is, if there is one and it was not said before. Returns whether there
-  /// is.
+  /// Chooses what to trace. Returns why it cannot be traced; empty if it can.
+  std::string SelectInput(vtkVolumeProperty* property);
+  /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
+  /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
-  /// Brings everything about the volume up to date but the picture. Returns false if it can't be
-  /// traced.
-  bool UpdateVolume(vtkVolume* volume);
-  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume);
-  bool ReportProgress(vtkRenderWindow* window, double fraction);
+  /// Updates the input, and says what to trace of it for a volume. Returns null, and reports why,
+  /// if it cannot be traced.
+  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(vtkVolume* volume);
 
   int InterpolationMode = TRILINEAR;
   int RootSolver = ROBUST;
@@ -725,8 +734,9 @@ private:
   double ShadeTime = 0.0;
   double DisplayTime = 0.0;
 
-  class Internals;
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkIsosurfaceRayTraceGridInput> Input;
+  std::unique_ptr<vtkIsosurfaceRayTraceFrame> Frame;
+  std::string LastProblem;
 };
 
 VTK_ABI_NAMESPACE_END

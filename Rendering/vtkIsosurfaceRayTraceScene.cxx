@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceScene.h"
 
-#include "vtkIsosurfaceRayTraceSource.h"
-
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
 #include "vtkColorTransferFunction.h"
@@ -13,15 +11,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -53,70 +47,6 @@ vtkirt::Light ConvertLight(vtkLight* light, const vtkirt::Matrix4& worldFromLigh
   result.Exponent = light->GetExponent();
   light->GetAttenuationValues(result.Attenuation.data());
   return result;
-}
-
-//------------------------------------------------------------------------------
-/// The half-space that a clipping plane leaves.
-vtkirt::HalfSpace ToIndexSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFromIndex)
-{
-  using vtkirt::operator-;
-  vtkirt::Vector3 normal;
-  vtkirt::Vector3 origin;
-  plane->GetNormal(normal.data());
-  plane->GetOrigin(origin.data());
-  // Differences first: a volume far from the origin of the world loses nothing.
-  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromIndex, { 0.0, 0.0, 0.0 });
-  return { vtkirt::TransposeTransformDirection(worldFromIndex, normal),
-    vtkirt::Dot(normal, first - origin) };
-}
-
-//------------------------------------------------------------------------------
-/// The flags of the 27 regions with their order along an axis reversed.
-unsigned int Reverse(unsigned int regions, std::size_t axis)
-{
-  constexpr int strides[3] = { 1, 3, 9 };
-  unsigned int reversed = 0;
-  for (int region = 0; region < 27; ++region)
-  {
-    const int place = region / strides[axis] % 3;
-    const int other = region + (2 - 2 * place) * strides[axis];
-    reversed |= (regions >> region & 1U) << other;
-  }
-  return reversed;
-}
-
-//------------------------------------------------------------------------------
-void AddCropping(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceSource& source,
-  vtkirt::Visibility& visibility)
-{
-  const double* planes = mapper->GetCroppingRegionPlanes();
-  auto regions = static_cast<unsigned int>(mapper->GetCroppingRegionFlags());
-  std::array<std::array<double, 2>, 3> between;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    between[axis] = { source.GetGeometry().GetIndex(axis, planes[2 * axis]),
-      source.GetGeometry().GetIndex(axis, planes[2 * axis + 1]) };
-    // Spacing may be negative.
-    if (between[axis][0] > between[axis][1])
-    {
-      std::swap(between[axis][0], between[axis][1]);
-      regions = Reverse(regions, axis);
-    }
-  }
-  if (regions != VTK_CROP_SUBVOLUME)
-  {
-    visibility.Regions = { between, regions };
-    return;
-  }
-  // A box is cut out of the rays, which is faster than to look at every hit.
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    vtkirt::Vector3 normal = { 0.0, 0.0, 0.0 };
-    normal[axis] = 1.0;
-    visibility.HalfSpaces.push_back({ normal, -between[axis][0] });
-    normal[axis] = -1.0;
-    visibility.HalfSpaces.push_back({ normal, between[axis][1] });
-  }
 }
 
 }
@@ -156,6 +86,13 @@ std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int com
     }
   }
   return surfaces;
+}
+
+//------------------------------------------------------------------------------
+bool AreOpaque(const std::vector<vtkirt::Isosurface>& surfaces)
+{
+  return std::all_of(surfaces.begin(), surfaces.end(),
+    [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
 }
 
 //------------------------------------------------------------------------------
@@ -293,39 +230,6 @@ vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Ind
   const int right = static_cast<int>(std::clamp(std::ceil(high[0]) + 1.0, 0.0, width));
   const int top = static_cast<int>(std::clamp(std::ceil(high[1]) + 1.0, 0.0, height));
   return { left, bottom, std::max(0, right - left), std::max(0, top - bottom) };
-}
-
-//------------------------------------------------------------------------------
-std::string FindCroppingProblem(vtkVolumeMapper* mapper)
-{
-  const double* planes = mapper->GetCroppingRegionPlanes();
-  const bool isOrdered = planes[0] <= planes[1] && planes[2] <= planes[3] && planes[4] <= planes[5];
-  return mapper->GetCropping() == 0 || isOrdered
-    ? ""
-    : "Cropping is on, but a lower one of CroppingRegionPlanes (xmin, xmax, ymin, ymax, zmin, "
-      "zmax) "
-      "is greater than the upper one. Call SetCroppingRegionPlanes with planes in order.";
-}
-
-//------------------------------------------------------------------------------
-vtkirt::Visibility GetVisibility(vtkVolumeMapper* mapper, bool hasCaps,
-  const vtkIsosurfaceRayTraceSource& source, const vtkirt::Matrix4& worldFromIndex)
-{
-  vtkirt::Visibility visibility;
-  visibility.HiddenCells = source.GetHiddenCells();
-  if (mapper->GetCropping() != 0)
-  {
-    AddCropping(mapper, source, visibility);
-  }
-  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
-  {
-    for (vtkPlane* plane : vtk::Range(planes))
-    {
-      visibility.HalfSpaces.push_back(ToIndexSpace(plane, worldFromIndex));
-      visibility.HalfSpaces.back().IsCapped = hasCaps;
-    }
-  }
-  return visibility;
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What VTK says of a scene, in the words of the ray tracer.
+// Conversions of what VTK says of a scene to the types of the ray tracer.
 
 #ifndef vtkIsosurfaceRayTraceScene_h
 #define vtkIsosurfaceRayTraceScene_h
@@ -10,16 +10,13 @@
 
 #include "Picture/Scene.h"
 
-#include <string> // for std::string
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
-class vtkIsosurfaceRayTraceSource;
 class vtkLightCollection;
 class vtkVolume;
-class vtkVolumeMapper;
 class vtkVolumeProperty;
 
 namespace vtkIsosurfaceRayTraceScene
@@ -31,6 +28,8 @@ int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents);
 /// The isovalues of the property whose surfaces can be seen at all, in ascending order.
 std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
   vtkVolumeProperty* property, int component);
+
+bool AreOpaque(const std::vector<vtkIsosurfaceRayTracing::Isosurface>& surfaces);
 
 /// The number of an isovalue among those of the property; -1 if it is not there.
 int FindIsovalue(vtkVolumeProperty* property, double isovalue);
@@ -60,15 +59,6 @@ vtkIsosurfaceRayTracing::Camera MakeCamera(const vtkIsosurfaceRayTracing::Matrix
 /// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
 vtkIsosurfaceRayTracing::PixelRectangle GetPixels(
   const vtkIsosurfaceRayTracing::Camera& camera, const vtkIsosurfaceRayTracing::Index3& dimensions);
-
-/// What is wrong with the cropping of a mapper; empty if nothing is.
-std::string FindCroppingProblem(vtkVolumeMapper* mapper);
-
-/// What the clipping planes, with caps or without, and the cropping of a mapper, and blanking,
-/// leave of the volume.
-vtkIsosurfaceRayTracing::Visibility GetVisibility(vtkVolumeMapper* mapper, bool hasCaps,
-  const vtkIsosurfaceRayTraceSource& source,
-  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex);
 
 }
 

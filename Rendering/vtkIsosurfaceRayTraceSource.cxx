@@ -123,7 +123,7 @@ struct vtkIsosurfaceRayTraceSource::Key
   vtkirt::Index3 Dimensions;
   bool AreOfCells;
   int Component;
-  vtkirt::VolumeSettings Settings;
+  vtkirt::ImageSettings Settings;
 
   bool operator==(const Key& other) const
   {
@@ -211,7 +211,7 @@ vtkDataArray* vtkIsosurfaceRayTraceSource::GetPlainScalars(
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceSource::Update(
-  vtkDataSet* grid, const Selection& selection, const vtkirt::VolumeSettings& settings, int threads)
+  vtkDataSet* grid, const Selection& selection, const vtkirt::ImageSettings& settings, int threads)
 {
   vtkDataArray* scalars = selection.Scalars;
   Key key;
@@ -251,7 +251,7 @@ bool vtkIsosurfaceRayTraceSource::Update(
   view.Samples = plain->GetVoidPointer(component);
   view.Stride = plain->GetNumberOfComponents();
   view.Dimensions = key.Dimensions;
-  this->Volume = vtkirt::TracedVolume::New(view, settings, threads);
+  this->Volume = vtkirt::ImageField::New(view, settings, threads);
   this->Built = std::make_unique<Key>(key);
   return true;
 }

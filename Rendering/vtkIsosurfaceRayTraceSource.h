@@ -12,7 +12,7 @@
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -48,10 +48,10 @@ public:
   /// Makes sure that the volume is that of the input, which must have no problem. Returns whether
   /// it had to be built.
   bool Update(vtkDataSet* grid, const Selection& selection,
-    const vtkIsosurfaceRayTracing::VolumeSettings& settings, int threads);
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
   /// Null before the first update.
-  vtkIsosurfaceRayTracing::TracedVolume* GetVolume() const { return this->Volume.get(); }
+  vtkIsosurfaceRayTracing::ImageField* GetVolume() const { return this->Volume.get(); }
 
   /// Where the samples stand.
   const vtkIsosurfaceRayTraceGeometry& GetGeometry() const { return this->Geometry; }
@@ -65,6 +65,12 @@ public:
   /// One for every cell of the volume, not zero where it is blanked or belongs to another piece;
   /// null if all are to be seen.
   const unsigned char* GetHiddenCells() const;
+
+  /// A hit in the space that rays go through.
+  vtkIsosurfaceRayTracing::Vector3 GetPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return hit.GetPoint(this->Geometry.GetPlanes());
+  }
 
   /// The cell of the grid that a hit is in, and the point in its coordinates.
   vtkIsosurfaceRayTracing::Index3 FindStructuredCell(
@@ -83,7 +89,7 @@ private:
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
   vtkDataArray* GetPlainScalars(const Selection& selection, int& component);
 
-  std::unique_ptr<vtkIsosurfaceRayTracing::TracedVolume> Volume;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Volume;
   std::unique_ptr<Key> Built;
   vtkIsosurfaceRayTraceGeometry Geometry;
   vtkMTimeType GridTime = 0;

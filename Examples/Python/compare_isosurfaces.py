@@ -21,7 +21,12 @@ comparison.SetInputConnection(reader.GetOutputPort())
 comparison.SetValue(0, float(sys.argv[2]))
 comparison.Update()
 table = comparison.GetOutput()
-for column in range(table.GetNumberOfColumns()):
-    values = (table.GetValue(row, column).ToString() for row in range(table.GetNumberOfRows()))
-    print(f"{table.GetColumnName(column):>24}", *(f"{value[:18]:>18}" for value in values))
+lines = [
+    [table.GetColumnName(column)]
+    + [table.GetValue(row, column).ToString() for row in range(table.GetNumberOfRows())]
+    for column in range(table.GetNumberOfColumns())
+]
+widths = [max(map(len, texts)) for texts in zip(*lines)]
+for line in lines:
+    print("  ".join(f"{text:>{width}}" for text, width in zip(line, widths)).rstrip())
 # Output 1 is the mesh with its distance from the isosurface, output 2 the picture of the difference.

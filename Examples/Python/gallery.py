@@ -61,6 +61,8 @@ class Picture:
         writer.SetInputData(output)
         writer.SetFileName(file_name)
         writer.Write()
+        if writer.GetErrorCode():
+            sys.exit(f"{file_name} cannot be written")
 
 
 def plain(picture, image, isovalue):

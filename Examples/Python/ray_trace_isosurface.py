@@ -50,3 +50,5 @@ writer = vtkPNGWriter()
 writer.SetInputConnection(picture.GetOutputPort())
 writer.SetFileName(picture_file)
 writer.Write()
+if writer.GetErrorCode():
+    sys.exit(f"{picture_file} cannot be written")

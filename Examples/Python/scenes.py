@@ -84,6 +84,8 @@ class Scene:
         writer.SetInputConnection(picture.GetOutputPort())
         writer.SetFileName(file_name)
         writer.Write()
+        if writer.GetErrorCode():
+            sys.exit(f"{file_name} cannot be written")
 
 
 def translucent_polygons(scene):

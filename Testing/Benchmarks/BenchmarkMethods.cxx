@@ -9,7 +9,7 @@
 #include "Image/Cells/Solvers/LinearSolver.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "Image/Traversal/CellTraversal.h"
 
 #include <vtkFlyingEdges3D.h>
@@ -42,8 +42,8 @@ std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 //------------------------------------------------------------------------------
 // The solvers of the project, through the path that draws
 
-void CastWithSolver(const Input& input, TracedVolume& volume,
-  const std::vector<Oracle::Line>& lines, std::vector<double>& ts)
+void CastWithSolver(const Input& input, ImageField& volume, const std::vector<Oracle::Line>& lines,
+  std::vector<double>& ts)
 {
   constexpr std::size_t portion = 128;
   RayHits hits;
@@ -347,7 +347,7 @@ std::vector<Method> MakeMethods(const Input& input, const std::vector<Oracle::Li
   std::vector<Method> methods;
   const VolumeView view = { input.Field.Values.data(), ScalarType::Float64, input.Field.Dimensions,
     1 };
-  const std::shared_ptr<TracedVolume> volume = TracedVolume::New(view, {}, 1);
+  const std::shared_ptr<ImageField> volume = ImageField::New(view, {}, 1);
   const auto cells = std::make_shared<std::vector<CellProblem>>(GatherCells(input, lines));
   const auto addSolver =
     [&](const std::string& family, const std::string& knob, RootSolver solver, int interpolations)

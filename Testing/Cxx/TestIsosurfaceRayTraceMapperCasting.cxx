@@ -100,11 +100,10 @@ void CheckPlane(Checks& check)
           std::max(worstT, std::abs(origins->GetPoint(ray)[axis] + t * direction[axis] - p[axis]));
       }
     }
-    const bool isSingle = solver == vtkIsosurfaceRayTraceMapper::FAST;
     // The closed form as published takes a rounding for the coefficient of a cubic.
     if (solver != vtkIsosurfaceRayTraceMapper::ANALYTIC)
     {
-      check.Near(worst, 0.0, isSingle ? 1e-6 : 1e-14, "the distance to the plane");
+      check.Near(worst, 0.0, 1e-14, "the distance to the plane");
     }
     check.Near(worstNormal, 0.0, 1e-12, "the error of the normal");
     check.Near(worstT, 0.0, 1e-14 * 100, "the point at T along the ray");

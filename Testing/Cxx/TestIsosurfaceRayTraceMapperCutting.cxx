@@ -160,8 +160,7 @@ void Compare(Checks& check, const std::vector<Hit>& actual, const std::vector<Hi
   }
 }
 
-/// Cuts in the same way where surfaces are opaque and where they are not, with every solver that
-/// goes its own way.
+/// Cuts in the same way where surfaces are opaque and where they are not.
 void CheckCut(Checks& check, const std::vector<Hit>& whole,
   const std::function<void(vtkIsosurfaceRayTraceMapper*)>& cut, vtkImageData* image,
   const Margin& margin, const std::string& name)
@@ -172,10 +171,6 @@ void CheckCut(Checks& check, const std::vector<Hit>& whole,
     cut(bench.Mapper);
     Compare(check, bench.Cast(), whole, opacity == 1.0, margin,
       name + (opacity == 1.0 ? "" : ", translucent"));
-    const std::size_t robust = bench.Cast().size();
-    bench.Mapper->SetRootSolverToFast();
-    check.Near(static_cast<double>(bench.Cast().size()), static_cast<double>(robust), 2.0,
-      "the number of hits of the solver FAST with " + name);
   }
 }
 

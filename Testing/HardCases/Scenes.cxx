@@ -52,9 +52,9 @@ bool IsSame(const Hit& a, const Hit& b)
 }
 
 //------------------------------------------------------------------------------
-Tracer::Tracer(const Field& field, const VolumeSettings& settings, ScalarType type)
+Tracer::Tracer(const Field& field, const ImageSettings& settings, ScalarType type)
   : Bytes(ToBytes(field.Values, type))
-  , Volume(vtkIsosurfaceRayTracing::TracedVolume::New(
+  , Volume(vtkIsosurfaceRayTracing::ImageField::New(
       { this->Bytes.data(), type, field.Dimensions, 1 }, settings, 1))
   , Dimensions(field.Dimensions)
 {

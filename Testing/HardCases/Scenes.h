@@ -18,12 +18,12 @@ using Oracle::Index;
 using Oracle::Line;
 using Oracle::Triple;
 using vtkIsosurfaceRayTracing::Hit;
+using vtkIsosurfaceRayTracing::ImageSettings;
 using vtkIsosurfaceRayTracing::Isosurface;
 using vtkIsosurfaceRayTracing::RayHits;
 using vtkIsosurfaceRayTracing::RootSolver;
 using vtkIsosurfaceRayTracing::ScalarType;
 using vtkIsosurfaceRayTracing::TraceRequest;
-using vtkIsosurfaceRayTracing::VolumeSettings;
 
 /// Which hits of a ray are asked for.
 enum class Reach
@@ -37,17 +37,17 @@ class Tracer
 {
 public:
   explicit Tracer(
-    const Field& field, const VolumeSettings& settings = {}, ScalarType type = ScalarType::Float64);
+    const Field& field, const ImageSettings& settings = {}, ScalarType type = ScalarType::Float64);
 
   /// The hits of every line. All: with a surface so transparent that the ray goes on and on.
   RayHits Cast(const std::vector<Line>& lines, double isovalue,
     RootSolver solver = RootSolver::Robust, Reach reach = Reach::All, int threads = 1);
 
-  vtkIsosurfaceRayTracing::TracedVolume& GetVolume() { return *this->Volume; }
+  vtkIsosurfaceRayTracing::ImageField& GetVolume() { return *this->Volume; }
 
 private:
   std::vector<unsigned char> Bytes;
-  std::unique_ptr<vtkIsosurfaceRayTracing::TracedVolume> Volume;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Volume;
   Index Dimensions;
 };
 

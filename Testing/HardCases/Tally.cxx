@@ -3,8 +3,6 @@
 
 #include "Tally.h"
 
-#include "Image/Cells/Solvers/FastSolver.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -172,25 +170,18 @@ Promise RobustPromise(const Index& dimensions)
 }
 
 //------------------------------------------------------------------------------
-Promise FastPromise()
-{
-  return { RootSolver::Fast, vtkIsosurfaceRayTracing::Fast::Band, 1e-5, 1e-2 };
-}
-
-//------------------------------------------------------------------------------
 Tally::Tally(std::string name)
   : Name(std::move(name))
 {
 }
 
 //------------------------------------------------------------------------------
-void Tally::Try(const Field& field, double isovalue, const std::vector<Line>& lines,
-  RootSolver solver, ScalarType type)
+void Tally::Try(
+  const Field& field, double isovalue, const std::vector<Line>& lines, ScalarType type)
 {
   Tracer tracer(field, {}, type);
-  const Promise promise =
-    solver == RootSolver::Fast ? FastPromise() : RobustPromise(field.Dimensions);
-  this->Judge(field, isovalue, lines, tracer.Cast(lines, isovalue, solver), promise, tracer);
+  this->Judge(
+    field, isovalue, lines, tracer.Cast(lines, isovalue), RobustPromise(field.Dimensions), tracer);
 }
 
 //------------------------------------------------------------------------------

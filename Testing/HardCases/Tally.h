@@ -28,7 +28,6 @@ struct Promise
 /// In double, 32 roundings of the interpolant and 16 for each cell of the longest edge, by which
 /// the place of the ray is rounded.
 Promise RobustPromise(const Index& dimensions);
-Promise FastPromise();
 
 /// Counts how the hits of rays compare to those of the oracle; prints a row of a table.
 class Tally
@@ -36,9 +35,9 @@ class Tally
 public:
   explicit Tally(std::string name);
 
-  /// Judges all hits of the lines, found by the tracer with the given solver.
+  /// Judges all hits of the lines, found by the tracer with the solver Robust.
   void Try(const Field& field, double isovalue, const std::vector<Line>& lines,
-    RootSolver solver = RootSolver::Robust, ScalarType type = ScalarType::Float64);
+    ScalarType type = ScalarType::Float64);
 
   /// Judges hits that were found before.
   void Judge(const Field& field, double isovalue, const std::vector<Line>& lines,

@@ -6,7 +6,6 @@
 #include "Tally.h"
 
 #include "Image/Cells/Solvers/AnalyticSolver.h"
-#include "Image/Cells/Solvers/FastSolver.h"
 #include "Image/Cells/Solvers/LinearSolver.h"
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
@@ -22,31 +21,6 @@ namespace
 {
 
 const Index OneCell = { 2, 2, 2 };
-
-/// Judges Robust and Fast alike.
-struct BothTallies
-{
-  explicit BothTallies(const std::string& name)
-    : InDouble(name + " (Robust)")
-    , InSingle(name + " (Fast)")
-  {
-  }
-
-  void Try(const Field& field, double isovalue, const std::vector<Line>& lines)
-  {
-    this->InDouble.Try(field, isovalue, lines);
-    this->InSingle.Try(field, isovalue, lines, RootSolver::Fast);
-  }
-
-  void Report()
-  {
-    this->InDouble.Report();
-    this->InSingle.Report();
-  }
-
-  Tally InDouble;
-  Tally InSingle;
-};
 
 /// A value that the interpolant has where it turns along the line, if it does, and the size of
 /// differences around it.
@@ -79,7 +53,7 @@ const Line Diagonal = { { -0.25, -0.25, -0.25 }, { 1.0, 1.0, 1.0 } };
 TEST(TestCells, RandomCorners)
 {
   Dice dice(10);
-  BothTallies tally("random corners");
+  Tally tally("random corners (Robust)");
   for (int i = 0; i < 400; ++i)
   {
     const Field field = RandomField(dice, { 5, 6, 7 });
@@ -92,7 +66,7 @@ TEST(TestCells, RandomCorners)
 TEST(TestCells, TangentRays)
 {
   Dice dice(11);
-  BothTallies far("tangent, extremum 1e-2 to 1e-6 from the isovalue");
+  Tally far("tangent, extremum 1e-2 to 1e-6 from the isovalue (Robust)");
   Tally near("tangent, extremum 1e-7 to 1e-12 from the isovalue (Robust)");
   Tally nearest("tangent, extremum 1e-13 to 1e-16 from the isovalue (Robust)");
   for (int i = 0; i < 4000; ++i)
@@ -146,7 +120,6 @@ TEST(TestCells, RaysThatTouchAndThenCross)
   // A square as above, times a third factor: the hit is the crossing, never the touch.
   Dice dice(22);
   Tally tally("touching, and crossing elsewhere, integers (Robust)");
-  Tally fast("touching, and crossing elsewhere, integers (Fast)");
   for (int i = 0; i < 10000; ++i)
   {
     const int p = dice.Integer(1, 100);
@@ -157,17 +130,14 @@ TEST(TestCells, RaysThatTouchAndThenCross)
       [p, q, r, s](int x, int y, int z)
       { return (x == 0 ? p : -q) * (y == 0 ? p : -q) * (z == 0 ? r : -s); });
     tally.Try(field, 0.0, { Diagonal });
-    fast.Try(field, 0.0, { Diagonal }, RootSolver::Fast);
   }
   tally.Report();
-  fast.Report();
 }
 
 TEST(TestCells, ThreeRootsInOneCell)
 {
   Dice dice(13);
   Tally tally("three roots, gaps 1e-1 to 1e-8 (Robust)");
-  Tally fast("three roots, gaps 1e-1 to 1e-2 (Fast)");
   std::size_t threes = 0;
   for (int i = 0; i < 20000; ++i)
   {
@@ -176,16 +146,11 @@ TEST(TestCells, ThreeRootsInOneCell)
     const double a = dice.Uniform(0.0, 0.4);
     const Field field = Product(a, a + gap, a + gap + other);
     tally.Try(field, 0.0, { Diagonal });
-    if (gap > 1e-2)
-    {
-      fast.Try(field, 0.0, { Diagonal }, RootSolver::Fast);
-    }
     Tracer tracer(field);
     threes += tracer.Cast({ Diagonal }, 0.0).Hits.size() == 3 ? 1 : 0;
   }
   tally.Note(std::to_string(threes) + " rays with all three hits");
   tally.Report();
-  fast.Report();
 }
 
 TEST(TestCells, TripleRoots)
@@ -203,7 +168,7 @@ TEST(TestCells, TripleRoots)
 TEST(TestCells, VanishingCoefficients)
 {
   Dice dice(15);
-  BothTallies tally("vanishing leading coefficients");
+  Tally tally("vanishing leading coefficients (Robust)");
   for (int i = 0; i < 4000; ++i)
   {
     const int kind = i % 4;
@@ -235,7 +200,6 @@ TEST(TestCells, Cancellation)
   Dice dice(16);
   Tally small("values 1e6 + 1e-6 (Robust)");
   Tally large("values 1e15 + eighths (Robust)");
-  Tally fast("values 1e6 + 1e-6 (Fast)");
   for (int i = 0; i < 300; ++i)
   {
     const Index dimensions = { 4, 4, 4 };
@@ -244,11 +208,9 @@ TEST(TestCells, Cancellation)
       Sample(dimensions, [&dice](int, int, int) { return 1e15 + dice.Integer(-80, 80) / 8.0; });
     const auto lines = RandomLines(dice, dimensions, 20);
     small.Try(near, 1e6 + dice.Uniform(-5e-7, 5e-7), lines);
-    fast.Try(near, 1e6 + dice.Uniform(-5e-7, 5e-7), lines, RootSolver::Fast);
     large.Try(far, 1e15 + dice.Integer(-40, 40) / 8.0, lines);
   }
   small.Report();
-  fast.Report();
   large.Report();
 }
 
@@ -256,7 +218,7 @@ TEST(TestCells, EverySignPatternWithItsSaddles)
 {
   // All ways in which corners can be inside: the ambiguous ones of marching cubes among them.
   Dice dice(17);
-  BothTallies tally("all 254 sign patterns, saddles");
+  Tally tally("all 254 sign patterns, saddles (Robust)");
   for (int pattern = 1; pattern < 255; ++pattern)
   {
     for (int i = 0; i < 8; ++i)
@@ -281,7 +243,7 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
     Dice dice(18);
     const std::string name =
       isDenormal ? "magnitudes 2^-1060 to 2^-1010, denormal" : "magnitudes 2^-1000 to 2^1020";
-    BothTallies tally(name);
+    Tally tally(name + " (Robust)");
     for (int exponent = isDenormal ? -1060 : -1000; exponent <= (isDenormal ? -1010 : 1020);
          exponent += isDenormal ? 2 : 10)
     {
@@ -294,8 +256,7 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
         }
         const double isovalue = std::ldexp(dice.Uniform(-0.5, 0.5), exponent);
         const auto lines = RandomLines(dice, field.Dimensions, 10);
-        tally.InDouble.CheckNormals(!isDenormal);
-        tally.InSingle.CheckNormals(!isDenormal);
+        tally.CheckNormals(!isDenormal);
         tally.Try(field, isovalue, lines);
       }
     }
@@ -308,7 +269,6 @@ TEST(TestCells, DifferencesThatOverflow)
   // Values of both signs near the largest double: their differences are none.
   Dice dice(23);
   Tally tally("values +-1.7e308 (Robust)");
-  Tally fast("values +-1.7e308 (Fast)");
   for (int i = 0; i < 200; ++i)
   {
     const Field field = RandomField(dice, { 3, 3, 3 }, -1.0, 1.0);
@@ -319,12 +279,9 @@ TEST(TestCells, DifferencesThatOverflow)
     }
     const auto lines = RandomLines(dice, field.Dimensions, 10);
     tally.CheckNormals(false);
-    fast.CheckNormals(false);
     tally.Try(huge, dice.Uniform(-0.9, 0.9) * 1.7e308, lines);
-    fast.Try(huge, dice.Uniform(-0.9, 0.9) * 1.7e308, lines, RootSolver::Fast);
   }
   tally.Report();
-  fast.Report();
 }
 
 TEST(TestCells, AllMagnitudesInOneCell)
@@ -412,49 +369,5 @@ TEST(TestCells, EverySolverEndsOnRandomBits)
   Tally tally("termination on random bits (Robust, Marmitt, Analytic, Linear)");
   tally.Count(cells, robust.Roots, 0, robust.Outside);
   tally.Note(std::to_string(finite) + " cells finite");
-  tally.Report();
-}
-
-TEST(TestCells, FastEndsOnRandomBits)
-{
-  Dice dice(21);
-  const std::size_t batches = IsLongRun() ? 100000000 : 100000;
-  std::size_t found = 0;
-  std::size_t outside = 0;
-  for (std::size_t i = 0; i < batches; ++i)
-  {
-    Fast::Batch batch;
-    for (auto& corner : batch.Difference)
-    {
-      for (float& value : corner)
-      {
-        const auto bits = static_cast<std::uint32_t>(dice.Bits());
-        std::memcpy(&value, &bits, sizeof(value));
-      }
-    }
-    for (std::size_t lane = 0; lane < Fast::Lanes; ++lane)
-    {
-      const CellSegment segment = RandomSegment(dice);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        batch.Entry[axis][lane] = static_cast<float>(segment.Entry[axis]);
-        batch.Exit[axis][lane] = static_cast<float>(segment.Exit[axis]);
-      }
-    }
-    Fast::Roots roots;
-    Fast::Solve(batch, false, roots);
-    for (std::size_t piece = 0; piece < 3; ++piece)
-    {
-      for (std::size_t lane = 0; lane < Fast::Lanes; ++lane)
-      {
-        const bool isRoot = roots.Found[piece][lane] != 0;
-        const float u = roots.U[piece][lane];
-        found += isRoot ? 1 : 0;
-        outside += isRoot && std::isfinite(u) && (u < 0.0F || u > 1.0F) ? 1 : 0;
-      }
-    }
-  }
-  Tally tally("termination on random bits (Fast)");
-  tally.Count(batches * Fast::Lanes, found, 0, outside);
   tally.Report();
 }

@@ -61,7 +61,6 @@ TEST(TestRays, FarOrigins)
     char name[64];
     std::snprintf(name, sizeof(name), "origin %g cells away", cells);
     Tally tally(std::string(name) + " (Robust)");
-    Tally fast(std::string(name) + " (Fast)");
     for (int i = 0; i < 60; ++i)
     {
       const Field field = RandomField(dice, { 7, 8, 9 });
@@ -73,11 +72,9 @@ TEST(TestRays, FarOrigins)
       }
       const double isovalue = dice.Uniform(-0.5, 0.5);
       tally.Try(field, isovalue, lines);
-      fast.Try(field, isovalue, lines, RootSolver::Fast);
     }
     tally.Note("T within 4 roundings of its size besides");
     tally.Report();
-    fast.Report();
   }
 }
 
@@ -86,7 +83,6 @@ TEST(TestRays, AlongLatticeDirections)
   Dice dice(41);
   Tally exact("in faces, along edges, through vertices, 26 directions (Robust)");
   Tally nudged("the same, nudged by one rounding (Robust)");
-  Tally fast("in faces, along edges, through vertices, 26 directions (Fast)");
   for (int i = 0; i < 40; ++i)
   {
     const Index dimensions = { 5, 6, 7 };
@@ -114,11 +110,9 @@ TEST(TestRays, AlongLatticeDirections)
     const double isovalue = isInteger ? dice.Integer(-1, 1) : dice.Uniform(-0.5, 0.5);
     exact.Try(field, isovalue, lines);
     nudged.Try(field, isovalue, nudgedLines);
-    fast.Try(field, isovalue, lines, RootSolver::Fast);
   }
   exact.Report();
   nudged.Report();
-  fast.Report();
 }
 
 TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
@@ -415,7 +409,6 @@ TEST(TestRays, NoDriftOver4096Cells)
 {
   Dice dice(49);
   Tally tally("4096 cells along (Robust)");
-  Tally fast("4096 cells along (Fast)");
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     Index dimensions = { 3, 3, 3 };
@@ -436,10 +429,8 @@ TEST(TestRays, NoDriftOver4096Cells)
       lines.push_back(line);
     }
     tally.Try(field, 0.1, lines);
-    fast.Try(field, 0.1, lines, RootSolver::Fast);
   }
   tally.Report();
-  fast.Report();
 }
 
 TEST(TestRays, WhatIsNoRayHitsNothing)

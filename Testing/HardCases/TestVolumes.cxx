@@ -127,7 +127,7 @@ TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
     RootSolver Solver;
     const char* Name;
     std::size_t Rays;
-  } solvers[] = { { RootSolver::Robust, "Robust", 1000000 }, { RootSolver::Fast, "Fast", 500000 },
+  } solvers[] = { { RootSolver::Robust, "Robust", 1000000 },
     { RootSolver::Marmitt, "Marmitt", 200000 }, { RootSolver::Linear, "Linear", 200000 } };
   for (const auto& solver : solvers)
   {
@@ -147,7 +147,6 @@ TEST(TestVolumes, IsovalueOfSamples)
   Tally ramps("8-bit ramps, isovalue of samples (Robust)");
   Tally labels("8-bit labels, isovalue of a label (Robust)");
   Tally checkers("8-bit checkerboard (Robust)");
-  Tally fast("8-bit labels, isovalue of a label (Fast)");
   for (int i = 0; i < 60; ++i)
   {
     const Index dimensions = { 7, 8, 9 };
@@ -159,16 +158,13 @@ TEST(TestVolumes, IsovalueOfSamples)
       Sample(dimensions, [&dice](int, int, int) { return dice.Integer(0, 3) * 40; });
     const Field checker =
       Sample(dimensions, [](int x, int y, int z) { return (x + y + z) % 2 == 0 ? 10 : 250; });
-    const auto robust = RootSolver::Robust;
-    ramps.Try(ramp, 2 * slope, lines, robust, ScalarType::UInt8);
-    labels.Try(label, 40 * dice.Integer(1, 3), lines, robust, ScalarType::UInt8);
-    checkers.Try(checker, i % 2 == 0 ? 250.0 : 130.0, lines, robust, ScalarType::UInt8);
-    fast.Try(label, 40 * dice.Integer(1, 3), lines, RootSolver::Fast, ScalarType::UInt8);
+    ramps.Try(ramp, 2 * slope, lines, ScalarType::UInt8);
+    labels.Try(label, 40 * dice.Integer(1, 3), lines, ScalarType::UInt8);
+    checkers.Try(checker, i % 2 == 0 ? 250.0 : 130.0, lines, ScalarType::UInt8);
   }
   ramps.Report();
   labels.Report();
   checkers.Report();
-  fast.Report();
 }
 
 TEST(TestVolumes, FlatCellsAtTheIsovalue)
@@ -184,41 +180,36 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
     { "flat slab: below, at, above", -1, 1, { 3.0 } },
     { "flat slab: above, at, below", 1, -1, { 5.0 } },
     { "flat slab: above, at, above", 1, 1, {} } };
-  const auto solvers = { RootSolver::Robust, RootSolver::Fast };
   for (const auto& layer : layers)
   {
-    for (const RootSolver solver : solvers)
+    Dice dice(82);
+    const Field field = Sample({ 9, 9, 9 },
+      [&layer](int, int, int z) { return z < 3 ? layer.Before : (z > 5 ? layer.Behind : 0); });
+    std::vector<Line> lines;
+    for (int i = 0; i < 2000; ++i)
     {
-      const bool isFast = solver == RootSolver::Fast;
-      Dice dice(82);
-      const Field field = Sample({ 9, 9, 9 },
-        [&layer](int, int, int z) { return z < 3 ? layer.Before : (z > 5 ? layer.Behind : 0); });
-      std::vector<Line> lines;
-      for (int i = 0; i < 2000; ++i)
-      {
-        const Triple direction = { dice.Uniform(-0.3, 0.3), dice.Uniform(-0.3, 0.3), 1.0 };
-        lines.push_back({ { dice.Uniform(3.0, 5.0), dice.Uniform(3.0, 5.0), -2.0 }, direction });
-      }
-      Tracer tracer(field);
-      const RayHits hits = tracer.Cast(lines, 0.0, solver);
-      Tally tally(std::string(layer.Name) + (isFast ? " (Fast)" : " (Robust)"));
-      tally.Expect(isFast ? FastPromise() : RobustPromise({ 9, 9, 9 }));
-      std::size_t missed = 0;
-      std::size_t invented = 0;
-      for (std::size_t ray = 0; ray < lines.size(); ++ray)
-      {
-        const std::size_t count = hits.First[ray + 1] - hits.First[ray];
-        missed += count < layer.Places.size() ? 1 : 0;
-        invented += count > layer.Places.size() ? 1 : 0;
-        for (std::size_t k = 0; k < std::min(count, layer.Places.size()); ++k)
-        {
-          tally.AddError(
-            std::abs(hits.Hits[hits.First[ray] + k].GetPoint(nullptr)[2] - layer.Places[k]));
-        }
-      }
-      tally.Count(lines.size(), hits.Hits.size(), missed, invented);
-      tally.Report();
+      const Triple direction = { dice.Uniform(-0.3, 0.3), dice.Uniform(-0.3, 0.3), 1.0 };
+      lines.push_back({ { dice.Uniform(3.0, 5.0), dice.Uniform(3.0, 5.0), -2.0 }, direction });
     }
+    Tracer tracer(field);
+    const RayHits hits = tracer.Cast(lines, 0.0);
+    Tally tally(std::string(layer.Name) + " (Robust)");
+    tally.Expect(RobustPromise({ 9, 9, 9 }));
+    std::size_t missed = 0;
+    std::size_t invented = 0;
+    for (std::size_t ray = 0; ray < lines.size(); ++ray)
+    {
+      const std::size_t count = hits.First[ray + 1] - hits.First[ray];
+      missed += count < layer.Places.size() ? 1 : 0;
+      invented += count > layer.Places.size() ? 1 : 0;
+      for (std::size_t k = 0; k < std::min(count, layer.Places.size()); ++k)
+      {
+        tally.AddError(
+          std::abs(hits.Hits[hits.First[ray] + k].GetPoint(nullptr)[2] - layer.Places[k]));
+      }
+    }
+    tally.Count(lines.size(), hits.Hits.size(), missed, invented);
+    tally.Report();
   }
 }
 
@@ -267,7 +258,6 @@ TEST(TestVolumes, SamplesThatAreNotFinite)
 {
   Dice dice(84);
   Tally tally("5 % NaN and infinite samples (Robust)");
-  Tally fast("5 % NaN and infinite samples (Fast)");
   const double bad[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity };
   for (int i = 0; i < 100; ++i)
   {
@@ -277,10 +267,8 @@ TEST(TestVolumes, SamplesThatAreNotFinite)
     const auto lines = RandomLines(dice, field.Dimensions, 40);
     const double isovalue = dice.Uniform(-0.5, 0.5);
     tally.Try(field, isovalue, lines);
-    fast.Try(field, isovalue, lines, RootSolver::Fast);
   }
   tally.Report();
-  fast.Report();
 }
 
 TEST(TestVolumes, IsovalueThatIsNotFinite)
@@ -291,14 +279,11 @@ TEST(TestVolumes, IsovalueThatIsNotFinite)
     { return dice.Integer(0, 9) == 0 ? Infinity : dice.Uniform(-1.0, 1.0); });
   Tracer tracer(field);
   const auto lines = RandomLines(dice, field.Dimensions, 1000);
-  Tally tally("isovalue NaN or infinite (Robust, Fast)");
+  Tally tally("isovalue NaN or infinite (Robust)");
   for (const double isovalue : { Infinity, -Infinity, std::numeric_limits<double>::quiet_NaN() })
   {
-    for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast })
-    {
-      const std::size_t hits = tracer.Cast(lines, isovalue, solver).Hits.size();
-      tally.Count(lines.size(), hits, 0, hits);
-    }
+    const std::size_t hits = tracer.Cast(lines, isovalue).Hits.size();
+    tally.Count(lines.size(), hits, 0, hits);
   }
   tally.Report();
 }
@@ -307,15 +292,15 @@ TEST(TestVolumes, RandomBitsAsSamples)
 {
   // Everything a double can be, whole volumes of it, through the whole machine.
   Dice dice(86);
-  Tally tally("volumes of random bits (Robust, Fast, Marmitt, Analytic, Linear)");
+  Tally tally("volumes of random bits (Robust, Marmitt, Analytic, Linear)");
   const int volumes = IsLongRun() ? 10000 : 20;
   for (int i = 0; i < volumes; ++i)
   {
     const Field field = Sample({ 9, 10, 11 }, [&dice](int, int, int) { return dice.AnyDouble(); });
     Tracer tracer(field);
     const auto lines = RandomLines(dice, field.Dimensions, 500);
-    for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Marmitt,
-           RootSolver::Analytic, RootSolver::Linear })
+    for (const RootSolver solver :
+      { RootSolver::Robust, RootSolver::Marmitt, RootSolver::Analytic, RootSolver::Linear })
     {
       const RayHits hits = tracer.Cast(lines, 0.0, solver);
       std::size_t outside = 0;

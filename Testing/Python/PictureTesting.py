@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -19,11 +19,21 @@ SIZE = 160
 ISOVALUE = 150.0
 
 
-def make_waves():
+def make_waves(radius=20):
     source = vtkRTAnalyticSource()
-    source.SetWholeExtent(-20, 20, -20, 20, -20, 20)
+    source.SetWholeExtent(*3 * (-radius, radius))
     source.Update()
     return source.GetOutput()
+
+
+def write_waves(folder, radius=20):
+    """The name of the file."""
+    file_name = os.path.join(folder, "waves.mhd")
+    writer = vtkMetaImageWriter()
+    writer.SetInputData(make_waves(radius))
+    writer.SetFileName(file_name)
+    writer.Write()
+    return file_name
 
 
 def read(file_name):

@@ -10,9 +10,7 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkIOImage import vtkMetaImageWriter
-
-from PictureTesting import EXAMPLES, ISOVALUE, SIZE, PictureTestCase, make_waves, read
+from PictureTesting import EXAMPLES, ISOVALUE, SIZE, PictureTestCase, make_waves, read, write_waves
 import gallery
 
 
@@ -33,13 +31,9 @@ class TestGallery(PictureTestCase):
     def test_script(self):
         """It reads a file, and makes all pictures, larger."""
         with tempfile.TemporaryDirectory() as folder:
-            volume = os.path.join(folder, "waves.mhd")
-            writer = vtkMetaImageWriter()
-            writer.SetInputData(make_waves())
-            writer.SetFileName(volume)
-            writer.Write()
             subprocess.run(
-                [sys.executable, os.path.join(EXAMPLES, "gallery.py"), volume, str(ISOVALUE), folder],
+                [sys.executable, os.path.join(EXAMPLES, "gallery.py"), write_waves(folder),
+                 str(ISOVALUE), folder],
                 check=True, stdout=subprocess.DEVNULL)
             for name in self.pictures:
                 self.assertEqual(len(read(os.path.join(folder, name + ".png"))), 480 * 480, name)

@@ -41,7 +41,7 @@ inline std::vector<Index3> CellsOnRay(const Ray& ray, const Index3& dimensions)
   return cells;
 }
 
-/// As TracedVolume takes off the isovalue: a difference that is not zero never vanishes.
+/// As ImageField takes off the isovalue: a difference that is not zero never vanishes.
 inline CellCorners Differences(const CellCorners& corners, const ScaledIsovalue& isovalue)
 {
   CellCorners differences;

@@ -44,7 +44,7 @@ struct OpenScene
   template <typename Field>
   explicit OpenScene(const Field& field, double opacity = 1.0)
     : Volume(TestVolume<double>::Of({ Edge, Edge, Edge }, field))
-    , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
+    , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
     const Matrix4 worldFromIndex = Scaling({ 1.0, 1.0, 2.0 });
     this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
@@ -71,7 +71,7 @@ struct OpenScene
   }
 
   TestVolume<double> Volume;
-  std::unique_ptr<TracedVolume> Traced;
+  std::unique_ptr<ImageField> Traced;
   Scene TheScene;
 };
 

@@ -3,8 +3,8 @@
 
 // The memory of bricks and masks: what is kept, what makes room, and that pictures do not care.
 
+#include "Image/ImageField.h"
 #include "Image/Samples/BlockCache.h"
-#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 
@@ -152,8 +152,8 @@ TEST(BlockCache, NeverChangesAHit)
   RandomNumbers random(1301);
   const auto volume = TestVolume<float>::Of(
     { 70, 50, 60 }, [&random](const AnalyticFields::Point&) { return random.Uniform(-1.0, 1.0); });
-  const auto unlimited = TracedVolume::New(volume.View(), {}, 2);
-  const auto limited = TracedVolume::New(volume.View(), {}, 2);
+  const auto unlimited = ImageField::New(volume.View(), {}, 2);
+  const auto limited = ImageField::New(volume.View(), {}, 2);
   TraceRequest wanted;
   wanted.Surfaces = { { 0.9, 1.0 } };
   const std::size_t ceilings[] = { 0, 20000, 100000, 100000, 300000, 40000, Unlimited };

@@ -5,8 +5,8 @@
 // every face of the volume in higher precision, and, where rays go through edges and corners of
 // boxes, with a walk from box to box in exact arithmetic. Neither knows of cells.
 
+#include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
-#include "Image/TracedVolume.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -51,15 +51,15 @@ TraceRequest Request(double opacity = 1e-9)
 }
 
 template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
+std::unique_ptr<ImageField> NewTraced(
+  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
 {
-  auto traced = TracedVolume::New(volume.View(), settings, 2);
+  auto traced = ImageField::New(volume.View(), settings, 2);
   traced->Select(wanted, 2);
   return traced;
 }
 
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Infinity,
+std::vector<Hit> Trace(ImageField& volume, const Line& line, double tEnd = Infinity,
   const UnevenPlanes* planes = nullptr)
 {
   RayHits hits;
@@ -231,7 +231,7 @@ std::optional<std::vector<CrossingT>> WalkFromBoxToBox(
   return crossings;
 }
 
-void Compare(TracedVolume& traced, const Line& line, const std::vector<Hit>& hits,
+void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
   const std::vector<CrossingT>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
 {
   ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
@@ -358,7 +358,7 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
                                  : RandomLine(random, volume.Dimensions);
     rays.push_back(ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions));
   }
-  std::vector<VolumeSettings> all;
+  std::vector<ImageSettings> all;
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 4 }, { 2, 2, 2, 2 }, { 16, 3 } })
   {
@@ -379,9 +379,9 @@ TEST(BoxFacesOfRays, DependOnNothingButTheSamples)
       expected.Append(own);
     }
     EXPECT_GT(expected.Hits.size(), 200U);
-    for (const VolumeSettings& settings : all)
+    for (const ImageSettings& settings : all)
     {
-      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Linear })
+      for (const RootSolver solver : { RootSolver::Robust, RootSolver::Linear })
       {
         TraceRequest wanted = Request(opacity);
         wanted.Solver = solver;

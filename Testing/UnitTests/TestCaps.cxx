@@ -4,7 +4,7 @@
 // Caps close what half-spaces cut open: rays go in and out in turn, however they are cut; and caps
 // are where the field says.
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -28,7 +28,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// So little that a ray goes through any number of such surfaces.
 constexpr double Glass = 1e-9;
 
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, const UnevenPlanes* planes = nullptr)
+std::vector<Hit> Trace(ImageField& volume, const Line& line, const UnevenPlanes* planes = nullptr)
 {
   RayHits hits;
   volume.Trace(
@@ -82,8 +82,8 @@ std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& siz
 /// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
 int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 {
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
-  const auto opaque = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
+  const auto opaque = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(77);
   int leaks = 0;
   for (int scene = 0; scene < 40; ++scene)
@@ -176,7 +176,7 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
   const AnalyticFields::Plane field = { { 0.3, -0.7, 0.5 }, -1.0 };
   const TestVolume<double> volume = TestVolume<double>::Of({ 20, 18, 22 }, field);
   const std::vector<Isosurface> surfaces = { { -1.0, Glass }, { 1.0, Glass }, { 3.0, Glass } };
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(9);
   int found[4] = {};
   for (int scene = 0; scene < 50; ++scene)
@@ -238,7 +238,7 @@ TEST(Caps, AreWhereTheFieldIsAtOrAboveTheLargestIsovalue)
 TEST(Caps, AreSeenFromBothSidesAndNotFromTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
   traced->Select(wanted, 2);
@@ -265,7 +265,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
   // From 1 at the border along x to 4 in the middle.
   const TestVolume<double> volume = TestVolume<double>::Of(
     { 15, 9, 9 }, [](const AnalyticFields::Point& p) { return std::min(p[0], 14.0 - p[0]); });
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   const Line line = { { -4.0, 4.25, 4.5 }, { 1.0, 0.0, 0.0 } };
   const auto trace = [&](double skin, double bone, double cut)
   {
@@ -296,7 +296,7 @@ TEST(Caps, TakeOfARayWhatTheirSurfacesTake)
 TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 {
   const TestVolume<double> full({ 9, 8, 7 }, std::vector<double>(504, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   RandomNumbers random(31);
   for (const double error : { 0.0, 1e-13, 1e-9 })
   {
@@ -339,7 +339,7 @@ TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
   }
   const auto low = static_cast<double>(2.0F * 0.7F);
   const auto high = static_cast<double>(3.0F * 0.7F);
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(10);
   int found = 0;
   for (int scene = 0; scene < 30; ++scene)
@@ -374,7 +374,7 @@ TEST(Caps, InFacesOfBoxesHaveTheValuesOfTheBoxesThatAreLeft)
   const Index3 size = { 12, 12, 12 };
   const TestVolume<float> volume =
     TestVolume<float>::Of(size, [](const AnalyticFields::Point& p) { return p[2]; });
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   RandomNumbers random(12);
   for (const double way : { 1.0, -1.0 })
   {
@@ -411,7 +411,7 @@ TEST(Caps, AreNotInCellsThatAreHiddenOrHaveNoFiniteValue)
   volume.At({ 2, 2, 2 }) = std::numeric_limits<float>::quiet_NaN();
   std::vector<unsigned char> hidden(8 * 8 * 8, 0);
   hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
-  const auto traced = TracedVolume::New(volume.View(), {}, 2);
+  const auto traced = ImageField::New(volume.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
   wanted.Visible.HiddenCells = hidden.data();
@@ -457,7 +457,7 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
           volume.At(i) = std::numeric_limits<float>::quiet_NaN();
         }
       });
-    const auto traced = TracedVolume::New(volume.View(), {}, 2);
+    const auto traced = ImageField::New(volume.View(), {}, 2);
     TraceRequest wanted({ { 0.0, Glass } });
     const double length = way * random.Uniform(0.1, 10.0);
     wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
@@ -486,7 +486,7 @@ TEST(Caps, InLatticePlanesAreOfTheCellsThatAreLeft)
 TEST(Caps, AreNotWhereTheyAreNotWanted)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
-  const auto traced = TracedVolume::New(full.View(), {}, 2);
+  const auto traced = ImageField::New(full.View(), {}, 2);
   TraceRequest wanted({ { 0.0, 1.0 } });
   // The second one cuts later, and has none.
   wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),

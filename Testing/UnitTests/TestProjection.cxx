@@ -4,7 +4,7 @@
 // The largest and smallest values of rays are compared with those of many samples in higher
 // precision, which share no code with what is tested; and with what is known of simple fields.
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -50,15 +50,15 @@ TraceRequest Request(Extremum kind, const Visibility& seen = {})
 }
 
 template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
+std::unique_ptr<ImageField> NewTraced(
+  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
 {
-  auto traced = TracedVolume::New(volume.View(), settings, 2);
+  auto traced = ImageField::New(volume.View(), settings, 2);
   traced->Select(wanted, 2);
   return traced;
 }
 
-std::optional<Hit> Project(TracedVolume& volume, const Line& line, double tEnd = Infinity)
+std::optional<Hit> Project(ImageField& volume, const Line& line, double tEnd = Infinity)
 {
   RayHits hits;
   volume.Trace(
@@ -154,7 +154,7 @@ bool Everywhere(const Vector3&)
 /// Compares with samples. On half the way between two of them, noise of 0 to 120 rises by no more
 /// than sqrt(3) * 120 / 800; where what is seen ends, on the whole way.
 template <typename T>
-void Compare(const TestVolume<T>& volume, TracedVolume& traced, const Line& line, Extremum kind,
+void Compare(const TestVolume<T>& volume, ImageField& traced, const Line& line, Extremum kind,
   const Predicate& isSeen)
 {
   const std::optional<Hit> hit = Project(traced, line);
@@ -258,7 +258,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
       i % 4 == 0 ? LatticeLine(random, volume.Dimensions) : RandomLine(random, volume.Dimensions);
     rays.push_back(ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions));
   }
-  std::vector<VolumeSettings> all;
+  std::vector<ImageSettings> all;
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 4 }, { 2, 2, 2, 2 }, { 16, 3 } })
   {
@@ -278,7 +278,7 @@ TEST(ProjectionOfRays, DependsOnNothingButTheSamples)
       plain->Trace({ ray }, own);
       expected.Append(own);
     }
-    for (const VolumeSettings& settings : all)
+    for (const ImageSettings& settings : all)
     {
       RayHits hits;
       NewTraced(volume, Request(kind), settings)->Trace(rays, hits);

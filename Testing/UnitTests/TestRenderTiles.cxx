@@ -54,7 +54,7 @@ Scene NewSceneFromAbove()
   return scene;
 }
 
-Frame Render(const Scene& scene, TracedVolume& volume)
+Frame Render(const Scene& scene, ImageField& volume)
 {
   Frame frame;
   FrameTimes times;
@@ -70,12 +70,12 @@ struct TracedField
 {
   explicit TracedField(const Field& field)
     : Volume(TestVolume<float>::Of({ 9, 9, 9 }, field))
-    , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
+    , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
   }
 
   TestVolume<float> Volume;
-  std::unique_ptr<TracedVolume> Traced;
+  std::unique_ptr<ImageField> Traced;
 };
 
 std::vector<int> PixelOf(const Frame& frame, std::size_t pixel)
@@ -295,7 +295,7 @@ Scene AnyScene(RandomNumbers& random, const Index3& n)
   scene.TileHeight = tile[1];
   scene.Request.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
   scene.Colors = { { 1.0, 0.5, 0.25 } };
-  scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Fast;
+  scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Linear;
   scene.Request.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
   scene.KeepHits = true;
   return scene;
@@ -309,7 +309,7 @@ TEST(RenderTiles, LeavesOutOnlyWhatNothingIsIn)
   for (int i = 0; i < 1500; ++i)
   {
     const auto volume = NewCrumbs(random);
-    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    const auto traced = ImageField::New(volume.View(), {}, 1);
     for (int k = 0; k < 5; ++k)
     {
       Scene scene = AnyScene(random, volume.Dimensions);
@@ -345,7 +345,7 @@ TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
   // In the middle of one macrocell.
   const auto volume =
     TestVolume<float>::Of({ 128, 128, 128 }, AnalyticFields::Sphere{ { 44.0, 84.0, 60.0 }, 1.5 });
-  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  const auto traced = ImageField::New(volume.View(), {}, 1);
   for (const Kernels* kernels : GetKernels())
   {
     base = kernels;
@@ -369,7 +369,7 @@ TEST(RenderTiles, SendsRaysOnlyWhereTheyMayHit)
 TEST(RenderTiles, IsTheSameToTheLastBitWithAllKernels)
 {
   const auto volume = NewGyroid();
-  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  const auto traced = ImageField::New(volume.View(), {}, 1);
   Scene scene = NewSceneOfGyroid();
   scene.Pixels = { 3, 5, 91, 59 };
   std::vector<float> depths(Count({ 91, 59, 1 }), 1.0F);
@@ -415,7 +415,7 @@ TEST(RenderTiles, IsTheSameToTheLastBitForAllThreadsAndTiles)
       // Afresh each time, so that the threads make bricks at once.
       for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
       {
-        const auto traced = TracedVolume::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, threads);
+        const auto traced = ImageField::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, threads);
         scene.Threads = threads;
         scene.TileWidth = tile.first;
         scene.TileHeight = tile.second;

@@ -5,8 +5,8 @@
 // touch nothing beside it: the samples end at a page of memory that nobody may read.
 
 #include "AllKernels.h"
+#include "Image/ImageField.h"
 #include "Image/Samples/VolumeView.h"
-#include "Image/TracedVolume.h"
 #include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
@@ -171,7 +171,7 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   const int step = random.Integer(0, 2) ? 1 : random.Integer(2, 4);
   const GuardedSamples<T> samples(step * (Count(size) - 1) + 1, random.Integer(0, 1) != 0, random);
   const VolumeView view = { samples.Get(), ScalarTypeOf<T>(), size, step };
-  const auto volume = TracedVolume::New(view, {}, 1);
+  const auto volume = ImageField::New(view, {}, 1);
   std::vector<Hit> hits(static_cast<std::size_t>(random.Integer(1, RayPacket::Capacity)));
   for (Hit& hit : hits)
   {

@@ -88,7 +88,7 @@ public:
     const Matrix4& worldFromIndex = Scaling({ 1.0, 1.0, 1.0 }), double steep = 1.0)
     : Volume(TestVolume<double>::Of(
         { 9, 9, 9 }, [steep](const AnalyticFields::Point& p) { return steep * (p[0] - 4.0); }))
-    , Traced(TracedVolume::New(this->Volume.View(), {}, 1))
+    , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
     this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
     this->TheScene.Request.Surfaces = { { 0.0, 1.0 } };
@@ -110,7 +110,7 @@ public:
   }
 
   TestVolume<double> Volume;
-  std::unique_ptr<TracedVolume> Traced;
+  std::unique_ptr<ImageField> Traced;
   Scene TheScene;
 };
 
@@ -264,7 +264,7 @@ TEST(Shading, TakesGradientsFromTheSamplesAround)
   // x^2 along x: the central difference at 3 and 4 is 6 and 8, the difference between them 7.
   const auto volume = TestVolume<std::int16_t>::Of(
     { 9, 4, 5 }, [](const AnalyticFields::Point& p) { return p[0] * p[0] + 3.0 * p[2]; });
-  const auto traced = TracedVolume::New(volume.View(), {}, 1);
+  const auto traced = ImageField::New(volume.View(), {}, 1);
   const Hit within = { 0.0, { 3, 1, 1 }, 0, { 0.25, 0.5, 0.5 }, true };
   EXPECT_EQ(
     traced->GetGradient(within, NormalMode::CentralDifferences), (Vector3{ 6.5, 0.0, 3.0 }));

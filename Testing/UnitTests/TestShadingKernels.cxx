@@ -147,7 +147,7 @@ TEST_P(ShadingKernels, ShadeHitsOneByOne)
   for (int i = 0; i < 1500; ++i)
   {
     const auto volume = RandomVolume(random);
-    const auto traced = TracedVolume::New(volume.View(), {}, 1);
+    const auto traced = ImageField::New(volume.View(), {}, 1);
     Scene scene = RandomScene(random);
     scene.Request.BeamKernels = &kernels.Counting;
     traced->Select(scene.Request, 1);

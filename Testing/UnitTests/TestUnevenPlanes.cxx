@@ -4,8 +4,8 @@
 // Volumes whose samples are not evenly spaced: rays miss nothing in them, and gradients are those
 // of their space.
 
+#include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
-#include "Image/TracedVolume.h"
 #include "Math/TrilinearCell.h"
 #include "Picture/CastRays.h"
 #include "RandomNumbers.h"
@@ -66,15 +66,15 @@ std::vector<double> WholeNumbers(int count)
 }
 
 template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const VolumeSettings& settings = {})
+std::unique_ptr<ImageField> NewTraced(
+  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
 {
-  auto traced = TracedVolume::New(volume.View(), settings, 1);
+  auto traced = ImageField::New(volume.View(), settings, 1);
   traced->Select(wanted, 1);
   return traced;
 }
 
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, const UnevenPlanes* planes)
+std::vector<Hit> Trace(ImageField& volume, const Line& line, const UnevenPlanes* planes)
 {
   RayHits hits;
   volume.Trace({ ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity,
@@ -203,9 +203,9 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
     const UnevenPlanes planes = RandomPlanes(random, size, round % 2 == 1);
     TraceRequest wanted({ { 0.1, Glass } });
     wanted.Planes = &planes;
-    VolumeSettings cellByCell;
+    ImageSettings cellByCell;
     cellByCell.MacrocellBranching.clear();
-    VolumeSettings small;
+    ImageSettings small;
     small.MacrocellBranching = { 2, 3 };
     const auto traced = NewTraced(volume, wanted);
     const auto simple = NewTraced(volume, wanted, cellByCell);
@@ -221,7 +221,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
         ASSERT_EQ(hits[k].Entering, k % 2 == 0) << ToText(line);
         ASSERT_TRUE(k == 0 || hits[k].T >= hits[k - 1].T) << ToText(line);
       }
-      for (TracedVolume* volumeToo : { simple.get(), other.get() })
+      for (ImageField* volumeToo : { simple.get(), other.get() })
       {
         const std::vector<Hit> too = Trace(*volumeToo, line, &planes);
         ASSERT_EQ(too.size(), hits.size()) << ToText(line);
@@ -392,8 +392,8 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
     ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
     TraceRequest wanted({ { 0.25, 1.0 } });
     wanted.Planes = &planes;
-    for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast, RootSolver::Analytic,
-           RootSolver::Marmitt, RootSolver::Linear })
+    for (const RootSolver solver :
+      { RootSolver::Robust, RootSolver::Analytic, RootSolver::Marmitt, RootSolver::Linear })
     {
       wanted.Solver = solver;
       const auto traced = NewTraced(volume, wanted);

@@ -7,6 +7,7 @@
 #include "vtkIsosurfaceComparisonFilter.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -279,7 +280,7 @@ void ReportVolume(vtkImageData* volume)
 //------------------------------------------------------------------------------
 void PrintRow(const std::string& what, double seconds, double bytes, const std::string& note = "")
 {
-  std::printf("  %-18s %9.1f ms %9.2f MiB%s%s\n", what.c_str(), seconds * MillisecondsPerSecond,
+  std::printf("  %-18s %9.2f ms %9.2f MiB%s%s\n", what.c_str(), seconds * MillisecondsPerSecond,
     bytes / BytesPerMebibyte, note.empty() ? "" : "  ", note.c_str());
 }
 
@@ -314,23 +315,79 @@ void ReportRayTracing(Scene& scene, double isovalue)
 }
 
 //------------------------------------------------------------------------------
-// What VTK's own filters need to make polygons of the same surface, before anything is drawn.
-void ReportExtraction(vtkImageData* volume, double isovalue)
+// A value of the table; the program ends with an error if there is no column of that name.
+vtkVariant GetTableValue(vtkTable* table, vtkIdType row, const char* columnName)
+{
+  vtkAbstractArray* column = table->GetColumnByName(columnName);
+  if (!column)
+  {
+    std::fprintf(stderr, "The comparison has no column %s.\n", columnName);
+    std::exit(EXIT_FAILURE);
+  }
+  return column->GetVariantValue(row);
+}
+
+//------------------------------------------------------------------------------
+struct ComparisonColumn
+{
+  const char* Heading;
+  const char* Name; // in the table of vtkIsosurfaceComparisonFilter
+  double Unit;
+  const char* UnitName;
+  int Decimals;
+};
+
+constexpr ComparisonColumn ComparisonColumns[] = {
+  { "build", "BuildTime", 1.0 / MillisecondsPerSecond, " ms", 2 },
+  { "extraction", "ExtractionTime", 1.0 / MillisecondsPerSecond, " ms", 2 },
+  { "first picture", "FirstPictureTime", 1.0 / MillisecondsPerSecond, " ms", 2 },
+  { "next picture", "NextPictureTime", 1.0 / MillisecondsPerSecond, " ms", 2 },
+  { "new isovalue", "NewIsovaluePictureTime", 1.0 / MillisecondsPerSecond, " ms", 2 },
+  { "memory", "Bytes", BytesPerMebibyte, " MiB", 2 },
+  { "triangles", "Triangles", 1.0, "", 0 },
+};
+
+//------------------------------------------------------------------------------
+void PrintComparison(vtkTable* table)
+{
+  std::printf("  %-27s", "");
+  for (const ComparisonColumn& column : ComparisonColumns)
+  {
+    std::printf(" %14s", column.Heading);
+  }
+  std::printf("\n");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    std::printf("  %-27s", GetTableValue(table, row, "Method").ToString().c_str());
+    for (const ComparisonColumn& column : ComparisonColumns)
+    {
+      char text[32] = "-"; // for 0, and for NaN, which stands for what was not measured
+      const double value = GetTableValue(table, row, column.Name).ToDouble();
+      if (value > 0.0)
+      {
+        std::snprintf(
+          text, sizeof(text), "%.*f%s", column.Decimals, value / column.Unit, column.UnitName);
+      }
+      std::printf(" %14s", text);
+    }
+    const std::string note = GetTableValue(table, row, "Note").ToString();
+    std::printf("%s%s\n", note.empty() ? "" : "  ", note.c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+// What extraction of triangles needs for the same picture, and what ray tracing does.
+void ReportComparison(vtkImageData* volume, double isovalue, const Scene& scene)
 {
   vtkNew<vtkIsosurfaceComparisonFilter> comparison;
   comparison->SetInputData(volume);
   comparison->SetValue(0, isovalue);
+  comparison->SetCamera(scene.Renderer->GetActiveCamera());
+  comparison->SetImageSize(scene.Window->GetSize());
+  comparison->AccuracyOff();
   comparison->Update();
-
-  vtkTable* table = comparison->GetOutput();
-  std::printf("Extracted as polygons instead, without normals\n");
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    PrintRow(table->GetValueByName(row, "Method").ToString(),
-      table->GetValueByName(row, "Time").ToDouble(),
-      table->GetValueByName(row, "Memory").ToDouble(),
-      table->GetValueByName(row, "Triangles").ToString() + " triangles");
-  }
+  std::printf("Compared with extraction of triangles, on all threads\n");
+  PrintComparison(comparison->GetOutput());
 }
 
 //------------------------------------------------------------------------------
@@ -549,6 +606,6 @@ int main(int argc, char* argv[])
   }
   scene.Window->SetOffScreenRendering(true);
   ReportRayTracing(scene, isovalue);
-  ReportExtraction(volume, isovalue);
+  ReportComparison(volume, isovalue, scene);
   return WritePictures(scene, isovalue, arguments) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,12 @@
 
 #include "Kernels/Kernels.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -25,9 +31,27 @@ std::vector<const Kernels*> GetKernels()
   return kernels;
 }
 
+const Kernels& ChooseKernels(const char* name)
+{
+  const std::vector<const Kernels*> kernels = GetKernels();
+  if (name == nullptr)
+  {
+    return *kernels.back();
+  }
+  const std::vector<std::string> names = { "Baseline", "AVX2", "AVX512" }; // as in GetKernels
+  const auto found = std::find(names.begin(), names.end(), name);
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  if (index >= kernels.size())
+  {
+    std::cerr << "vtkIsosurfaceRayTracing: this processor has no kernels \"" << name << "\"\n";
+    return *kernels.back();
+  }
+  return *kernels[index];
+}
+
 const Kernels& GetBestKernels()
 {
-  static const Kernels& best = *GetKernels().back();
+  static const Kernels& best = ChooseKernels(std::getenv("VTK_ISOSURFACE_RAY_TRACING_KERNELS"));
   return best;
 }
 

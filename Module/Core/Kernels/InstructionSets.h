@@ -14,7 +14,12 @@ struct Kernels;
 /// The kernels that this processor can run, the fastest last.
 std::vector<const Kernels*> GetKernels();
 
-/// The fastest of them.
+/// The kernels with a name: Baseline, AVX2 or AVX512. If this processor has none of that name
+/// (which is said on the standard error), or for null, the fastest.
+const Kernels& ChooseKernels(const char* name);
+
+/// The kernels that the environment variable VTK_ISOSURFACE_RAY_TRACING_KERNELS names when they are
+/// first asked for; without it, the fastest.
 const Kernels& GetBestKernels();
 
 }

@@ -9,7 +9,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-RayHits CastRays(TracedVolume& volume, const std::vector<std::optional<Ray>>& rays, int threads)
+RayHits CastRays(ImageField& volume, const std::vector<std::optional<Ray>>& rays, int threads)
 {
   // As many rays at a time as a tile of an image has.
   constexpr std::size_t portionSize = 128;

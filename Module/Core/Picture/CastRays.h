@@ -4,7 +4,7 @@
 #ifndef CastRays_h
 #define CastRays_h
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 
 #include <optional>
 #include <vector>
@@ -13,7 +13,7 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The hits of any number of rays, traced on several threads.
-RayHits CastRays(TracedVolume& volume, const std::vector<std::optional<Ray>>& rays, int threads);
+RayHits CastRays(ImageField& volume, const std::vector<std::optional<Ray>>& rays, int threads);
 
 }
 

@@ -54,7 +54,7 @@ void MakeRays(
 
 /// Whether a ray through some pixels may hit anything: asks for those at the corners.
 bool MayHit(
-  const Scene& scene, const TracedVolume& volume, const PixelRectangle& pixels, RayPacket& corners)
+  const Scene& scene, const ImageField& volume, const PixelRectangle& pixels, RayPacket& corners)
 {
   corners.Count = 0;
   corners.Exists = {};
@@ -75,7 +75,7 @@ bool MayHit(
 }
 
 /// Makes the rays of some pixels and finds what they hit.
-void TraceBlock(const Scene& scene, TracedVolume& volume, const PixelRectangle& pixels,
+void TraceBlock(const Scene& scene, ImageField& volume, const PixelRectangle& pixels,
   RayPacket& rays, RayHits& hits)
 {
   if (!MayHit(scene, volume, pixels, rays))
@@ -261,7 +261,7 @@ PixelRectangle GetTile(const Scene& scene, int i, int tilesPerRow)
 }
 
 //------------------------------------------------------------------------------
-bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTimes& times,
+bool RenderTiles(const Scene& scene, ImageField& volume, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing)
 {
   const PixelRectangle& pixels = scene.Pixels;

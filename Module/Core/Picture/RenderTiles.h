@@ -38,7 +38,7 @@ struct FrameTimes
 /// Traces and shades a scene, tile by tile, on all its threads. Now and then keepGoing is called
 /// with the fraction done, on the calling thread only; if it returns false, the work is given up
 /// and so is the frame. Returns whether the frame is complete.
-bool RenderTiles(const Scene& scene, TracedVolume& volume, Frame& frame, FrameTimes& times,
+bool RenderTiles(const Scene& scene, ImageField& volume, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing);
 
 }

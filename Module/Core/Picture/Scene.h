@@ -4,7 +4,7 @@
 #ifndef Scene_h
 #define Scene_h
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "Rays/Camera.h"
 
 #include <array>

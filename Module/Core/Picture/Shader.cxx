@@ -112,7 +112,7 @@ Vector3 GradientToWorld(const Matrix4& worldFromIndex, const Vector3& gradient)
 }
 
 //------------------------------------------------------------------------------
-Shader::Shader(const Scene& scene, TracedVolume& volume)
+Shader::Shader(const Scene& scene, ImageField& volume)
   : TheScene(scene)
   , Volume(volume)
   , WorldFromGradient(GradientMatrix(scene.View.GetWorldFromIndex()))

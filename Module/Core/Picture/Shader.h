@@ -18,7 +18,7 @@ class Shader
 {
 public:
   /// The scene and the volume must outlive the shader.
-  Shader(const Scene& scene, TracedVolume& volume);
+  Shader(const Scene& scene, ImageField& volume);
 
   /// The colour of a hit of a ray with a direction in index space. For each light, shares has how
   /// much of it comes through to the hit; null where there are no shadows. Openness is the same for
@@ -61,7 +61,7 @@ private:
   double Highlight(double cosine) const;
 
   const Scene& TheScene;
-  TracedVolume& Volume;
+  ImageField& Volume;
   Matrix4 WorldFromGradient;
   /// The specular power, if it is a small whole number; else -1.
   int WholePower;

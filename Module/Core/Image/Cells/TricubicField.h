@@ -4,13 +4,11 @@
 #ifndef TricubicField_h
 #define TricubicField_h
 
-#include "Image/Cells/CellSegment.h"
 #include "Image/Cells/TricubicCell.h"
 #include "Image/Macrocells/BlockMask.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/Kernels.h"
-#include "Math/NonicRoots.h"
 
 #include <algorithm>
 #include <array>
@@ -77,17 +75,17 @@ public:
     mask.CompleteSlices();
   }
 
-  /// Calls visit(fraction, entering) for every root along the segment of a ray in a cell, in order,
-  /// until visit returns true.
-  template <typename Visit>
-  void ForEachRoot(const Index3& cell, const ScaledIsovalue& isovalue, const CellSegment& segment,
-    const Visit& visit) const
+  /// Makes the coefficients of a cell, with an isovalue taken off. Returns whether the surface may
+  /// pass the cell: all samples are finite, and coefficients are on both sides.
+  bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
   {
-    TricubicCell coefficients;
-    if (this->Load(cell, isovalue, coefficients))
+    if (!this->Load(cell, coefficients))
     {
-      Nonic::ForEachRoot(NonicAlongSegment(coefficients, segment.Entry, segment.Exit), visit);
+      return false;
     }
+    this->TakeOff(cell, isovalue, coefficients);
+    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside<double>);
+    return inside > 0 && inside < 64;
   }
 
   /// The value at a point of a cell, less an isovalue: the very one that the polynomials along rays
@@ -138,19 +136,6 @@ private:
       check += samples[i] * 0.0;
     }
     return check == 0.0;
-  }
-
-  /// Makes the coefficients of a cell, with an isovalue taken off. Returns whether the surface may
-  /// pass the cell: all samples are finite, and coefficients are on both sides.
-  bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
-  {
-    if (!this->Load(cell, coefficients))
-    {
-      return false;
-    }
-    this->TakeOff(cell, isovalue, coefficients);
-    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside<double>);
-    return inside > 0 && inside < 64;
   }
 
   /// Turns samples to coefficients, with an isovalue taken off.

@@ -75,8 +75,9 @@ bool PacketTracer::MayMeet(
 }
 
 const PacketHits& PacketTracer::FindFirstHits(
-  const RayPacket& packet, Cells& cells, const ScaledIsovalue& isovalue)
+  const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
 {
+  this->FirstHitSource = &cells;
   this->Isovalue = isovalue;
   this->CornerSteps = cells.GetCornerSteps();
   this->Queue.Count = 0;
@@ -88,8 +89,9 @@ const PacketHits& PacketTracer::FindFirstHits(
   return this->Hits;
 }
 
-void PacketTracer::FollowRays(const RayPacket& packet, Cells& cells)
+void PacketTracer::FollowRays(const RayPacket& packet, FollowedCells& cells)
 {
+  this->FollowedSource = &cells;
   this->Isovalue.reset();
   this->Trace(packet, cells);
 }
@@ -170,7 +172,7 @@ void PacketTracer::VisitBlock(const Frustum& frustum, const Index3& block)
   {
     return;
   }
-  const void* corner = this->Source->FindCorner(block);
+  const void* corner = this->FirstHitSource->FindCorner(block);
   this->AllInRows = this->AllInRows && corner;
   this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
@@ -225,7 +227,7 @@ void PacketTracer::FollowPassages(const Frustum& frustum)
     {
       this->AddCells(frustum.Axis, passage, cells);
     }
-    if (this->Source->Follow(ray, cells))
+    if (this->FollowedSource->Follow(ray, cells))
     {
       Remove(ray, this->Going);
     }
@@ -333,10 +335,10 @@ void PacketTracer::ClassifyQueue(const Frustum& frustum)
   {
     // Those that wait are read from rows, those that come now from copies.
     this->SolveCandidates();
-    this->Source->CopyCorners(this->Queue, frustum.Axis, this->Passed);
+    this->FirstHitSource->CopyCorners(this->Queue, frustum.Axis, this->Passed);
     this->AreCopied = true;
   }
-  this->Source->ClassifyCells(
+  this->FirstHitSource->ClassifyCells(
     this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
@@ -357,7 +359,7 @@ void PacketTracer::SolveCandidates()
   {
     this->Waiting.Ray[i] = this->Waiting.Ray[0];
   }
-  this->Source->LoadCorners(this->AreCopied, this->Waiting);
+  this->FirstHitSource->LoadCorners(this->AreCopied, this->Waiting);
   this->TheKernels.Solve(*this->Packet, this->Waiting, *this->Isovalue, this->Solved);
   for (int word = 0; word < Solutions::Words; ++word)
   {
@@ -394,7 +396,7 @@ void PacketTracer::FindFirstHit(int ray, const Index3& cell)
 {
   Hit hit;
   Crossing begin;
-  if (this->Source->FindFirstHit(ray, cell, hit, begin))
+  if (this->FirstHitSource->FindFirstHit(ray, cell, hit, begin))
   {
     this->Keep(ray, hit, begin);
   }

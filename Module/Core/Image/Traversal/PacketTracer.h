@@ -44,16 +44,16 @@ public:
   {
   public:
     virtual ~Cells() = default;
-    /// Says that a block is wanted soon.
+    /// Says that a block is needed soon.
     virtual void Prefetch(const Index3& block) = 0;
     /// Which cells of a block of 8^3 a surface passes; either kept elsewhere or made in own.
     virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
+  };
 
-    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
-    /// been through. Returns whether nothing of the ray is left.
-    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
-
-    // For first hits only:
+  /// Cells in which the first hits with one surface are found.
+  class FirstHitCells : public Cells
+  {
+  public:
     /// Where the first corner of the first cell of a block is kept; null unless all its corners are
     /// kept in rows.
     virtual const void* FindCorner(const Index3& block) = 0;
@@ -70,23 +70,32 @@ public:
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
   };
 
+  /// Cells through which each ray is followed.
+  class FollowedCells : public Cells
+  {
+  public:
+    /// Follows a ray through cells that it may pass, in no order; all it passes before them it has
+    /// been through. Returns whether nothing of the ray is left.
+    virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
+  };
+
   PacketTracer(const Kernels& kernels, const BlockTree& tree)
     : TheKernels(kernels)
     , Tree(tree)
   {
   }
 
-  /// Whether rays between lines may come to an active macrocell; see TracedVolume::MayHitBetween.
+  /// Whether rays between lines may come to an active macrocell; see ImageField::MayHitBetween.
   static bool MayMeet(
     const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines);
 
   /// Finds the first hits of all rays of a packet that exist, with one surface. The candidates of
   /// many rays are solved at once.
   const PacketHits& FindFirstHits(
-    const RayPacket& packet, Cells& cells, const ScaledIsovalue& isovalue);
+    const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
 
   /// Leads all rays of a packet that exist through the cells that may have hits.
-  void FollowRays(const RayPacket& packet, Cells& cells);
+  void FollowRays(const RayPacket& packet, FollowedCells& cells);
 
 private:
   void Trace(const RayPacket& packet, Cells& cells);
@@ -110,6 +119,9 @@ private:
 
   const RayPacket* Packet = nullptr;
   Cells* Source = nullptr;
+  /// The same; one of them is null.
+  FirstHitCells* FirstHitSource = nullptr;
+  FollowedCells* FollowedSource = nullptr;
   /// Along the axis of the frustum that goes on.
   AlignedRays Aligned;
   /// The rays that are still on their way.

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef Projection_h
-#define Projection_h
+#ifndef Projector_h
+#define Projector_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Cells/Solvers/RobustSolver.h"
+#include "Image/Cells/LargestValue.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
-#include "Image/TracedVolume.h"
 #include "Image/Traversal/CellTraversal.h"
-#include "Math/TrilinearCell.h"
+#include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
+#include "Rays/TraceRequest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,53 +18,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// A value of the interpolant along a segment, and where it is, as a fraction of the segment.
-struct SegmentValue
-{
-  double Fraction;
-  double Value;
-};
-
-/// The largest value of a cubic on [0, 1]: at one end, or where it turns; the first of equals. It
-/// is never larger than all coefficients.
-inline SegmentValue FindLargest(const BernsteinCubic& cubic)
-{
-  double turns[2];
-  const int count = Robust::Extrema(Robust::Normalize(cubic), turns);
-  SegmentValue best = { 0.0, cubic[0] };
-  const auto include = [&best](double fraction, double value)
-  {
-    if (value > best.Value)
-    {
-      best = { fraction, value };
-    }
-  };
-  // Rounding may bring an interpolated value above those that it is made of.
-  const double largest = *std::max_element(cubic.begin(), cubic.end());
-  for (int i = 0; i < count; ++i)
-  {
-    include(turns[i], std::min(largest, Robust::Evaluate(cubic, turns[i])));
-  }
-  include(1.0, cubic[3]);
-  return best;
-}
-
-/// The same for a cell whose corners have the given largest value.
-inline SegmentValue FindLargest(CellCorners corners, double largest, const CellSegment& segment)
-{
-  // Sums of three values must not overflow.
-  const bool isHuge = std::any_of(
-    corners.begin(), corners.end(), [](double value) { return std::abs(value) > 0x1p1000; });
-  const double scale = isHuge ? 0x1p-4 : 1.0;
-  for (double& value : corners)
-  {
-    value *= scale;
-  }
-  SegmentValue best = FindLargest(CubicAlongSegment(corners, segment.Entry, segment.Exit));
-  best.Value = std::min(largest, best.Value / scale);
-  return best;
-}
 
 /// Finds the extreme values of rays: in every cell that may exceed what was found so far, the
 /// largest value of the cubic. What macrocells cannot exceed it are stepped over, on all levels.
@@ -77,16 +30,16 @@ class Projector
 {
 public:
   /// All must outlive the projector, which is for one thread.
-  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const TraceRequest& wanted)
+  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const TraceRequest& request)
     : Hierarchy(hierarchy)
     , Reader(bricks)
-    , Visible(wanted.Visible)
-    , Planes(wanted.Planes)
+    , Visible(request.Visible)
+    , Planes(request.Planes)
     , Cells(hierarchy.GetLattice().Cells)
   {
   }
 
-  /// Appends the hits of rays that are cut to what is seen, at most one each.
+  /// Appends the hits of rays that are cut to what is visible, at most one each.
   void Project(const RayPacket& rays, RayHits& hits)
   {
     for (int i = 0; i < rays.Count; ++i)
@@ -97,7 +50,7 @@ public:
         ray.Planes = this->Planes;
         this->Project(ray, hits);
       }
-      hits.First.push_back(hits.Hits.size());
+      hits.EndRay();
     }
   }
 
@@ -124,9 +77,9 @@ private:
       [this, &hit](const Ray& piece)
       {
         this->Guess(piece);
-        MacrocellTraversal<Projector> walk(piece, *this);
+        MacrocellTraversal<Projector> traversal(piece, *this);
         CellRegion region;
-        while (walk.Next(region))
+        while (traversal.Next(region))
         {
           VisitCells(piece, region,
             [this, &piece, &hit](const Index3& cell)

@@ -4,7 +4,7 @@
 // The hits of rays with the isosurfaces of whole volumes are compared with those found without any
 // traversal, in every cell and in higher precision; and rays must not slip through closed surfaces.
 
-#include "Image/TracedVolume.h"
+#include "Image/ImageField.h"
 #include "Oracle.h"
 #include "RandomNumbers.h"
 #include "TestLines.h"
@@ -41,15 +41,15 @@ bool AreSame(const std::vector<Hit>& a, const std::vector<Hit>& b)
 }
 
 template <typename T>
-std::unique_ptr<TracedVolume> NewTraced(const TestVolume<T>& volume,
-  const std::vector<Isosurface>& surfaces, const VolumeSettings& settings = {})
+std::unique_ptr<ImageField> NewTraced(const TestVolume<T>& volume,
+  const std::vector<Isosurface>& surfaces, const ImageSettings& settings = {})
 {
-  auto traced = TracedVolume::New(volume.View(), settings, 2);
+  auto traced = ImageField::New(volume.View(), settings, 2);
   traced->Select({ surfaces }, 2);
   return traced;
 }
 
-std::vector<Hit> Trace(TracedVolume& volume, const Line& line, double tEnd = Infinity)
+std::vector<Hit> Trace(ImageField& volume, const Line& line, double tEnd = Infinity)
 {
   RayHits hits;
   volume.Trace(
@@ -268,7 +268,7 @@ public:
   HitChecks& operator=(const HitChecks&) = delete;
 
   template <typename T>
-  void Check(const TestVolume<T>& volume, TracedVolume& traced, const Line& line, double isovalue)
+  void Check(const TestVolume<T>& volume, ImageField& traced, const Line& line, double isovalue)
   {
     ++this->Lines;
     const std::vector<Hit> hits = Trace(traced, line);
@@ -328,7 +328,7 @@ const AnalyticFields::Gyroid Tunnels = { 7.3 };
 const AnalyticFields::Plane Slope = { { 0.3, -0.7, 0.45 }, 0.9 };
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsTheHitsThatEveryCellHas)
+TEST(ImageField, FindsTheHitsThatEveryCellHas)
 {
   const Index3 size = { 18, 16, 17 };
   CheckRandomLines("sphere", TestVolume<float>::Of(size, Ball), 0.0, 301, 500);
@@ -346,7 +346,7 @@ TEST(TracedVolume, FindsTheHitsThatEveryCellHas)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsThePlaneWhereItIs)
+TEST(ImageField, FindsThePlaneWhereItIs)
 {
   const auto volume = TestVolume<double>::Of({ 20, 21, 22 }, Slope);
   const auto traced = NewTraced(volume, { { 0.0, 1.0 } });
@@ -371,16 +371,16 @@ TEST(TracedVolume, FindsThePlaneWhereItIs)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsHitsThatAreTheSameToTheLastBitWithAllSettings)
+TEST(ImageField, FindsHitsThatAreTheSameToTheLastBitWithAllSettings)
 {
   const Index3 size = { 25, 19, 33 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
   const std::vector<Isosurface> surfaces = { { -0.2, 0.6 }, { 0.0, Glass }, { 0.3, 0.2 } };
-  VolumeSettings plain;
+  ImageSettings plain;
   plain.MacrocellBranching = {};
   plain.Layout = BrickLayout::Unbricked;
   const auto reference = NewTraced(volume, surfaces, plain);
-  std::vector<std::unique_ptr<TracedVolume>> others;
+  std::vector<std::unique_ptr<ImageField>> others;
   for (const BrickLayout layout :
     { BrickLayout::Unbricked, BrickLayout::Apron, BrickLayout::TwoLevel })
   {
@@ -415,7 +415,7 @@ TEST(TracedVolume, FindsHitsThatAreTheSameToTheLastBitWithAllSettings)
 /// Traces many lines, that all begin inside a closed surface and leave the volume, by all threads.
 /// Returns how many slip out: meet the surface an even number of times, or not in turn.
 template <typename NewLine>
-std::size_t CountLeaks(TracedVolume& volume, int lines, std::uint64_t seed, const NewLine& newLine)
+std::size_t CountLeaks(ImageField& volume, int lines, std::uint64_t seed, const NewLine& newLine)
 {
   std::size_t leaks = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : leaks)
@@ -448,7 +448,7 @@ Line FromNear(RandomNumbers& random, const Vector3& point, double distance)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, HoldsAllRaysInAClosedSurface)
+TEST(ImageField, HoldsAllRaysInAClosedSurface)
 {
   const Index3 size = { 33, 33, 33 };
   const Vector3 center = { 16.2, 15.9, 16.1 };
@@ -468,7 +468,7 @@ TEST(TracedVolume, HoldsAllRaysInAClosedSurface)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, HoldsAllRaysInASurfaceThatAllButTouchesFacesOfCells)
+TEST(ImageField, HoldsAllRaysInASurfaceThatAllButTouchesFacesOfCells)
 {
   const Index3 size = { 17, 17, 17 };
   const Vector3 center = { 8.0, 8.0, 8.0 };
@@ -483,7 +483,7 @@ TEST(TracedVolume, HoldsAllRaysInASurfaceThatAllButTouchesFacesOfCells)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, HoldsAllRaysInClosedNoise)
+TEST(ImageField, HoldsAllRaysInClosedNoise)
 {
   const Index3 size = { 13, 14, 15 };
   const Index3 place = { 6, 7, 7 };
@@ -506,7 +506,7 @@ TEST(TracedVolume, HoldsAllRaysInClosedNoise)
 
 //------------------------------------------------------------------------------
 // Samples of all magnitudes side by side: products of differences vanish, and sums overflow.
-TEST(TracedVolume, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
+TEST(ImageField, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
 {
   const Index3 size = { 13, 14, 15 };
   const Vector3 start = { 6.0, 7.0, 7.0 };
@@ -537,7 +537,7 @@ TEST(TracedVolume, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, HoldsAllRaysThroughVerticesAndEdges)
+TEST(ImageField, HoldsAllRaysThroughVerticesAndEdges)
 {
   const Index3 size = { 13, 14, 15 };
   auto noise = ClosedNoise<std::int8_t>(327, size, -2, 2, -2);
@@ -574,7 +574,7 @@ TEST(TracedVolume, HoldsAllRaysThroughVerticesAndEdges)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsEntriesAndExitsInTurn)
+TEST(ImageField, FindsEntriesAndExitsInTurn)
 {
   const Index3 size = { 15, 14, 13 };
   const auto noise = ClosedNoise<std::uint8_t>(330, size, 0, 9, 0);
@@ -604,7 +604,7 @@ TEST(TracedVolume, FindsEntriesAndExitsInTurn)
 //------------------------------------------------------------------------------
 // A cell whose values along its diagonal rise above 5 by so little that the entry and the exit have
 // the same t on a ray that comes from far away.
-TEST(TracedVolume, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
+TEST(ImageField, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
 {
   for (const double isovalue : { 5.0, -5.0 })
   {
@@ -631,7 +631,7 @@ TEST(TracedVolume, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, MeetsSeveralSurfacesInTheOrderOfTheRay)
+TEST(ImageField, MeetsSeveralSurfacesInTheOrderOfTheRay)
 {
   const auto volume = TestVolume<float>::Of(
     { 9, 9, 9 }, [](const AnalyticFields::Point& p) { return p[0] + 0.1 * p[1]; });
@@ -660,7 +660,7 @@ TEST(TracedVolume, MeetsSeveralSurfacesInTheOrderOfTheRay)
 
 //------------------------------------------------------------------------------
 // The values differ by so little, and the field is so steep, that no number lies between the hits.
-TEST(TracedVolume, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
+TEST(ImageField, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
 {
   const auto volume = TestVolume<double>::Of(
     { 4, 3, 3 }, [](const AnalyticFields::Point& p) { return 0x1p30 * (p[0] - 1.5); });
@@ -678,14 +678,14 @@ TEST(TracedVolume, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsWithSeveralSurfacesWhatItFindsWithEach)
+TEST(ImageField, FindsWithSeveralSurfacesWhatItFindsWithEach)
 {
   const Index3 size = { 15, 14, 13 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
   const std::vector<Isosurface> surfaces = { { -0.5, Glass }, { 0.0, Glass }, { 0.5, Glass },
     { 0.51, Glass } };
   const auto all = NewTraced(volume, surfaces);
-  std::vector<std::unique_ptr<TracedVolume>> each;
+  std::vector<std::unique_ptr<ImageField>> each;
   for (const Isosurface& surface : surfaces)
   {
     each.push_back(NewTraced(volume, { surface }));
@@ -718,7 +718,7 @@ TEST(TracedVolume, FindsWithSeveralSurfacesWhatItFindsWithEach)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, StopsWhereNothingOfTheRayIsLeft)
+TEST(ImageField, StopsWhereNothingOfTheRayIsLeft)
 {
   const auto volume =
     TestVolume<std::int16_t>::Of({ 9, 3, 3 }, [](const AnalyticFields::Point& p) { return p[0]; });
@@ -738,34 +738,30 @@ TEST(TracedVolume, StopsWhereNothingOfTheRayIsLeft)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, GivesEveryRayItsHits)
+TEST(ImageField, GivesEveryRayItsHits)
 {
   const auto volume = TestVolume<float>::Of({ 9, 9, 9 }, Slope);
   const auto traced = NewTraced(volume, { { 0.0, 1.0 } });
   const auto ray = ClipToVolume({ 4.0, 9.0, 4.0 }, { 0.0, -1.0, 0.0 }, 0.0, Infinity, { 9, 9, 9 });
   const auto miss = ClipToVolume({ 4.0, 9.0, 4.0 }, { 0.0, -1.0, 0.0 }, 0.0, 1.5, { 9, 9, 9 });
   ASSERT_TRUE(ray);
-  for (const RootSolver solver : { RootSolver::Robust, RootSolver::Fast })
+  RayHits hits;
+  for (int repeat = 0; repeat < 2; ++repeat)
   {
-    traced->Select({ { { 0.0, 1.0 } }, solver }, 1);
-    RayHits hits;
-    for (int repeat = 0; repeat < 2; ++repeat)
-    {
-      traced->Trace({ ray, std::nullopt, miss, ray }, hits);
-      ASSERT_EQ(hits.First, (std::vector<std::size_t>{ 0, 1, 1, 1, 2 }));
-      EXPECT_TRUE(AreSame(hits.Hits[0], hits.Hits[1]));
-    }
-    traced->Trace({}, hits);
-    EXPECT_EQ(hits.First, (std::vector<std::size_t>{ 0 }));
+    traced->Trace({ ray, std::nullopt, miss, ray }, hits);
+    ASSERT_EQ(hits.First, (std::vector<std::size_t>{ 0, 1, 1, 1, 2 }));
+    EXPECT_TRUE(AreSame(hits.Hits[0], hits.Hits[1]));
   }
+  traced->Trace({}, hits);
+  EXPECT_EQ(hits.First, (std::vector<std::size_t>{ 0 }));
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FollowsTheSurfacesLastSelected)
+TEST(ImageField, FollowsTheSurfacesLastSelected)
 {
   const Index3 size = { 17, 16, 15 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
-  const VolumeSettings settings = { { 2, 2 }, BrickLayout::Apron, 8, 4 };
+  const ImageSettings settings = { { 2, 2 }, BrickLayout::Apron, 8, 4 };
   const auto traced = NewTraced(volume, {}, settings);
   RandomNumbers random(334);
   std::vector<Line> lines;
@@ -788,7 +784,7 @@ TEST(TracedVolume, FollowsTheSurfacesLastSelected)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, TakesNegativeZeroForZero)
+TEST(ImageField, TakesNegativeZeroForZero)
 {
   const Index3 size = { 12, 13, 11 };
   const auto zeros = ClosedNoise<float>(344, size, -1, 1, -1);
@@ -842,7 +838,7 @@ void CheckNonFiniteSamples(const std::string& what, std::uint64_t seed)
   EXPECT_GT(checks.GetNumberOfHits(), 300U);
 }
 
-TEST(TracedVolume, HasNoSurfaceInCellsWithSamplesThatAreNotFinite)
+TEST(ImageField, HasNoSurfaceInCellsWithSamplesThatAreNotFinite)
 {
   CheckNonFiniteSamples<float>("float with NaN and infinity", 335);
   CheckNonFiniteSamples<double>("double with NaN and infinity", 336);
@@ -850,7 +846,7 @@ TEST(TracedVolume, HasNoSurfaceInCellsWithSamplesThatAreNotFinite)
 
 //------------------------------------------------------------------------------
 template <typename T>
-void CheckSameHits(const std::vector<double>& samples, TracedVolume& reference,
+void CheckSameHits(const std::vector<double>& samples, ImageField& reference,
   const std::vector<Isosurface>& surfaces)
 {
   const Index3& size = reference.GetDimensions();
@@ -885,7 +881,7 @@ void CheckSameHits(const std::vector<double>& samples, TracedVolume& reference,
   }
 }
 
-TEST(TracedVolume, FindsTheSameHitsInSamplesOfAllTypes)
+TEST(ImageField, FindsTheSameHitsInSamplesOfAllTypes)
 {
   const Index3 size = { 11, 12, 13 };
   RandomNumbers random(337);
@@ -910,7 +906,7 @@ TEST(TracedVolume, FindsTheSameHitsInSamplesOfAllTypes)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsFromFarAwayWhatItFindsFromNear)
+TEST(ImageField, FindsFromFarAwayWhatItFindsFromNear)
 {
   const Index3 size = { 18, 16, 17 };
   const auto volume = TestVolume<float>::Of(size, Ball);
@@ -947,7 +943,7 @@ TEST(TracedVolume, FindsFromFarAwayWhatItFindsFromNear)
 
 //------------------------------------------------------------------------------
 // The origin 2^30 cells away is exact, and so is the ray: every digit is that of a ray from near.
-TEST(TracedVolume, LosesNothingOfARayFromFarAway)
+TEST(ImageField, LosesNothingOfARayFromFarAway)
 {
   const Index3 size = { 18, 16, 17 };
   const auto volume = TestVolume<float>::Of(size, Ball);
@@ -985,7 +981,7 @@ TEST(TracedVolume, LosesNothingOfARayFromFarAway)
 }
 
 //------------------------------------------------------------------------------
-TEST(TracedVolume, FindsNothingBehindTheEndOfARay)
+TEST(ImageField, FindsNothingBehindTheEndOfARay)
 {
   const auto volume = TestVolume<double>::Of({ 17, 16, 18 }, Ball);
   const auto traced = NewTraced(volume, { { 0.0, Glass } });
@@ -1011,7 +1007,7 @@ TEST(TracedVolume, FindsNothingBehindTheEndOfARay)
 //------------------------------------------------------------------------------
 // Scaled by a power of two, data has the same hits to the last bit, if no difference of samples
 // becomes denormal.
-TEST(TracedVolume, FindsTheSameHitsAtAnyMagnitudeOfTheData)
+TEST(ImageField, FindsTheSameHitsAtAnyMagnitudeOfTheData)
 {
   const Index3 size = { 12, 11, 10 };
   const auto unit = TestVolume<float>::Of(size, Tunnels);

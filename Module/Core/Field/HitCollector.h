@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef HitCollector_h
+#define HitCollector_h
+
+#include "Rays/TraceRequest.h"
+
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A ray is followed no further once the surfaces it passed let through less than this: a quarter
+/// of a step of an 8-bit colour.
+constexpr double NegligibleTransmittance = 1.0 / 1024.0;
+
+/// Collects the hits of one ray, which come front to back, until nothing of the ray is left.
+class HitCollector
+{
+public:
+  /// Hits are appended. The dimensions are those of the image, in samples.
+  HitCollector(const TraceRequest& request, const Index3& dimensions, std::vector<Hit>& hits)
+    : Request(&request)
+    , Dimensions(dimensions)
+    , Hits(&hits)
+  {
+  }
+
+  /// Takes a hit, if it is visible. Returns whether nothing of the ray is left behind it.
+  bool Add(const Hit& hit)
+  {
+    if (!this->Request->Visible.IsConvex() &&
+      !this->Request->Visible.Shows(hit, this->Dimensions, this->Request->Planes))
+    {
+      return false;
+    }
+    this->Hits->push_back(hit);
+    this->Transmittance *=
+      1.0 - this->Request->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    return this->Transmittance < NegligibleTransmittance;
+  }
+
+private:
+  const TraceRequest* Request;
+  Index3 Dimensions;
+  std::vector<Hit>* Hits;
+  double Transmittance = 1.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Image/Cells/BoxFaces.h"
+
+#include "Field/HitCollector.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// Whether a ray is in a cell where it crosses a plane between boxes across an axis, in the middle
+/// of the cell. By the order of Crossing, so it is in one cell only.
+bool IsInCell(const Ray& ray, const Index3& cell, const Crossing& crossing)
+{
+  if (!(crossing.T > ray.Begin && crossing.T <= ray.End))
+  {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<std::size_t>(axis);
+    if (ray.Step[i] == 0 || axis == crossing.Axis)
+    {
+      continue;
+    }
+    const bool up = ray.Step[i] > 0;
+    const Crossing in{ ray.CrossingT(i, cell[i] + (up ? 0 : 1)), axis };
+    const Crossing out{ ray.CrossingT(i, cell[i] + (up ? 1 : 0)), axis };
+    if (crossing < in || !(crossing < out))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Calls visit(crossing, from, to) for the up to three faces between boxes that a ray crosses in a
+/// cell, in order, until visit returns true; the boxes are those of the corners from and to.
+/// Returns whether it did.
+template <typename Visit>
+bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
+{
+  Crossing crossings[3];
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<std::size_t>(axis);
+    if (ray.Step[i] == 0)
+    {
+      continue;
+    }
+    const Crossing crossing = { ray.MiddleCrossingT(i, cell[i]), axis };
+    int place = count++;
+    for (; place > 0 && crossing < crossings[place - 1]; --place)
+    {
+      crossings[place] = crossings[place - 1];
+    }
+    crossings[place] = crossing;
+  }
+  int corner = FindBox(ray, cell, { -std::numeric_limits<double>::infinity(), 0 });
+  for (int i = 0; i < count; ++i)
+  {
+    const int next = corner ^ (1 << crossings[i].Axis);
+    if (IsInCell(ray, cell, crossings[i]) && visit(crossings[i], corner, next))
+    {
+      return true;
+    }
+    corner = next;
+  }
+  return false;
+}
+
+}
+
+//------------------------------------------------------------------------------
+int FindBox(const Ray& ray, const Index3& cell, const Crossing& place)
+{
+  int corner = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<std::size_t>(axis);
+    const bool isUpper = ray.Step[i] == 0
+      ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Crossing::StartAxis })[i] >= 0.5
+      : (Crossing{ ray.MiddleCrossingT(i, cell[i]), axis } < place) == (ray.Step[i] > 0);
+    corner |= isUpper ? 1 << axis : 0;
+  }
+  return corner;
+}
+
+//------------------------------------------------------------------------------
+bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
+  const std::vector<Isosurface>& surfaces, HitCollector& collector)
+{
+  return VisitFaces(ray, cell,
+    [&](const Crossing& crossing, int from, int to)
+    {
+      const double before = corners[static_cast<std::size_t>(from)];
+      const double behind = corners[static_cast<std::size_t>(to)];
+      if (!std::isfinite(before) || !std::isfinite(behind))
+      {
+        return false;
+      }
+      const auto axis = static_cast<std::size_t>(crossing.Axis);
+      Hit hit{ ray.Base + crossing.T, cell, 0, PointInCell(ray, GetBox(cell, ray.Planes), crossing),
+        before < behind };
+      hit.Parametric[axis] = 0.5;
+      hit.Jump = hit.Entering == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
+      const auto count = static_cast<int>(surfaces.size());
+      for (int i = 0; i < count; ++i)
+      {
+        hit.Surface = hit.Entering ? i : count - 1 - i;
+        const double isovalue = surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+        const bool isSurface = (before < isovalue) != (behind < isovalue);
+        if (isSurface && collector.Add(hit))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetJumpDirection(const Hit& hit)
+{
+  Vector3 direction = { 0.0, 0.0, 0.0 };
+  direction[static_cast<std::size_t>(std::abs(hit.Jump) - 1)] = hit.Jump > 0 ? 1.0 : -1.0;
+  return direction;
+}
+
+}

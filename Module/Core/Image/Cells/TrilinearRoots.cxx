@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Image/Cells/TrilinearRoots.h"
+
+#include "Field/RootSet.h"
+#include "Image/Cells/Solvers/AnalyticSolver.h"
+#include "Image/Cells/Solvers/LinearSolver.h"
+#include "Image/Cells/Solvers/MarmittSolver.h"
+#include "Image/Cells/Solvers/RobustSolver.h"
+
+#include <algorithm>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+//------------------------------------------------------------------------------
+CellCorners TakeOff(const CellCorners& corners, const ScaledIsovalue& isovalue)
+{
+  CellCorners differences;
+  std::transform(corners.begin(), corners.end(), differences.begin(),
+    [&isovalue](double value) { return Difference(value, isovalue.Isovalue, isovalue.Scale); });
+  return differences;
+}
+
+//------------------------------------------------------------------------------
+void AddTrilinearRoots(const CellCorners& differences, const CellSegment& segment,
+  const TraceRequest& request, int surface, bool firstOnly, RootSet& roots)
+{
+  const auto add = [&roots, surface, firstOnly](double fraction, bool entering)
+  {
+    roots.Add({ fraction, surface, entering });
+    return firstOnly;
+  };
+  switch (request.Solver)
+  {
+    case RootSolver::Robust:
+      Robust::ForEachRoot(differences, segment, add);
+      break;
+    case RootSolver::Analytic:
+      Analytic::ForEachRoot(differences, segment, add);
+      break;
+    case RootSolver::Marmitt:
+      Marmitt::ForEachRoot(differences, segment, request.Interpolations, add);
+      break;
+    case RootSolver::Linear:
+      Linear::ForEachRoot(differences, segment, add);
+      break;
+  }
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ImageStructures_h
+#define ImageStructures_h
+
+#include "Image/ImageSettings.h"
+#include "Image/Samples/VolumeView.h"
+#include "Image/Tracers/ImageTracer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Of the samples, as double.
+struct SampleRange
+{
+  double Min;
+  double Max;
+};
+
+/// What is built over the samples of an image: macrocells at once, masks of cells and bricks as
+/// rays come. This is where the type of the samples and the layout of bricks are known.
+class ImageStructures
+{
+public:
+  virtual ~ImageStructures() = default;
+
+  virtual const MacrocellLattice& GetLattice() const = 0;
+  virtual SampleRange GetRange() const = 0;
+
+  /// Makes a tracer for the request that is selected. The structures and the selection must outlive
+  /// it; one tracer is used at a time.
+  virtual std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) = 0;
+
+  /// Begins a frame, in which bricks and masks may take so much memory, in bytes.
+  virtual void BeginFrame(std::size_t maximumMemory) = 0;
+
+  /// In bytes.
+  virtual std::size_t GetMacrocellMemory() const = 0;
+  virtual std::size_t GetBrickMemory() const = 0;
+  virtual std::size_t GetNumberOfBricks() const = 0;
+  virtual std::size_t GetMaximumNumberOfBricks() const = 0;
+  virtual std::int64_t GetBrickNanoseconds() const = 0;
+};
+
+/// Builds the macrocells, with the given number of threads. Compiled for each type of samples by
+/// itself: see TypedImageStructures.cxx.in.
+template <typename T>
+std::unique_ptr<ImageStructures> NewImageStructures(
+  const Samples<T>& samples, const ImageSettings& settings, int threads);
+
+}
+
+#endif

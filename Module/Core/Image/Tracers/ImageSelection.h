@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ImageSelection_h
+#define ImageSelection_h
+
+#include "Field/HitCollector.h"
+#include "Image/Macrocells/ActiveMacrocells.h"
+#include "Image/Macrocells/BlockTree.h"
+#include "Rays/RayHits.h"
+#include "Rays/RayPacket.h"
+#include "Rays/TraceRequest.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// What of an image is traced: the request, and what follows from it for the macrocells.
+struct ImageSelection
+{
+  TraceRequest Request;
+  /// Of the surfaces, in the same order.
+  std::vector<ScaledIsovalue> Isovalues;
+  /// Where rays may hit surfaces.
+  ActiveMacrocells Active;
+  /// The same for packets of rays; none unless the finest macrocells have 8^3 cells.
+  std::optional<BlockTree> Tree;
+
+  explicit ImageSelection(const MacrocellLattice& lattice)
+    : Active(lattice)
+  {
+  }
+
+  void SetActive(ActiveMacrocells active, int threads)
+  {
+    this->Active = std::move(active);
+    const auto& levels = this->Active.GetLattice().Levels;
+    const bool isBlock = !levels.empty() && levels[0].Edge == BlockMask::Edge;
+    this->Tree = isBlock ? std::make_optional<BlockTree>(this->Active, threads) : std::nullopt;
+  }
+
+  const Index3& GetCells() const { return this->Active.GetLattice().Cells; }
+  Index3 GetDimensions() const
+  {
+    const Index3& cells = this->GetCells();
+    return { cells[0] + 1, cells[1] + 1, cells[2] + 1 };
+  }
+
+  HitCollector NewCollector(std::vector<Hit>& hits) const
+  {
+    return HitCollector(this->Request, this->GetDimensions(), hits);
+  }
+
+  double GetOpacity(const Hit& hit) const
+  {
+    return this->Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+  }
+
+  /// Whether no root of a surface behind its first in a cell is needed: nothing is seen behind it.
+  bool EndsRays(std::size_t surface) const
+  {
+    return this->Request.Surfaces[surface].Opacity >= 1.0 && this->Request.Visible.IsConvex();
+  }
+
+  /// A ray of a packet that exists.
+  Ray TakeRay(const RayPacket& rays, int i) const
+  {
+    Ray ray = GetRay(rays, i);
+    ray.Planes = this->Request.Planes;
+    return ray;
+  }
+
+  /// Calls trace(ray) for the rays of a packet that exist, of which each appends its hits.
+  template <typename Trace>
+  void ForEachRay(const RayPacket& rays, RayHits& hits, const Trace& trace) const
+  {
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(rays.Exists, i))
+      {
+        trace(this->TakeRay(rays, i));
+      }
+      hits.EndRay();
+    }
+  }
+
+  /// Packets need even spacing, macrocells of 8^3 cells, and rays of ordinary length.
+  bool CanTracePacket(const RayPacket& rays) const
+  {
+    bool isFinite = true;
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      isFinite = isFinite &&
+        (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
+    }
+    return isFinite && this->Tree && this->Request.BeamKernels && !this->Request.Planes;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TricubicTracer_h
+#define TricubicTracer_h
+
+#include "Field/RootSet.h"
+#include "Image/Cells/TricubicField.h"
+#include "Image/Cells/TricubicRoots.h"
+#include "Image/Cells/TrilinearGradients.h"
+#include "Image/Tracers/RootTracing.h"
+#include "Image/Tracers/SurfaceTracer.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The cells of an image for one thread (see RootTracing.h), by the tricubic interpolant.
+template <typename T>
+class TricubicCells
+{
+public:
+  TricubicCells(const ImageSelection& selection, const TricubicField<T>& field, CellMasks<T>& masks)
+    : Selection(selection)
+    , Field(field)
+    , Masks(masks)
+  {
+  }
+
+  /// Samples are read where the user keeps them.
+  void Prefetch(const Index3& /*cell*/) {}
+
+  void Load(const Index3& cell) { this->Cell = cell; }
+
+  /// Whether the cell is in the mask of its block.
+  bool MayHit()
+  {
+    const Index3& cell = this->Cell;
+    constexpr int edge = BlockMask::Edge;
+    const Index3 block = { cell[0] / edge, cell[1] / edge, cell[2] / edge };
+    if (!this->Mask || block != this->Block)
+    {
+      this->Mask = &this->Masks.Get(block, this->Own);
+      this->Block = block;
+    }
+    return this->Mask->Has({ cell[0] % edge, cell[1] % edge, cell[2] % edge });
+  }
+
+  void FindRoots(const CellSegment& segment, RootSet& roots) const
+  {
+    roots.Clear();
+    for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
+    {
+      roots.NextSurface();
+      TricubicCell coefficients;
+      if (this->Field.Load(this->Cell, this->Selection.Isovalues[i], coefficients))
+      {
+        AddTricubicRoots(
+          coefficients, segment, static_cast<int>(i), this->Selection.EndsRays(i), roots);
+      }
+    }
+  }
+
+private:
+  const ImageSelection& Selection;
+  const TricubicField<T>& Field;
+  CellMasks<T>& Masks;
+  Index3 Cell = {};
+  /// The block of the last mask, and the mask; Own is where it is made if it cannot be kept.
+  Index3 Block = {};
+  const BlockMask* Mask = nullptr;
+  BlockMask Own;
+};
+
+/// Interpolant::Tricubic.
+template <typename T>
+class TricubicTracer final : public SurfaceTracer
+{
+public:
+  /// All must outlive the tracer.
+  TricubicTracer(const ImageSelection& selection, const Samples<T>& samples,
+    const MacrocellHierarchy<T>& hierarchy, CellMasks<T>& masks)
+    : SurfaceTracer(selection)
+    , Field(samples)
+    , Hierarchy(hierarchy)
+    , Masks(masks)
+  {
+  }
+
+  bool SetPlanes(const UnevenPlanes* planes) override { return this->Field.SetPlanes(planes); }
+
+  /// A macrocell is active by the samples around it too, and by what coefficients may overshoot;
+  /// the mask of a block has the cells with coefficients on both sides.
+  ActiveMacrocells FindActive(int threads) override
+  {
+    const std::vector<double> isovalues = this->GetIsovalues();
+    this->Masks.Select(isovalues,
+      [this](const Index3& block, BlockMask& mask)
+      { this->Field.MakeMask(block, this->Selection.Isovalues, mask); });
+    return this->Hierarchy.FindActive(isovalues, this->Field.GetEdges().GetOvershoot(), threads);
+  }
+
+protected:
+  void TraceSurfaces(RayPacket& rays, RayHits& hits) override
+  {
+    TricubicCells<T> cells(this->Selection, this->Field, this->Masks);
+    if (this->Selection.CanTracePacket(rays))
+    {
+      TracePacket(this->Selection, rays, this->Masks, cells, hits);
+    }
+    else
+    {
+      TraceCellByCell(this->Selection, rays, cells, hits);
+    }
+  }
+
+  void EvaluateCap(const Ray& /*ray*/, const EndCell& /*end*/, Hit& cap) const override
+  {
+    const std::optional<double> value =
+      this->Field.GetDifference(cap.Cell, cap.Parametric, { 0.0, 1.0 });
+    if (!value)
+    {
+      return;
+    }
+    cap.Value = *value;
+    cap.Surface = this->FindInnermost([this, &cap](const ScaledIsovalue& isovalue)
+      { return *this->Field.GetDifference(cap.Cell, cap.Parametric, isovalue); });
+  }
+
+  Vector3 GetFieldGradient(const Hit& hit, NormalMode /*mode*/) const override
+  {
+    return DivideByWidths(
+      this->Field.GetGradient(hit.Cell, hit.Parametric), this->Selection.Request.Planes, hit.Cell);
+  }
+
+private:
+  TricubicField<T> Field;
+  const MacrocellHierarchy<T>& Hierarchy;
+  CellMasks<T>& Masks;
+};
+
+}
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TrilinearTracer_h
+#define TrilinearTracer_h
+
+#include "Image/Cells/TrilinearGradients.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/Tracers/RootTracing.h"
+#include "Image/Tracers/SurfaceTracer.h"
+#include "Image/Tracers/TrilinearFirstHits.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Interpolant::Trilinear.
+template <typename T, typename Layout>
+class TrilinearTracer final : public SurfaceTracer
+{
+public:
+  /// All must outlive the tracer.
+  TrilinearTracer(const ImageSelection& selection, const Samples<T>& samples,
+    const MacrocellHierarchy<T>& hierarchy, CellMasks<T>& masks, Layout& bricks)
+    : SurfaceTracer(selection)
+    , TheSamples(samples)
+    , Gradients(samples)
+    , Hierarchy(hierarchy)
+    , Masks(masks)
+    , Bricks(bricks)
+  {
+  }
+
+  ActiveMacrocells FindActive(int threads) override
+  {
+    const std::vector<double> isovalues = this->GetIsovalues();
+    this->Masks.Select(isovalues);
+    return this->Hierarchy.FindActive(isovalues, threads);
+  }
+
+  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+    double (*gradients)[RayPacket::Capacity]) const override
+  {
+    // Kernels know even spacing only. Where no cell is inner, none is asked for.
+    if (mode != NormalMode::CentralDifferences || this->Selection.Request.Planes ||
+      !this->Gradients.IsInner({ 1, 1, 1 }))
+    {
+      SurfaceTracer::GetGradients(hits, count, mode, kernels, gradients);
+      return;
+    }
+    this->Gradients.InterpolateDifferences(hits, count, kernels, gradients);
+    for (int i = 0; i < count; ++i)
+    {
+      if (hits[i].Plane != Hit::NoPlane || !this->Gradients.IsInner(hits[i].Cell) ||
+        !TrilinearGradients<T>::IsFinite({ gradients[0][i], gradients[1][i], gradients[2][i] }))
+      {
+        this->StoreGradient(hits[i], mode, i, gradients);
+      }
+    }
+  }
+
+protected:
+  void TraceSurfaces(RayPacket& rays, RayHits& hits) override
+  {
+    if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
+    {
+      this->TraceFirstHits(rays, hits);
+      return;
+    }
+    TrilinearCells<Layout> cells(this->Selection, this->Bricks);
+    if (this->Selection.CanTracePacket(rays))
+    {
+      TracePacket(this->Selection, rays, this->Masks, cells, hits);
+    }
+    else
+    {
+      TraceCellByCell(this->Selection, rays, cells, hits);
+    }
+  }
+
+  void EvaluateCap(const Ray& /*ray*/, const EndCell& /*end*/, Hit& cap) const override
+  {
+    Stored<T> corners[8];
+    LoadCorners(this->TheSamples, cap.Cell, corners);
+    if (!IsFinite(corners))
+    {
+      return;
+    }
+    CellCorners values;
+    std::copy(corners, corners + 8, values.begin());
+    cap.Value = Interpolate(values, cap.Parametric);
+    cap.Surface = this->FindInnermost([&values, &cap](const ScaledIsovalue& isovalue)
+      { return Interpolate(TakeOff(values, isovalue), cap.Parametric); });
+  }
+
+  Vector3 GetFieldGradient(const Hit& hit, NormalMode mode) const override
+  {
+    return this->Gradients.GetGradient(hit, mode, this->Selection.Request.Planes);
+  }
+
+private:
+  /// Of one opaque surface the first hits are all there is to find.
+  bool CanTraceFirstHits() const
+  {
+    return this->Selection.Request.Solver == RootSolver::Robust &&
+      this->Selection.Isovalues.size() == 1 && this->Selection.EndsRays(0);
+  }
+
+  void TraceFirstHits(RayPacket& rays, RayHits& hits)
+  {
+    PacketTracer tracer(*this->Selection.Request.BeamKernels, *this->Selection.Tree);
+    TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
+    const PacketHits& found = tracer.FindFirstHits(rays, cells, this->Selection.Isovalues[0]);
+    hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));
+    hits.First.resize(static_cast<std::size_t>(rays.Count) + 1);
+    Hit* hit = hits.Hits.data();
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(found.Found, i))
+      {
+        *hit++ = found.Hits[static_cast<std::size_t>(i)];
+      }
+      hits.First[static_cast<std::size_t>(i) + 1] =
+        static_cast<std::size_t>(hit - hits.Hits.data());
+    }
+  }
+
+  const Samples<T>& TheSamples;
+  TrilinearGradients<T> Gradients;
+  const MacrocellHierarchy<T>& Hierarchy;
+  CellMasks<T>& Masks;
+  Layout& Bricks;
+};
+
+}
+
+#endif

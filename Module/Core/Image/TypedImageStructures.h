@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TypedImageStructures_h
+#define TypedImageStructures_h
+
+#include "Image/ImageStructures.h"
+#include "Image/Macrocells/CellMasks.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/Samples/ApronBricks.h"
+#include "Image/Samples/TwoLevelBricks.h"
+#include "Image/Samples/Unbricked.h"
+#include "Image/Tracers/NearestTracer.h"
+#include "Image/Tracers/ProjectionTracer.h"
+#include "Image/Tracers/TricubicTracer.h"
+#include "Image/Tracers/TrilinearTracer.h"
+
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+template <typename T, typename Layout>
+class TypedImageStructures final : public ImageStructures
+{
+public:
+  template <typename... LayoutArguments>
+  TypedImageStructures(const Samples<T>& samples, const std::vector<int>& branching, int threads,
+    LayoutArguments... arguments)
+    : TheSamples(samples)
+    , Hierarchy(samples, branching, threads)
+    , Masks(samples)
+    , Bricks(samples, arguments...)
+  {
+  }
+
+  const MacrocellLattice& GetLattice() const override { return this->Hierarchy.GetLattice(); }
+
+  SampleRange GetRange() const override
+  {
+    const ValueRange<T>& range = this->Hierarchy.GetRange();
+    return { static_cast<double>(range.Min), static_cast<double>(range.Max) };
+  }
+
+  std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) override
+  {
+    this->Masks.Select({}); // those of the tracer before
+    if (selection.Request.Projection)
+    {
+      return *selection.Request.Projection == Extremum::Largest
+        ? this->NewProjection<Extremum::Largest>(selection)
+        : this->NewProjection<Extremum::Smallest>(selection);
+    }
+    switch (selection.Request.Field)
+    {
+      case Interpolant::Nearest:
+        return std::make_unique<NearestTracer<T, Layout>>(
+          selection, this->TheSamples, this->Hierarchy, this->Bricks);
+      case Interpolant::Tricubic:
+        return std::make_unique<TricubicTracer<T>>(
+          selection, this->TheSamples, this->Hierarchy, this->Masks);
+      case Interpolant::Trilinear:
+        break;
+    }
+    return std::make_unique<TrilinearTracer<T, Layout>>(
+      selection, this->TheSamples, this->Hierarchy, this->Masks, this->Bricks);
+  }
+
+  /// Shares the memory between bricks and masks, by what they take of one block.
+  void BeginFrame(std::size_t maximumMemory) override
+  {
+    constexpr std::size_t brick = BlockMask::Edge * BlockMask::Edge * BlockMask::Edge * sizeof(T);
+    const std::size_t forMasks = maximumMemory / (brick + sizeof(BlockMask)) * sizeof(BlockMask);
+    this->Masks.BeginFrame(forMasks);
+    this->Bricks.BeginFrame(maximumMemory - forMasks);
+  }
+
+  std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
+  std::size_t GetBrickMemory() const override
+  {
+    return this->Bricks.GetMemory() + this->Masks.GetMemory();
+  }
+  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetNumberOfBricks(); }
+  std::size_t GetMaximumNumberOfBricks() const override
+  {
+    return this->Bricks.GetMaximumNumberOfBricks();
+  }
+  std::int64_t GetBrickNanoseconds() const override
+  {
+    return this->Bricks.GetCounters().Nanoseconds;
+  }
+
+private:
+  template <Extremum Kind>
+  std::unique_ptr<ImageTracer> NewProjection(const ImageSelection& selection)
+  {
+    return std::make_unique<ProjectionTracer<T, Layout, Kind>>(
+      selection, this->TheSamples, this->Hierarchy, this->Bricks);
+  }
+
+  Samples<T> TheSamples;
+  MacrocellHierarchy<T> Hierarchy;
+  CellMasks<T> Masks;
+  Layout Bricks;
+};
+
+//------------------------------------------------------------------------------
+template <typename T>
+std::unique_ptr<ImageStructures> NewImageStructures(
+  const Samples<T>& samples, const ImageSettings& settings, int threads)
+{
+  const std::vector<int>& branching = settings.MacrocellBranching;
+  switch (settings.Layout)
+  {
+    case BrickLayout::Unbricked:
+      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(samples, branching, threads);
+    case BrickLayout::TwoLevel:
+      return std::make_unique<TypedImageStructures<T, TwoLevelBricks<T>>>(
+        samples, branching, threads, settings.BrickSize, settings.BrickGroupSize);
+    case BrickLayout::Apron:
+      break;
+  }
+  return std::make_unique<TypedImageStructures<T, ApronBricks<T>>>(
+    samples, branching, threads, settings.BrickSize);
+}
+
+}
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The core's enumerators for those of VTK and of vtkIsosurfaceRayTraceMapper.
+
+#ifndef vtkIsosurfaceRayTraceEnumerators_h
+#define vtkIsosurfaceRayTraceEnumerators_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Image/ImageField.h"
+
+#include <optional> // for std::optional
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkIsosurfaceRayTraceEnumerators
+{
+
+/// Of vtkIsosurfaceRayTraceMapper::InterpolationModes, and so on.
+vtkIsosurfaceRayTracing::Interpolant ToInterpolant(int interpolationMode);
+vtkIsosurfaceRayTracing::RootSolver ToRootSolver(int rootSolver);
+vtkIsosurfaceRayTracing::NormalMode ToNormalMode(int normalMode);
+vtkIsosurfaceRayTracing::BrickLayout ToBrickLayout(int brickLayout);
+
+/// The extreme value that a blend mode of vtkVolumeMapper projects; none for other modes.
+std::optional<vtkIsosurfaceRayTracing::Extremum> FindProjection(int blendMode);
+
+}
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceFrame.h"
+
+#include "vtkIsosurfaceRayTraceHits.h"
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceRequest.h"
+#include "vtkIsosurfaceRayTraceScene.h"
+#include "vtkIsosurfaceRayTraceSelection.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkCamera.h"
+#include "vtkDataObject.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOPass.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The render pass of a kind that draws a volume now, if there is one.
+template <typename Pass>
+Pass* FindPass(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  const int count = keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* pass = Pass::SafeDownCast(vtkOpenGLRenderPass::RenderPasses()->Get(keys, i)))
+    {
+      return pass;
+    }
+  }
+  return nullptr;
+}
+
+/// Whether a frame in stereo has shown another eye already.
+bool IsSecondEye(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetStereoRender() != 0 && window->GetStereoType() != VTK_STEREO_RIGHT &&
+    renderer->GetActiveCamera()->GetLeftEye() == 0;
+}
+
+vtkirt::PixelRectangle GetViewport(vtkOpenGLRenderWindow* window)
+{
+  const std::array<int, 4> viewport = vtkIsosurfaceRayTraceImageDisplay::GetViewport(window);
+  return { viewport[0], viewport[1], viewport[2], viewport[3] };
+}
+
+/// Whether the window may show something already that hides surfaces. Render passes do not say.
+bool MayShowOthers(vtkRenderer* renderer)
+{
+  return renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
+    renderer->GetPass();
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    return "The renderer is not in an OpenGL render window. Add it to a vtkRenderWindow, "
+           "and initialize the module vtkRenderingOpenGL2 (VTK_MODULE_INIT, "
+           "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).";
+  }
+  if (FindPass<vtkDualDepthPeelingPass>(volume))
+  {
+    return "The renderer peels volumes, which isosurfaces cannot be. Call "
+           "UseDepthPeelingForVolumesOff() of the renderer, or, if every isosurface is "
+           "opaque, put the mapper in a vtkIsosurfaceVolume.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+float vtkIsosurfaceRayTraceFrame::ChooseSampleDistance(
+  const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const
+{
+  const double allocated = volume->GetAllocatedRenderTime();
+  // In stereo both eyes have the distance of the first.
+  if (!settings.AutoAdjustSampleDistances || renderer->GetSelector() || !(allocated > 0.0) ||
+    IsSecondEye(renderer))
+  {
+    return settings.ImageSampleDistance;
+  }
+  // The number of rays falls with the square of their distance.
+  const double enough = std::sqrt(this->SecondsOfFullFrame / allocated);
+  const double distance = enough > 1.0 ? std::ceil(enough) : 1.0 / std::floor(1.0 / enough);
+  return std::clamp(static_cast<float>(distance), settings.MinimumImageSampleDistance,
+    std::max(settings.MinimumImageSampleDistance, settings.MaximumImageSampleDistance));
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceFrame::Drawing::Drawing(
+  const vtkIsosurfaceRayTraceSettings& settings, const Target& target)
+  : Window(vtkOpenGLRenderWindow::SafeDownCast(target.Renderer->GetRenderWindow()))
+  , Viewport(::GetViewport(this->Window))
+  , Selector(target.Renderer->GetSelector())
+  , Occlusion(this->Selector ? nullptr : FindPass<vtkSSAOPass>(target.Volume))
+{
+  // A selection of points begins with a usual frame, and shows ids where they have its depth.
+  // Others select every pixel.
+  if (!this->Selector ||
+    this->Selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    this->Sampling =
+      vtkirt::PixelSampling::FromDistance(static_cast<double>(settings.ImageSampleDistance));
+  }
+  if (this->Occlusion)
+  {
+    this->Sampling.Rays = 1; // A pixel has one point, and the pass softens edges itself.
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& settings,
+  const vtkIsosurfaceRayTraceRequest& request, const Target& target,
+  const std::function<bool(double)>& keepGoing)
+{
+  this->Picture.Times = {};
+  this->DisplayTime = 0.0;
+  this->NumberOfAccumulatedFrames = 0;
+  if (!settings.ProgressiveAccumulation)
+  {
+    this->Accumulations = {}; // and their memory
+  }
+
+  const Drawing drawing(settings, target);
+  this->SetScene(settings, request, target, drawing);
+  const vtkirt::Scene& scene = this->Picture.Scene;
+  if (scene.Request.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  {
+    return true;
+  }
+
+  const Clock::time_point depthStart = Clock::now();
+  // For a selection of points the depth is also that of our own surfaces, rounded; there, the depth
+  // test decides.
+  if (MayShowOthers(target.Renderer) && (!drawing.Selector || scene.Request.Projection))
+  {
+    this->ReadDepths(drawing);
+  }
+  this->DisplayTime = SecondsSince(depthStart);
+
+  if (!this->Accumulate(settings, request, target, drawing, keepGoing))
+  {
+    return false;
+  }
+
+  const Clock::time_point displayStart = Clock::now();
+  if (drawing.Selector)
+  {
+    this->DisplayIds(request, drawing);
+  }
+  else if (drawing.Occlusion)
+  {
+    this->DisplayGeometry(settings, request, target, drawing);
+  }
+  else
+  {
+    this->DisplayColors(drawing);
+  }
+  this->DisplayTime += SecondsSince(displayStart);
+
+  const vtkirt::FrameTimes& times = this->Picture.Times;
+  if (!drawing.Selector && times.Trace > 0.0)
+  {
+    // What was built is built; what remains grows with the number of rays.
+    const auto distance = static_cast<double>(settings.ImageSampleDistance);
+    this->SecondsOfFullFrame =
+      (times.Trace + times.Shade) * distance * distance + this->DisplayTime;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceFrame::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
+  const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing)
+{
+  vtkRenderer* renderer = target.Renderer;
+  this->Picture.SetScene(settings, request,
+    { vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
+        renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+      drawing.Sampling.ToRays(drawing.Viewport.Width),
+      drawing.Sampling.ToRays(drawing.Viewport.Height) });
+  this->Picture.AddLights(renderer);
+  vtkirt::Scene& scene = this->Picture.Scene;
+  scene.Pixels = drawing.Sampling.Align(scene.Pixels);
+  scene.KeepHits = drawing.Selector || drawing.Occlusion;
+}
+
+//------------------------------------------------------------------------------
+/// Gives the scene the depth of what the window shows already, for every ray.
+void vtkIsosurfaceRayTraceFrame::ReadDepths(const Drawing& drawing)
+{
+  vtkirt::Scene& scene = this->Picture.Scene;
+  const vtkirt::PixelRectangle& viewport = drawing.Viewport;
+  vtkirt::PixelRectangle pixels = drawing.Sampling.ToPixels(scene.Pixels);
+  pixels.Width = std::min(pixels.Width, viewport.Width - pixels.X);
+  pixels.Height = std::min(pixels.Height, viewport.Height - pixels.Y);
+  this->SceneDepths.resize(vtkirt::Count({ pixels.Width, pixels.Height, 1 }));
+  vtkIsosurfaceRayTraceImageDisplay::ReadDepths(drawing.Window, viewport.X + pixels.X,
+    viewport.Y + pixels.Y, pixels.Width, pixels.Height, this->SceneDepths.data());
+  if (drawing.Sampling.Pixels != 1 || drawing.Sampling.Rays != 1)
+  {
+    this->SceneDepths =
+      vtkirt::TakeAtRays(drawing.Sampling, scene.Pixels, this->SceneDepths, pixels);
+  }
+  scene.Depth = this->SceneDepths.data();
+}
+
+//------------------------------------------------------------------------------
+/// Traces the frame; with ProgressiveAccumulation, one more of the same scene, or none if there are
+/// enough, and makes the picture their mean.
+bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
+  const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
+  const std::function<bool(double)>& keepGoing)
+{
+  vtkirt::Scene& scene = this->Picture.Scene;
+  // Ids and points have no mean, and a coarse picture is soon replaced.
+  if (!settings.ProgressiveAccumulation || scene.KeepHits || drawing.Sampling.Pixels != 1)
+  {
+    return this->Trace(drawing, keepGoing);
+  }
+  std::vector<vtkObject*> objects = request.Input.GetObjects();
+  objects.insert(objects.end(), { target.Mapper, request.Property });
+  const vtkIsosurfaceRayTraceAccumulation::Key key = { objects,
+    static_cast<double>(settings.ImageSampleDistance), scene };
+  vtkIsosurfaceRayTraceAccumulation& accumulation =
+    this->Accumulations[target.Renderer->GetActiveCamera()->GetLeftEye() != 0 ? 0 : 1];
+  this->NumberOfAccumulatedFrames = accumulation.GetNumberOfFrames(key);
+  if (this->NumberOfAccumulatedFrames < settings.MaximumNumberOfAccumulatedFrames)
+  {
+    vtkIsosurfaceRayTraceAccumulation::SetFrame(this->NumberOfAccumulatedFrames, scene);
+    if (!this->Trace(drawing, keepGoing))
+    {
+      return false;
+    }
+    accumulation.Add(key, this->Picture.Frame);
+    ++this->NumberOfAccumulatedFrames;
+  }
+  accumulation.GetMean(this->Picture.Frame);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Makes the picture. If hits are kept, it has a pixel for every ray.
+bool vtkIsosurfaceRayTraceFrame::Trace(
+  const Drawing& drawing, const std::function<bool(double)>& keepGoing)
+{
+  if (!this->Picture.Trace(keepGoing))
+  {
+    return false;
+  }
+  const vtkirt::Scene& scene = this->Picture.Scene;
+  if (drawing.Sampling.Rays > 1 && !scene.KeepHits)
+  {
+    vtkirt::AverageRays(drawing.Sampling.Rays, scene.Pixels.Width, this->Picture.Frame);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceFrame::IsOpaque(const Drawing& drawing) const
+{
+  // A mean is not opaque where a surface ends.
+  const vtkirt::TraceRequest& request = this->Picture.Scene.Request;
+  return !request.Projection && vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces) &&
+    drawing.Sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceImageDisplay::Image vtkIsosurfaceRayTraceFrame::GetImage(
+  const Drawing& drawing, bool isOpaque) const
+{
+  const vtkirt::PixelRectangle& rays = this->Picture.Scene.Pixels;
+  const vtkirt::PixelSampling& sampling = drawing.Sampling;
+  const vtkirt::PixelRectangle pixels = sampling.ToPixels(rays);
+  return { drawing.Viewport.X + pixels.X, drawing.Viewport.Y + pixels.Y, pixels.Width,
+    pixels.Height, rays.Width / sampling.Rays, rays.Height / sampling.Rays,
+    this->Picture.Frame.Colors.data(), this->Picture.Frame.Depths.data(), isOpaque };
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceFrame::DisplayColors(const Drawing& drawing)
+{
+  this->Display.Display(drawing.Window, this->GetImage(drawing, this->IsOpaque(drawing)), nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceFrame::DisplayIds(
+  const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing)
+{
+  const vtkIsosurfaceRayTraceSelection selection(drawing.Selector, request.Input);
+  selection.WriteIds(this->Picture);
+  if (drawing.Sampling.Rays > 1)
+  {
+    vtkirt::TakeNearestRays(
+      drawing.Sampling.Rays, this->Picture.Scene.Pixels.Width, this->Picture.Frame);
+  }
+  const bool isOpaque = !request.Trace.Projection;
+  this->Display.Display(drawing.Window, this->GetImage(drawing, isOpaque), nullptr);
+}
+
+//------------------------------------------------------------------------------
+/// Also tells the render pass where the surfaces are, if they have depth.
+void vtkIsosurfaceRayTraceFrame::DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,
+  const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing)
+{
+  if (!this->IsOpaque(drawing))
+  {
+    drawing.Occlusion->SetShaderParameters(nullptr, target.Mapper, target.Volume);
+    this->DisplayColors(drawing);
+    return;
+  }
+  std::vector<float> positions;
+  std::vector<float> normals;
+  vtkIsosurfaceRayTraceHits(request).GetGeometry(this->Picture.Frame.Hits,
+    target.Renderer->GetActiveCamera(), settings.NumberOfThreads, positions, normals);
+  const vtkIsosurfaceRayTraceImageDisplay::Geometry geometry = { drawing.Occlusion, target.Volume,
+    positions.data(), normals.data() };
+  this->Display.Display(drawing.Window, this->GetImage(drawing, true), &geometry);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceFrame::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Display.ReleaseGraphicsResources(window);
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The frames of a volume in render windows: from the scene of a renderer to the pixels.
+
+#ifndef vtkIsosurfaceRayTraceFrame_h
+#define vtkIsosurfaceRayTraceFrame_h
+
+#include "vtkIsosurfaceRayTraceAccumulation.h" // for ivars
+#include "vtkIsosurfaceRayTraceImageDisplay.h" // for ivars
+#include "vtkIsosurfaceRayTracePicture.h"      // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Picture/PixelSampling.h"
+
+#include <array>      // for std::array
+#include <functional> // for std::function
+#include <string>     // for std::string
+#include <vector>     // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAbstractMapper;
+class vtkHardwareSelector;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkSSAOPass;
+class vtkVolume;
+class vtkWindow;
+
+class vtkIsosurfaceRayTraceFrame
+{
+public:
+  /// What is drawn, and where.
+  struct Target
+  {
+    vtkRenderer* Renderer;
+    vtkVolume* Volume;
+    /// While nothing is set in it, the settings are the same.
+    vtkAbstractMapper* Mapper;
+  };
+
+  /// Why a renderer cannot draw a volume; empty if it can.
+  static std::string FindProblem(vtkRenderer* renderer, vtkVolume* volume);
+
+  /// The distance between rays, in pixels: with AutoAdjustSampleDistances, so that the frame takes
+  /// the time allocated to it, by the time of the last one.
+  float ChooseSampleDistance(
+    const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const;
+
+  /// Draws a frame, or the ids of a hardware selection. Returns false if keepGoing, which is told
+  /// the fraction done, stopped it.
+  bool Render(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const Target& target,
+    const std::function<bool(double)>& keepGoing);
+
+  /// Of the last frame. The time of the display is that of reading depths, uploading and drawing.
+  const vtkIsosurfaceRayTracing::FrameTimes& GetTimes() const { return this->Picture.Times; }
+  double GetDisplayTime() const { return this->DisplayTime; }
+  int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  /// How a frame is drawn.
+  struct Drawing
+  {
+    Drawing(const vtkIsosurfaceRayTraceSettings& settings, const Target& target);
+
+    vtkOpenGLRenderWindow* Window;
+    /// In a render pass, of a framebuffer that may begin elsewhere than the window and have another
+    /// size.
+    vtkIsosurfaceRayTracing::PixelRectangle Viewport;
+    /// At most one of them.
+    vtkHardwareSelector* Selector;
+    vtkSSAOPass* Occlusion;
+    vtkIsosurfaceRayTracing::PixelSampling Sampling;
+  };
+
+  void SetScene(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);
+  void ReadDepths(const Drawing& drawing);
+  bool Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
+    const std::function<bool(double)>& keepGoing);
+  bool Trace(const Drawing& drawing, const std::function<bool(double)>& keepGoing);
+  void DisplayColors(const Drawing& drawing);
+  void DisplayIds(const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing);
+  void DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);
+  bool IsOpaque(const Drawing& drawing) const;
+  vtkIsosurfaceRayTraceImageDisplay::Image GetImage(const Drawing& drawing, bool isOpaque) const;
+
+  vtkIsosurfaceRayTracePicture Picture;
+  std::vector<float> SceneDepths;
+  /// For each eye.
+  std::array<vtkIsosurfaceRayTraceAccumulation, 2> Accumulations;
+  int NumberOfAccumulatedFrames = 0;
+  double DisplayTime = 0.0;
+  /// What the last frame would have taken with a ray for every pixel.
+  double SecondsOfFullFrame = 0.0;
+  vtkIsosurfaceRayTraceImageDisplay Display;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

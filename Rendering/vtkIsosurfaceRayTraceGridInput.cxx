@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceGridInput.h"
+
+#include "vtkIsosurfaceRayTraceColors.h"
+#include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceScene.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceGridInput::Select(
+  vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property)
+{
+  std::string problem = this->SelectGrid(mapper, choice.ColorArrayName);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = this->SelectComponent(choice.Component, property);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = vtkIsosurfaceRayTraceSource::FindProblem(this->Grid, this->Scalars);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = vtkIsosurfaceRayTraceCropping::FindProblem(mapper);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  return this->SelectColors(
+    vtkImageData::SafeDownCast(mapper->GetInputDataObject(1, 0)), choice.ColorArrayName);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceGridInput::SelectGrid(
+  vtkVolumeMapper* mapper, const std::string& colorArrayName)
+{
+  vtkDataObject* input = mapper->GetDataObjectInput();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  this->IsComposite = composite != nullptr;
+  this->Grid = vtkDataSet::SafeDownCast(input);
+  if (composite)
+  {
+    const std::string problem = this->Blocks.Update(composite,
+      { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
+        mapper->GetArrayName(), colorArrayName });
+    this->Grid = this->Blocks.GetGrid();
+    this->Scalars.Scalars = this->Blocks.GetScalars();
+    this->Scalars.AreOfCells = this->Blocks.AreOfCells();
+    return problem;
+  }
+  if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
+  {
+    return "There is no input. Give a vtkImageData, a vtkRectilinearGrid or composite data of them "
+           "with SetInputData, SetInputDataObject or SetInputConnection.";
+  }
+  int association = 0;
+  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+  if (association == vtkDataObject::FIELD_ASSOCIATION_NONE)
+  {
+    this->Scalars.Scalars = nullptr; // Field data lie nowhere.
+  }
+  this->Scalars.AreOfCells = association == 1;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(
+  std::optional<int> component, vtkVolumeProperty* property)
+{
+  this->PropertyComponent = 0;
+  if (component)
+  {
+    this->Scalars.Component = *component;
+    return "";
+  }
+  const int count = this->Scalars.Scalars ? this->Scalars.Scalars->GetNumberOfComponents() : 1;
+  if (count > VTK_MAX_VRCOMP)
+  {
+    return "The scalars have " + std::to_string(count) + " components, of which " +
+      std::to_string(VTK_MAX_VRCOMP) +
+      " at most can be chosen from by vtkVolumeProperty::SetComponentWeight. Call "
+      "SetVectorModeToComponent() and SetVectorComponent(), or SetVectorModeToMagnitude().";
+  }
+  this->PropertyComponent = vtkIsosurfaceRayTraceScene::ChooseComponent(property, count);
+  this->Scalars.Component = this->PropertyComponent;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
+  vtkImageData* image, const std::string& name)
+{
+  this->ColorImage = image;
+  this->ColorArray = nullptr;
+  if (!image && name.empty())
+  {
+    return "";
+  }
+  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(image ? image : this->Grid, name);
+  if (this->ColorArray)
+  {
+    return "";
+  }
+  return "There are no point data " +
+    (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +
+    (image ? " in the second input" : " in the input") +
+    " to colour by. Give an array with a tuple for every point to SetColorArrayName.";
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridInput::Update(
+  vtkVolumeMapper* mapper, const vtkirt::ImageSettings& settings, int threads)
+{
+  const bool isBuilt = this->Source.Update(this->Grid, this->Scalars, settings, threads);
+  this->Visible = {};
+  this->Visible.HiddenCells = this->Source.GetHiddenCells();
+  vtkIsosurfaceRayTraceCropping::Apply(mapper, this->Source.GetGeometry(), this->Visible);
+  return isBuilt;
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceGridInput::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
+{
+  const auto* block = this->IsComposite ? this->Blocks.FindBlock(cellId) : nullptr;
+  if (!block)
+  {
+    return nullptr;
+  }
+  cellInBlock = cellId - block->FirstCell;
+  flatIndex = block->FlatIndex;
+  return block->Data;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::TraceRequest vtkIsosurfaceRayTraceGridInput::MakeTraceRequest() const
+{
+  vtkirt::TraceRequest request;
+  request.Visible = this->Visible;
+  request.Planes = this->Source.GetGeometry().GetPlanes();
+  return request;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceGridInput::MakeColors(
+  vtkVolumeProperty* property) const
+{
+  if (!this->ColorArray)
+  {
+    return nullptr;
+  }
+  return std::make_unique<vtkIsosurfaceRayTraceColors>(
+    this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridInput::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return this->IsComposite
+    ? this->Blocks.GetCellId(this->Source.FindStructuredCell(hit, parametric))
+    : this->Source.FindCell(hit, parametric);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridInput::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  return this->IsComposite
+    ? this->Blocks.GetPointId(
+        this->Source.FindStructuredCell(hit, parametric), this->Source.FindStructuredPoint(hit))
+    : this->Source.FindPoint(hit);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfCells() const
+{
+  return this->IsComposite ? this->Blocks.GetNumberOfCells() : this->Grid->GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfPoints() const
+{
+  return this->IsComposite ? this->Blocks.GetNumberOfPoints() : this->Grid->GetNumberOfPoints();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkObject*> vtkIsosurfaceRayTraceGridInput::GetObjects() const
+{
+  std::vector<vtkObject*> objects = { this->Grid, this->Scalars.Scalars, this->ColorImage,
+    this->ColorArray };
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(this->Grid))
+  {
+    objects.insert(objects.end(),
+      { rectilinear->GetXCoordinates(), rectilinear->GetYCoordinates(),
+        rectilinear->GetZCoordinates() });
+  }
+  return objects;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The input of a mapper that traces images and rectilinear grids, and composite data of them.
+
+#ifndef vtkIsosurfaceRayTraceGridInput_h
+#define vtkIsosurfaceRayTraceGridInput_h
+
+#include "vtkIsosurfaceRayTraceBlocks.h"   // for ivars
+#include "vtkIsosurfaceRayTraceInput.h"    // for base class
+#include "vtkIsosurfaceRayTraceSource.h"   // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include <optional> // for std::optional
+#include <string>   // for std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkImageData;
+class vtkVolumeMapper;
+
+class vtkIsosurfaceRayTraceGridInput final : public vtkIsosurfaceRayTraceInput
+{
+public:
+  /// What is taken from the inputs of a mapper, besides what all volume mappers know.
+  struct Choice
+  {
+    /// A component of the scalars, or their magnitude (vtkIsosurfaceRayTraceSource::Selection);
+    /// without one, the weights of the property decide.
+    std::optional<int> Component;
+    std::string ColorArrayName;
+  };
+
+  /// Finds the data in the inputs of a mapper, which must be up to date, and their scalars. Returns
+  /// why they cannot be traced; empty if they can.
+  std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
+
+  /// Makes what was selected ready for rays. Returns whether macrocells had to be built.
+  bool Update(
+    vtkVolumeMapper* mapper, const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
+
+  /// See vtkIsosurfaceRayTraceMapper::FindBlock. Null if the input is not composite, or no block
+  /// has the cell.
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
+
+  vtkIsosurfaceRayTracing::ImageField* GetVolume() const override
+  {
+    return this->Source.GetVolume();
+  }
+  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const override
+  {
+    return this->Source.GetGeometry().GetPhysicalFromIndex();
+  }
+  vtkIsosurfaceRayTracing::Vector3 GetPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override
+  {
+    return this->Source.GetPoint(hit);
+  }
+  vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const override;
+  int GetPropertyComponent() const override { return this->PropertyComponent; }
+  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
+    vtkVolumeProperty* property) const override;
+  vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const override;
+  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  vtkIdType GetNumberOfCells() const override;
+  vtkIdType GetNumberOfPoints() const override;
+  std::vector<vtkObject*> GetObjects() const override;
+
+private:
+  std::string SelectGrid(vtkVolumeMapper* mapper, const std::string& colorArrayName);
+  std::string SelectComponent(std::optional<int> component, vtkVolumeProperty* property);
+  std::string SelectColors(vtkImageData* image, const std::string& name);
+
+  /// Whether the grid is what the blocks of composite data make.
+  bool IsComposite = false;
+  vtkIsosurfaceRayTraceBlocks Blocks;
+  vtkDataSet* Grid = nullptr;
+  vtkIsosurfaceRayTraceSource::Selection Scalars;
+  int PropertyComponent = 0;
+  /// What surfaces are coloured by. The array is null if by their isovalues, the image if the array
+  /// is one of the grid.
+  vtkImageData* ColorImage = nullptr;
+  vtkDataArray* ColorArray = nullptr;
+
+  vtkIsosurfaceRayTraceSource Source;
+  vtkIsosurfaceRayTracing::Visibility Visible;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceHits.h"
+
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceRequest.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+
+#include "Picture/CastRays.h"
+#include "Picture/Shader.h"
+
+#include <algorithm>
+#include <optional>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+//------------------------------------------------------------------------------
+vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector3>& origins,
+  const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
+{
+  vtkirt::ImageField& volume = *this->Request.Input.GetVolume();
+  const vtkirt::Matrix4& worldFromIndex = this->Request.WorldFromIndex;
+  vtkirt::Matrix4 indexFromWorld;
+  vtkMatrix4x4::Invert(worldFromIndex.data(), indexFromWorld.data());
+  // Differences first: a volume far from the origin of the world loses nothing.
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromIndex, { 0.0, 0.0, 0.0 });
+  std::vector<std::optional<vtkirt::Ray>> rays(origins.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    using vtkirt::operator-;
+    rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
+      vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd, volume.GetDimensions(),
+      this->Request.Trace.Planes);
+  }
+  volume.Select(this->Request.Trace, threads);
+  return vtkirt::CastRays(volume, rays, threads);
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetPosition(const vtkirt::Hit& hit) const
+{
+  return vtkirt::TransformPoint(this->Request.WorldFromIndex, this->Request.Input.GetPoint(hit));
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetNormal(const vtkirt::Hit& hit) const
+{
+  using vtkirt::operator*;
+  const vtkirt::Vector3 gradient =
+    this->Request.Input.GetVolume()->GetGradient(hit, this->Request.NormalMode);
+  return vtkirt::Normalized(vtkirt::GradientToWorld(this->Request.WorldFromIndex, gradient)) * -1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceHits::GetValue(const vtkirt::Hit& hit) const
+{
+  const vtkirt::TraceRequest& request = this->Request.Trace;
+  return request.Projection ? hit.Value
+                            : request.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
+  const vtkirt::Hit& hit) const
+{
+  Description description;
+  description.CellId = this->Request.Input.FindCell(hit, description.Parametric);
+  description.Position = this->GetPosition(hit);
+  description.Normal = this->GetNormal(hit);
+  description.Value = this->GetValue(hit);
+  return description;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceHits::GetGeometry(const std::vector<vtkirt::Hit>& hits, vtkCamera* camera,
+  int threads, std::vector<float>& positions, std::vector<float>& normals) const
+{
+  vtkirt::Matrix4 viewFromWorld;
+  std::copy_n(
+    camera->GetModelViewTransformMatrix()->GetData(), viewFromWorld.size(), viewFromWorld.data());
+  const auto count = static_cast<int>(hits.size());
+  positions.assign(3 * hits.size(), 0.0F);
+  normals.assign(3 * hits.size(), 0.0F);
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
+  for (int i = 0; i < count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(i);
+    const vtkirt::Hit& hit = hits[pixel];
+    if (hit.Surface == vtkirt::Hit::NoSurface)
+    {
+      continue;
+    }
+    using vtkirt::operator*;
+    const vtkirt::Vector3 position = vtkirt::TransformPoint(viewFromWorld, this->GetPosition(hit));
+    vtkirt::Vector3 normal =
+      vtkirt::Normalized(vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit)));
+    // As of polygons: towards the viewer, whose side is that of positive z.
+    normal = normal[2] < 0.0 ? normal * -1.0 : normal;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      positions[3 * pixel + axis] = static_cast<float>(position[axis]);
+      normals[3 * pixel + axis] = static_cast<float>(normal[axis]);
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

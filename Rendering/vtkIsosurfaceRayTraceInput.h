@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The data that a mapper traces. Requests, frames, hits and selections know them by this alone.
+
+#ifndef vtkIsosurfaceRayTraceInput_h
+#define vtkIsosurfaceRayTraceInput_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Picture/Scene.h"
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkObject;
+class vtkVolumeProperty;
+
+class vtkIsosurfaceRayTraceInput
+{
+public:
+  virtual ~vtkIsosurfaceRayTraceInput() = default;
+
+  /// Null before the input is first traced.
+  virtual vtkIsosurfaceRayTracing::ImageField* GetVolume() const = 0;
+
+  /// From the space that rays go through to the coordinates of the data.
+  virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const = 0;
+
+  /// A hit in the space that rays go through.
+  virtual vtkIsosurfaceRayTracing::Vector3 GetPoint(
+    const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+
+  /// Requests nothing yet, but has what the data say: what of them is visible.
+  virtual vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const = 0;
+
+  /// The component of the volume property that says what the surfaces look like.
+  virtual int GetPropertyComponent() const = 0;
+
+  /// The colours of an array, by the transfer function of the property; null if surfaces are
+  /// coloured by their isovalues. The input and the property must outlive them.
+  virtual std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
+    vtkVolumeProperty* property) const = 0;
+
+  /// The cell that a hit is in, and the point nearest to it, by their ids in the data.
+  virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
+  virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+  virtual vtkIdType GetNumberOfCells() const = 0;
+  virtual vtkIdType GetNumberOfPoints() const = 0;
+
+  /// A picture of the input stays the same while they do. Some may be null.
+  virtual std::vector<vtkObject*> GetObjects() const = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

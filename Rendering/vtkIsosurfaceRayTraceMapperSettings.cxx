@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The settings of the mapper: how they are set, copied, printed and given to what traces.
+
+#include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <iterator>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+const char* const InterpolationModeNames[] = { "Trilinear", "Nearest", "Cubic" };
+const char* const RootSolverNames[] = { "Robust", "Analytic", "Marmitt", "Linear" };
+const char* const NormalModeNames[] = { "InterpolantGradient", "CentralDifferences" };
+const char* const VectorModeNames[] = { "Disabled", "Magnitude", "Component" };
+const char* const BrickLayoutNames[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };
+
+template <typename T>
+void Assign(T& to, const T& from)
+{
+  to = from;
+}
+
+template <typename T, std::size_t N>
+void Assign(T (&to)[N], const T (&from)[N])
+{
+  std::copy(std::begin(from), std::end(from), std::begin(to));
+}
+
+template <typename T>
+void Write(ostream& os, const T& value)
+{
+  os << value;
+}
+
+void Write(ostream& os, bool value)
+{
+  os << (value ? "on" : "off");
+}
+
+template <typename T, std::size_t N>
+void Write(ostream& os, const T (&values)[N])
+{
+  const char* separator = "";
+  for (const T& value : values)
+  {
+    os << separator << value;
+    separator = " ";
+  }
+}
+
+void Write(ostream& os, int enumerator, const char* const* names)
+{
+  os << names[enumerator];
+}
+
+}
+
+//------------------------------------------------------------------------------
+/// Calls visit(name, pointer to member) for every setting, and with names of the enumerators if it
+/// has some.
+template <typename Visitor>
+void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
+{
+  using Self = vtkIsosurfaceRayTraceMapper;
+  visit("InterpolationMode", &Self::InterpolationMode, InterpolationModeNames);
+  visit("RootSolver", &Self::RootSolver, RootSolverNames);
+  visit("NumberOfInterpolations", &Self::NumberOfInterpolations);
+  visit("NormalMode", &Self::NormalMode, NormalModeNames);
+  visit("VectorMode", &Self::VectorMode, VectorModeNames - DISABLED);
+  visit("VectorComponent", &Self::VectorComponent);
+  visit("ColorArrayName", &Self::ColorArrayName);
+  visit("CapClippingPlanes", &Self::CapClippingPlanes);
+  visit("Shadows", &Self::Shadows);
+  visit("AmbientOcclusion", &Self::AmbientOcclusion);
+  visit("NumberOfAmbientOcclusionRays", &Self::NumberOfAmbientOcclusionRays);
+  visit("AmbientOcclusionRadius", &Self::AmbientOcclusionRadius);
+  visit("BrickLayout", &Self::BrickLayout, BrickLayoutNames);
+  visit("BrickSize", &Self::BrickSize);
+  visit("BrickGroupSize", &Self::BrickGroupSize);
+  visit("MaximumBrickMemory", &Self::MaximumBrickMemory);
+  visit("NumberOfMacrocellLevels", &Self::NumberOfMacrocellLevels);
+  visit("MacrocellBranching", &Self::MacrocellBranching);
+  visit("TileSize", &Self::TileSize);
+  visit("AutoAdjustSampleDistances", &Self::AutoAdjustSampleDistances);
+  visit("ImageSampleDistance", &Self::ImageSampleDistance);
+  visit("MinimumImageSampleDistance", &Self::MinimumImageSampleDistance);
+  visit("MaximumImageSampleDistance", &Self::MaximumImageSampleDistance);
+  visit("ProgressiveAccumulation", &Self::ProgressiveAccumulation);
+  visit("MaximumNumberOfAccumulatedFrames", &Self::MaximumNumberOfAccumulatedFrames);
+  visit("NumberOfThreads", &Self::NumberOfThreads);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* volumeMapper = vtkVolumeMapper::SafeDownCast(mapper))
+  {
+    this->CopyVolumeMapper(volumeMapper);
+  }
+  if (auto* other = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    VisitSettings([this, other](const char*, auto setting, auto...)
+      { Assign(this->*setting, other->*setting); });
+  }
+  this->Superclass::ShallowCopy(mapper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const bool hasInput =
+      port < mapper->GetNumberOfInputPorts() && mapper->GetNumberOfInputConnections(port) > 0;
+    this->SetInputConnection(port, hasInput ? mapper->GetInputConnection(port, 0) : nullptr);
+  }
+  this->SetScalarMode(mapper->GetScalarMode());
+  this->SelectScalarArray(mapper->GetArrayId());
+  this->SelectScalarArray(mapper->GetArrayName());
+  this->SetArrayAccessMode(mapper->GetArrayAccessMode());
+  this->SetBlendMode(mapper->GetBlendMode());
+  this->SetAverageIPScalarRange(mapper->GetAverageIPScalarRange());
+  this->SetCropping(mapper->GetCropping());
+  this->SetCroppingRegionPlanes(mapper->GetCroppingRegionPlanes());
+  this->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetColorArrayName(const char* name)
+{
+  const std::string newName = name ? name : "";
+  if (this->ColorArrayName != newName)
+  {
+    this->ColorArrayName = newName;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::HasMacrocellLevel(int level)
+{
+  if (level < 0 || level >= MaximumNumberOfMacrocellLevels)
+  {
+    vtkErrorMacro("There is no macrocell level " << level << ": levels are 0 to "
+                                                 << MaximumNumberOfMacrocellLevels - 1 << ".");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetMacrocellBranching(int level, int branching)
+{
+  const int clamped = std::clamp(branching, 2, 64);
+  if (this->HasMacrocellLevel(level) && this->MacrocellBranching[level] != clamped)
+  {
+    this->MacrocellBranching[level] = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMapper::GetMacrocellBranching(int level)
+{
+  return this->HasMacrocellLevel(level) ? this->MacrocellBranching[level] : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetTileSize(int width, int height)
+{
+  const int clamped[2] = { std::clamp(width, 1, 4096), std::clamp(height, 1, 4096) };
+  if (this->TileSize[0] != clamped[0] || this->TileSize[1] != clamped[1])
+  {
+    this->TileSize[0] = clamped[0];
+    this->TileSize[1] = clamped[1];
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
+{
+  namespace enumerators = vtkIsosurfaceRayTraceEnumerators;
+  vtkIsosurfaceRayTraceSettings settings;
+  settings.Projection = enumerators::FindProjection(this->BlendMode);
+  settings.InterpolationMode = enumerators::ToInterpolant(this->InterpolationMode);
+  settings.RootSolver = enumerators::ToRootSolver(this->RootSolver);
+  settings.NumberOfInterpolations = this->NumberOfInterpolations;
+  settings.NormalMode = enumerators::ToNormalMode(this->NormalMode);
+  settings.CapClippingPlanes = this->CapClippingPlanes;
+  settings.Shadows = this->Shadows;
+  settings.NumberOfAmbientOcclusionRays =
+    this->AmbientOcclusion ? this->NumberOfAmbientOcclusionRays : 0;
+  if (this->AmbientOcclusionRadius > 0.0)
+  {
+    settings.AmbientOcclusionRadius = this->AmbientOcclusionRadius;
+  }
+  if (this->MaximumBrickMemory > 0)
+  {
+    settings.MaximumMemory = static_cast<std::size_t>(this->MaximumBrickMemory) << 20;
+  }
+  settings.TileWidth = this->TileSize[0];
+  settings.TileHeight = this->TileSize[1];
+  settings.NumberOfThreads =
+    this->NumberOfThreads > 0 ? this->NumberOfThreads : std::max(1, omp_get_max_threads());
+  settings.AutoAdjustSampleDistances = this->AutoAdjustSampleDistances != 0;
+  settings.ImageSampleDistance = this->ImageSampleDistance;
+  settings.MinimumImageSampleDistance = this->MinimumImageSampleDistance;
+  settings.MaximumImageSampleDistance = this->MaximumImageSampleDistance;
+  settings.ProgressiveAccumulation = this->ProgressiveAccumulation;
+  settings.MaximumNumberOfAccumulatedFrames = this->MaximumNumberOfAccumulatedFrames;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const auto& value, auto... names)
+  {
+    os << indent << name << ": ";
+    Write(os, value, names...);
+    os << "\n";
+  };
+  print("ArrayAccessMode", this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName");
+  print("ArrayId", this->ArrayId);
+  print("ArrayName", this->ArrayName ? this->ArrayName : "(none)");
+  VisitSettings([this, print](const char* name, auto setting, auto... names)
+    { print(name, this->*setting, names...); });
+  print("NumberOfAccumulatedFrames", this->NumberOfAccumulatedFrames);
+  print("MacrocellBuildTime", this->MacrocellBuildTime);
+  print("BrickBuildTime", this->BrickBuildTime);
+  print("TraceTime", this->TraceTime);
+  print("ShadeTime", this->ShadeTime);
+  print("DisplayTime", this->DisplayTime);
+  print("MacrocellMemory", this->GetMacrocellMemory());
+  print("BrickMemory", this->GetBrickMemory());
+  print("NumberOfBricks", this->GetNumberOfBricks());
+  print("MaximumNumberOfBricks", this->GetMaximumNumberOfBricks());
+}
+
+VTK_ABI_NAMESPACE_END

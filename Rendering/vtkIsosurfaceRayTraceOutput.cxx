@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceOutput.h"
+
+#include "vtkIsosurfaceRayTraceHits.h"
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTracePicture.h"
+#include "vtkIsosurfaceRayTraceRequest.h"
+#include "vtkIsosurfaceRayTraceScene.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Description = vtkIsosurfaceRayTraceHits::Description;
+
+/// Adds an array with a tuple for every point.
+void AddArray(
+  vtkDataArray* array, const char* name, int components, vtkIdType tuples, vtkDataSet* output)
+{
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  output->GetPointData()->AddArray(array);
+}
+
+/// The output of CastRays.
+class HitArrays
+{
+public:
+  HitArrays(vtkIdType count, vtkPolyData* output)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Points->SetNumberOfPoints(count);
+    AddArray(this->RayIds, "RayId", 1, count, output);
+    AddArray(this->Ts, "T", 1, count, output);
+    AddArray(this->CellIds, "CellId", 1, count, output);
+    AddArray(this->Parametric, "ParametricCoordinates", 3, count, output);
+    AddArray(this->Isovalues, "Isovalue", 1, count, output);
+    AddArray(this->Normals, "Normals", 3, count, output);
+    output->GetPointData()->SetActiveNormals("Normals");
+    output->SetPoints(this->Points);
+  }
+
+  void Set(vtkIdType row, std::size_t ray, double t, const Description& hit)
+  {
+    this->Points->SetPoint(row, hit.Position.data());
+    this->RayIds->SetValue(row, static_cast<vtkIdType>(ray));
+    this->Ts->SetValue(row, t);
+    this->CellIds->SetValue(row, hit.CellId);
+    this->Parametric->SetTypedTuple(row, hit.Parametric.data());
+    this->Isovalues->SetValue(row, hit.Value);
+    this->Normals->SetTypedTuple(row, hit.Normal.data());
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkIdTypeArray> RayIds;
+  vtkNew<vtkDoubleArray> Ts;
+  vtkNew<vtkIdTypeArray> CellIds;
+  vtkNew<vtkDoubleArray> Parametric;
+  vtkNew<vtkDoubleArray> Isovalues;
+  vtkNew<vtkDoubleArray> Normals;
+};
+
+/// The output of RenderToImage; at first, of a picture without hits.
+class PixelArrays
+{
+public:
+  PixelArrays(vtkIdType count, bool isProjection, vtkDataSet* output)
+  {
+    const auto add = [count, output](
+                       vtkDataArray* array, const char* name, int components, double none)
+    {
+      AddArray(array, name, components, count, output);
+      array->Fill(none);
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    add(this->Colors, "Colors", 4, 0.0);
+    add(this->Depths, "Depth", 1, 1.0);
+    add(this->Normals, "Normals", 3, nan);
+    add(this->Positions, "Position", 3, nan);
+    add(this->CellIds, "CellId", 1, -1.0);
+    if (isProjection)
+    {
+      add(this->Values, "Value", 1, nan);
+    }
+    else
+    {
+      add(this->IsovalueIds, "IsovalueId", 1, -1.0);
+    }
+    output->GetPointData()->SetActiveScalars("Colors");
+  }
+
+  void Set(vtkIdType pixel, const unsigned char* color, float depth, const Description& hit)
+  {
+    this->Colors->SetTypedTuple(pixel, color);
+    this->Depths->SetValue(pixel, depth);
+    this->Normals->SetTypedTuple(pixel, hit.Normal.data());
+    this->Positions->SetTypedTuple(pixel, hit.Position.data());
+    this->CellIds->SetValue(pixel, hit.CellId);
+  }
+  void SetValue(vtkIdType pixel, double value) { this->Values->SetValue(pixel, value); }
+  void SetIsovalueId(vtkIdType pixel, int id) { this->IsovalueIds->SetValue(pixel, id); }
+
+private:
+  vtkNew<vtkUnsignedCharArray> Colors;
+  vtkNew<vtkFloatArray> Depths;
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkDoubleArray> Positions;
+  vtkNew<vtkIdTypeArray> CellIds;
+  vtkNew<vtkIntArray> IsovalueIds;
+  vtkNew<vtkDoubleArray> Values;
+};
+
+}
+
+namespace vtkIsosurfaceRayTraceOutput
+{
+
+//------------------------------------------------------------------------------
+void WriteHits(
+  const vtkIsosurfaceRayTraceRequest& request, const vtkirt::RayHits& hits, vtkPolyData* output)
+{
+  const vtkIsosurfaceRayTraceHits traced(request);
+  HitArrays arrays(static_cast<vtkIdType>(hits.Hits.size()), output);
+  for (std::size_t ray = 0; ray + 1 < hits.First.size(); ++ray)
+  {
+    for (std::size_t i = hits.First[ray]; i < hits.First[ray + 1]; ++i)
+    {
+      const vtkirt::Hit& hit = hits.Hits[i];
+      arrays.Set(static_cast<vtkIdType>(i), ray, hit.T, traced.Describe(hit));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output)
+{
+  const bool isProjection = request.Trace.Projection.has_value();
+  const vtkIsosurfaceRayTraceHits traced(request);
+  output->Initialize();
+  output->SetDimensions(width, height, 1);
+  PixelArrays arrays(output->GetNumberOfPoints(), isProjection, output);
+  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
+      const vtkirt::Hit& hit = picture.Frame.Hits[from];
+      if (hit.Surface == vtkirt::Hit::NoSurface)
+      {
+        continue;
+      }
+      const auto to = static_cast<vtkIdType>(
+        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
+      const Description description = traced.Describe(hit);
+      // A projection hides nothing in a window, and so has no depth there; but each value has its
+      // place.
+      const float depth = isProjection
+        ? static_cast<float>(picture.Scene.View.GetDepth(request.Input.GetPoint(hit)))
+        : std::min(picture.Frame.Depths[from], 1.0F);
+      arrays.Set(to, &picture.Frame.Colors[4 * from], depth, description);
+      if (isProjection)
+      {
+        arrays.SetValue(to, description.Value);
+      }
+      else
+      {
+        arrays.SetIsovalueId(
+          to, vtkIsosurfaceRayTraceScene::FindIsovalue(request.Property, description.Value));
+      }
+    }
+  }
+}
+
+}
+
+VTK_ABI_NAMESPACE_END

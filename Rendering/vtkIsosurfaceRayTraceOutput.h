@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Writes hits and pictures to data sets of VTK.
+
+#ifndef vtkIsosurfaceRayTraceOutput_h
+#define vtkIsosurfaceRayTraceOutput_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Image/ImageField.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkImageData;
+class vtkIsosurfaceRayTracePicture;
+class vtkPolyData;
+struct vtkIsosurfaceRayTraceRequest;
+
+namespace vtkIsosurfaceRayTraceOutput
+{
+
+/// The output of vtkIsosurfaceRayTraceMapper::CastRays.
+void WriteHits(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTracing::RayHits& hits, vtkPolyData* output);
+
+/// The output of vtkIsosurfaceRayTraceMapper::RenderToImage. The picture must have kept its hits.
+void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output);
+
+}
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A scene, all that it refers to, and the picture of it. Needs no window.
+
+#ifndef vtkIsosurfaceRayTracePicture_h
+#define vtkIsosurfaceRayTracePicture_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Picture/RenderTiles.h"
+
+#include <cstddef>    // for std::size_t
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkRenderer;
+struct vtkIsosurfaceRayTraceRequest;
+struct vtkIsosurfaceRayTraceSettings;
+
+class vtkIsosurfaceRayTracePicture
+{
+public:
+  /// What is seen of the world. The size is in rays.
+  struct View
+  {
+    vtkIsosurfaceRayTracing::Matrix4 ClipFromWorld;
+    double Width;
+    double Height;
+  };
+
+  /// Sets the scene, except for its lights. The input of the request must outlive the picture.
+  void SetScene(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const View& view);
+
+  /// Adds the lights of a renderer.
+  void AddLights(vtkRenderer* renderer);
+
+  /// Makes the picture. Returns false if keepGoing, which is told the fraction done, stopped it.
+  bool Trace(const std::function<bool(double)>& keepGoing);
+
+  /// Whether the picture, which must have kept its hits, shows anything at a pixel. A value may
+  /// have no opacity.
+  bool IsVisible(std::size_t pixel) const;
+
+  vtkIsosurfaceRayTracing::Scene Scene;
+  vtkIsosurfaceRayTracing::Frame Frame;
+  vtkIsosurfaceRayTracing::FrameTimes Times;
+
+private:
+  vtkIsosurfaceRayTracing::ImageField* Volume = nullptr;
+  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ValueColors> ColorsOfValues;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

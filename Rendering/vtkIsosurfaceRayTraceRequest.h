@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is traced of an input for a volume, and what it looks like.
+
+#ifndef vtkIsosurfaceRayTraceRequest_h
+#define vtkIsosurfaceRayTraceRequest_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Image/ImageField.h"
+
+#include <string> // for std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkIsosurfaceRayTraceInput;
+class vtkPlaneCollection;
+class vtkVolume;
+class vtkVolumeProperty;
+struct vtkIsosurfaceRayTraceSettings;
+
+/// Made for every call that traces, from the volume as it is then.
+struct vtkIsosurfaceRayTraceRequest
+{
+  /// Why a blend mode of vtkVolumeMapper cannot be drawn; empty if it can.
+  static std::string FindProblem(int blendMode, const vtkIsosurfaceRayTraceSettings& settings);
+
+  /// The input must be up to date, and outlive the request. There may be no clipping planes.
+  vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
+
+  const vtkIsosurfaceRayTraceInput& Input;
+  vtkVolumeProperty* Property;
+  /// That of the property.
+  int Component;
+  /// From the space that rays go through to the world.
+  vtkIsosurfaceRayTracing::Matrix4 WorldFromIndex;
+  vtkIsosurfaceRayTracing::NormalMode NormalMode;
+  vtkIsosurfaceRayTracing::TraceRequest Trace;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceSelection.h"
+
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTracePicture.h"
+
+#include "vtkHardwareSelector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSelection::vtkIsosurfaceRayTraceSelection(
+  vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInput& input)
+  : Selector(selector)
+  , Input(input)
+{
+  selector->BeginRenderProp();
+  selector->RenderCompositeIndex(1);
+  selector->UpdateMaximumCellId(input.GetNumberOfCells());
+  selector->UpdateMaximumPointId(input.GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSelection::~vtkIsosurfaceRayTraceSelection()
+{
+  this->Selector->EndRenderProp();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& picture) const
+{
+  vtkirt::Frame& frame = picture.Frame;
+  for (std::size_t pixel = 0; pixel < frame.Hits.size(); ++pixel)
+  {
+    const vtkirt::Hit& hit = frame.Hits[pixel];
+    std::uint8_t* color = &frame.Colors[4 * pixel];
+    const bool isVisible = picture.IsVisible(pixel);
+    std::fill_n(color, 4, std::uint8_t{ 0 });
+    frame.Depths[pixel] = vtkirt::Frame::NoSurface;
+    if (!isVisible)
+    {
+      continue;
+    }
+    vtkIdType id = this->GetId(hit);
+    for (int channel = 0; channel < 3; ++channel, id >>= 8)
+    {
+      color[channel] = static_cast<std::uint8_t>(id & 0xff);
+    }
+    color[3] = 255;
+    if (!picture.Scene.Request.Projection) // of which a picture has no depth either
+    {
+      frame.Depths[pixel] = static_cast<float>(
+        std::clamp(picture.Scene.View.GetDepth(this->Input.GetPoint(hit)), 0.0, 1.0));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceSelection::GetId(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  switch (this->Selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+      return this->Input.FindPoint(hit);
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      return this->Input.FindPoint(hit) >> 24;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+      return this->Input.FindCell(hit, parametric);
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      return this->Input.FindCell(hit, parametric) >> 24;
+    default:
+      break;
+  }
+  // The other passes ask for the same id of all of the volume, as a colour.
+  const float* color = this->Selector->GetPropColorValue();
+  const auto byte = [color](int channel)
+  { return static_cast<vtkIdType>(std::lround(255.0F * color[channel])); };
+  return byte(0) | byte(1) << 8 | byte(2) << 16;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Answers a hardware selector, which asks for ids instead of colours.
+
+#ifndef vtkIsosurfaceRayTraceSelection_h
+#define vtkIsosurfaceRayTraceSelection_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Rays/Hit.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkHardwareSelector;
+class vtkIsosurfaceRayTraceInput;
+class vtkIsosurfaceRayTracePicture;
+
+class vtkIsosurfaceRayTraceSelection
+{
+public:
+  /// Begins the prop; the destructor ends it. What is drawn meanwhile are its ids.
+  vtkIsosurfaceRayTraceSelection(
+    vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInput& input);
+  ~vtkIsosurfaceRayTraceSelection();
+  vtkIsosurfaceRayTraceSelection(const vtkIsosurfaceRayTraceSelection&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceSelection&) = delete;
+
+  /// Turns a picture of the input, which must have kept its hits, into that of the ids that the
+  /// selector asks for.
+  void WriteIds(vtkIsosurfaceRayTracePicture& picture) const;
+
+private:
+  vtkIdType GetId(const vtkIsosurfaceRayTracing::Hit& hit) const;
+
+  vtkHardwareSelector* Selector;
+  const vtkIsosurfaceRayTraceInput& Input;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

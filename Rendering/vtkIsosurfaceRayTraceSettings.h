@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a mapper that traces isosurfaces can be set to, whatever kind of data it traces.
+
+#ifndef vtkIsosurfaceRayTraceSettings_h
+#define vtkIsosurfaceRayTraceSettings_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Image/ImageField.h"
+
+#include <cstddef>  // for std::size_t
+#include <limits>   // for std::numeric_limits
+#include <optional> // for std::optional
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// By the names of vtkIsosurfaceRayTraceMapper, whose documentation says what they do. The mapper
+/// fills it in every call.
+struct vtkIsosurfaceRayTraceSettings
+{
+  /// None draws surfaces.
+  std::optional<vtkIsosurfaceRayTracing::Extremum> Projection;
+  vtkIsosurfaceRayTracing::Interpolant InterpolationMode =
+    vtkIsosurfaceRayTracing::Interpolant::Trilinear;
+  vtkIsosurfaceRayTracing::RootSolver RootSolver = vtkIsosurfaceRayTracing::RootSolver::Robust;
+  int NumberOfInterpolations = 3;
+  vtkIsosurfaceRayTracing::NormalMode NormalMode =
+    vtkIsosurfaceRayTracing::NormalMode::CentralDifferences;
+  bool CapClippingPlanes = false;
+  bool Shadows = false;
+  /// 0 is without ambient occlusion.
+  int NumberOfAmbientOcclusionRays = 0;
+  double AmbientOcclusionRadius = std::numeric_limits<double>::infinity();
+
+  /// In bytes.
+  std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
+  int TileWidth = 16;
+  int TileHeight = 8;
+  int NumberOfThreads = 1;
+
+  bool AutoAdjustSampleDistances = true;
+  float ImageSampleDistance = 1.0F;
+  float MinimumImageSampleDistance = 1.0F;
+  float MaximumImageSampleDistance = 10.0F;
+  bool ProgressiveAccumulation = false;
+  int MaximumNumberOfAccumulatedFrames = 16;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

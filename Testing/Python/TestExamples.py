@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scripts of Examples/Python that have no test of their own, and README.md's snippet."""
+
+import os
+import plistlib
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+
+from vtkmodules.vtkIOImage import vtkMetaImageReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
+
+from PictureTesting import EXAMPLES, ISOVALUE, read, write_waves
+
+METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D", "vtkContourFilter",
+           "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
+
+
+class TestExamples(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+
+    def run_script(self, script, *arguments):
+        return subprocess.run(
+            [sys.executable, os.path.join(EXAMPLES, script), *arguments],
+            capture_output=True, text=True, check=False)
+
+    def check_script(self, script, *arguments):
+        """What a script prints that comes to a good end."""
+        result = self.run_script(script, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def test_compare_isosurfaces(self):
+        output = self.check_script("compare_isosurfaces.py", write_waves(self.folder), str(ISOVALUE))
+        lines = {name: values for name, *values in map(str.split, output.splitlines())}
+        self.assertEqual(lines["Method"], METHODS)
+        for name in ("FirstPictureTime", "NextPictureTime", "NewIsovaluePictureTime", "Bytes"):
+            for value in lines[name]:
+                self.assertGreater(float(value), 0.0, name)
+        for name in ("ExtractionTime", "Triangles", "MedianDistance"):
+            for value in lines[name][:-1]:
+                self.assertGreater(float(value), 0.0, name)
+        self.assertEqual(lines["ExtractionTime"][-1], "nan")
+        self.assertEqual(lines["Note"], [])
+
+    def test_compare_isosurfaces_shows_whole_notes(self):
+        output = self.check_script("compare_isosurfaces.py", write_waves(self.folder), "1000")
+        self.assertIn("No surface: the scalars are from 34.0153 to 286.341.", output)
+
+    def test_ray_trace_isosurface(self):
+        picture = os.path.join(self.folder, "picture.png")
+        self.check_script(
+            "ray_trace_isosurface.py", write_waves(self.folder), str(ISOVALUE), picture)
+        pixels = read(picture)
+        self.assertEqual(len(pixels), 800 * 800)
+        background, surface = pixels[0], pixels[400 * 800 + 400]
+        self.assertEqual(background, (41.0, 46.0, 56.0))
+        self.assertGreater(surface[0], 100.0)
+
+    def test_pictures_that_cannot_be_written(self):
+        volume = write_waves(self.folder)
+        picture = os.path.join(self.folder, "absent", "picture.png")
+        result = self.run_script("ray_trace_isosurface.py", volume, str(ISOVALUE), picture)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("picture.png cannot be written", result.stderr)
+        for script, first in (("gallery.py", "plain.png"), ("scenes.py", "translucent_polygons.png")):
+            os.mkdir(os.path.join(self.folder, first))  # where a file of that name should go
+            result = self.run_script(script, volume, str(ISOVALUE), self.folder)
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn(f"{first} cannot be written", result.stderr)
+
+    def test_usage(self):
+        for script, arguments in (
+            ("compare_isosurfaces.py", "VOLUME.mhd ISOVALUE"),
+            ("ray_trace_isosurface.py", "VOLUME.mhd ISOVALUE PICTURE.png"),
+        ):
+            for given in ((), ("absent.mhd", "1", "picture.png")[: len(arguments.split())]):
+                result = self.run_script(script, *given)
+                self.assertNotEqual(result.returncode, 0)
+                words = "no image reader for absent.mhd" if given else f"{script} {arguments}"
+                self.assertIn(words, result.stderr)
+
+    def test_readme(self):
+        """Its snippet, between a reader and a window."""
+        with open(os.path.join(EXAMPLES, "../../README.md"), encoding="utf-8") as readme:
+            (snippet,) = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
+        scene = {"reader": vtkMetaImageReader(), "renderer": vtkRenderer(), "vtkVolume": vtkVolume}
+        scene["reader"].SetFileName(write_waves(self.folder))
+        snippet = snippet.replace("300", str(ISOVALUE))  # an isovalue of the waves instead of a bone's
+        exec(compile(snippet, "README.md", "exec"), scene)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.AddRenderer(scene["renderer"])
+        window.Render()
+        width, height = window.GetSize()
+        red, _, blue = window.GetPixelData(
+            width // 2, height // 2, width // 2, height // 2, 0)[:3]
+        self.assertGreater(red, blue)  # ivory
+
+    def write_project(self, sample_count=24):
+        """An InVesalius project of 2 x 3 x 4 samples, of which as many are there."""
+        samples = bytes(range(2 * sample_count))
+        description = {"spacing": (0.5, 1.0, 2.0),
+                       "matrix": {"filename": "matrix.dat", "shape": (4, 3, 2), "dtype": "int16"}}
+        project = os.path.join(self.folder, "Small.inv3")
+        with tarfile.open(project, "w:gz") as archive:
+            for name, content in (("main.plist", plistlib.dumps(description)),
+                                  ("matrix.dat", samples)):
+                file_name = os.path.join(self.folder, name)
+                with open(file_name, "wb") as stream:
+                    stream.write(content)
+                archive.add(file_name, arcname=f"project/{name}")
+        return project
+
+    def test_invesalius_to_metaimage(self):
+        output = self.check_script("invesalius_to_metaimage.py", self.write_project(), self.folder)
+        volume = os.path.join(self.folder, "small.mhd")
+        self.assertEqual(output, volume + "\n")
+        reader = vtkMetaImageReader()
+        reader.SetFileName(volume)
+        reader.Update()
+        image = reader.GetOutput()
+        self.assertEqual(image.GetDimensions(), (2, 3, 4))
+        self.assertEqual(image.GetSpacing(), (0.5, 1.0, 2.0))
+        self.assertEqual(image.GetScalarComponentAsDouble(1, 0, 0, 0), 0x0302)
+
+    def test_invesalius_project_that_is_broken(self):
+        result = self.run_script(
+            "invesalius_to_metaimage.py", self.write_project(sample_count=23), self.folder)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("matrix.dat has 46 bytes", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
