@@ -178,7 +178,7 @@ SIMD_INLINE Floats LoadRoughDifferences(
     for (int x = 0; x < 2; ++x)
     {
       pair[x] = pair[x] - isovalue;
-      largest = MaxMagnitude(largest, pair[x]);
+      largest = MaxAbs(largest, pair[x]);
     }
   }
   return largest;

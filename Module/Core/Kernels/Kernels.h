@@ -4,13 +4,14 @@
 #ifndef Kernels_h
 #define Kernels_h
 
-// Plain structures and functions only: this header is compiled for several instruction sets, and
-// nothing of it may leave code behind that runs on one of them alone.
 #include "Kernels/Frustum.h"
 #include "Rays/RayPacket.h"
 
 #include <cstddef>
 #include <cstdint>
+
+// Plain structures only: they are compiled for several instruction sets, and must not leave code
+// behind that runs on one of them alone.
 
 namespace vtkIsosurfaceRayTracing
 {

@@ -258,7 +258,7 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm256_max_ps(b.Value, a.Value) };
 }
-SIMD_INLINE Floats MaxMagnitude(Floats a, Floats b)
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
 {
   return Max(Abs(a), Abs(b));
 }
@@ -379,7 +379,6 @@ SIMD_INLINE void LoadWordRow(
   }
 }
 
-/// No pairs are loaded in single precision.
 template <typename T>
 constexpr bool HasFloatPairs = false;
 
@@ -391,7 +390,8 @@ SIMD_INLINE SliceMasks LoadSlices(const std::uint64_t slices[8])
   return slices;
 }
 
-/// The cells between the places of a ray across, one bit for each, in eight slices.
+/// The cells between the coordinates of a ray along one axis across, one bit for each, in eight
+/// slices.
 SIMD_INLINE __m256i FindRow(float middle, float slope, float margin)
 {
   const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);

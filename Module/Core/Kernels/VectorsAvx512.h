@@ -71,7 +71,7 @@ SIMD_INLINE Doubles LoadIntegers(const int* a)
 {
   return { _mm512_cvtepi32_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(a))) };
 }
-/// Without what is behind the point.
+/// Rounded towards zero.
 SIMD_INLINE void StoreTruncated(Doubles a, int* to)
 {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.Value));
@@ -97,7 +97,6 @@ SIMD_INLINE Doubles operator/(Doubles a, Doubles b)
 {
   return { _mm512_div_pd(a.Value, b.Value) };
 }
-/// a b + c, rounded once.
 SIMD_INLINE Doubles FusedMultiplyAdd(Doubles a, Doubles b, Doubles c)
 {
   return { _mm512_fmadd_pd(a.Value, b.Value, c.Value) };
@@ -114,7 +113,6 @@ SIMD_INLINE Doubles Floor(Doubles a)
 {
   return { _mm512_floor_pd(a.Value) };
 }
-/// The first with the sign of the second.
 SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
 {
   const __m512i sign = _mm512_set1_epi64(static_cast<long long>(0x8000000000000000U));
@@ -133,7 +131,6 @@ SIMD_INLINE Mask operator==(Doubles a, Doubles b)
 {
   return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_EQ_OQ) };
 }
-// As std::min and std::max choose, NaN and the signs of zeros included.
 SIMD_INLINE Doubles Min(Doubles a, Doubles b)
 {
   return { _mm512_min_pd(b.Value, a.Value) };
@@ -147,6 +144,7 @@ SIMD_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
   return { _mm512_mask_mov_pd(no.Value, mask.Value, yes.Value) };
 }
 
+/// The smallest of the lanes.
 SIMD_INLINE double ReduceMin(Doubles a)
 {
   return _mm512_reduce_min_pd(a.Value);
@@ -256,8 +254,8 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm512_max_ps(b.Value, a.Value) };
 }
-/// Whichever is larger in magnitude, in magnitude.
-SIMD_INLINE Floats MaxMagnitude(Floats a, Floats b)
+/// The larger of two magnitudes.
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
 {
   return { _mm512_range_ps(a.Value, b.Value, 0x0B) };
 }
@@ -267,6 +265,7 @@ SIMD_INLINE Floats CopySign(Floats a, Floats b)
   return { _mm512_castsi512_ps(_mm512_ternarylogic_epi32(
     sign, _mm512_castps_si512(b.Value), _mm512_castps_si512(a.Value), 0xCA)) };
 }
+/// Of the bits alone: zeros have a sign too.
 SIMD_INLINE FloatMask HaveDifferentSigns(Floats a, Floats b)
 {
   return { _mm512_movepi32_mask(
@@ -311,9 +310,12 @@ SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
 }
 
 //------------------------------------------------------------------------------
+/// Whether samples of a type are loaded in words of 8 or 4 bytes, one in each lane, that hold some
+/// of them.
 template <typename T>
 constexpr bool HasWords = true;
 
+/// Words of so many bytes, from as many bytes behind the beginnings of the rows.
 template <int Size>
 SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t bytes)
 {
@@ -329,6 +331,7 @@ SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t by
   }
 }
 
+/// Sample k of each word.
 template <typename T>
 SIMD_INLINE Doubles TakeFromWords(__m512i words, int k)
 {
@@ -374,6 +377,7 @@ SIMD_INLINE void LoadWordRow(
   }
 }
 
+/// Whether pairs of samples of a type are loaded in single precision.
 template <typename T>
 constexpr bool HasFloatPairs = sizeof(T) == 2 || (IsFloating<T> && sizeof(T) == 4);
 
@@ -406,6 +410,7 @@ SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t place, F
 }
 
 //------------------------------------------------------------------------------
+/// The eight slices of a block of cells, with a bit for each cell.
 using SliceMasks = __m512i;
 
 SIMD_INLINE SliceMasks LoadSlices(const std::uint64_t slices[8])
@@ -413,10 +418,14 @@ SIMD_INLINE SliceMasks LoadSlices(const std::uint64_t slices[8])
   return _mm512_loadu_si512(slices);
 }
 
-// All slices at once: in the lower half of a register for u, in the upper half for v.
+/// Finds the cells of one ray in a block, of those in the masks: slice by slice the rectangle of
+/// cells between the crossings with the two planes of the slice, and a margin around it. The ray is
+/// given by its coordinates across the axis in the middle plane of the block, counted from the
+/// first cell, and its slopes. Returns which slices have any.
 SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
   SliceMasks slices, std::uint64_t cells[8])
 {
+  // All slices at once: in the lower half of a register for u, in the upper half for v.
   const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
     2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
   const __m512 margins = _mm512_set1_ps(margin);

@@ -11,7 +11,6 @@ namespace
 
 constexpr int DoubleWidth = 2;
 
-// Vectors of the compiler: SSE2, NEON, or whatever two doubles fit in.
 using DoubleVector = double __attribute__((vector_size(16)));
 using MaskVector = long long __attribute__((vector_size(16)));
 
@@ -267,7 +266,7 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { a.Value < b.Value ? b.Value : a.Value };
 }
-SIMD_INLINE Floats MaxMagnitude(Floats a, Floats b)
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
 {
   return Max(Abs(a), Abs(b));
 }
@@ -310,7 +309,7 @@ SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
 }
 
 //------------------------------------------------------------------------------
-/// Samples are loaded one by one.
+// Samples are loaded one by one.
 template <typename T>
 constexpr bool HasWords = false;
 template <typename T>

@@ -22,6 +22,11 @@ SIMD_INLINE bool AndNot(bool a, bool b)
   return a && !b;
 }
 
+SIMD_INLINE bool Any(bool a)
+{
+  return a;
+}
+
 SIMD_INLINE double Select(bool condition, double yes, double no)
 {
   return condition ? yes : no;

@@ -11,7 +11,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A part of a colour, scaled to where cutting off what is behind the point rounds it to a byte.
+/// A component of a colour, in [0, 1], scaled to where truncation rounds it to the nearest byte.
 /// What is no number, from a light without any attenuation on its own position, is black.
 template <typename Number>
 SIMD_INLINE Number ScaleToByte(Number value)

@@ -23,15 +23,15 @@ struct CellCrossings
   Number EndAxis = Crossing::StartAxis;
 
   /// Narrows the part of rays to what is between the two planes of an axis that they move along.
-  /// Axes come in their order.
+  /// Axes come in their order: of equal crossings the last one begins a cell, the first one ends
+  /// it.
   SIMD_INLINE void Narrow(int axis, Mask moves, Number in, Number out)
   {
     const Number number = axis;
     const Mask isLater = moves & (this->Begin <= in);
     this->Begin = Select(isLater, in, this->Begin);
     this->BeginAxis = Select(isLater, number, this->BeginAxis);
-    const Mask isSooner =
-      moves & ((out < this->End) | ((out == this->End) & (number < this->EndAxis)));
+    const Mask isSooner = moves & (out < this->End);
     this->End = Select(isSooner, out, this->End);
     this->EndAxis = Select(isSooner, number, this->EndAxis);
   }

@@ -88,9 +88,12 @@ SIMD_INLINE auto ClipToVolume(
   const Mask stillMeets = meets & ClipToSlabs(dimensions, lastPlanes, rays);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Number last = dimensions[axis] - 2;
-    const Number cell = Min(Floor(rays.Origin[axis]), last);
-    rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+    if (Any(rays.Parallel[axis]))
+    {
+      const Number last = dimensions[axis] - 2;
+      const Number cell = Min(Floor(rays.Origin[axis]), last);
+      rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+    }
   }
   return stillMeets;
 }

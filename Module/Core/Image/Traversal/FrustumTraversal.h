@@ -13,7 +13,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Traversals a frustum of rays through a tree of blocks, slice by slice across its axis, to the
+/// Leads a frustum of rays through a tree of blocks, slice by slice across its axis, to the
 /// active macrocells it may pass. Those of one slice come together, in no order; a ray meets
 /// nothing in a later slice that is not behind everything it meets in an earlier one.
 class FrustumTraversal
@@ -22,7 +22,7 @@ public:
   /// No frustum may be wider, in cells.
   static constexpr double LargestWidth = 96.0;
 
-  /// The tree must outlive the walk.
+  /// The tree must outlive the traversal.
   FrustumTraversal(const BlockTree& tree, const Frustum& frustum)
     : Tree(tree)
     , TheFrustum(frustum)
