@@ -32,12 +32,18 @@ def parse_arguments():
     return parser.parse_args()
 
 
+def get_baselines_option(program):
+    """Builds before 22 November 2026 call them rivals."""
+    text = subprocess.run([program, "--help"], capture_output=True, text=True).stdout
+    return "--baselines" if "--baselines" in text else "--rivals"
+
+
 def measure(build, arguments):
     """The medians of a run, by what they are of."""
     with tempfile.TemporaryDirectory() as folder:
         result = pathlib.Path(folder) / "result.json"
         program = build / "bin" / "vtkIsosurfaceBenchmark"
-        command = [program, "--rivals", "none", "--repeats", "3", "--json", result, *arguments]
+        command = [program, get_baselines_option(program), "none", "--repeats", "3", "--json", result, *arguments]
         run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         if run.returncode != 0:
             sys.exit(f"{program} failed:\n{run.stderr}")

@@ -3,72 +3,191 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Put what vtkIsosurfaceSpeedAgainstError measured into Documentation/accuracy.md.
 
-    document_accuracy.py report/fields report/cranium report/brain
+    xvfb-run -a document_accuracy.py report/fields report/cranium report/brain
 
-takes the folders of its reports and replaces what is between the two lines of the page that name
+takes the folders of its results and replaces what is between the two lines of the page that name
 this program, and the pictures Documentation/images/accuracy-*.png. What the page says around them
-must be read again by a human.
-"""
+must be read again by a human."""
 
 import re
-import shutil
-import sys
-from pathlib import Path
 
-DOCUMENTATION = Path(__file__).parents[1] / "Documentation"
-PAGE = DOCUMENTATION / "accuracy.md"
-BEGIN = "<!-- Utilities/document_accuracy.py writes from here -->\n"
-END = "<!-- to here -->\n"
-# The name in the report, what the page says of it, and its pictures with their captions.
-INPUTS = (
-    ("cranium", "The cranium CT at 300",
-     (("speed-error", "Rays: speed against error"), ("errors", "How many rays have which error"),
-      ("frame-misjudged", "Whole frames: speed against rays misjudged"),
-      ("heat", "Errors of the pixels"))),
-    ("ch2better", "An MR of a brain at 60", ()),
-    ("gyroid 64^3", "A gyroid of 64^3 samples", (("heat", "Errors of the pixels"),)),
-    ("near tangent 64^3", "Sheets that all but vanish, 64^3", ()),
+from document_parts import (
+    decades,
+    format_cell,
+    format_number,
+    markdown_table,
+    parse_arguments,
+    read_json,
+    replace_part,
+    write_chart,
 )
-# Rows of the report that the page goes without: other settings of the same.
-LEFT_OUT = r"\| (Marmitt, N = [246]|Sampler.* (2\.0|1\.0|0\.25|0\.125) cells|Triangles of marching cubes) "
+from error_image import write_error_image
+
+# The inputs that the page has details of, by the beginnings of their names, and their pictures.
+DETAILED = {
+    "cranium": ("speed-error", "errors", "frame-misjudged", "heat"),
+    "ch2better": (),
+    "gyroid": ("heat",),
+    "near tangent": (),
+}
+# Other parameters of the same methods, which the page goes without.
+LEFT_OUT = (
+    r"Marmitt, N = [246]|Sampler.* (2\.0|1\.0|0\.25|0\.125) cells|Triangles of marching cubes"
+)
+# What is too small for a double, and for a logarithmic axis.
+SMALLEST_ERROR = 1e-17
 
 
-def file_name(text):
-    return re.sub("[^0-9A-Za-z]", "-", text)
+def name_of(result):
+    return ", ".join(filter(None, (result["method"], result["parameter"])))
 
 
-def section(text, title):
-    return re.search(rf"^## {re.escape(title)}\n\n(.*?)(?=^## |\Z)", text, re.M | re.S).group(1)
+def find(results, name):
+    return next(result for result in results if name_of(result) == name)
 
 
-def describe(reports):
-    texts = {folder: (folder / "results.md").read_text(encoding="utf-8") for folder in reports}
-    for folder, text in texts.items():
-        said = dict(re.findall("^- ([^:]*): (.*)$", text, re.M))
+def price_table(inputs):
+    """What the default solver costs, and how many times that others do."""
+    compared = {
+        "rays": ("nanosecondsPerRay", ("Robust", "Single precision", "Marmitt, N = 3")),
+        "pictures": ("millisecondsPerFrame", ("Robust", "Marmitt, N = 3")),
+    }
+    rows = []
+    for measured in inputs:
+        row = [measured["name"]]
+        for kind, (time, names) in compared.items():
+            times = [(find(measured[kind], name)[time] or {}).get("median") for name in names]
+            row += [format_number(times[0])]
+            row += [f"{format_number(t)} (x {t / times[0]:.2g})" if t else "" for t in times[1:]]
+        rows.append(row)
+    titles = ["input", "ns per ray: Robust", "Single precision", "Marmitt, N = 3"]
+    return markdown_table([*titles, "ms per frame: Robust", "Marmitt, N = 3"], rows)
+
+
+def result_table(kind, columns, results):
+    errors = ("medianError", "p99Error", "maximumError")
+    return markdown_table(
+        [kind, *columns, "missed", "invented", "wrong", "median error", "p99", "max"],
+        [
+            [name_of(result), *(format_cell(result[name]) for name in columns.values())]
+            + [str(result.get(name, "")) for name in ("missed", "invented", "wrong")]
+            + [format_number(result.get(name), 2) for name in errors]
+            for result in results
+            if not re.fullmatch(LEFT_OUT, name_of(result))
+        ],
+    )
+
+
+def curves_of(results, time, get_y):
+    """A curve for each method, so that its colour is the same in all plots."""
+    curves = {}
+    for result in results:
+        points = curves.setdefault(result["method"], [])
+        y = get_y(result)
+        if result[time] and y is not None:
+            points.append((result[time]["median"], y))
+    return curves
+
+
+def write_speed_plot(measured, path):
+    curves = curves_of(
+        measured["rays"],
+        "nanosecondsPerRay",
+        lambda result: max(SMALLEST_ERROR, result["p99Error"]) if "p99Error" in result else None,
+    )
+    times = [x for points in curves.values() for x, _ in points]
+    write_chart(
+        path,
+        f"{measured['name']}: speed against error",
+        ("ns per ray, one thread", *decades(times)),
+        ("error of 99 % of the rays, cells", SMALLEST_ERROR, 1000.0),
+        curves,
+    )
+
+
+def write_misjudged_plot(measured, path):
+    # Less than one ray is none at all, which a logarithmic axis does not have.
+    curves = curves_of(
+        measured["pictures"],
+        "millisecondsPerFrame",
+        lambda result: max(0.3, result["missed"] + result["invented"] + result.get("wrong", 0))
+        / measured["numberOfRays"],
+    )
+    points = [point for curve in curves.values() for point in curve]
+    write_chart(
+        path,
+        f"{measured['name']}: rays missed, invented or on a wrong sheet (lowest: none)",
+        ("ms per frame, all threads", *decades([x for x, _ in points])),
+        ("share of the rays", decades([y for _, y in points])[0], 1.0),
+        curves,
+    )
+
+
+def write_distribution_plot(measured, path):
+    curves = {
+        name_of(result): [
+            (max(SMALLEST_ERROR, error), share) for error, share in result["errorsAndSharesAbove"]
+        ]
+        for result in measured["rays"]
+        if "errorsAndSharesAbove" in result and result["parameter"] in ("", "N = 3", "0.5 cells")
+    }
+    write_chart(
+        path,
+        f"{measured['name']}: how many rays have which error",
+        ("error, cells", SMALLEST_ERROR, 10.0),
+        ("share of the rays with a larger error", 1e-4, 1.0),
+        curves,
+        has_markers=False,
+    )
+
+
+# Each picture with its caption and what writes it, of an input and to a path.
+PICTURES = {
+    "speed-error": ("Rays: speed against error", write_speed_plot),
+    "errors": ("How many rays have which error", write_distribution_plot),
+    "frame-misjudged": ("Whole frames: speed against rays misjudged", write_misjudged_plot),
+    "heat": (
+        "Errors of the pixels",
+        lambda measured, path: write_error_image(measured["errorImage"], path),
+    ),
+}
+
+
+def describe_input(measured, pictures, images):
+    yield f"### {measured['name']}, isovalue {measured['isovalue']:g}\n\n"
+    yield f"{measured['numberOfRays']} rays, of which {measured['numberOfHits']} meet the surface.\n\n"
+    columns = {"ns per ray": "nanosecondsPerRay", "ns per cell": "nanosecondsPerCell"}
+    yield result_table("rays", columns, measured["rays"])
+    columns = {"ms per frame": "millisecondsPerFrame", "of it, tracing": "millisecondsTracing"}
+    yield result_table("pictures", columns, measured["pictures"])
+    for name in pictures:
+        caption, write = PICTURES[name]
+        image = f"accuracy-{name}-{re.sub('[^0-9A-Za-z]', '-', measured['name'])}.png"
+        write(measured, images / image)
+        yield f"![{caption}](images/{image})\n\n"
+
+
+def describe(reports, images):
+    for folder, report in reports.items():
+        said = report["environment"]
         yield f"- {folder.name}: {said['machine']}; OpenGL by {said['OpenGL']}; load of the machine "
         yield f"before: {said['load of the machine before']}\n"
-    yield "\n"
-    prices = [section(text, "The price of the default solver").splitlines() for text in texts.values()]
-    rows = [row for table in prices for row in table[2:] if row]
-    yield "The price of the default solver:\n\n" + "\n".join(prices[0][:2] + rows) + "\n\n"
-    for name, title, pictures in INPUTS:
-        folder = next(folder for folder, text in texts.items() if f"\n## {name}\n" in text)
-        rows = section(texts[folder], name).rstrip().splitlines()
-        count, table = rows[0].rstrip("."), [row for row in rows[1:] if not re.match(LEFT_OUT, row)]
-        yield f"### {title}\n\n{count}.\n" + "\n".join(table) + "\n\n"
-        for plot, caption in pictures:
-            image = f"accuracy-{plot}-{file_name(name)}.png"
-            shutil.copy(folder / f"{file_name(name)}-{plot}.png", DOCUMENTATION / "images" / image)
-            yield f"![{caption}](images/{image})\n\n"
+    inputs = [measured for report in reports.values() for measured in report["inputs"]]
+    yield f"\nThe price of the default solver:\n\n{price_table(inputs)}"
+    for beginning, pictures in DETAILED.items():
+        for measured in inputs:
+            if measured["name"].startswith(beginning):
+                yield from describe_input(measured, pictures, images)
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    head, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    _, tail = rest.split(END)
-    described = "".join(describe([Path(folder) for folder in sys.argv[1:]]))
-    PAGE.write_text(f"{head}{BEGIN}\n{described}{END}{tail}", encoding="utf-8")
+    arguments = parse_arguments(__doc__, "reports+")
+    reports = {folder: read_json(folder / "results.json") for folder in arguments.reports}
+    for folder, report in reports.items():
+        for measured in report["inputs"]:
+            measured["errorImage"] = folder / measured["errorImage"]
+    text = "".join(describe(reports, arguments.documentation / "images"))
+    replace_part(arguments.documentation / "accuracy.md", "document_accuracy.py", text)
 
 
 if __name__ == "__main__":

@@ -10,15 +10,16 @@ Documentation/images/comparison-*.png. What the page says around them must be re
 """
 
 import base64
-import json
 import re
-import sys
-from pathlib import Path
 
-DOCUMENTATION = Path(__file__).parents[1] / "Documentation"
-PAGE = DOCUMENTATION / "comparison.md"
-BEGIN = "<!-- Utilities/document_comparison.py writes from here -->\n"
-END = "<!-- to here -->\n"
+from document_parts import (
+    format_number,
+    markdown_table,
+    parse_arguments,
+    read_json,
+    replace_part,
+)
+
 # The beginning of the caption in the report, the file, the caption in the page.
 PLOTS = (
     ("The times of the table", "comparison-times.png", "Seconds for a picture"),
@@ -27,16 +28,7 @@ PLOTS = (
 
 
 def number(value, factor=1.0):
-    """Three digits, as in the report."""
-    if value is None:
-        return "–"
-    value *= factor
-    return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"
-
-
-def table(titles, rows):
-    lines = [titles, ["---"] * len(titles), *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
+    return "–" if value is None else format_number(factor * value)
 
 
 def rows_of(measured, columns):
@@ -57,20 +49,20 @@ def crossover_rows(measured):
         ]
 
 
-def write_plots(html):
+def write_plots(html, images):
     for caption, file_name, _ in PLOTS:
         found = re.search(rf'alt="{caption}[^"]*" src="data:image/png;base64,([^"]*)"', html)
-        (DOCUMENTATION / "images" / file_name).write_bytes(base64.b64decode(found.group(1)))
+        (images / file_name).write_bytes(base64.b64decode(found.group(1)))
 
 
 def describe(measured):
     yield f"    {measured['command']}\n\n{measured['machine']}; repeats: {measured['repeats']}.\n\n"
     times = ["Build", "Extraction", "FirstPicture", "NextPicture", "NewIsovaluePicture"]
-    yield table(
+    yield markdown_table(
         ["ms", "build", "extract", "first picture", "next picture", "new isovalue"],
         rows_of(measured, [(f"{name}Time", 1e3) for name in times]),
     )
-    yield table(
+    yield markdown_table(
         ["", "triangles", "kept, MB", "rise of RAM, MB", "cells off: median", "99 %", "max"]
         + ["normals off, degrees: median", "pixels that differ", "ambiguous cells", "of other topology"],
         rows_of(
@@ -81,7 +73,7 @@ def describe(measured):
             + [("AmbiguousCells", 1), ("TopologyDifferences", 1)],
         ),
     )
-    yield table(
+    yield markdown_table(
         ["samples", "triangles, ms: new isovalue", "next picture", "rays, ms: new isovalue"]
         + ["next picture", "less time here", "if triangles were drawn in no time"],
         crossover_rows(measured),
@@ -91,13 +83,12 @@ def describe(measured):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    measured = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
-    write_plots(Path(sys.argv[2]).read_text(encoding="utf-8"))
-    head, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    _, tail = rest.split(END)
-    PAGE.write_text(f"{head}{BEGIN}\n{''.join(describe(measured))}{END}{tail}", encoding="utf-8")
+    arguments = parse_arguments(__doc__, "table", "report")
+    write_plots(
+        arguments.report.read_text(encoding="utf-8"), arguments.documentation / "images"
+    )
+    text = "".join(describe(read_json(arguments.table)))
+    replace_part(arguments.documentation / "comparison.md", "document_comparison.py", text)
 
 
 if __name__ == "__main__":

@@ -1,36 +1,79 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
+"""Put what vtkIsosurfaceBenchmark measured into Documentation/performance.md.
 
-"""Puts what vtkIsosurfaceBenchmark wrote with --markdown into Documentation/performance.md.
+    document_performance.py cranium.json large.json growth.json
 
-    Utilities/document_performance.py cranium.md large.md growth.md
+replaces what stands below the commands of the page that write files of these names. What the page
+says around it must be read again by a human."""
 
-A file goes below the command of the page that writes one of its name.
-"""
-
-import pathlib
 import re
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parent.parent / "Documentation" / "performance.md"
+from document_parts import (
+    environment_list,
+    format_cell,
+    format_number,
+    markdown_table,
+    parse_arguments,
+    read_json,
+)
+
+# What it takes to measure each of the goals.
+NEEDS = {
+    1: "the baseline embree",
+    2: "the baseline polygons",
+    3: "--goals",
+    4: "--input",
+    5: "--goals and a display",
+    6: "--threads 1 and more, --goals",
+    7: "--growth",
+}
+
+
+def goal_rows(goals):
+    for number, needs in NEEDS.items():
+        measured = [goal for goal in goals if goal["goal"] == number]
+        for goal in measured:
+            limit, value = goal["limit"], goal["measured"]
+            is_met = value <= limit if goal["atMost"] else value >= limit
+            yield [
+                str(number),
+                goal["what"],
+                f"{'at most' if goal['atMost'] else 'at least'} {format_number(limit)}",
+                format_number(value),
+                "met" if is_met else "**missed**",
+            ]
+        if not measured:
+            yield [str(number), f"not measured, which needs {needs}", "", "", ""]
+
+
+def describe(measured):
+    yield environment_list(measured["environment"])
+    yield (
+        "Times are medians, in brackets the fastest and the slowest; ratios are medians of the "
+        "ratios of\nmeasurements taken in turn.\n\n### Goals\n\n"
+    )
+    yield markdown_table(["goal", "what", "target", "measured", ""], goal_rows(measured["goals"]))
+    for table in measured["tables"]:
+        yield f"### {table['title']}\n\n" + (f"{table['note']}\n\n" if table["note"] else "")
+        rows = [[format_cell(row[name]) for name in table["columns"]] for row in table["rows"]]
+        yield markdown_table(table["columns"], rows)
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    page = PAGE.read_text()
-    for name in sys.argv[1:]:
-        file = pathlib.Path(name)
-        text = file.read_text()
-        # What comes before the circumstances is the title of a page of its own.
-        report = text[text.index("- date:"):].rstrip() + "\n"
-        command = re.escape(f"--markdown {file.name}\n\n")
+    arguments = parse_arguments(__doc__, "results+")
+    path = arguments.documentation / "performance.md"
+    page = path.read_text(encoding="utf-8")
+    for results in arguments.results:
+        command = re.escape(f"--json {results.name}\n\n")
         place = re.search(rf"(?<={command})- date:.*?(?=\n## |\Z)", page, flags=re.DOTALL)
         if place is None:
-            sys.exit(f"{PAGE} has no command that writes {file.name}.")
-        page = page[: place.start()] + report + page[place.end():]
-    PAGE.write_text(page)
+            sys.exit(f"{path} has no command that writes {results.name}.")
+        text = "".join(describe(read_json(results))).rstrip() + "\n"
+        page = page[: place.start()] + text + page[place.end() :]
+    path.write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 #ifndef BenchmarkInputs_h
 #define BenchmarkInputs_h
 
-#include "Oracle.h"
+#include "ExactCrossings.h"
 #include "Views.h"
 
 #include <vtkImageData.h>

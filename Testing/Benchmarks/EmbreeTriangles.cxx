@@ -69,32 +69,32 @@ int TracePacket(
   float* directions[3] = { packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z };
   for (int axis = 0; axis < 3; ++axis)
   {
-    for (int lane = 0; lane < PacketSize; ++lane)
+    for (int i = 0; i < PacketSize; ++i)
     {
-      const auto x = static_cast<float>(left + lane % PacketEdge);
-      const auto y = static_cast<float>(bottom + lane / PacketEdge);
-      origins[axis][lane] = rays.Origin[axis];
-      directions[axis][lane] = rays.Corner[axis] + x * rays.StepX[axis] + y * rays.StepY[axis];
+      const auto x = static_cast<float>(left + i % PacketEdge);
+      const auto y = static_cast<float>(bottom + i / PacketEdge);
+      origins[axis][i] = rays.Origin[axis];
+      directions[axis][i] = rays.Corner[axis] + x * rays.StepX[axis] + y * rays.StepY[axis];
     }
   }
-  for (int lane = 0; lane < PacketSize; ++lane)
+  for (int i = 0; i < PacketSize; ++i)
   {
-    const bool isInside = left + lane % PacketEdge < pixels.X + pixels.Width &&
-      bottom + lane / PacketEdge < pixels.Y + pixels.Height;
-    valid[lane] = isInside ? -1 : 0;
-    packet.ray.tnear[lane] = 0.0F;
-    packet.ray.tfar[lane] = std::numeric_limits<float>::infinity();
-    packet.ray.time[lane] = 0.0F;
-    packet.ray.mask[lane] = ~0U;
-    packet.ray.flags[lane] = 0;
-    packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    const bool isInside = left + i % PacketEdge < pixels.X + pixels.Width &&
+      bottom + i / PacketEdge < pixels.Y + pixels.Height;
+    valid[i] = isInside ? -1 : 0;
+    packet.ray.tnear[i] = 0.0F;
+    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.ray.time[i] = 0.0F;
+    packet.ray.mask[i] = ~0U;
+    packet.ray.flags[i] = 0;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   Intersect(valid, scene, packet);
   int hits = 0;
-  for (int lane = 0; lane < PacketSize; ++lane)
+  for (int i = 0; i < PacketSize; ++i)
   {
-    hits += valid[lane] != 0 && packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+    hits += valid[i] != 0 && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
   }
   return hits;
 }

@@ -36,13 +36,8 @@ double ReadOnce(const Setup& setup)
         sum += words[i];
       }
     });
-  // The sum is used, so that the work is not thought useless.
+  // The sum is used, so that the work is not optimized away.
   return sum == 1 ? std::nextafter(seconds, 0.0) : seconds;
-}
-
-double GetSeconds(const FrameTimes& times)
-{
-  return std::isnan(times.Whole) ? times.Trace : times.Whole;
 }
 
 //------------------------------------------------------------------------------
@@ -90,13 +85,12 @@ void MeasureColdStart(const Setup& setup, double isovalue, Report& report)
   Samples macrocells;
   for (int repeat = 0; repeat < setup.Repeats && !IsEnough(cold, setup.Repeats); ++repeat)
   {
-    Say("Isovalue " + ToText(isovalue) + ": cold start, turn " + std::to_string(repeat + 1) +
-      " of " + std::to_string(setup.Repeats));
+    setup.LogTurn("Isovalue " + ToText(isovalue) + ": cold start", repeat);
     surface.Forget();
     surface.SetIsovalue(isovalue);
-    cold.Add(GetSeconds(surface.Draw(view, setup.GetMostThreads())));
+    cold.Add(surface.Draw(view, setup.GetMostThreads()).GetSeconds());
     macrocells.Add(surface.GetMapper()->GetMacrocellBuildTime());
-    frame.Add(GetSeconds(surface.Draw(view, setup.GetMostThreads())));
+    frame.Add(surface.Draw(view, setup.GetMostThreads()).GetSeconds());
     read.Add(ReadOnce(setup));
   }
   report.Tables.push_back({ "cold start " + ToText(isovalue),
@@ -127,17 +121,16 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
   Samples shade;
   Samples display;
   Samples ratio;
-  for (int repeat = 0; repeat <= setup.Repeats; ++repeat)
+  for (const View& view : setup.GetOrbit())
   {
-    Say("Isovalue " + ToText(isovalue) + ": whole frames, turn " + std::to_string(repeat) + " of " +
-      std::to_string(setup.Repeats));
+    surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+  }
+  for (int repeat = 0; repeat < setup.Repeats; ++repeat)
+  {
+    setup.LogTurn("Isovalue " + ToText(isovalue) + ": whole frames", repeat);
     for (const View& view : setup.GetOrbit())
     {
       const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
-      if (repeat == 0) // Makes the bricks.
-      {
-        continue;
-      }
       whole.Add(1e3 * times.Whole);
       trace.Add(1e3 * times.Trace);
       shade.Add(1e3 * surface.GetMapper()->GetShadeTime());
@@ -159,7 +152,7 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
 //------------------------------------------------------------------------------
 void MeasureScaling(const Setup& setup, double isovalue, Report& report)
 {
-  Say("Isovalue " + ToText(isovalue) + ": the cost of every tile");
+  Log("Isovalue " + ToText(isovalue) + ": the cost of every tile");
   TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
   surface.SetIsovalue(isovalue);
   const View view = setup.GetOrbit().front();

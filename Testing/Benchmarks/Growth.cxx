@@ -4,7 +4,7 @@
 #include "Growth.h"
 
 #include "AnalyticFieldSource.h"
-#include "Rivals.h"
+#include "Baselines.h"
 #include "TracedIsosurface.h"
 
 #include <vtkNew.h>
@@ -60,7 +60,7 @@ struct Times
 
 Times MeasureAt(const Setup& setup, int n)
 {
-  Say("Growth: making " + std::to_string(n) + "^3 samples");
+  Log("Growth: making " + std::to_string(n) + "^3 samples");
   vtkNew<AnalyticFieldSource> source;
   source->SetField("gyroid");
   source->SetDimensions({ n, n, n });
@@ -70,18 +70,16 @@ Times MeasureAt(const Setup& setup, int n)
   image->GetBounds(bounds.data());
   const std::vector<View> views = MakeOrbit(bounds, setup.Views);
   TracedIsosurface ours(image, setup.Size, setup.GetMostThreads());
-  const auto theirs = NewRival("flying-edges", image, setup.Size, setup.GetMostThreads());
+  const auto theirs = NewBaseline("flying-edges", image, setup.Size, setup.GetMostThreads());
   Times times;
   ours.SetIsovalue(0.0);
   ours.Draw(views.front(), setup.GetMostThreads()); // The window and its shaders.
   for (int repeat = 0; repeat < setup.Repeats; ++repeat)
   {
-    Say("Growth: n = " + std::to_string(n) + ", turn " + std::to_string(repeat + 1) + " of " +
-      std::to_string(setup.Repeats));
+    setup.LogTurn("Growth: n = " + std::to_string(n), repeat);
     ours.Forget();
     ours.SetIsovalue(0.0);
-    const FrameTimes cold = ours.Draw(views.front(), setup.GetMostThreads());
-    times.Cold.Add(1e3 * (std::isnan(cold.Whole) ? cold.Trace : cold.Whole));
+    times.Cold.Add(1e3 * ours.Draw(views.front(), setup.GetMostThreads()).GetSeconds());
     for (const View& view : views)
     {
       ours.Draw(view, setup.GetMostThreads()); // Makes the bricks.
@@ -123,9 +121,9 @@ void MeasureGrowth(const Setup& setup, int largest, Report& report)
     "extraction "
     "alone takes longer.",
     { "what", "exponent", "crossing" },
-    { { std::string("trace"), tracing.Exponent, Cross(tracing, extracting) },
-      { std::string("cold start"), starting.Exponent, Cross(starting, extracting) },
-      { std::string("flying edges"), extracting.Exponent, std::monostate() } } });
+    { { "trace", tracing.Exponent, Cross(tracing, extracting) },
+      { "cold start", starting.Exponent, Cross(starting, extracting) },
+      { "flying edges", extracting.Exponent, Cell() } } });
   report.Goals.push_back(
     { 7, "growth of the trace: its power of n (the papers: 1 at worst, 1/3 typically)",
       tracing.Exponent, true, 1.0 });

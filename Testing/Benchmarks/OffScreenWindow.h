@@ -19,7 +19,7 @@ class vtkRenderer;
 namespace Benchmark
 {
 
-/// A square render window that nobody sees, with a light at the eye before a blue background.
+/// A square render window off screen, with a light at the eye before a blue background.
 class OffScreenWindow
 {
 public:
@@ -41,7 +41,7 @@ public:
   double GetShareDrawn();
   /// How far from the eye the nearest and the farthest depth are, along the view.
   std::array<double, 2> GetClippingRange();
-  /// Who draws, in the words of OpenGL.
+  /// The renderer, in the words of OpenGL.
   std::string GetDriver();
 
 private:

@@ -22,11 +22,6 @@ namespace
 
 using Mapper = vtkIsosurfaceRayTraceMapper;
 
-double GetSeconds(const FrameTimes& times)
-{
-  return std::isnan(times.Whole) ? times.Trace : times.Whole;
-}
-
 /// A way to set a mapper up, and its name as cells of a table.
 struct Variant
 {
@@ -51,7 +46,34 @@ void UseTwoLevelBricks(Mapper& mapper, int n, int m)
 }
 
 //------------------------------------------------------------------------------
-// Where the time of a frame goes, and how many there are in a second.
+// Where the time of frames goes, and how many there are in a second: a row of table I.
+std::vector<Cell> MeasureShares(const Setup& setup, double isovalue, const std::vector<View>& views)
+{
+  TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
+  surface.SetIsovalue(isovalue);
+  Samples rates;
+  double whole = 0.0;
+  double trace = 0.0;
+  double shade = 0.0;
+  for (const View& view : views)
+  {
+    surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+    Samples seconds;
+    for (int repeat = 0; repeat < setup.Repeats; ++repeat)
+    {
+      const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
+      seconds.Add(times.GetSeconds());
+      whole += times.GetSeconds();
+      trace += times.Trace;
+      // Without a window nothing is shaded, and the time is that of another frame.
+      shade += std::isnan(times.Whole) ? 0.0 : surface.GetMapper()->GetShadeTime();
+    }
+    rates.Add(1.0 / seconds.GetMedian());
+  }
+  const double rest = std::max(0.0, whole - trace - shade);
+  return { isovalue, 100.0 * trace / whole, 100.0 * shade / whole, 100.0 * rest / whole, rates };
+}
+
 void MakeTable1(const Setup& setup, Report& report)
 {
   Table table{ "parker 1998 table I", "Parker et al. 1998, table I: where the time goes",
@@ -68,30 +90,8 @@ void MakeTable1(const Setup& setup, Report& report)
   views.insert(views.end(), paper.begin(), paper.end());
   for (const double isovalue : setup.Isovalues)
   {
-    Say("Parker 1998, table I: isovalue " + ToText(isovalue));
-    TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
-    surface.SetIsovalue(isovalue);
-    Samples rates;
-    double whole = 0.0;
-    double trace = 0.0;
-    double shade = 0.0;
-    for (const View& view : views)
-    {
-      surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
-      Samples seconds;
-      for (int repeat = 0; repeat < setup.Repeats; ++repeat)
-      {
-        const FrameTimes times = surface.Draw(view, setup.GetMostThreads());
-        seconds.Add(GetSeconds(times));
-        whole += GetSeconds(times);
-        trace += times.Trace;
-        // Without a window nothing is shaded, and the time is that of another frame.
-        shade += std::isnan(times.Whole) ? 0.0 : surface.GetMapper()->GetShadeTime();
-      }
-      rates.Add(1.0 / seconds.GetMedian());
-    }
-    table.Rows.push_back({ isovalue, 100.0 * trace / whole, 100.0 * shade / whole,
-      100.0 * std::max(0.0, whole - trace - shade) / whole, rates });
+    Log("Parker 1998, table I: isovalue " + ToText(isovalue));
+    table.Rows.push_back(MeasureShares(setup, isovalue, views));
   }
   report.Tables.push_back(table);
 }
@@ -114,11 +114,10 @@ void MakeTable2(const Setup& setup, Report& report)
     std::vector<Samples> rates(setup.Threads.size());
     for (int repeat = 0; repeat < setup.Repeats; ++repeat)
     {
-      Say("Parker 1998, table II: " + view.Name + ", turn " + std::to_string(repeat + 1) + " of " +
-        std::to_string(setup.Repeats));
+      setup.LogTurn("Parker 1998, table II: " + view.Name, repeat);
       for (std::size_t i = 0; i < rates.size(); ++i)
       {
-        rates[i].Add(1.0 / GetSeconds(surface.Draw(view, setup.Threads[i])));
+        rates[i].Add(1.0 / surface.Draw(view, setup.Threads[i]).GetSeconds());
       }
     }
     for (std::size_t i = 0; i < rates.size(); ++i)
@@ -131,30 +130,43 @@ void MakeTable2(const Setup& setup, Report& report)
 }
 
 //------------------------------------------------------------------------------
-// What bricks and the hierarchy buy.
-void MakeTable3(const Setup& setup, Report& report)
+// What bricks and the hierarchy gain.
+std::vector<Variant> GetVariantsOfTable3()
 {
-  const std::vector<Variant> variants = {
-    { { std::string("initial") },
+  return {
+    { { "initial" },
       [](Mapper& mapper)
       {
         mapper.SetBrickLayoutToNoBricks();
         mapper.SetNumberOfMacrocellLevels(0);
       } },
-    { { std::string("bricking") },
+    { { "bricking" },
       [](Mapper& mapper)
       {
         UseTwoLevelBricks(mapper, 4, 4);
         mapper.SetNumberOfMacrocellLevels(0);
       } },
-    { { std::string("hierarchy and bricking") },
-      [](Mapper& mapper) { UseTwoLevelBricks(mapper, 4, 4); } },
-    { { std::string("this mapper's defaults") }, [](Mapper&) {} },
+    { { "hierarchy and bricking" }, [](Mapper& mapper) { UseTwoLevelBricks(mapper, 4, 4); } },
+    { { "this mapper's defaults" }, [](Mapper&) {} },
   };
+}
+
+Samples MeasureTrace(const Setup& setup, TracedIsosurface& surface, const View& view)
+{
+  surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+  Samples seconds;
+  while (!IsEnough(seconds, setup.Repeats))
+  {
+    seconds.Add(surface.Draw(view, setup.GetMostThreads()).Trace);
+  }
+  return seconds * 1e3;
+}
+
+void MakeTable3(const Setup& setup, Report& report)
+{
   Table table{ "parker 1998 table III", "Parker et al. 1998, table III: trace times, ms",
     "Initial: the array as it is and no macrocells. Bricking: the paper's two levels, n = 4, m = "
-    "4. "
-    "Hierarchy: the macrocells of the defaults. On " +
+    "4. Hierarchy: the macrocells of the defaults. On " +
       std::to_string(setup.GetMostThreads()) + " threads, " + setup.GetPictureSize() + ".",
     { "isovalue", "view", "initial", "bricking", "hierarchy and bricking", "defaults" }, {} };
   for (const double isovalue : setup.Isovalues)
@@ -166,22 +178,16 @@ void MakeTable3(const Setup& setup, Report& report)
       rows.push_back({ isovalue, view.Name });
     }
     TracedIsosurface surface(setup.Image, setup.Size, setup.GetMostThreads());
-    for (const Variant& variant : variants)
+    for (const Variant& variant : GetVariantsOfTable3())
     {
-      Say("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
-        std::get<std::string>(variant.Name.front()));
+      Log("Parker 1998, table III: isovalue " + ToText(isovalue) + ", " +
+        variant.Name.front().Value.asString());
       surface.Forget();
       surface.SetIsovalue(isovalue);
       variant.Apply(*surface.GetMapper());
       for (std::size_t i = 0; i < views.size(); ++i)
       {
-        surface.Draw(views[i], setup.GetMostThreads()); // Makes the bricks.
-        Samples trace;
-        while (!IsEnough(trace, setup.Repeats))
-        {
-          trace.Add(surface.Draw(views[i], setup.GetMostThreads()).Trace);
-        }
-        rows[i].emplace_back(trace * 1e3);
+        rows[i].emplace_back(MeasureTrace(setup, surface, views[i]));
       }
     }
     table.Rows.insert(table.Rows.end(), rows.begin(), rows.end());
@@ -200,12 +206,12 @@ void CompareVariants(const Setup& setup, const std::vector<Variant>& variants, T
   usual.SetIsovalue(isovalue);
   for (const Variant& variant : variants)
   {
-    Say(table.Name + ", variant " + std::to_string(table.Rows.size() + 1) + " of " +
+    Log(table.Name + ", variant " + std::to_string(table.Rows.size() + 1) + " of " +
       std::to_string(variants.size()));
     other.Forget();
     other.SetIsovalue(isovalue);
     variant.Apply(*other.GetMapper());
-    const double cold = GetSeconds(other.Draw(views.front(), setup.GetMostThreads()));
+    const double cold = other.Draw(views.front(), setup.GetMostThreads()).GetSeconds();
     other.Draw(views.back(), setup.GetMostThreads());
     Samples trace;
     Samples ratio;
@@ -263,11 +269,11 @@ void MakeHierarchyTable(const Setup& setup, Report& report)
 //------------------------------------------------------------------------------
 void MakeBrickTable(const Setup& setup, Report& report)
 {
-  std::vector<Variant> variants = { { { std::string("none"), std::monostate(), std::monostate() },
+  std::vector<Variant> variants = { { { "none", Cell(), Cell() },
     [](Mapper& mapper) { mapper.SetBrickLayoutToNoBricks(); } } };
   for (const double n : { 4.0, 8.0, 16.0 })
   {
-    variants.push_back({ { std::string("apron"), n, std::monostate() },
+    variants.push_back({ { "apron", n, Cell() },
       [n](Mapper& mapper)
       {
         mapper.SetBrickLayoutToApronBricks();
@@ -278,7 +284,7 @@ void MakeBrickTable(const Setup& setup, Report& report)
   {
     for (const double m : { 1.0, 4.0, 8.0 })
     {
-      variants.push_back({ { std::string("two levels"), n, m }, [n, m](Mapper& mapper) {
+      variants.push_back({ { "two levels", n, m }, [n, m](Mapper& mapper) {
                             UseTwoLevelBricks(mapper, static_cast<int>(n), static_cast<int>(m));
                           } });
     }
@@ -292,21 +298,27 @@ void MakeBrickTable(const Setup& setup, Report& report)
 }
 
 //------------------------------------------------------------------------------
+// Those filters of the comparison that are baselines too, and nothing else.
+void SelectExtraction(const Setup& setup, vtkIsosurfaceComparisonFilter& filter)
+{
+  const auto isRequested = [&setup](const char* baseline)
+  { return std::count(setup.Baselines.begin(), setup.Baselines.end(), baseline) != 0; };
+  filter.SetFlyingEdges(isRequested("flying-edges"));
+  filter.SetMarchingCubes(isRequested("marching-cubes"));
+  filter.SetSpanSpace(isRequested("marching-cubes"));
+  filter.SynchronizedTemplatesOff();
+  filter.ContourFilterOff();
+  filter.RayTracingOff();
+  filter.PicturesOff();
+  filter.AccuracyOff();
+}
+
 void MakeExtractionTable(const Setup& setup, Report& report)
 {
   vtkNew<vtkIsosurfaceComparisonFilter> filter;
   filter->SetInputData(setup.Image);
   filter->SetNumberOfRepeats(setup.IsLarge() ? 1 : setup.Repeats);
-  const auto isWanted = [&setup](const char* rival)
-  { return std::count(setup.Rivals.begin(), setup.Rivals.end(), rival) != 0; };
-  filter->SetFlyingEdges(isWanted("flying-edges"));
-  filter->SetMarchingCubes(isWanted("marching-cubes"));
-  filter->SetSpanSpace(isWanted("marching-cubes"));
-  filter->SynchronizedTemplatesOff();
-  filter->ContourFilterOff();
-  filter->RayTracingOff();
-  filter->PicturesOff();
-  filter->AccuracyOff();
+  SelectExtraction(setup, *filter);
   if (!filter->GetFlyingEdges() && !filter->GetMarchingCubes())
   {
     return;
@@ -315,7 +327,7 @@ void MakeExtractionTable(const Setup& setup, Report& report)
   {
     filter->SetValue(static_cast<int>(i), setup.Isovalues[i]);
   }
-  Say("Parker 1998, table IV: extraction");
+  Log("Parker 1998, table IV: extraction");
   filter->Update();
   Table table{ "extraction",
     "Parker et al. 1998, table IV; Ma and Parker 2001, table 1: extraction of triangles",

@@ -4,18 +4,37 @@
 #ifndef Report_h
 #define Report_h
 
-#include "Samples.h"
+#include "Json.h"
 
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace Benchmark
 {
 
-/// Nothing, a text, a number, or what repeating a measurement gave. A NaN is nothing.
-using Cell = std::variant<std::monostate, std::string, double, Samples>;
+/// Nothing, a text, a number, or what repeating a measurement gave.
+struct Cell
+{
+  Cell() = default;
+  Cell(const char* text)
+    : Value(text)
+  {
+  }
+  Cell(const std::string& text)
+    : Value(text)
+  {
+  }
+  Cell(double number)
+    : Value(ToJson(number))
+  {
+  }
+  Cell(const Samples& samples)
+    : Value(ToJson(samples))
+  {
+  }
+
+  Json::Value Value;
+};
 
 struct Table
 {
@@ -28,7 +47,7 @@ struct Table
   std::vector<std::vector<Cell>> Rows;
 };
 
-/// What was asked for, and what was measured, as a ratio.
+/// A target and the ratio that was measured.
 struct Goal
 {
   int Number;
@@ -37,23 +56,16 @@ struct Goal
   /// Measured must not be above the limit, or not below.
   bool AtMost;
   double Limit;
-
-  bool IsMet() const
-  {
-    return this->AtMost ? this->Measured <= this->Limit : this->Measured >= this->Limit;
-  }
 };
 
 /// All that is measured, and of what.
 struct Report
 {
-  /// The machine, the command and so on: name and value.
-  std::vector<std::pair<std::string, std::string>> Circumstances;
+  Json::Value Environment;
   std::vector<Table> Tables;
   std::vector<Goal> Goals;
 
-  std::string GetMarkdown() const;
-  std::string GetJson() const;
+  Json::Value GetJson() const;
 };
 
 }

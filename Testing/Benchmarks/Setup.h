@@ -18,6 +18,21 @@
 namespace Benchmark
 {
 
+/// Reports progress.
+inline void Log(const std::string& what)
+{
+  std::fprintf(stderr, "%s\n", what.c_str());
+}
+
+/// A number as people write it: whole ones with all digits.
+inline std::string ToText(double number)
+{
+  char text[32];
+  const bool isWhole = std::abs(number) < 1e15 && number == std::floor(number);
+  std::snprintf(text, sizeof(text), isWhole ? "%.0f" : "%g", number);
+  return text;
+}
+
 /// What is measured, and how long.
 struct Setup
 {
@@ -25,13 +40,13 @@ struct Setup
   std::vector<double> Isovalues;
   /// The edge of the pictures, in pixels.
   int Size;
-  /// How many places of the orbit.
+  /// The number of views of the orbit.
   int Views;
   /// In ascending order.
   std::vector<int> Threads;
   int Repeats;
-  /// Those that are not absent.
-  std::vector<std::string> Rivals;
+  /// Those that are available.
+  std::vector<std::string> Baselines;
 
   int GetMostThreads() const { return this->Threads.back(); }
   Bounds GetBounds() const
@@ -45,29 +60,18 @@ struct Setup
   {
     return std::to_string(this->Size) + " x " + std::to_string(this->Size) + " pixels";
   }
+  void LogTurn(const std::string& what, int repeat) const
+  {
+    Log(what + ", turn " + std::to_string(repeat + 1) + " of " + std::to_string(this->Repeats));
+  }
   double GetDataBytes() const
   {
     return 1.0 * this->Image->GetNumberOfPoints() * this->Image->GetScalarSize() *
       this->Image->GetNumberOfScalarComponents();
   }
-  /// As large as the Visible Woman, for whom the goals are higher.
+  /// As large as the Visible Woman, for which the goals are higher.
   bool IsLarge() const { return this->Image->GetNumberOfPoints() >= vtkIdType(400000000); }
 };
-
-/// Says what is going on, to those who wait.
-inline void Say(const std::string& what)
-{
-  std::fprintf(stderr, "%s\n", what.c_str());
-}
-
-/// A number as people write it: whole ones with all digits.
-inline std::string ToText(double number)
-{
-  char text[32];
-  const bool isWhole = std::abs(number) < 1e15 && number == std::floor(number);
-  std::snprintf(text, sizeof(text), isWhole ? "%.0f" : "%g", number);
-  return text;
-}
 
 }
 

@@ -83,8 +83,7 @@ double TracedIsosurface::Begin(double isovalue, const View& view)
   this->SetIsovalue(isovalue + step < range[1] ? isovalue + step : isovalue - step);
   this->Draw(view, this->Threads);
   this->SetIsovalue(isovalue);
-  const FrameTimes times = this->Draw(view, this->Threads);
-  return std::isnan(times.Whole) ? times.Trace : times.Whole;
+  return this->Draw(view, this->Threads).GetSeconds();
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +116,7 @@ std::vector<double> TracedIsosurface::GetDistances()
 {
   const PictureRays rays(this->LastView, this->Size);
   this->CastRays(this->LastView, { 0, 0, this->Size, this->Size });
-  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, Nothing);
+  std::vector<double> distances(static_cast<std::size_t>(this->Size) * this->Size, NoHit);
   vtkDataArray* pixels = this->Hits->GetPointData()->GetArray("RayId");
   vtkDataArray* ts = this->Hits->GetPointData()->GetArray("T");
   for (vtkIdType i = 0; i < this->Hits->GetNumberOfPoints(); ++i)

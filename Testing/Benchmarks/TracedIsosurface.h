@@ -4,7 +4,7 @@
 #ifndef TracedIsosurface_h
 #define TracedIsosurface_h
 
-#include "Contestant.h"
+#include "IsosurfaceRenderer.h"
 #include "OffScreenWindow.h"
 
 #include <vtkIsosurfaceRayTraceMapper.h>
@@ -26,7 +26,7 @@ vtkSmartPointer<vtkVolumeProperty> NewSurfaceProperty(double isovalue);
 
 /// Ours. Without a window the rays of a picture go through vtkIsosurfaceRayTraceMapper::CastRays;
 /// its time then holds writing the hits into VTK's arrays too.
-class TracedIsosurface : public Contestant
+class TracedIsosurface : public IsosurfaceRenderer
 {
 public:
   /// Begin uses so many threads.

@@ -4,15 +4,15 @@
 // How fast this mapper is, beside triangles and other mappers: see --help. What needs a window
 // needs a display too; xvfb-run gives one.
 
-#include "Circumstances.h"
+#include "Baselines.h"
+#include "Comparison.h"
+#include "Environment.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
-#include "Race.h"
 #include "ReadImage.h"
 #include "Report.h"
-#include "Rivals.h"
 
 #include <vtkSMPTools.h>
 #include <vtksys/CommandLineArguments.hxx>
@@ -22,7 +22,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -43,12 +42,11 @@ struct Arguments
   int Views = 8;
   int Repeats = 5;
   std::string Threads;
-  std::string Rivals = "flying-edges,marching-cubes,polygons,embree,fixed-point,gpu";
+  std::string Baselines = "flying-edges,marching-cubes,polygons,embree,fixed-point,gpu";
   bool Goals = false;
   bool Papers = false;
   int Growth = 0;
-  std::string Json;
-  std::string Markdown;
+  std::string Json = "benchmark.json";
   bool Help = false;
 };
 
@@ -70,7 +68,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "How often times are taken, where that does not take too long. Default: 5.");
   parser.AddArgument("--threads", Parser::SPACE_ARGUMENT, &arguments.Threads,
     "Numbers of threads, such as 1,2. Default: 1 and all of the machine.");
-  parser.AddArgument("--rivals", Parser::SPACE_ARGUMENT, &arguments.Rivals,
+  parser.AddArgument("--baselines", Parser::SPACE_ARGUMENT, &arguments.Baselines,
     "Some of flying-edges,marching-cubes,polygons,embree,fixed-point,gpu, or none. Default: all.");
   parser.AddBooleanArgument("--goals", &arguments.Goals,
     "Measure cold start, whole frames at 1024 x 1024 and simulated scaling too.");
@@ -78,10 +76,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "Make the tables of the papers of 1998 and 2001 too, with other hierarchies and bricks.");
   parser.AddArgument("--growth", Parser::SPACE_ARGUMENT, &arguments.Growth,
     "Measure growth with the edge of the volume too, from 64 to this; needs no --input.");
-  parser.AddArgument(
-    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "A file for the results as JSON.");
-  parser.AddArgument("--markdown", Parser::SPACE_ARGUMENT, &arguments.Markdown,
-    "A file for the results as Markdown. Default: they are printed.");
+  parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
+    "The file for the results. Default: benchmark.json.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() == arguments.Isovalues.empty() &&
@@ -124,34 +120,24 @@ std::vector<int> ParseThreads(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-// Those rivals that are not absent; says of the others why.
-std::vector<std::string> ChooseRivals(const std::string& text, Report& report)
+std::vector<std::string> ParseBaselines(const std::string& text)
 {
-  const std::vector<std::string> known = GetRivalNames();
-  std::vector<std::string> chosen;
+  if (text == "none")
+  {
+    return {};
+  }
+  const std::vector<std::string> known = GetBaselineNames();
+  std::vector<std::string> baselines;
   for (const std::string& name : vtksys::SystemTools::SplitString(text, ','))
   {
-    if (text == "none")
-    {
-      break;
-    }
     if (std::find(known.begin(), known.end(), name) == known.end())
     {
-      throw std::runtime_error("--rivals " + text + ": there is no rival \"" + name +
+      throw std::runtime_error("--baselines " + text + ": there is no baseline \"" + name +
         "\"; there are flying-edges, marching-cubes, polygons, embree, fixed-point, gpu, or none");
     }
-    const std::string absence = GetAbsence(name);
-    if (absence.empty())
-    {
-      chosen.push_back(name);
-    }
-    else
-    {
-      report.Circumstances.emplace_back("absent", name + ", because " + absence);
-      Say(name + " is absent, because " + absence);
-    }
+    baselines.push_back(name);
   }
-  return chosen;
+  return baselines;
 }
 
 //------------------------------------------------------------------------------
@@ -159,11 +145,9 @@ void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
 {
   const int* n = setup.Image->GetDimensions();
   const double* range = setup.Image->GetScalarRange();
-  report.Circumstances.emplace_back("volume",
-    vtksys::SystemTools::GetFilenameName(file) + ", " + std::to_string(n[0]) + " x " +
-      std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
-      setup.Image->GetScalarTypeAsString() + " from " + ToText(range[0]) + " to " +
-      ToText(range[1]));
+  report.Environment["volume"] = vtksys::SystemTools::GetFilenameName(file) + ", " +
+    std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
+    setup.Image->GetScalarTypeAsString() + " from " + ToText(range[0]) + " to " + ToText(range[1]);
   for (const double isovalue : setup.Isovalues)
   {
     if (!(isovalue > range[0] && isovalue <= range[1]))
@@ -176,37 +160,13 @@ void DescribeVolume(const Setup& setup, const std::string& file, Report& report)
 }
 
 //------------------------------------------------------------------------------
-void WriteFile(const std::string& fileName, const std::string& text)
-{
-  std::ofstream out(fileName);
-  out << text;
-  if (!out.flush())
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
-}
-
-//------------------------------------------------------------------------------
-void WriteReport(const Arguments& arguments, const Report& report)
-{
-  if (!arguments.Json.empty())
-  {
-    WriteFile(arguments.Json, report.GetJson());
-  }
-  if (!arguments.Markdown.empty())
-  {
-    WriteFile(arguments.Markdown, report.GetMarkdown());
-  }
-}
-
-//------------------------------------------------------------------------------
 // Calls back after every part, so that hours of work are not lost.
 void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report,
   const std::function<void()>& onPartDone)
 {
   for (const double isovalue : setup.Isovalues)
   {
-    RunRace(setup, isovalue, report);
+    CompareWithBaselines(setup, isovalue, report);
     onPartDone();
     if (arguments.Goals)
     {
@@ -235,22 +195,19 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
     ParseThreads(arguments.Threads), arguments.Repeats, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
-  // A display may close itself when nobody has a window on it: this one stays.
+  // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
-  report.Circumstances = DescribeMachine(command, window.get());
-  setup.Rivals = ChooseRivals(arguments.Rivals, report);
+  report.Environment = DescribeEnvironment(command, window.get());
+  setup.Baselines = SelectAvailable(ParseBaselines(arguments.Baselines), report.Environment);
   if (!arguments.Input.empty())
   {
     setup.Image = ReadImage(arguments.Input);
     DescribeVolume(setup, arguments.Input, report);
   }
-  WriteReport(arguments, report); // What cannot be written is known now.
-  MeasureAll(arguments, setup, report, [&arguments, &report]() { WriteReport(arguments, report); });
-  if (arguments.Markdown.empty())
-  {
-    std::printf("%s", report.GetMarkdown().c_str());
-  }
+  const auto write = [&arguments, &report]() { WriteJson(report.GetJson(), arguments.Json); };
+  write(); // What cannot be written is known now.
+  MeasureAll(arguments, setup, report, write);
 }
 
 }

@@ -2,32 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // How fast and how exact the solvers are, beside samplers, triangles and VTK's mappers: see --help.
-// Plots and the mappers of VTK need a display; xvfb-run gives one.
+// The mappers of VTK need a display; xvfb-run gives one.
 
+#include "AccuracyReport.h"
 #include "BenchmarkInputs.h"
-#include "BenchmarkMethods.h"
-#include "BenchmarkPictures.h"
-#include "BenchmarkReport.h"
-#include "Circumstances.h"
-#include "Judgement.h"
+#include "Environment.h"
+#include "HitAccuracy.h"
 #include "OffScreenWindow.h"
-#include "Rivals.h"
+#include "PictureMethods.h"
+#include "RayMethods.h"
 #include "Samples.h"
 #include "Setup.h"
 
 #include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
@@ -67,7 +68,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--pixels", Parser::SPACE_ARGUMENT, &arguments.Pixels,
     "The edge of the pictures. Default: 256.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
-    "The folder of the report. Default: the current one.");
+    "The folder for results.json and the images of errors (.vti). Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
@@ -102,18 +103,18 @@ std::vector<Input> MakeInputs(const Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
-// In turn, so that what else the machine does is everybody's.
+// In turn, so that what else the machine does affects all methods alike.
 std::vector<Result> MeasureRays(
-  const Input& input, const Rays& rays, const std::vector<double>& truth, int repeats)
+  const Input& input, const Rays& rays, const std::vector<double>& reference, int repeats)
 {
-  const std::vector<Method> methods = MakeMethods(input, rays.Lines);
+  const std::vector<RayMethod> methods = MakeRayMethods(input, rays.Lines);
   std::vector<Result> results;
   std::vector<double> found(rays.Lines.size());
-  for (const Method& method : methods)
+  for (const RayMethod& method : methods)
   {
-    Say("  " + method.Family + " " + method.Knob);
+    Log("  " + method.Family + " " + method.Parameter);
     method.Cast(rays.Lines, found); // Bricks are made and memory is touched.
-    results.push_back({ input.Name, method.Family, method.Knob, Judge(found, truth), {},
+    results.push_back({ method.Family, method.Parameter, MeasureAccuracy(found, reference), {},
       method.MeasureCell(), {}, {} });
   }
   for (int repeat = 0; repeat < repeats; ++repeat)
@@ -139,26 +140,26 @@ void AddIfMeasured(double value, Samples& samples)
 //------------------------------------------------------------------------------
 // In turn too.
 std::vector<Result> MeasurePictures(
-  const Input& input, const Rays& rays, const std::vector<double>& truth, int repeats)
+  const Input& input, const Rays& rays, const std::vector<double>& reference, int repeats)
 {
-  const std::vector<Painter> painters = MakePainters(input, rays);
+  const std::vector<PictureMethod> methods = MakePictureMethods(input, rays);
   std::vector<Result> results;
-  for (const Painter& painter : painters)
+  for (const PictureMethod& method : methods)
   {
-    Say("  picture: " + painter.Family + " " + painter.Knob);
-    results.push_back({ input.Name, painter.Family, painter.Knob, Judge(Look(painter, rays), truth),
-      {}, 0.0, {}, {} });
+    Log("  picture: " + method.Family + " " + method.Parameter);
+    results.push_back({ method.Family, method.Parameter,
+      MeasureAccuracy(GetDistances(method, rays), reference), {}, NotMeasured, {}, {} });
   }
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
-    for (std::size_t i = 0; i < painters.size(); ++i)
+    for (std::size_t i = 0; i < methods.size(); ++i)
     {
       Result& result = results[i];
       if (IsEnough(result.FrameMilliseconds * 1e-3, repeats * static_cast<int>(rays.Views.size())))
       {
         continue;
       }
-      for (const FrameTimes& times : DrawAll(painters[i], rays))
+      for (const FrameTimes& times : DrawAll(methods[i], rays))
       {
         AddIfMeasured(1e3 * times.Whole, result.FrameMilliseconds);
         AddIfMeasured(1e3 * times.Trace, result.TraceMilliseconds);
@@ -169,84 +170,96 @@ std::vector<Result> MeasurePictures(
 }
 
 //------------------------------------------------------------------------------
-void DrawHeatMap(const Input& input, int pixels, const std::string& fileName)
+// The errors of all pixels of a picture, of some methods.
+std::vector<PictureErrors> FindPictureErrors(const Input& input, int pixels)
 {
   const Rays rays = MakePicture(input, pixels);
-  Say("  the truth about the " + std::to_string(rays.Lines.size()) + " pixels of a picture");
-  const std::vector<double> truth = FindTruth(input, rays.Lines);
-  std::vector<HeatPanel> panels;
-  const auto addPanel = [&](const std::string& title, const std::vector<double>& found)
+  Log("  the reference of the " + std::to_string(rays.Lines.size()) + " pixels of a picture");
+  const std::vector<double> reference = FindReference(input, rays.Lines);
+  std::vector<PictureErrors> pictures;
+  const auto add = [&](const std::string& title, const std::vector<double>& found)
   {
-    panels.push_back({ title, {} });
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      panels.back().Errors.push_back(GetError(found[i], truth[i]));
-    }
+    pictures.push_back({ title, {} });
+    std::transform(found.begin(), found.end(), reference.begin(),
+      std::back_inserter(pictures.back().Errors), GetError);
   };
-  const std::set<std::string> shown = { "Robust", "Fast", "Marmitt N = 3",
+  const std::set<std::string> shown = { "Robust", "Single precision", "Marmitt N = 3",
     "Sampler, bisecting 0.5 cells", "Sampler 0.5 cells", "Triangles of flying edges" };
   std::vector<double> found(rays.Lines.size());
-  for (const Method& method : MakeMethods(input, rays.Lines))
+  for (const RayMethod& method : MakeRayMethods(input, rays.Lines))
   {
-    const std::string title = method.Family + (method.Knob.empty() ? "" : " " + method.Knob);
+    const std::string title =
+      method.Family + (method.Parameter.empty() ? "" : " " + method.Parameter);
     if (shown.count(title) > 0)
     {
       method.Cast(rays.Lines, found);
-      addPanel(title, found);
+      add(title, found);
     }
   }
-  for (const Painter& painter : MakePainters(input, rays))
+  for (const PictureMethod& method : MakePictureMethods(input, rays))
   {
-    if (painter.Knob == "0.5 cells")
+    if (method.Parameter == "0.5 cells")
     {
-      addPanel(painter.Family + " " + painter.Knob, Look(painter, rays));
+      add(method.Family + " " + method.Parameter, GetDistances(method, rays));
     }
   }
-  WriteHeatMap(panels, pixels, fileName);
+  return pictures;
 }
 
 //------------------------------------------------------------------------------
 // What the project promises, of every input: a run of the benchmark is a test of it.
-bool KeepsPromises(const std::vector<Result>& results)
+bool KeepsPromises(const Input& input, const std::vector<Result>& results)
 {
-  bool kept = true;
-  for (const Result& result : results)
+  const auto robust = std::find_if(
+    results.begin(), results.end(), [](const Result& result) { return result.Family == "Robust"; });
+  const HitAccuracy& accuracy = robust->Accuracy;
+  if (accuracy.Missed + accuracy.Invented + accuracy.Wrong > 0 || accuracy.GetError(0.99) > 1e-9)
   {
-    const Judgement& judged = result.Judged;
-    if (result.Family == "Robust" &&
-      (judged.Missed + judged.Invented + judged.Wrong > 0 || judged.GetError(0.99) > 1e-9))
-    {
-      Say("Robust breaks its promises on " + result.Input + ".");
-      kept = false;
-    }
+    Log("Robust breaks its promises on " + input.Name + ".");
+    return false;
   }
-  return kept;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-Results MeasureAll(const Arguments& arguments)
+Json::Value ToJson(const std::vector<Result>& results)
 {
-  Results results;
-  for (const Input& input : MakeInputs(arguments))
+  Json::Value rows;
+  for (const Result& result : results)
   {
-    const Rays rays = MakeRays(input, arguments.Rays, arguments.Pixels);
-    Say(input.Name + ": the truth about " + std::to_string(rays.Lines.size()) + " rays");
-    const std::vector<double> truth = FindTruth(input, rays.Lines);
-    for (Result& result : MeasureRays(input, rays, truth, arguments.Repeats))
-    {
-      results.Rays.push_back(std::move(result));
-    }
-    for (Result& result : MeasurePictures(input, rays, truth, arguments.Repeats))
-    {
-      results.Pictures.push_back(std::move(result));
-    }
-    if (OffScreenWindow::IsPossible())
-    {
-      DrawHeatMap(
-        input, arguments.Pixels, arguments.Output + "/" + GetFileName(input.Name) + "-heat.png");
-    }
+    rows.append(Benchmark::ToJson(result));
   }
-  return results;
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+std::string GetErrorImageName(std::string input)
+{
+  std::replace_if(
+    input.begin(), input.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+  return input + "-errors.vti";
+}
+
+//------------------------------------------------------------------------------
+// Returns whether promises are kept.
+bool MeasureInput(const Input& input, const Arguments& arguments, Json::Value& json)
+{
+  const Rays rays = MakeRays(input, arguments.Rays, arguments.Pixels);
+  Log(input.Name + ": the reference of " + std::to_string(rays.Lines.size()) + " rays");
+  const std::vector<double> reference = FindReference(input, rays.Lines);
+  const auto ofRays = MeasureRays(input, rays, reference, arguments.Repeats);
+  const auto ofPictures = MeasurePictures(input, rays, reference, arguments.Repeats);
+  json["name"] = input.Name;
+  json["isovalue"] = input.Isovalue;
+  json["numberOfRays"] = ofRays.front().Accuracy.Rays;
+  json["numberOfHits"] = ofRays.front().Accuracy.Hits;
+  json["rays"] = ToJson(ofRays);
+  json["pictures"] = ToJson(ofPictures);
+  json["errorImage"] = GetErrorImageName(input.Name);
+  WriteErrorImage(FindPictureErrors(input, arguments.Pixels), arguments.Pixels,
+    arguments.Output + "/" + GetErrorImageName(input.Name));
+  const bool raysKeep = KeepsPromises(input, ofRays);
+  return KeepsPromises(input, ofPictures) && raysKeep;
 }
 
 //------------------------------------------------------------------------------
@@ -256,30 +269,19 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     throw std::runtime_error("the folder " + arguments.Output + " cannot be made");
   }
-  // A display may close itself when nobody has a window on it: this one stays.
+  // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
-  auto circumstances = DescribeMachine(command, window.get());
-  for (const char* rival : { "polygons", "gpu", "fixed-point" })
+  Json::Value root;
+  root["environment"] = DescribeEnvironment(command, window.get());
+  SelectAvailable({ "polygons", "gpu", "fixed-point" }, root["environment"]);
+  bool kept = true;
+  for (const Input& input : MakeInputs(arguments))
   {
-    const std::string absence = GetAbsence(rival);
-    if (!absence.empty())
-    {
-      circumstances.emplace_back("absent", std::string(rival) + ", because " + absence);
-      Say(circumstances.back().second);
-    }
+    kept = MeasureInput(input, arguments, root["inputs"].append({})) && kept;
   }
-  const Results results = MeasureAll(arguments);
-  for (const std::string& file : WriteReport(results, circumstances, arguments.Output))
-  {
-    if (!vtksys::SystemTools::FileExists(arguments.Output + "/" + file, true))
-    {
-      throw std::runtime_error(file + " was not written");
-    }
-  }
-  std::printf("%s/results.md\n", arguments.Output.c_str());
-  const bool raysKept = KeepsPromises(results.Rays);
-  return KeepsPromises(results.Pictures) && raysKept;
+  WriteJson(root, arguments.Output + "/results.json");
+  return kept;
 }
 
 }

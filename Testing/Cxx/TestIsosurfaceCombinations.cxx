@@ -3,12 +3,15 @@
 
 // Features together: cropping with shadows and transparency, a direction matrix with every picker.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 #include "vtkIsosurfaceVolume.h"
 
-#include <vtkActor.h>
 #include <vtkCellPicker.h>
 #include <vtkExtractVOI.h>
 #include <vtkLight.h>
@@ -16,7 +19,6 @@
 #include <vtkMatrix3x3.h>
 #include <vtkPlane.h>
 #include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 #include <vtkWorldPointPicker.h>
@@ -205,10 +207,7 @@ void Furnish(ShadowScene& scene)
   screen->SetOrigin(-0.9, 0.3, -0.9);
   screen->SetPoint1(0.9, 0.3, -0.9);
   screen->SetPoint2(-0.9, 0.3, 0.9);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(screen->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
+  const auto actor = NewActor(screen);
   actor->GetProperty()->SetOpacity(0.35);
   actor->GetProperty()->SetColor(0.5, 1.0, 0.5);
   actor->GetProperty()->LightingOff();

@@ -5,7 +5,8 @@
 // planes and spheres, and against cells taken apart by brute force.
 
 #include "AnalyticFields.h"
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "TestImages.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
 #include "vtkCellArray.h"

@@ -4,7 +4,12 @@
 // What is picked and selected, and what a picture without a window says of its pixels, is what a
 // window shows.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "Selection.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 

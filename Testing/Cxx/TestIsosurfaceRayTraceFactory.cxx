@@ -4,7 +4,10 @@
 // vtkSmartVolumeMapper in its OSPRay mode draws the picture of our mapper when, and only when, the
 // factory is on.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfaceRayTraceFactory.h"
 

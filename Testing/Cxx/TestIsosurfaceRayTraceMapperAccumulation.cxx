@@ -4,7 +4,12 @@
 // The picture of a scene that rests becomes better with every frame, and begins anew with whatever
 // changes it.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfaceVolume.h"
 

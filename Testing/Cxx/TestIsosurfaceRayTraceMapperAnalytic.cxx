@@ -4,7 +4,11 @@
 // Every pixel against the answer: a plane, which trilinear interpolation reproduces, and a ball, of
 // which the error falls with the square of the spacing.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <algorithm>
 

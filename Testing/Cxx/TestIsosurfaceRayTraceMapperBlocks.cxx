@@ -3,7 +3,13 @@
 
 // A volume in blocks has the very picture of the whole volume.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "RandomRays.h"
+#include "Selection.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 
@@ -12,6 +18,7 @@
 #include <vtkExtractVOI.h>
 #include <vtkFloatArray.h>
 #include <vtkMath.h>
+#include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -307,27 +314,9 @@ void CheckOrigins(Checks& check)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Cast(Scene& scene)
 {
-  vtkNew<vtkPoints> origins;
-  origins->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> directions;
-  directions->SetNumberOfComponents(3);
-  vtkMath::RandomSeed(3);
-  const double* focus = scene.Renderer->GetActiveCamera()->GetFocalPoint();
-  for (int i = 0; i < 4000; ++i)
-  {
-    double from[3];
-    double to[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      from[axis] = focus[axis] + 3.0 * vtkMath::Gaussian();
-      to[axis] = focus[axis] + vtkMath::Random(-0.95, 0.95);
-    }
-    origins->InsertNextPoint(from);
-    directions->InsertNextTuple3(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-  }
-  auto hits = vtkSmartPointer<vtkPolyData>::New();
-  scene.Mapper->CastRays(scene.Volume, origins, directions, hits);
-  return hits;
+  AnalyticFields::Point center;
+  scene.Renderer->GetActiveCamera()->GetFocalPoint(center.data());
+  return RandomRays(center, 1.0, 4000).Cast(scene.Mapper, scene.Volume);
 }
 
 /// Nothing is drawn where blocks are missing, and the border of those that are there is shaded as

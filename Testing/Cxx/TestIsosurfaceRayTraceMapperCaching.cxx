@@ -3,7 +3,10 @@
 
 // What is rebuilt, and what is not.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <functional>
 

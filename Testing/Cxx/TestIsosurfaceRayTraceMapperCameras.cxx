@@ -3,12 +3,15 @@
 
 // Cameras, viewports and windows: the ball is where the polygons of a ball are.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkActor.h>
 #include <vtkCubeSource.h>
 #include <vtkPolyDataAlgorithm.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
@@ -120,10 +123,7 @@ std::vector<Setting> GetSettings()
 
 vtkSmartPointer<vtkActor> NewFlatActor(vtkPolyDataAlgorithm* source)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewActor(source);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
   return actor;

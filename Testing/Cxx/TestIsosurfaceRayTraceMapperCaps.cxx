@@ -4,7 +4,13 @@
 // Caps on clipping planes: where geometry says they are, with the colours of the field, lit as
 // planes are; and the pictures that VTK's own filters make of clipped solids.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "RandomRays.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 #include "vtkIsosurfaceVolume.h"
@@ -18,18 +24,13 @@
 #include <vtkFlyingEdges3D.h>
 #include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
-#include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
-#include <vtkMinimalStandardRandomSequence.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointDataToCellData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRectilinearGrid.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 
@@ -79,14 +80,6 @@ void UseRamp(Scene& scene, double low, double high)
   colors->AddRGBPoint(high, 1.0, 1.0, 0.1);
 }
 
-vtkSmartPointer<vtkImageData> RenderToImage(Scene& scene, vtkLightCollection* lights = nullptr)
-{
-  auto picture = vtkSmartPointer<vtkImageData>::New();
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), lights, Size, Size, picture);
-  return picture;
-}
-
 struct Pixel
 {
   int X;
@@ -125,7 +118,7 @@ std::vector<Pixel> GetPixels(vtkImageData* picture)
 
 std::vector<Pixel> Render(Scene& scene, vtkLightCollection* lights = nullptr)
 {
-  return GetPixels(RenderToImage(scene, lights));
+  return GetPixels(scene.RenderToImage(lights));
 }
 
 bool IsOn(vtkPlane* plane, const Point& place)
@@ -134,14 +127,10 @@ bool IsOn(vtkPlane* plane, const Point& place)
   return std::abs(plane->EvaluateFunction(copy.data())) < 1e-9;
 }
 
-vtkSmartPointer<vtkLightCollection> NewLight(const Point& from)
+vtkSmartPointer<vtkLightCollection> NewLights(const Point& from)
 {
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(from[0], from[1], from[2]);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
   auto lights = vtkSmartPointer<vtkLightCollection>::New();
-  lights->AddItem(light);
+  lights->AddItem(NewLight(from));
   return lights;
 }
 
@@ -170,7 +159,7 @@ void CheckDisc(Checks& check)
   const Point light = { 1.0, -3.0, 1.0 };
   const double cosine = -vtkMath::Dot(normal, light) / Radius(light);
   const double disc = std::sqrt(radius * radius - 0.03 * 0.03);
-  const auto picture = Render(scene, NewLight(light));
+  const auto picture = Render(scene, NewLights(light));
   vtkMatrix4x4* clipFromWorld =
     scene.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0);
   int caps = 0;
@@ -372,32 +361,12 @@ void CheckClosedBox(Checks& check)
     NewPlane({ 0.5, -0.7, 0.4 }, { center[0] - 0.3, center[1] + 0.4, center[2] - 0.2 }));
   Cap(scene, planes);
 
-  vtkNew<vtkMinimalStandardRandomSequence> random;
-  random->SetSeed(5);
-  const auto next = [&random]()
-  {
-    random->Next();
-    return random->GetRangeValue(-1.0, 1.0);
-  };
-  vtkNew<vtkPoints> origins;
-  origins->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> directions;
-  directions->SetNumberOfComponents(3);
-  constexpr int rays = 4000;
-  for (int i = 0; i < rays; ++i)
-  {
-    Point direction = { next(), next(), next() };
-    vtkMath::Normalize(direction.data());
-    origins->InsertNextPoint(center[0] + next() - 5.0 * direction[0],
-      center[1] + next() - 5.0 * direction[1], center[2] + next() - 5.0 * direction[2]);
-    directions->InsertNextTuple(direction.data());
-  }
+  const RandomRays rays({ center[0], center[1], center[2] }, 1.0, 4000);
   for (const bool isNearest : { false, true })
   {
     scene.Mapper->SetInterpolationMode(
       isNearest ? vtkIsosurfaceRayTraceMapper::NEAREST : vtkIsosurfaceRayTraceMapper::TRILINEAR);
-    vtkNew<vtkPolyData> output;
-    scene.Mapper->CastRays(scene.Volume, origins, directions, output);
+    const auto output = rays.Cast(scene.Mapper, scene.Volume);
     vtkDataArray* normals = output->GetPointData()->GetNormals();
     vtkDataArray* ids = output->GetPointData()->GetArray("RayId");
     std::map<int, int> hits;
@@ -513,10 +482,7 @@ void CheckAgainstPolygons(Checks& check)
   clip->SetClipColor(0.9, 0.2, 0.1);
   const auto add = [&scene](vtkAlgorithm* source)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
+    const auto actor = NewActor(source);
     actor->GetProperty()->SetInterpolationToFlat();
     scene.Renderer->AddActor(actor);
     return actor.Get();
@@ -629,7 +595,7 @@ void CheckLight(Checks& check)
   scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
   const auto plane = NewPlane({ 0.0, 1.0, 0.0 }, { 0.0, -0.1, 0.0 });
   Cap(scene, { plane });
-  const auto lights = NewLight({ 0.3, -3.0, 0.4 });
+  const auto lights = NewLights({ 0.3, -3.0, 0.4 });
   const auto compare = [&](const std::string& name)
   {
     const std::vector<Pixel> with = Render(scene, lights);
@@ -786,27 +752,15 @@ void CheckInputs(Checks& check)
   }
   check.That(render(blocks, leave) == expected, "two blocks have the caps of one image");
 
-  vtkNew<vtkRectilinearGrid> grid;
-  grid->SetDimensions(21, 21, 21);
-  vtkNew<vtkDoubleArray> places[3];
+  std::array<std::vector<double>, 3> coordinates;
   for (int i = 0; i < 21; ++i)
   {
     const double even = i / 10.0 - 1.0;
-    places[0]->InsertNextValue(even);
-    places[1]->InsertNextValue(even * std::abs(even));
-    places[2]->InsertNextValue(even);
+    coordinates[0].push_back(even);
+    coordinates[1].push_back(even * std::abs(even));
+    coordinates[2].push_back(even);
   }
-  grid->SetXCoordinates(places[0]);
-  grid->SetYCoordinates(places[1]);
-  grid->SetZCoordinates(places[2]);
-  vtkNew<vtkDoubleArray> scalars;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    Point point;
-    grid->GetPoint(i, point.data());
-    scalars->InsertNextValue(field(point));
-  }
-  grid->GetPointData()->SetScalars(scalars);
+  const auto grid = NewGrid(coordinates, field);
   check.That(GetDifference(render(grid, leave), expected, 1) < 0.001, "uneven planes change none");
 
   render(image, [](Scene& scene) { scene.Mapper->SetInterpolationModeToNearest(); });

@@ -3,7 +3,11 @@
 
 // Rays that are cast without a window: where they hit, and that it is what a window shows.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkIdTypeArray.h>
 #include <vtkMath.h>

@@ -4,7 +4,11 @@
 // Surfaces coloured by another array, of the input or of another image: every pixel has the colour
 // of its place.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkFloatArray.h>
 

@@ -5,21 +5,24 @@
 // crosses the isovalues; what is said of a pixel is that of the surface it shows; and surfaces and
 // normals are nearer to the fields that were sampled than those of the trilinear interpolant.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "SceneChecks.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 
 #include <vtkCellData.h>
 #include <vtkExtractVOI.h>
 #include <vtkImageInterpolator.h>
-#include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkMinimalStandardRandomSequence.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPlane.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkRectilinearGrid.h>
 
 #include <algorithm>
 #include <functional>
@@ -40,14 +43,6 @@ struct CubicScene : Scene
     : Scene(data, Size, Size)
   {
     this->Mapper->SetInterpolationModeToCubic();
-  }
-
-  vtkSmartPointer<vtkImageData> RenderToImage()
-  {
-    auto output = vtkSmartPointer<vtkImageData>::New();
-    this->Mapper->RenderToImage(this->Volume, this->Renderer->GetActiveCamera(),
-      this->Renderer->GetLights(), Size, Size, output);
-    return output;
   }
 };
 
@@ -402,45 +397,7 @@ void CheckShadows(Checks& check)
   for (const bool isConvex : { true, false })
   {
     CubicScene scene(isConvex ? NewBall(17, 0.7) : NewCube(17, torusAndBall));
-    scene.LookFrom(1.0, -2.0, 1.5);
-    vtkNew<vtkLight> sun;
-    sun->SetLightTypeToSceneLight();
-    sun->SetPosition(0.3, -0.2, 2.0);
-    scene.Renderer->AddLight(sun);
-    const Picture plain = RenderAndCapture(scene.Window);
-    scene.Mapper->ShadowsOn();
-    const double withShadows = GetDifference(RenderAndCapture(scene.Window), plain, 0);
-    scene.Mapper->ShadowsOff();
-    scene.Mapper->AmbientOcclusionOn();
-    const double withOcclusion = GetDifference(RenderAndCapture(scene.Window), plain, 0);
-    std::cout << (isConvex ? "A ball" : "A ball above a torus") << ": " << 100.0 * withShadows
-              << " % of the pixels are in shadow, " << 100.0 * withOcclusion << " % see less sky\n";
-    check.That(isConvex ? withShadows == 0.0 : withShadows > 0.005 && withShadows < 0.2,
-      "shadows are where something is in the way of light");
-    check.That(isConvex ? withOcclusion == 0.0 : withOcclusion > 0.01,
-      "the sky is where nothing is in its way");
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The same bits with any number of threads, in any tiles, with any solver and layout.
-void CheckDeterminism(Checks& check)
-{
-  CubicScene scene(NewCube(33, Ripples));
-  scene.SetSurface(0.0, { 0.9, 0.8, 0.7 }, 0.4);
-  scene.AddSurface(0.3, { 0.3, 0.6, 0.9 }, 1.0);
-  const Picture expected = RenderAndCapture(scene.Window);
-  for (int layout = 0; layout < 3; ++layout)
-  {
-    scene.Mapper->SetBrickLayout(layout);
-    scene.Mapper->SetNumberOfThreads(1 + layout);
-    scene.Mapper->SetTileSize(7 + 30 * layout, 5);
-    scene.Mapper->SetNumberOfMacrocellLevels(layout);
-    scene.Mapper->SetMaximumBrickMemory(1);
-    scene.Mapper->SetNormalMode(layout % 2);
-    scene.Mapper->SetRootSolver(layout);
-    check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
-      "the difference with layout " + std::to_string(layout));
+    CheckShadows(check, scene, isConvex);
   }
 }
 
@@ -449,23 +406,13 @@ void CheckDeterminism(Checks& check)
 void CheckUnevenSpacing(Checks& check)
 {
   constexpr int planes = 14;
-  vtkNew<vtkDoubleArray> coordinates;
+  std::vector<double> coordinates;
   for (int i = 0; i < planes; ++i)
   {
-    coordinates->InsertNextValue(-1.0 + 2.0 * std::pow(i / (planes - 1.0), 1.4));
+    coordinates.push_back(-1.0 + 2.0 * std::pow(i / (planes - 1.0), 1.4));
   }
-  vtkNew<vtkRectilinearGrid> grid;
-  grid->SetDimensions(planes, planes, planes);
-  grid->SetXCoordinates(coordinates);
-  grid->SetYCoordinates(coordinates);
-  grid->SetZCoordinates(coordinates);
-  vtkNew<vtkDoubleArray> scalars;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    const double* p = grid->GetPoint(i);
-    scalars->InsertNextValue(0.5 - p[0] * p[0] - p[1] * p[1] - p[2] * p[2]);
-  }
-  grid->GetPointData()->SetScalars(scalars);
+  const auto grid = NewGrid({ coordinates, coordinates, coordinates },
+    [](const Point& p) { return 0.5 - p[0] * p[0] - p[1] * p[1] - p[2] * p[2]; });
   CubicScene scene(grid);
   const vtkSmartPointer<vtkImageData> picture = scene.RenderToImage();
   int shown = 0;
@@ -553,26 +500,15 @@ int TestIsosurfaceRayTraceMapperCubic(int argc, char* argv[])
   CheckPixels(check);
   CheckErrors(check);
   CheckShadows(check);
-  CheckDeterminism(check);
+  CubicScene ripples(NewCube(33, Ripples));
+  CheckDeterminism(check, ripples);
   CheckUnevenSpacing(check);
   CheckInputs(check);
 
   CubicScene scene(NewCube(12, Ripples));
   scene.SetSurface(0.2, { 0.9, 0.75, 0.5 }, 0.5);
   scene.AddSurface(0.8, { 0.3, 0.55, 0.85 }, 1.0);
-  scene.Mapper->ShadowsOn();
-  vtkNew<vtkLight> sun;
-  sun->SetLightTypeToSceneLight();
-  sun->SetPosition(2.0, -1.0, 3.0);
-  scene.Renderer->AddLight(sun);
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  headlight->SetIntensity(0.5);
-  scene.Renderer->AddLight(headlight);
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(-0.5, 1.0, -0.6);
-  plane->SetOrigin(0.0, -0.4, 0.55);
-  scene.Mapper->AddClippingPlane(plane);
+  AddShadowsAndClipping(scene);
   check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
   return check.Result();
 }

@@ -4,18 +4,22 @@
 // Clipping planes, cropping regions and blanked cells: what is left is what is left of all hits
 // when those that are cut off are taken away, along every ray.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "RandomRays.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdTypeArray.h>
-#include <vtkMath.h>
-#include <vtkMinimalStandardRandomSequence.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 using namespace MapperTesting;
 
@@ -69,34 +73,12 @@ public:
     vtkVolumeProperty* property = this->Volume->GetProperty();
     property->GetIsoSurfaceValues()->SetValue(0, 0.0);
     property->GetScalarOpacity()->AddPoint(0.0, opacity);
-    vtkNew<vtkMinimalStandardRandomSequence> random;
-    random->SetSeed(5);
-    const auto next = [&random]()
-    {
-      random->Next();
-      return random->GetRangeValue(-1.0, 1.0);
-    };
-    this->Origins->SetDataTypeToDouble();
-    this->Directions->SetNumberOfComponents(3);
-    const Point center = this->GetCenter();
-    for (int i = 0; i < 1500; ++i)
-    {
-      double direction[3] = { next(), next(), next() };
-      vtkMath::Normalize(direction);
-      double origin[3];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        origin[axis] = center[axis] + next() - 5.0 * direction[axis];
-      }
-      this->Origins->InsertNextPoint(origin);
-      this->Directions->InsertNextTuple(direction);
-    }
+    this->Rays.emplace(this->GetCenter(), 1.0, 1500);
   }
 
   std::vector<Hit> Cast()
   {
-    vtkNew<vtkPolyData> output;
-    this->Mapper->CastRays(this->Volume, this->Origins, this->Directions, output);
+    const auto output = this->Rays->Cast(this->Mapper, this->Volume);
     vtkPointData* data = output->GetPointData();
     std::vector<Hit> hits;
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -120,8 +102,7 @@ public:
   vtkNew<vtkVolume> Volume;
 
 private:
-  vtkNew<vtkPoints> Origins;
-  vtkNew<vtkDoubleArray> Directions;
+  std::optional<RandomRays> Rays;
 };
 
 /// Compares the hits of a volume that is cut with those left of the whole one. Of every ray the

@@ -3,11 +3,15 @@
 
 // The depth that the mapper reads and writes: what pierces the surface, before and behind it.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkActor.h>
 #include <vtkConeSource.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkWorldPointPicker.h>
 
@@ -25,10 +29,7 @@ vtkSmartPointer<vtkActor> NewCone()
   cone->SetRadius(0.3);
   cone->SetResolution(60);
   cone->SetDirection(1.0, 0.3, 0.2);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(cone->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewActor(cone);
   actor->GetProperty()->SetColor(0.2, 0.5, 0.7);
   return actor;
 }

@@ -3,7 +3,11 @@
 
 // The picture is the same, bit for bit, however the work is divided and the samples are laid out.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <functional>
 

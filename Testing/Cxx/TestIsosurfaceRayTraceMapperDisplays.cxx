@@ -4,7 +4,10 @@
 // Stereo in every mode that VTK has off screen, and pictures made of tiles: the ball is where its
 // polygons are, and tiles fit together.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkMath.h>

@@ -3,7 +3,10 @@
 
 // What cannot be drawn: one error with the remedy, nothing drawn, nothing broken.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkCellData.h>

@@ -3,7 +3,11 @@
 
 // Where the image lies in the world: pairs of scenes that must look the same.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkTransform.h>
 

@@ -3,10 +3,12 @@
 
 // Lights and materials: against polygons of the same ball, which VTK lights itself, and a baseline.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkActor.h>
-#include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkProperty.h>
 
@@ -23,25 +25,13 @@ struct Setting
   std::function<void(vtkRenderer*)> AddLights;
 };
 
-vtkSmartPointer<vtkLight> NewLight(
-  const std::array<double, 3>& position, const std::array<double, 3>& color, int type)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightType(type);
-  light->SetPosition(position[0], position[1], position[2]);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  light->SetColor(color[0], color[1], color[2]);
-  return light;
-}
-
 std::vector<Setting> GetSettings()
 {
   const std::array<double, 3> white = { 1.0, 1.0, 1.0 };
   std::vector<Setting> settings;
-  settings.push_back(
-    { "scene light", [=](vtkRenderer* renderer) {
-       renderer->AddLight(NewLight({ 3.0, -3.0, 2.0 }, white, VTK_LIGHT_TYPE_SCENE_LIGHT));
-     } });
+  settings.push_back({ "scene light", [=](vtkRenderer* renderer) {
+                        renderer->AddLight(NewLight({ 3.0, -3.0, 2.0 }));
+                      } });
   settings.push_back(
     { "camera light", [=](vtkRenderer* renderer) {
        renderer->AddLight(NewLight({ -1.0, 1.0, 0.5 }, white, VTK_LIGHT_TYPE_CAMERA_LIGHT));
@@ -49,20 +39,18 @@ std::vector<Setting> GetSettings()
   settings.push_back({ "two colours and one switched off",
     [=](vtkRenderer* renderer)
     {
-      renderer->AddLight(
-        NewLight({ 3.0, -2.0, 2.0 }, { 1.0, 0.3, 0.2 }, VTK_LIGHT_TYPE_SCENE_LIGHT));
-      const auto blue =
-        NewLight({ -3.0, -2.0, 0.0 }, { 0.2, 0.4, 1.0 }, VTK_LIGHT_TYPE_SCENE_LIGHT);
+      renderer->AddLight(NewLight({ 3.0, -2.0, 2.0 }, { 1.0, 0.3, 0.2 }));
+      const auto blue = NewLight({ -3.0, -2.0, 0.0 }, { 0.2, 0.4, 1.0 });
       blue->SetIntensity(0.6);
       renderer->AddLight(blue);
-      const auto off = NewLight({ 0.0, -3.0, 0.0 }, white, VTK_LIGHT_TYPE_SCENE_LIGHT);
+      const auto off = NewLight({ 0.0, -3.0, 0.0 });
       off->SwitchOff();
       renderer->AddLight(off);
     } });
   settings.push_back({ "positional light",
     [=](vtkRenderer* renderer)
     {
-      const auto light = NewLight({ 0.6, -1.2, 0.8 }, white, VTK_LIGHT_TYPE_SCENE_LIGHT);
+      const auto light = NewLight({ 0.6, -1.2, 0.8 });
       light->PositionalOn();
       light->SetConeAngle(180.0);
       light->SetAttenuationValues(0.5, 0.2, 0.3);
@@ -71,7 +59,7 @@ std::vector<Setting> GetSettings()
   settings.push_back({ "spot light",
     [=](vtkRenderer* renderer)
     {
-      const auto light = NewLight({ 0.6, -1.6, 0.9 }, white, VTK_LIGHT_TYPE_SCENE_LIGHT);
+      const auto light = NewLight({ 0.6, -1.6, 0.9 });
       light->PositionalOn();
       light->SetConeAngle(12.0);
       light->SetExponent(3.0);

@@ -4,16 +4,20 @@
 // Samples as boxes: the picture is that of the outer polygons of the boxes that vtkThreshold keeps,
 // and what is said of a pixel is that of the face it shows.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "SceneChecks.h"
+#include "Selection.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkLight.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkThreshold.h>
 
@@ -42,14 +46,6 @@ struct BoxScene : Scene
   {
     this->Mapper->SetInterpolationModeToNearest();
   }
-
-  vtkSmartPointer<vtkImageData> RenderToImage()
-  {
-    auto output = vtkSmartPointer<vtkImageData>::New();
-    this->Mapper->RenderToImage(this->Volume, this->Renderer->GetActiveCamera(),
-      this->Renderer->GetLights(), Size, Size, output);
-    return output;
-  }
 };
 
 /// The image of which every sample is a cell.
@@ -77,11 +73,8 @@ vtkSmartPointer<vtkActor> NewBoxes(vtkImageData* dual, double isovalue, vtkVolum
   threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputConnection(threshold->GetOutputPort());
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(surface->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewActor(surface);
+  actor->GetMapper()->ScalarVisibilityOff();
   double color[3];
   look->GetRGBTransferFunction()->GetColor(isovalue, color);
   vtkProperty* property = actor->GetProperty();
@@ -235,44 +228,7 @@ void CheckShadows(Checks& check)
   for (const bool isConvex : { true, false })
   {
     BoxScene scene(isConvex ? NewCube(17, box) : NewCube(17, table));
-    scene.LookFrom(1.0, -2.0, 1.5);
-    vtkNew<vtkLight> sun;
-    sun->SetLightTypeToSceneLight();
-    sun->SetPosition(0.3, -0.2, 2.0);
-    scene.Renderer->AddLight(sun);
-    const Picture plain = RenderAndCapture(scene.Window);
-    scene.Mapper->ShadowsOn();
-    const double withShadows = GetDifference(RenderAndCapture(scene.Window), plain, 0);
-    scene.Mapper->ShadowsOff();
-    scene.Mapper->AmbientOcclusionOn();
-    const double withOcclusion = GetDifference(RenderAndCapture(scene.Window), plain, 0);
-    std::cout << (isConvex ? "A box" : "A box above another") << ": " << 100.0 * withShadows
-              << " % of the pixels are in shadow, " << 100.0 * withOcclusion << " % see less sky\n";
-    check.That(isConvex ? withShadows == 0.0 : withShadows > 0.01 && withShadows < 0.2,
-      "shadows are where something is in the way of light");
-    check.That(isConvex ? withOcclusion == 0.0 : withOcclusion > 0.01,
-      "the sky is where nothing is in its way");
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The same bits with any number of threads, in any tiles, with any layout.
-void CheckDeterminism(Checks& check)
-{
-  BoxScene scene(NewCube(33, Blob));
-  scene.SetSurface(0.0, { 0.9, 0.8, 0.7 }, 0.4);
-  scene.AddSurface(0.3, { 0.3, 0.6, 0.9 }, 1.0);
-  const Picture expected = RenderAndCapture(scene.Window);
-  for (int layout = 0; layout < 3; ++layout)
-  {
-    scene.Mapper->SetBrickLayout(layout);
-    scene.Mapper->SetNumberOfThreads(1 + layout);
-    scene.Mapper->SetTileSize(7 + 30 * layout, 5);
-    scene.Mapper->SetNumberOfMacrocellLevels(layout);
-    scene.Mapper->SetMaximumBrickMemory(1);
-    scene.Mapper->SetNormalMode(layout % 2);
-    check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
-      "the difference with layout " + std::to_string(layout));
+    CheckShadows(check, scene, isConvex);
   }
 }
 
@@ -284,24 +240,13 @@ int TestIsosurfaceRayTraceMapperNearest(int argc, char* argv[])
   CheckPolygons(check);
   CheckPixels(check);
   CheckShadows(check);
-  CheckDeterminism(check);
+  BoxScene blob(NewCube(33, Blob));
+  CheckDeterminism(check, blob);
 
   BoxScene scene(NewCube(25, Blob));
   scene.SetSurface(0.0, { 0.9, 0.75, 0.5 }, 0.35);
   scene.AddSurface(0.35, { 0.3, 0.55, 0.85 }, 1.0);
-  scene.Mapper->ShadowsOn();
-  vtkNew<vtkLight> sun;
-  sun->SetLightTypeToSceneLight();
-  sun->SetPosition(2.0, -1.0, 3.0);
-  scene.Renderer->AddLight(sun);
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  headlight->SetIntensity(0.5);
-  scene.Renderer->AddLight(headlight);
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(-0.5, 1.0, -0.6);
-  plane->SetOrigin(0.0, -0.4, 0.55);
-  scene.Mapper->AddClippingPlane(plane);
+  AddShadowsAndClipping(scene);
   check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
   return check.Result();
 }

@@ -3,7 +3,11 @@
 
 // Where normals come from: the facets of the interpolant on the left, a smooth look on the right.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 using namespace MapperTesting;
 

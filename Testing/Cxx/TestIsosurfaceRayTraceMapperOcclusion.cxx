@@ -4,7 +4,11 @@
 // Ambient occlusion of a floor by a ball above it, pixel by pixel, beside the known part of the sky
 // that a ball takes.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkMath.h>
 #include <vtkRectilinearGrid.h>
@@ -40,30 +44,17 @@ double GetOpenness(const Point& place)
 /// where the floor is.
 vtkSmartPointer<vtkRectilinearGrid> NewUnevenGrid()
 {
-  vtkNew<vtkDoubleArray> places[3];
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int i = 0; i <= 80; ++i)
     {
       const double even = i / 40.0 - 1.0;
       const double wave = std::sin(2.0 * vtkMath::Pi() * (axis == 2 ? 2.0 : 1.0) * even);
-      places[axis]->InsertNextValue(even + (axis == 2 ? 0.06 : -0.13) * wave);
+      coordinates[axis].push_back(even + (axis == 2 ? 0.06 : -0.13) * wave);
     }
   }
-  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  grid->SetDimensions(81, 81, 81);
-  grid->SetXCoordinates(places[0]);
-  grid->SetYCoordinates(places[1]);
-  grid->SetZCoordinates(places[2]);
-  vtkNew<vtkDoubleArray> scalars;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    Point point;
-    grid->GetPoint(i, point.data());
-    scalars->InsertNextValue(Field(point));
-  }
-  grid->GetPointData()->SetScalars(scalars);
-  return grid;
+  return NewGrid(coordinates, Field);
 }
 
 void SetLook(Scene& scene)
@@ -79,9 +70,7 @@ void SetLook(Scene& scene)
 /// difference.
 std::array<double, 2> Compare(Scene& scene, const std::function<double(const Point&)>& openness)
 {
-  vtkNew<vtkImageData> picture;
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture);
+  const auto picture = scene.RenderToImage();
   vtkPointData* data = picture->GetPointData();
   double sum = 0.0;
   double largest = 0.0;

@@ -4,7 +4,12 @@
 // Maximum and minimum intensity: the values are those of geometry, the pictures those of VTK's ray
 // casters with many samples, and whatever else is said of a pixel belongs to its value.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 
@@ -73,14 +78,6 @@ struct ProjectedScene : Scene
   {
     this->Mapper->SetBlendModeToMaximumIntensity();
     SetLook(this->Property());
-  }
-
-  vtkSmartPointer<vtkImageData> RenderToImage()
-  {
-    auto output = vtkSmartPointer<vtkImageData>::New();
-    this->Mapper->RenderToImage(
-      this->Volume, this->Renderer->GetActiveCamera(), nullptr, Size, Size, output);
-    return output;
   }
 };
 

@@ -4,7 +4,13 @@
 // Rectilinear grids: their surfaces are those of VTK's own interpolant, wherever their planes
 // stand, and all that is said of images is said of them.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "RandomRays.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 #include "vtkIsosurfaceVolume.h"
@@ -19,7 +25,6 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPlane.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkRectilinearSynchronizedTemplates.h>
@@ -41,49 +46,6 @@ namespace
 constexpr int Size = 120;
 using Places = std::vector<double>;
 using Field = std::function<double(const AnalyticFields::Point&)>;
-
-vtkSmartPointer<vtkDataArray> NewCoordinates(const Places& places, int type)
-{
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    array->SetComponent(static_cast<vtkIdType>(i), 0, places[i]);
-  }
-  return array;
-}
-
-/// A grid with samples of a field at its points, and at the centres of its cells.
-vtkSmartPointer<vtkRectilinearGrid> NewGrid(
-  const std::array<Places, 3>& places, const Field& field, int type = VTK_DOUBLE)
-{
-  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  grid->SetDimensions(static_cast<int>(places[0].size()), static_cast<int>(places[1].size()),
-    static_cast<int>(places[2].size()));
-  grid->SetXCoordinates(NewCoordinates(places[0], type));
-  grid->SetYCoordinates(NewCoordinates(places[1], type));
-  grid->SetZCoordinates(NewCoordinates(places[2], type));
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetName("field");
-  vtkNew<vtkDoubleArray> ofCells;
-  ofCells->SetName("field");
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    AnalyticFields::Point point;
-    grid->GetPoint(i, point.data());
-    scalars->InsertNextValue(field(point));
-  }
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
-  {
-    double b[6];
-    grid->GetCellBounds(i, b);
-    ofCells->InsertNextValue(
-      field({ 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) }));
-  }
-  grid->GetPointData()->SetScalars(scalars);
-  grid->GetCellData()->AddArray(ofCells);
-  return grid;
-}
 
 Places Even(int count, double low = -1.0, double high = 1.0)
 {
@@ -190,29 +152,9 @@ void CheckEvenGrids(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// Casts many rays through the world from -1 to 1, in all directions.
 vtkSmartPointer<vtkPolyData> Cast(Scene& scene, double scale = 1.0)
 {
-  vtkNew<vtkPoints> origins;
-  origins->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> directions;
-  directions->SetNumberOfComponents(3);
-  vtkMath::RandomSeed(7);
-  for (int i = 0; i < 3000; ++i)
-  {
-    double from[3];
-    double to[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      from[axis] = 3.0 * scale * vtkMath::Gaussian();
-      to[axis] = scale * vtkMath::Random(-0.9, 0.9);
-    }
-    origins->InsertNextPoint(from);
-    directions->InsertNextTuple3(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-  }
-  auto hits = vtkSmartPointer<vtkPolyData>::New();
-  scene.Mapper->CastRays(scene.Volume, origins, directions, hits);
-  return hits;
+  return RandomRays({ 0.0, 0.0, 0.0 }, scale, 4000).Cast(scene.Mapper, scene.Volume);
 }
 
 /// Every hit is where VTK's cells have the isovalue, and is told as VTK would.
@@ -448,9 +390,7 @@ void CheckCuttingAndPicking(Checks& check)
   scene.SetSurface(0.1, { 0.9, 0.6, 0.3 }, 1.0);
   scene.LookFrom(1.0, -2.0, 0.8);
   scene.Window->Render();
-  vtkNew<vtkImageData> picture;
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture);
+  const auto picture = scene.RenderToImage();
   vtkNew<vtkIsosurfacePicker> picker;
   int hits = 0;
   int wrong = 0;

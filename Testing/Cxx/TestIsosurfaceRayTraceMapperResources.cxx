@@ -3,7 +3,10 @@
 
 // Windows that come and go, events, aborting, selecting, and depth peeling beside a volume.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkHardwareSelector.h>
 #include <vtkInformation.h>

@@ -3,7 +3,11 @@
 
 // Fewer rays than pixels where time is short, more where edges are to be smooth.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 using namespace MapperTesting;
 

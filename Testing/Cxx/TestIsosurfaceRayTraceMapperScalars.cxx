@@ -3,7 +3,12 @@
 
 // Scalars of every kind: the same values of any type, in any memory layout, give the same picture.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "DepthPicture.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkBitArray.h>
 #include <vtkCellData.h>

@@ -4,7 +4,11 @@
 // Shadows of a small ball on a large one, pixel by pixel, where geometry says they are; and no
 // others.
 
-#include "MapperTesting.h"
+#include "AnalyticFields.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
@@ -57,9 +61,7 @@ void Compare(Checks& check, vtkImageData* image, vtkLight* light, const std::str
   scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
   vtkNew<vtkLightCollection> lights;
   lights->AddItem(light);
-  vtkNew<vtkImageData> picture;
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), lights, Size, Size, picture);
+  const auto picture = scene.RenderToImage(lights);
   vtkPointData* data = picture->GetPointData();
   int lit = 0;
   int shadowed = 0;
@@ -97,10 +99,6 @@ void Compare(Checks& check, vtkImageData* image, vtkLight* light, const std::str
       continue;
     }
     const bool isLit = data->GetArray("Colors")->GetComponent(i, 0) > 0.0;
-    if (isLit != (distance > 0))
-      std::cout << "AT is " << place[0] << " " << place[1] << " " << place[2] << " n " << normal[0]
-                << " " << normal[1] << " " << normal[2] << " d " << distance << " lit " << isLit
-                << " pix " << i % Size << " " << i / Size << " small " << isOnSmall << "\n";
     wrong += isLit == (distance > 0.0) ? 0 : 1;
     (distance > 0.0 ? lit : shadowed) += 1;
   }
@@ -109,15 +107,12 @@ void Compare(Checks& check, vtkImageData* image, vtkLight* light, const std::str
   check.Equal(wrong, 0, "the number of pixels judged wrong " + name);
 }
 
-vtkSmartPointer<vtkLight> NewLight(bool isPositional, const Point& position)
+vtkSmartPointer<vtkLight> NewLamp(const Point& position)
 {
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(isPositional ? 1 : 0);
-  light->SetConeAngle(180.0);
-  light->SetPosition(position[0], position[1], position[2]);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  return light;
+  const auto lamp = NewLight(position);
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  return lamp;
 }
 
 /// What is translucent lets a share of the light through.
@@ -135,7 +130,7 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetClippingRange(0.1, 10.0);
   vtkNew<vtkLightCollection> lights;
-  lights->AddItem(NewLight(false, { 0.0, 0.0, 1.0 }));
+  lights->AddItem(NewLight({ 0.0, 0.0, 1.0 }));
   vtkNew<vtkImageData> picture[2];
   for (const int shadows : { 0, 1 })
   {
@@ -172,19 +167,19 @@ int TestIsosurfaceRayTraceMapperShadows(int argc, char* argv[])
 {
   Checks check;
   const auto image = NewCube(81, Balls);
-  Compare(check, image, NewLight(false, { 0.1, -0.2, 1.0 }), "by a distant light");
-  Compare(check, image, NewLight(false, { 0.0, 0.0, 1.0 }), "by a light along the lattice");
-  Compare(check, image, NewLight(true, { 0.4, -0.3, 2.0 }), "by a near light");
+  Compare(check, image, NewLight({ 0.1, -0.2, 1.0 }), "by a distant light");
+  Compare(check, image, NewLight({ 0.0, 0.0, 1.0 }), "by a light along the lattice");
+  Compare(check, image, NewLamp({ 0.4, -0.3, 2.0 }), "by a near light");
   CheckTranslucent(check, image);
   Scene scene(image, Size, Size);
   scene.Mapper->ShadowsOn();
-  scene.Renderer->AddLight(NewLight(false, { 0.2, -0.3, 1.0 }));
+  scene.Renderer->AddLight(NewLight({ 0.2, -0.3, 1.0 }));
   check.That(IsBaseline(argc, argv, scene.Window), "the picture is the baseline");
 
   // Between the balls, a light shines on both.
   Scene between(image, Size, Size);
   between.Mapper->ShadowsOn();
-  between.Renderer->AddLight(NewLight(true, { 0.15, 0.0, 0.35 }));
+  between.Renderer->AddLight(NewLamp({ 0.15, 0.0, 0.35 }));
   const Picture with = RenderAndCapture(between.Window);
   between.Mapper->ShadowsOff();
   const Picture without = RenderAndCapture(between.Window);

@@ -3,11 +3,13 @@
 
 // Isovalues, their colours and opacities: exact colours of pixels, without shading.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include <vtkActor.h>
 #include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 using namespace MapperTesting;
@@ -49,10 +51,7 @@ vtkSmartPointer<vtkActor> NewSquare(double y)
   square->SetOrigin(-1.0, y, -1.0);
   square->SetPoint1(1.0, y, -1.0);
   square->SetPoint2(-1.0, y, 1.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(square->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewActor(square);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
   return actor;

@@ -5,7 +5,10 @@
 // their data are replaced by vtkRTAnalyticSource and a ball. Each shows what the polygons of
 // vtkFlyingEdges3D show there.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
 #include "vtkIsosurfaceVolume.h"
@@ -21,7 +24,6 @@
 #include <vtkMatrix3x3.h>
 #include <vtkOutlineSource.h>
 #include <vtkPlane.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRTAnalyticSource.h>
 #include <vtkTransform.h>
@@ -48,13 +50,10 @@ vtkSmartPointer<vtkImageData> NewBallOfSamples()
   return image;
 }
 
-vtkSmartPointer<vtkActor> NewActor(vtkAlgorithm* source, const double color[3])
+vtkSmartPointer<vtkActor> NewColoredActor(vtkAlgorithm* source, const double color[3])
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  auto actor = NewActor(source);
+  actor->GetMapper()->ScalarVisibilityOff();
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   return actor;
 }
@@ -111,7 +110,7 @@ struct Stage
   /// Polygons in place of the last volume.
   vtkActor* AddPolygons(vtkAlgorithm* source, const std::array<double, 3>& color)
   {
-    const auto actor = NewActor(source, color.data());
+    const auto actor = NewColoredActor(source, color.data());
     this->Actors.push_back({ this->Volumes.back(), actor });
     return actor;
   }
@@ -234,7 +233,7 @@ void AddOutline(Stage& stage, vtkImageData* image)
   vtkNew<vtkOutlineSource> outline;
   outline->SetBounds(image->GetBounds());
   const double white[3] = { 1.0, 1.0, 1.0 };
-  stage.Renderer->AddActor(NewActor(outline, white));
+  stage.Renderer->AddActor(NewColoredActor(outline, white));
 }
 
 vtkSmartPointer<vtkActor> AddSphere(

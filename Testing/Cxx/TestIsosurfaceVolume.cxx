@@ -4,7 +4,11 @@
 // Opaque isosurfaces take part in the scene as their polygons do: beside translucent polygons, in
 // render passes, for GetZ and selectors, and once per frame.
 
-#include "MapperTesting.h"
+#include "Checks.h"
+#include "Pictures.h"
+#include "Selection.h"
+#include "TestImages.h"
+#include "TestScene.h"
 
 #include "vtkIsosurfaceVolume.h"
 
@@ -20,7 +24,6 @@
 #include <vtkOpaquePass.h>
 #include <vtkOutlineSource.h>
 #include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
@@ -38,15 +41,6 @@ namespace
 {
 
 constexpr double Radius = 0.7;
-
-vtkSmartPointer<vtkActor> NewActor(vtkPolyDataAlgorithm* source)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return actor;
-}
 
 /// A square across the view, so far towards the camera.
 vtkSmartPointer<vtkActor> NewScreen(double y, const std::array<double, 3>& color, double opacity)

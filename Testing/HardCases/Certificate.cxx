@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Oracle.h"
+#include "Certificate.h"
 
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace Oracle
 {

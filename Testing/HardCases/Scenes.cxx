@@ -3,7 +3,11 @@
 
 #include "Scenes.h"
 
+#include "AnalyticFields.h"
+#include "SameBits.h"
+
 #include <cstdlib>
+#include <cstring>
 
 namespace HardCases
 {
@@ -38,17 +42,6 @@ std::vector<unsigned char> ToBytes(const std::vector<double>& values, ScalarType
   }
 }
 
-bool IsSame(const Hit& a, const Hit& b)
-{
-  const auto bits = [](const Hit& hit) {
-    return std::array<double, 4>{ hit.T, hit.Parametric[0], hit.Parametric[1], hit.Parametric[2] };
-  };
-  const auto inA = bits(a);
-  const auto inB = bits(b);
-  return std::memcmp(inA.data(), inB.data(), sizeof(inA)) == 0 && a.Cell == b.Cell &&
-    a.Surface == b.Surface && a.Entering == b.Entering;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -78,25 +71,24 @@ RayHits Tracer::Cast(
 }
 
 //------------------------------------------------------------------------------
-Field RandomField(Dice& dice, const Index& dimensions, double low, double high)
+Field RandomField(RandomNumbers& random, const Index& dimensions, double low, double high)
 {
-  return Sample(dimensions, [&dice, low, high](int, int, int) { return dice.Uniform(low, high); });
+  return Sample(
+    dimensions, [&random, low, high](int, int, int) { return random.Uniform(low, high); });
 }
 
 //------------------------------------------------------------------------------
 Field Ball(const Index& dimensions, const Triple& center, double radius)
 {
-  return Sample(dimensions,
-    [&center, radius](int x, int y, int z) {
-      return radius - Oracle::Length({ x - center[0], y - center[1], z - center[2] });
-    });
+  return { dimensions,
+    AnalyticFields::Sample<double>(dimensions, AnalyticFields::Sphere{ center, radius }) };
 }
 
 //------------------------------------------------------------------------------
-Line RandomLine(Dice& dice, const Index& dimensions, double distance)
+Line RandomLine(RandomNumbers& random, const Index& dimensions, double distance)
 {
-  const Triple target = dice.PointIn(dimensions);
-  const Triple direction = dice.Direction();
+  const Triple target = random.PointInVolume(dimensions);
+  const Triple direction = random.Direction();
   Triple origin;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -107,12 +99,12 @@ Line RandomLine(Dice& dice, const Index& dimensions, double distance)
 
 //------------------------------------------------------------------------------
 std::vector<Line> RandomLines(
-  Dice& dice, const Index& dimensions, std::size_t count, double distance)
+  RandomNumbers& random, const Index& dimensions, std::size_t count, double distance)
 {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < count; ++i)
   {
-    lines.push_back(RandomLine(dice, dimensions, distance));
+    lines.push_back(RandomLine(random, dimensions, distance));
   }
   return lines;
 }
@@ -120,18 +112,7 @@ std::vector<Line> RandomLines(
 //------------------------------------------------------------------------------
 bool IsSame(const RayHits& a, const RayHits& b)
 {
-  if (a.First != b.First || a.Hits.size() != b.Hits.size())
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.Hits.size(); ++i)
-  {
-    if (!IsSame(a.Hits[i], b.Hits[i]))
-    {
-      return false;
-    }
-  }
-  return true;
+  return a.First == b.First && AreSame(a.Hits, b.Hits);
 }
 
 //------------------------------------------------------------------------------
@@ -139,5 +120,4 @@ bool IsLongRun()
 {
   return std::getenv("HARD_CASES_LONG") != nullptr;
 }
-
 }

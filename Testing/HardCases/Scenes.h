@@ -4,9 +4,9 @@
 #ifndef HardCases_Scenes_h
 #define HardCases_Scenes_h
 
-#include "Dice.h"
-#include "Oracle.h"
+#include "ExactCrossings.h"
 #include "Picture/CastRays.h"
+#include "RandomNumbers.h"
 
 #include <memory>
 
@@ -20,6 +20,7 @@ using Oracle::Triple;
 using vtkIsosurfaceRayTracing::Hit;
 using vtkIsosurfaceRayTracing::ImageSettings;
 using vtkIsosurfaceRayTracing::Isosurface;
+using vtkIsosurfaceRayTracing::RandomNumbers;
 using vtkIsosurfaceRayTracing::RayHits;
 using vtkIsosurfaceRayTracing::RootSolver;
 using vtkIsosurfaceRayTracing::ScalarType;
@@ -69,15 +70,16 @@ Field Sample(const Index& dimensions, const Function& function)
   return field;
 }
 
-Field RandomField(Dice& dice, const Index& dimensions, double low = -1.0, double high = 1.0);
+Field RandomField(
+  RandomNumbers& random, const Index& dimensions, double low = -1.0, double high = 1.0);
 
 /// Values are positive within the ball: the isovalue is 0.
 Field Ball(const Index& dimensions, const Triple& center, double radius);
 
 /// A line through the volume, from some cells before it.
-Line RandomLine(Dice& dice, const Index& dimensions, double distance = 3.0);
+Line RandomLine(RandomNumbers& random, const Index& dimensions, double distance = 3.0);
 std::vector<Line> RandomLines(
-  Dice& dice, const Index& dimensions, std::size_t count, double distance = 3.0);
+  RandomNumbers& random, const Index& dimensions, std::size_t count, double distance = 3.0);
 
 /// Whether two sets of hits are the same, to the last bit.
 bool IsSame(const RayHits& a, const RayHits& b);

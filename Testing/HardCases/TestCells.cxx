@@ -52,27 +52,27 @@ const Line Diagonal = { { -0.25, -0.25, -0.25 }, { 1.0, 1.0, 1.0 } };
 
 TEST(TestCells, RandomCorners)
 {
-  Dice dice(10);
+  RandomNumbers random(10);
   Tally tally("random corners (Robust)");
   for (int i = 0; i < 400; ++i)
   {
-    const Field field = RandomField(dice, { 5, 6, 7 });
-    const auto lines = RandomLines(dice, field.Dimensions, 40);
-    tally.Try(field, dice.Uniform(-0.8, 0.8), lines);
+    const Field field = RandomField(random, { 5, 6, 7 });
+    const auto lines = RandomLines(random, field.Dimensions, 40);
+    tally.Try(field, random.Uniform(-0.8, 0.8), lines);
   }
   tally.Report();
 }
 
 TEST(TestCells, TangentRays)
 {
-  Dice dice(11);
+  RandomNumbers random(11);
   Tally far("tangent, extremum 1e-2 to 1e-6 from the isovalue (Robust)");
   Tally near("tangent, extremum 1e-7 to 1e-12 from the isovalue (Robust)");
   Tally nearest("tangent, extremum 1e-13 to 1e-16 from the isovalue (Robust)");
   for (int i = 0; i < 4000; ++i)
   {
-    const Field field = RandomField(dice, OneCell);
-    const Line line = RandomLine(dice, OneCell);
+    const Field field = RandomField(random, OneCell);
+    const Line line = RandomLine(random, OneCell);
     double turn;
     double size;
     if (!FindTurn(field, line, turn, size))
@@ -97,16 +97,16 @@ TEST(TestCells, TangentRays)
 TEST(TestCells, RaysThatOnlyTouch)
 {
   // (p (1 - x) - q x) (p (1 - y) - q y) on the diagonal is a square: exact, as small integers.
-  Dice dice(12);
+  RandomNumbers random(12);
   Tally above("touching from above, integers (Robust)");
   Tally below("touching from below, integers (Robust)");
   for (int i = 0; i < 2000; ++i)
   {
-    const int p = dice.Integer(1, 100);
-    const int q = dice.Integer(1, 100);
+    const int p = random.Integer(1, 100);
+    const int q = random.Integer(1, 100);
     const auto square = [p, q](int x, int y, int)
     { return double((x == 0 ? p : -q) * (y == 0 ? p : -q)); };
-    const Line line = { { -0.5, -0.5, dice.Uniform(0.0, 1.0) }, { 1.0, 1.0, 0.0 } };
+    const Line line = { { -0.5, -0.5, random.Uniform(0.0, 1.0) }, { 1.0, 1.0, 0.0 } };
     above.Try(Sample(OneCell, square), 0.0, { line });
     below.Try(
       Sample(OneCell, [&square](int x, int y, int z) { return -square(x, y, z); }), 0.0, { line });
@@ -118,14 +118,14 @@ TEST(TestCells, RaysThatOnlyTouch)
 TEST(TestCells, RaysThatTouchAndThenCross)
 {
   // A square as above, times a third factor: the hit is the crossing, never the touch.
-  Dice dice(22);
+  RandomNumbers random(22);
   Tally tally("touching, and crossing elsewhere, integers (Robust)");
   for (int i = 0; i < 10000; ++i)
   {
-    const int p = dice.Integer(1, 100);
-    const int q = dice.Integer(1, 100);
-    const int r = dice.Integer(-100, 100);
-    const int s = dice.Integer(-100, 100);
+    const int p = random.Integer(1, 100);
+    const int q = random.Integer(1, 100);
+    const int r = random.Integer(-100, 100);
+    const int s = random.Integer(-100, 100);
     const Field field = Sample(OneCell,
       [p, q, r, s](int x, int y, int z)
       { return (x == 0 ? p : -q) * (y == 0 ? p : -q) * (z == 0 ? r : -s); });
@@ -136,14 +136,14 @@ TEST(TestCells, RaysThatTouchAndThenCross)
 
 TEST(TestCells, ThreeRootsInOneCell)
 {
-  Dice dice(13);
+  RandomNumbers random(13);
   Tally tally("three roots, gaps 1e-1 to 1e-8 (Robust)");
   std::size_t threes = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    const double gap = std::pow(10.0, -dice.Uniform(1.0, 8.0));
-    const double other = dice.Integer(0, 1) == 0 ? gap : dice.Uniform(0.1, 0.4);
-    const double a = dice.Uniform(0.0, 0.4);
+    const double gap = std::pow(10.0, -random.Uniform(1.0, 8.0));
+    const double other = random.Integer(0, 1) == 0 ? gap : random.Uniform(0.1, 0.4);
+    const double a = random.Uniform(0.0, 0.4);
     const Field field = Product(a, a + gap, a + gap + other);
     tally.Try(field, 0.0, { Diagonal });
     Tracer tracer(field);
@@ -155,11 +155,11 @@ TEST(TestCells, ThreeRootsInOneCell)
 
 TEST(TestCells, TripleRoots)
 {
-  Dice dice(14);
+  RandomNumbers random(14);
   Tally tally("triple root (Robust)");
   for (int i = 0; i < 4000; ++i)
   {
-    const double a = dice.Uniform(0.0, 1.0);
+    const double a = random.Uniform(0.0, 1.0);
     tally.Try(Product(a, a, a), 0.0, { Diagonal });
   }
   tally.Report();
@@ -167,15 +167,15 @@ TEST(TestCells, TripleRoots)
 
 TEST(TestCells, VanishingCoefficients)
 {
-  Dice dice(15);
+  RandomNumbers random(15);
   Tally tally("vanishing leading coefficients (Robust)");
   for (int i = 0; i < 4000; ++i)
   {
     const int kind = i % 4;
     // A plane through the corner (1, 1, 1), there the last coefficient survives unrounded.
-    const double g[3] = { double(dice.Integer(-8, 8)), double(dice.Integer(-8, 8)),
-      double(dice.Integer(-8, 8)) };
-    const double tiny = std::pow(10.0, -dice.Uniform(0.0, 300.0));
+    const double g[3] = { double(random.Integer(-8, 8)), double(random.Integer(-8, 8)),
+      double(random.Integer(-8, 8)) };
+    const double tiny = std::pow(10.0, -random.Uniform(0.0, 300.0));
     const auto value = [&](int x, int y, int z)
     {
       switch (kind)
@@ -190,25 +190,25 @@ TEST(TestCells, VanishingCoefficients)
           return g[0] * (x - 1) + g[1] * (y - 1) + g[2] * (z - 1) + tiny * (x * y * z);
       }
     };
-    tally.Try(Sample(OneCell, value), 0.0, RandomLines(dice, OneCell, 10));
+    tally.Try(Sample(OneCell, value), 0.0, RandomLines(random, OneCell, 10));
   }
   tally.Report();
 }
 
 TEST(TestCells, Cancellation)
 {
-  Dice dice(16);
+  RandomNumbers random(16);
   Tally small("values 1e6 + 1e-6 (Robust)");
   Tally large("values 1e15 + eighths (Robust)");
   for (int i = 0; i < 300; ++i)
   {
     const Index dimensions = { 4, 4, 4 };
-    const Field near = RandomField(dice, dimensions, 1e6 - 1e-6, 1e6 + 1e-6);
+    const Field near = RandomField(random, dimensions, 1e6 - 1e-6, 1e6 + 1e-6);
     const Field far =
-      Sample(dimensions, [&dice](int, int, int) { return 1e15 + dice.Integer(-80, 80) / 8.0; });
-    const auto lines = RandomLines(dice, dimensions, 20);
-    small.Try(near, 1e6 + dice.Uniform(-5e-7, 5e-7), lines);
-    large.Try(far, 1e15 + dice.Integer(-40, 40) / 8.0, lines);
+      Sample(dimensions, [&random](int, int, int) { return 1e15 + random.Integer(-80, 80) / 8.0; });
+    const auto lines = RandomLines(random, dimensions, 20);
+    small.Try(near, 1e6 + random.Uniform(-5e-7, 5e-7), lines);
+    large.Try(far, 1e15 + random.Integer(-40, 40) / 8.0, lines);
   }
   small.Report();
   large.Report();
@@ -217,19 +217,19 @@ TEST(TestCells, Cancellation)
 TEST(TestCells, EverySignPatternWithItsSaddles)
 {
   // All ways in which corners can be inside: the ambiguous ones of marching cubes among them.
-  Dice dice(17);
+  RandomNumbers random(17);
   Tally tally("all 254 sign patterns, saddles (Robust)");
   for (int pattern = 1; pattern < 255; ++pattern)
   {
     for (int i = 0; i < 8; ++i)
     {
       const Field field = Sample(OneCell,
-        [&dice, pattern](int x, int y, int z)
+        [&random, pattern](int x, int y, int z)
         {
-          const double value = dice.Uniform(0.01, 1.0);
+          const double value = random.Uniform(0.01, 1.0);
           return (pattern >> (x + 2 * y + 4 * z) & 1) != 0 ? value : -value;
         });
-      tally.Try(field, 0.0, RandomLines(dice, OneCell, 20));
+      tally.Try(field, 0.0, RandomLines(random, OneCell, 20));
     }
   }
   tally.Report();
@@ -240,7 +240,7 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
   // Below 2^-1000 a denormal gradient has too few bits for an angle.
   for (const bool isDenormal : { false, true })
   {
-    Dice dice(18);
+    RandomNumbers random(18);
     const std::string name =
       isDenormal ? "magnitudes 2^-1060 to 2^-1010, denormal" : "magnitudes 2^-1000 to 2^1020";
     Tally tally(name + " (Robust)");
@@ -249,13 +249,13 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
     {
       for (int i = 0; i < 10; ++i)
       {
-        Field field = RandomField(dice, { 3, 3, 3 });
+        Field field = RandomField(random, { 3, 3, 3 });
         for (double& value : field.Values)
         {
           value = std::ldexp(value, exponent);
         }
-        const double isovalue = std::ldexp(dice.Uniform(-0.5, 0.5), exponent);
-        const auto lines = RandomLines(dice, field.Dimensions, 10);
+        const double isovalue = std::ldexp(random.Uniform(-0.5, 0.5), exponent);
+        const auto lines = RandomLines(random, field.Dimensions, 10);
         tally.CheckNormals(!isDenormal);
         tally.Try(field, isovalue, lines);
       }
@@ -267,36 +267,36 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
 TEST(TestCells, DifferencesThatOverflow)
 {
   // Values of both signs near the largest double: their differences are none.
-  Dice dice(23);
+  RandomNumbers random(23);
   Tally tally("values +-1.7e308 (Robust)");
   for (int i = 0; i < 200; ++i)
   {
-    const Field field = RandomField(dice, { 3, 3, 3 }, -1.0, 1.0);
+    const Field field = RandomField(random, { 3, 3, 3 }, -1.0, 1.0);
     Field huge = field;
     for (double& value : huge.Values)
     {
       value *= 1.7e308;
     }
-    const auto lines = RandomLines(dice, field.Dimensions, 10);
+    const auto lines = RandomLines(random, field.Dimensions, 10);
     tally.CheckNormals(false);
-    tally.Try(huge, dice.Uniform(-0.9, 0.9) * 1.7e308, lines);
+    tally.Try(huge, random.Uniform(-0.9, 0.9) * 1.7e308, lines);
   }
   tally.Report();
 }
 
 TEST(TestCells, AllMagnitudesInOneCell)
 {
-  Dice dice(19);
+  RandomNumbers random(19);
   Tally tally("magnitudes 1e-120 to 1e120 in one cell (Robust)");
   for (int i = 0; i < 3000; ++i)
   {
     const Field field = Sample({ 3, 3, 3 },
-      [&dice](int, int, int)
+      [&random](int, int, int)
       {
-        const double magnitude = std::pow(10.0, dice.Uniform(-120.0, 120.0));
-        return dice.Integer(0, 1) == 0 ? magnitude : -magnitude;
+        const double magnitude = std::pow(10.0, random.Uniform(-120.0, 120.0));
+        return random.Integer(0, 1) == 0 ? magnitude : -magnitude;
       });
-    tally.Try(field, 0.0, RandomLines(dice, field.Dimensions, 10));
+    tally.Try(field, 0.0, RandomLines(random, field.Dimensions, 10));
   }
   tally.Report();
 }
@@ -307,22 +307,23 @@ TEST(TestCells, AllMagnitudesInOneCell)
 namespace
 {
 
-CellCorners RandomBits(Dice& dice)
+CellCorners RandomBits(RandomNumbers& random)
 {
   CellCorners corners;
   for (double& value : corners)
   {
-    value = dice.AnyDouble();
+    value = random.AnyDouble();
   }
   return corners;
 }
 
-CellSegment RandomSegment(Dice& dice)
+CellSegment RandomSegment(RandomNumbers& random)
 {
-  CellSegment segment{ 0.0, 1.0, vtkIsosurfaceRayTracing::Crossing::StartAxis, dice.Point(0.0, 1.0),
-    dice.Point(0.0, 1.0) };
-  segment.Entry[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
-  segment.Exit[static_cast<std::size_t>(dice.Integer(0, 2))] = dice.Integer(0, 1);
+  CellSegment segment{ 0.0, 1.0, vtkIsosurfaceRayTracing::Crossing::StartAxis,
+    random.PointInBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }),
+    random.PointInBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }) };
+  segment.Entry[static_cast<std::size_t>(random.Integer(0, 2))] = random.Integer(0, 1);
+  segment.Exit[static_cast<std::size_t>(random.Integer(0, 2))] = random.Integer(0, 1);
   return segment;
 }
 
@@ -344,15 +345,15 @@ struct RootCounter
 
 TEST(TestCells, EverySolverEndsOnRandomBits)
 {
-  Dice dice(20);
+  RandomNumbers random(20);
   const std::size_t cells = IsLongRun() ? 1000000000 : 1000000;
   RootCounter robust;
   RootCounter others;
   std::size_t finite = 0;
   for (std::size_t i = 0; i < cells; ++i)
   {
-    const CellCorners corners = RandomBits(dice);
-    const CellSegment segment = RandomSegment(dice);
+    const CellCorners corners = RandomBits(random);
+    const CellSegment segment = RandomSegment(random);
     const auto count = [&robust](double u, bool entering) { return robust(u, entering); };
     const auto countOther = [&others](double u, bool entering) { return others(u, entering); };
     const std::size_t before = robust.Outside;

@@ -74,12 +74,12 @@ template <typename MapIndex, typename MapPoint, typename MapDirection>
 Comparison Compare(const Index& mapped, const MapIndex& from, const MapPoint& point,
   const MapDirection& direction, std::size_t fields)
 {
-  Dice dice(100);
+  RandomNumbers random(100);
   Comparison comparison;
   for (std::size_t i = 0; i < fields; ++i)
   {
     const Index dimensions = { 6, 7, 8 };
-    const Field field = RandomField(dice, dimensions);
+    const Field field = RandomField(random, dimensions);
     const Field other = Sample(mapped,
       [&](int x, int y, int z)
       {
@@ -93,13 +93,13 @@ Comparison Compare(const Index& mapped, const MapIndex& from, const MapPoint& po
         }
         return field.At(index[0], index[1], index[2]);
       });
-    const auto lines = RandomLines(dice, dimensions, 40);
+    const auto lines = RandomLines(random, dimensions, 40);
     std::vector<Line> otherLines;
     for (const Line& line : lines)
     {
       otherLines.push_back({ point(line.Origin), direction(line.Direction) });
     }
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+    const double isovalue = random.Uniform(-0.5, 0.5);
     comparison.Add(Tracer(field).Cast(lines, isovalue), Tracer(other).Cast(otherLines, isovalue));
   }
   return comparison;
@@ -156,10 +156,10 @@ TEST(TestInvariance, TranslationByWholeCells)
 TEST(TestInvariance, ValuesScaledByPowersOfTwo)
 {
   // Bitwise, as no operation rounds otherwise, except where values underflow.
-  Dice dice(101);
+  RandomNumbers random(101);
   Comparison comparison;
-  const Field field = RandomField(dice, { 6, 7, 8 });
-  const auto lines = RandomLines(dice, field.Dimensions, 200);
+  const Field field = RandomField(random, { 6, 7, 8 });
+  const auto lines = RandomLines(random, field.Dimensions, 200);
   const RayHits hits = Tracer(field).Cast(lines, 0.25);
   for (int exponent = -900; exponent <= 1000; exponent += 20)
   {
@@ -177,12 +177,12 @@ TEST(TestInvariance, ValuesScaledByPowersOfTwo)
 TEST(TestInvariance, NegatedValues)
 {
   // Only ties differ: what equals the isovalue is inside both times.
-  Dice dice(102);
+  RandomNumbers random(102);
   Comparison comparison;
   for (int i = 0; i < 100; ++i)
   {
-    Field field = RandomField(dice, { 6, 7, 8 });
-    const auto lines = RandomLines(dice, field.Dimensions, 40);
+    Field field = RandomField(random, { 6, 7, 8 });
+    const auto lines = RandomLines(random, field.Dimensions, 40);
     RayHits hits = Tracer(field).Cast(lines, 0.25);
     for (Hit& hit : hits.Hits)
     {
@@ -200,10 +200,10 @@ TEST(TestInvariance, NegatedValues)
 
 TEST(TestInvariance, DirectionsScaledByPowersOfTwo)
 {
-  Dice dice(103);
+  RandomNumbers random(103);
   Comparison comparison;
-  const Field field = RandomField(dice, { 6, 7, 8 });
-  const auto lines = RandomLines(dice, field.Dimensions, 200);
+  const Field field = RandomField(random, { 6, 7, 8 });
+  const auto lines = RandomLines(random, field.Dimensions, 200);
   const RayHits hits = Tracer(field).Cast(lines, 0.25);
   for (int exponent = -900; exponent <= 900; exponent += 20)
   {
@@ -228,9 +228,9 @@ TEST(TestInvariance, DirectionsScaledByPowersOfTwo)
 
 TEST(TestInvariance, LayoutsMacrocellsAndThreads)
 {
-  Dice dice(104);
+  RandomNumbers random(104);
   const Field field = Waves();
-  const auto lines = RandomLines(dice, Dimensions, 2000);
+  const auto lines = RandomLines(random, Dimensions, 2000);
   const ImageSettings settings[] = { { { 8, 8 }, BrickLayout::Apron, 8, 4 },
     { {}, BrickLayout::Unbricked, 8, 4 }, { { 2 }, BrickLayout::TwoLevel, 3, 2 },
     { { 3, 2, 5 }, BrickLayout::Apron, 5, 1 }, { { 1 }, BrickLayout::Apron, 1, 1 },
@@ -261,9 +261,9 @@ TEST(TestInvariance, LayoutsMacrocellsAndThreads)
 
 TEST(TestInvariance, AloneOrInBatches)
 {
-  Dice dice(105);
+  RandomNumbers random(105);
   const Field field = Waves();
-  const auto lines = RandomLines(dice, Dimensions, 600);
+  const auto lines = RandomLines(random, Dimensions, 600);
   std::vector<std::size_t> order(lines.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -282,7 +282,7 @@ TEST(TestInvariance, AloneOrInBatches)
         // In another order, too.
         for (std::size_t i = order.size(); i-- > 1;)
         {
-          std::swap(order[i], order[dice.Bits() % (i + 1)]);
+          std::swap(order[i], order[random.Bits() % (i + 1)]);
         }
         for (std::size_t first = 0; first < lines.size(); first += batch)
         {
@@ -311,15 +311,15 @@ TEST(TestInvariance, AloneOrInBatches)
 
 TEST(TestInvariance, FirstIsTheFirstOfAll)
 {
-  Dice dice(106);
+  RandomNumbers random(106);
   for (const RootSolver solver : Solvers)
   {
     std::size_t different = 0;
     std::size_t rays = 0;
     for (int i = 0; i < 50; ++i)
     {
-      const Field field = RandomField(dice, { 6, 6, 6 });
-      const auto lines = RandomLines(dice, field.Dimensions, 100);
+      const Field field = RandomField(random, { 6, 6, 6 });
+      const auto lines = RandomLines(random, field.Dimensions, 100);
       Tracer tracer(field);
       const RayHits first = tracer.Cast(lines, 0.1, solver, Reach::First);
       const RayHits all = tracer.Cast(lines, 0.1, solver, Reach::All);

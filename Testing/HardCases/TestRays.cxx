@@ -41,12 +41,12 @@ Line Towards(const Triple& point, const Triple& direction, double distance)
     direction };
 }
 
-Triple Nudged(Dice& dice, const Triple& v)
+Triple Nudged(RandomNumbers& random, const Triple& v)
 {
   Triple result = v;
   for (double& x : result)
   {
-    x = std::nextafter(x, dice.Integer(-1, 1) * Infinity);
+    x = std::nextafter(x, random.Integer(-1, 1) * Infinity);
   }
   return result;
 }
@@ -57,20 +57,20 @@ TEST(TestRays, FarOrigins)
 {
   for (const double cells : { 1.0, 1e3, 1e6, 1e9 })
   {
-    Dice dice(40);
+    RandomNumbers random(40);
     char name[64];
     std::snprintf(name, sizeof(name), "origin %g cells away", cells);
     Tally tally(std::string(name) + " (Robust)");
     for (int i = 0; i < 60; ++i)
     {
-      const Field field = RandomField(dice, { 7, 8, 9 });
+      const Field field = RandomField(random, { 7, 8, 9 });
       std::vector<Line> lines;
       for (int ray = 0; ray < 40; ++ray)
       {
-        const Triple target = dice.PointIn(field.Dimensions);
-        lines.push_back(Towards(target, dice.Direction(), cells));
+        const Triple target = random.PointInVolume(field.Dimensions);
+        lines.push_back(Towards(target, random.Direction(), cells));
       }
-      const double isovalue = dice.Uniform(-0.5, 0.5);
+      const double isovalue = random.Uniform(-0.5, 0.5);
       tally.Try(field, isovalue, lines);
     }
     tally.Note("T within 4 roundings of its size besides");
@@ -80,7 +80,7 @@ TEST(TestRays, FarOrigins)
 
 TEST(TestRays, AlongLatticeDirections)
 {
-  Dice dice(41);
+  RandomNumbers random(41);
   Tally exact("in faces, along edges, through vertices, 26 directions (Robust)");
   Tally nudged("the same, nudged by one rounding (Robust)");
   for (int i = 0; i < 40; ++i)
@@ -88,8 +88,8 @@ TEST(TestRays, AlongLatticeDirections)
     const Index dimensions = { 5, 6, 7 };
     const bool isInteger = i % 2 == 0;
     const Field field = Sample(dimensions,
-      [&dice, isInteger](int, int, int)
-      { return isInteger ? dice.Integer(-3, 3) : dice.Uniform(-1.0, 1.0); });
+      [&random, isInteger](int, int, int)
+      { return isInteger ? random.Integer(-3, 3) : random.Uniform(-1.0, 1.0); });
     std::vector<Line> lines;
     std::vector<Line> nudgedLines;
     for (const Triple& direction : LatticeDirections())
@@ -97,17 +97,17 @@ TEST(TestRays, AlongLatticeDirections)
       for (int ray = 0; ray < 10; ++ray)
       {
         // Through a vertex, the middle of an edge, of a face, or of a cell; from inside or outside.
-        const Triple point = { dice.Integer(0, 8) / 2.0, dice.Integer(0, 10) / 2.0,
-          dice.Integer(0, 12) / 2.0 };
-        lines.push_back(Towards(point, direction, dice.Integer(0, 1) * 16.0));
+        const Triple point = { random.Integer(0, 8) / 2.0, random.Integer(0, 10) / 2.0,
+          random.Integer(0, 12) / 2.0 };
+        lines.push_back(Towards(point, direction, random.Integer(0, 1) * 16.0));
         // Nudged within the volume only: at its border one rounding decides whether a ray is in it.
-        const Line line =
-          Towards({ dice.Integer(2, 6) / 2.0, dice.Integer(2, 8) / 2.0, dice.Integer(2, 10) / 2.0 },
-            direction, 16.0);
-        nudgedLines.push_back({ Nudged(dice, line.Origin), Nudged(dice, line.Direction) });
+        const Line line = Towards(
+          { random.Integer(2, 6) / 2.0, random.Integer(2, 8) / 2.0, random.Integer(2, 10) / 2.0 },
+          direction, 16.0);
+        nudgedLines.push_back({ Nudged(random, line.Origin), Nudged(random, line.Direction) });
       }
     }
-    const double isovalue = isInteger ? dice.Integer(-1, 1) : dice.Uniform(-0.5, 0.5);
+    const double isovalue = isInteger ? random.Integer(-1, 1) : random.Uniform(-0.5, 0.5);
     exact.Try(field, isovalue, lines);
     nudged.Try(field, isovalue, nudgedLines);
   }
@@ -117,13 +117,13 @@ TEST(TestRays, AlongLatticeDirections)
 
 TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
 {
-  Dice dice(42);
+  RandomNumbers random(42);
   Tally tally("axis-parallel, signed zeros, denormal components (Robust)");
   const double tiny[] = { 0.0, -0.0, Smallest, -Smallest, 1e-310, -1e-310, 1e-300, -1e-300 };
   for (int i = 0; i < 60; ++i)
   {
     const Index dimensions = { 4, 5, 6 };
-    const Field field = RandomField(dice, dimensions);
+    const Field field = RandomField(random, dimensions);
     std::vector<Line> lines;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -134,20 +134,20 @@ TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
         {
           // In a lattice plane, between, or a denormal beside a plane; never at the border, where a
           // denormal component leads out of the volume.
-          const int inner = dice.Integer(1, dimensions[other] - 2);
-          const int kind = dice.Integer(0, 2);
+          const int inner = random.Integer(1, dimensions[other] - 2);
+          const int kind = random.Integer(0, 2);
           line.Origin[other] = kind == 0 ? inner
-            : kind == 1                  ? inner + dice.Uniform(0.0, 1.0)
-                                         : std::nextafter(inner, dice.Integer(0, 1) * 100.0);
-          line.Direction[other] = tiny[dice.Integer(0, 7)];
+            : kind == 1                  ? inner + random.Uniform(0.0, 1.0)
+                                         : std::nextafter(inner, random.Integer(0, 1) * 100.0);
+          line.Direction[other] = tiny[random.Integer(0, 7)];
         }
-        const double way = dice.Integer(0, 1) == 0 ? 1.0 : -1.0;
+        const double way = random.Integer(0, 1) == 0 ? 1.0 : -1.0;
         line.Origin[axis] = way > 0 ? -3.0 : dimensions[axis] + 3.0;
         line.Direction[axis] = way;
         lines.push_back(line);
       }
     }
-    tally.Try(field, dice.Uniform(-0.5, 0.5), lines);
+    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
@@ -155,41 +155,41 @@ TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
 TEST(TestRays, OnTheBorderOfTheVolume)
 {
   // In the outermost faces and edges, which belong to the volume, with zeros of both signs.
-  Dice dice(43);
+  RandomNumbers random(43);
   Tally tally("in the outer faces and edges (Robust)");
   for (int i = 0; i < 60; ++i)
   {
     const Index dimensions = { 4, 5, 6 };
-    const Field field = RandomField(dice, dimensions);
+    const Field field = RandomField(random, dimensions);
     std::vector<Line> lines;
     for (int ray = 0; ray < 60; ++ray)
     {
-      Line line = { dice.PointIn(dimensions), dice.Direction() };
-      const auto axis = static_cast<std::size_t>(dice.Integer(0, 2));
-      line.Origin[axis] = dice.Integer(0, 1) == 0 ? -0.0 : dimensions[axis] - 1;
-      line.Direction[axis] = dice.Integer(0, 1) == 0 ? 0.0 : -0.0;
+      Line line = { random.PointInVolume(dimensions), random.Direction() };
+      const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+      line.Origin[axis] = random.Integer(0, 1) == 0 ? -0.0 : dimensions[axis] - 1;
+      line.Direction[axis] = random.Integer(0, 1) == 0 ? 0.0 : -0.0;
       const std::size_t other = (axis + 1) % 3;
-      if (dice.Integer(0, 1) == 0)
+      if (random.Integer(0, 1) == 0)
       {
-        line.Origin[other] = dice.Integer(0, 1) * (dimensions[other] - 1);
+        line.Origin[other] = random.Integer(0, 1) * (dimensions[other] - 1);
         line.Direction[other] = 0.0;
       }
       line.Begin = -Infinity;
       lines.push_back(line);
     }
-    tally.Try(field, dice.Uniform(-0.5, 0.5), lines);
+    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
 
 TEST(TestRays, DirectionsOfAnyLength)
 {
-  Dice dice(44);
+  RandomNumbers random(44);
   Tally tally("direction of length 1e-290 to 1e290 (Robust)");
   for (int exponent = -290; exponent <= 290; exponent += 10)
   {
-    const Field field = RandomField(dice, { 5, 5, 5 });
-    std::vector<Line> lines = RandomLines(dice, field.Dimensions, 20);
+    const Field field = RandomField(random, { 5, 5, 5 });
+    std::vector<Line> lines = RandomLines(random, field.Dimensions, 20);
     for (Line& line : lines)
     {
       for (double& d : line.Direction)
@@ -197,7 +197,7 @@ TEST(TestRays, DirectionsOfAnyLength)
         d *= std::pow(10.0, exponent);
       }
     }
-    tally.Try(field, dice.Uniform(-0.5, 0.5), lines);
+    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
@@ -205,24 +205,24 @@ TEST(TestRays, DirectionsOfAnyLength)
 TEST(TestRays, SpacingOneToTenThousand)
 {
   // In index space, directions of the world are compressed along one axis.
-  Dice dice(45);
+  RandomNumbers random(45);
   Tally tally("spacing 1:1e4 and 1e4:1 (Robust)");
   double largest = 0.0;
   for (int i = 0; i < 100; ++i)
   {
-    const Field field = RandomField(dice, { 6, 6, 6 });
+    const Field field = RandomField(random, { 6, 6, 6 });
     const Triple spacing = { i % 2 == 0 ? 1.0 : 1e4, 1.0, i % 2 == 0 ? 1e4 : 1.0 };
-    std::vector<Line> lines = RandomLines(dice, field.Dimensions, 40);
+    std::vector<Line> lines = RandomLines(random, field.Dimensions, 40);
     for (Line& line : lines)
     {
-      const Triple target = dice.PointIn(field.Dimensions);
+      const Triple target = random.PointInVolume(field.Dimensions);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         line.Direction[axis] /= spacing[axis];
         line.Origin[axis] = target[axis] - 20.0 * line.Direction[axis];
       }
     }
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+    const double isovalue = random.Uniform(-0.5, 0.5);
     tally.Try(field, isovalue, lines);
 
     // The normals in the world: the gradient divided by the spacing.
@@ -251,7 +251,7 @@ TEST(TestRays, WorldFarFromItsOrigin)
   // at 1e9 stands 1.2e-7 from the next, which is 1.2e-4 cells: no arithmetic can do better.
   for (const double offset : { 1e6, 1e9 })
   {
-    Dice dice(46);
+    RandomNumbers random(46);
     const double spacing = 1e-3;
     char name[64];
     std::snprintf(name, sizeof(name), "world origin %g, spacing 1e-3 (Robust)", offset);
@@ -261,7 +261,7 @@ TEST(TestRays, WorldFarFromItsOrigin)
     for (int i = 0; i < 40; ++i)
     {
       const Field field = Ball({ 12, 12, 12 }, { 5.3, 5.6, 5.9 }, 4.2);
-      const std::vector<Line> lines = RandomLines(dice, field.Dimensions, 40, 1.0);
+      const std::vector<Line> lines = RandomLines(random, field.Dimensions, 40, 1.0);
       std::vector<Line> rounded = lines;
       for (Line& line : rounded)
       {
@@ -295,15 +295,15 @@ TEST(TestRays, WorldFarFromItsOrigin)
 
 TEST(TestRays, CameraInsideOnVertexOnSurface)
 {
-  Dice dice(47);
+  RandomNumbers random(47);
   Tally inside("origin inside a cell (Robust)");
   Tally vertex("origin on a vertex (Robust)");
   Tally surface("origin on the surface, and one rounding beside (Robust)");
   Tally clip("near clip moved through the surface (Robust)");
   for (int i = 0; i < 150; ++i)
   {
-    const Field field = RandomField(dice, { 5, 5, 5 });
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+    const Field field = RandomField(random, { 5, 5, 5 });
+    const double isovalue = random.Uniform(-0.5, 0.5);
     std::vector<Line> fromInside;
     std::vector<Line> fromVertex;
     std::vector<Line> fromSurface;
@@ -311,15 +311,15 @@ TEST(TestRays, CameraInsideOnVertexOnSurface)
     Tracer tracer(field);
     for (int ray = 0; ray < 20; ++ray)
     {
-      fromInside.push_back({ dice.PointIn(field.Dimensions), dice.Direction() });
-      fromVertex.push_back(
-        { { double(dice.Integer(0, 4)), double(dice.Integer(0, 4)), double(dice.Integer(0, 4)) },
-          dice.Direction() });
+      fromInside.push_back({ random.PointInVolume(field.Dimensions), random.Direction() });
+      fromVertex.push_back({ { double(random.Integer(0, 4)), double(random.Integer(0, 4)),
+                               double(random.Integer(0, 4)) },
+        random.Direction() });
       const RayHits hits = tracer.Cast({ fromInside.back() }, isovalue);
       for (const Hit& hit : hits.Hits)
       {
-        fromSurface.push_back({ hit.GetPoint(nullptr), dice.Direction() });
-        fromSurface.push_back({ Nudged(dice, hit.GetPoint(nullptr)), dice.Direction() });
+        fromSurface.push_back({ hit.GetPoint(nullptr), random.Direction() });
+        fromSurface.push_back({ Nudged(random, hit.GetPoint(nullptr)), random.Direction() });
         for (const double off : { -1e-6, -1e-12, 1e-12, 1e-6 })
         {
           clipped.push_back(fromInside.back());
@@ -344,7 +344,7 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
   // the surface they leave, where they start. The side they leave to tells which hits are real: a
   // first crossing to the side that the ray is on already is none. Nothing else is needed, and no
   // distance has to be kept.
-  Dice dice(48);
+  RandomNumbers random(48);
   Tally tally("secondary rays, side given (Robust)");
   std::size_t selfHits = 0;
   std::size_t rays = 0;
@@ -353,14 +353,14 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
   std::size_t wanted = 0;
   for (int i = 0; i < 200; ++i)
   {
-    const Field field = RandomField(dice, { 5, 5, 5 });
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+    const Field field = RandomField(random, { 5, 5, 5 });
+    const double isovalue = random.Uniform(-0.5, 0.5);
     Tracer tracer(field);
-    const auto primary = RandomLines(dice, field.Dimensions, 20);
+    const auto primary = RandomLines(random, field.Dimensions, 20);
     const RayHits hits = tracer.Cast(primary, isovalue, RootSolver::Robust, Reach::First);
     for (const Hit& hit : hits.Hits)
     {
-      const Line line = { hit.GetPoint(nullptr), dice.Direction() };
+      const Line line = { hit.GetPoint(nullptr), random.Direction() };
       // The side is that of the direction, unless it grazes.
       const auto slope = static_cast<double>(Oracle::SlopeAt(field, isovalue, line, hit.Cell, 0));
       if (std::abs(slope) < 1e-6)
@@ -407,13 +407,13 @@ TEST(TestRays, SecondaryRaysLeavingASurface)
 
 TEST(TestRays, NoDriftOver4096Cells)
 {
-  Dice dice(49);
+  RandomNumbers random(49);
   Tally tally("4096 cells along (Robust)");
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     Index dimensions = { 3, 3, 3 };
     dimensions[axis] = 4097;
-    const Field field = RandomField(dice, dimensions);
+    const Field field = RandomField(random, dimensions);
     std::vector<Line> lines;
     for (int ray = 0; ray < 20; ++ray)
     {
@@ -422,8 +422,8 @@ TEST(TestRays, NoDriftOver4096Cells)
       for (std::size_t other = 0; other < 3; ++other)
       {
         const double last = dimensions[other] - 1;
-        line.Origin[other] = dice.Uniform(0.0, 0.8);
-        line.Direction[other] = (last - dice.Uniform(0.0, 0.8) - line.Origin[other]) / 4096.0;
+        line.Origin[other] = random.Uniform(0.0, 0.8);
+        line.Direction[other] = (last - random.Uniform(0.0, 0.8) - line.Origin[other]) / 4096.0;
       }
       line.Begin = -100.0;
       lines.push_back(line);
@@ -435,22 +435,22 @@ TEST(TestRays, NoDriftOver4096Cells)
 
 TEST(TestRays, WhatIsNoRayHitsNothing)
 {
-  Dice dice(50);
-  const Field field = RandomField(dice, { 5, 5, 5 });
+  RandomNumbers random(50);
+  const Field field = RandomField(random, { 5, 5, 5 });
   Tracer tracer(field);
   const double bad[] = { Infinity, -Infinity, std::numeric_limits<double>::quiet_NaN() };
   std::vector<Line> lines = { { { 2.0, 2.0, -3.0 }, { 0.0, 0.0, 0.0 } },
     { { 2.0, 2.0, -3.0 }, { 0.0, -0.0, 0.0 } } };
   for (int i = 0; i < 1000; ++i)
   {
-    Line line = RandomLine(dice, field.Dimensions);
-    const auto axis = static_cast<std::size_t>(dice.Integer(0, 2));
-    (dice.Integer(0, 1) == 0 ? line.Origin : line.Direction)[axis] = bad[i % 3];
+    Line line = RandomLine(random, field.Dimensions);
+    const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+    (random.Integer(0, 1) == 0 ? line.Origin : line.Direction)[axis] = bad[i % 3];
     lines.push_back(line);
   }
   for (int i = 0; i < 1000; ++i)
   {
-    Line line = RandomLine(dice, field.Dimensions);
+    Line line = RandomLine(random, field.Dimensions);
     (i % 2 == 0 ? line.Begin : line.End) = bad[2];
     lines.push_back(line);
   }
@@ -462,9 +462,9 @@ TEST(TestRays, WhatIsNoRayHitsNothing)
 
 TEST(TestRays, RandomBitsEnd)
 {
-  Dice dice(51);
+  RandomNumbers random(51);
   const std::size_t count = IsLongRun() ? 100000000 : 200000;
-  const Field field = RandomField(dice, { 9, 10, 11 });
+  const Field field = RandomField(random, { 9, 10, 11 });
   Tracer tracer(field);
   std::size_t hits = 0;
   std::size_t outside = 0;
@@ -475,11 +475,13 @@ TEST(TestRays, RandomBitsEnd)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        line.Origin[axis] = dice.Integer(0, 3) == 0 ? dice.AnyDouble() : dice.Uniform(0.0, 9.0);
-        line.Direction[axis] = dice.Integer(0, 3) == 0 ? dice.Uniform(-1.0, 1.0) : dice.AnyDouble();
+        line.Origin[axis] =
+          random.Integer(0, 3) == 0 ? random.AnyDouble() : random.Uniform(0.0, 9.0);
+        line.Direction[axis] =
+          random.Integer(0, 3) == 0 ? random.Uniform(-1.0, 1.0) : random.AnyDouble();
       }
-      line.Begin = dice.Integer(0, 3) == 0 ? dice.AnyDouble() : -Infinity;
-      line.End = dice.Integer(0, 3) == 0 ? dice.AnyDouble() : Infinity;
+      line.Begin = random.Integer(0, 3) == 0 ? random.AnyDouble() : -Infinity;
+      line.End = random.Integer(0, 3) == 0 ? random.AnyDouble() : Infinity;
     }
     const RayHits found = tracer.Cast(lines, 0.1);
     hits += found.Hits.size();

@@ -19,7 +19,7 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Random, but with a closed surface: inside in the middle, outside at the border.
-Field ClosedNoise(Dice& dice, const Index& dimensions, const Index& start)
+Field ClosedNoise(RandomNumbers& random, const Index& dimensions, const Index& start)
 {
   return Sample(dimensions,
     [&](int x, int y, int z)
@@ -28,22 +28,22 @@ Field ClosedNoise(Dice& dice, const Index& dimensions, const Index& start)
         y == dimensions[1] - 1 || z == dimensions[2] - 1;
       const bool isStart =
         (x - start[0]) / 2 == 0 && (y - start[1]) / 2 == 0 && (z - start[2]) / 2 == 0;
-      const double value = dice.Uniform(0.05, 1.0);
-      return isBorder ? -value : (isStart ? value : dice.Uniform(-0.6, 1.0));
+      const double value = random.Uniform(0.05, 1.0);
+      return isBorder ? -value : (isStart ? value : random.Uniform(-0.6, 1.0));
     });
 }
 
 /// A box whose faces waver about lattice planes by no more than rounding of the values beside them:
 /// whether the surface passes on this side of a face of cells, or on that, hangs on the last bit.
-Field NearlyFlush(Dice& dice, const Index& dimensions, double noise)
+Field NearlyFlush(RandomNumbers& random, const Index& dimensions, double noise)
 {
   const double half = (dimensions[0] - 1) / 2.0;
   return Sample(dimensions,
-    [&dice, half, noise](int x, int y, int z)
+    [&random, half, noise](int x, int y, int z)
     {
       const double r = std::max({ std::abs(x - half), std::abs(y - half), std::abs(z - half) });
-      return r == half - 1.0 ? dice.Uniform(-noise, noise)
-                             : dice.Uniform(0.5, 1.0) * (half - 1.0 - r);
+      return r == half - 1.0 ? random.Uniform(-noise, noise)
+                             : random.Uniform(0.5, 1.0) * (half - 1.0 - r);
     });
 }
 
@@ -81,17 +81,17 @@ struct CrackCount
 };
 
 /// Rays from a point in all directions: random ones, and ones that meet edges and vertices.
-std::vector<Line> RaysFrom(Dice& dice, const Triple& origin, std::size_t count)
+std::vector<Line> RaysFrom(RandomNumbers& random, const Triple& origin, std::size_t count)
 {
   std::vector<Line> lines;
   while (lines.size() < count)
   {
-    Triple direction = dice.Direction();
+    Triple direction = random.Direction();
     if (lines.size() % 4 == 0)
     {
       for (double& d : direction)
       {
-        d = dice.Integer(-3, 3);
+        d = random.Integer(-3, 3);
       }
     }
     if (Oracle::Length(direction) > 0.0)
@@ -102,19 +102,19 @@ std::vector<Line> RaysFrom(Dice& dice, const Triple& origin, std::size_t count)
   return lines;
 }
 
-void CastFromInside(Dice& dice, RootSolver solver, std::size_t rays, CrackCount& count)
+void CastFromInside(RandomNumbers& random, RootSolver solver, std::size_t rays, CrackCount& count)
 {
   const Index dimensions = { 10, 10, 10 };
   const std::size_t raysOfField = 5000;
   for (std::size_t done = 0, i = 0; done < rays; done += raysOfField, ++i)
   {
     const double noises[] = { 1e-7, 1e-15, 1e-16, 1e-17, 1e-300 };
-    const Field field = i % 2 == 0 ? NearlyFlush(dice, dimensions, noises[i / 2 % 5])
-                                   : ClosedNoise(dice, dimensions, { 4, 4, 4 });
+    const Field field = i % 2 == 0 ? NearlyFlush(random, dimensions, noises[i / 2 % 5])
+                                   : ClosedNoise(random, dimensions, { 4, 4, 4 });
     const Triple origin =
-      i % 3 == 0 ? Triple{ 4.0, 4.0, 4.0 } : Triple{ dice.Uniform(4.0, 5.0), 4.5, 4.25 };
+      i % 3 == 0 ? Triple{ 4.0, 4.0, 4.0 } : Triple{ random.Uniform(4.0, 5.0), 4.5, 4.25 };
     Tracer tracer(field);
-    count.Try(tracer, RaysFrom(dice, origin, raysOfField), solver);
+    count.Try(tracer, RaysFrom(random, origin, raysOfField), solver);
   }
 }
 
@@ -131,10 +131,10 @@ TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
     { RootSolver::Marmitt, "Marmitt", 200000 }, { RootSolver::Linear, "Linear", 200000 } };
   for (const auto& solver : solvers)
   {
-    Dice dice(80);
+    RandomNumbers random(80);
     CrackCount count;
     const std::size_t rays = IsLongRun() ? solver.Rays * 100 : solver.Rays;
-    CastFromInside(dice, solver.Solver, rays, count);
+    CastFromInside(random, solver.Solver, rays, count);
     Tally tally(std::string("from inside closed surfaces, parity (") + solver.Name + ")");
     tally.Count(count.Rays, count.Hits, count.Cracks, count.Disorder);
     tally.Report();
@@ -143,23 +143,23 @@ TEST(TestVolumes, NoRaySlipsThroughAClosedSurface)
 
 TEST(TestVolumes, IsovalueOfSamples)
 {
-  Dice dice(81);
+  RandomNumbers random(81);
   Tally ramps("8-bit ramps, isovalue of samples (Robust)");
   Tally labels("8-bit labels, isovalue of a label (Robust)");
   Tally checkers("8-bit checkerboard (Robust)");
   for (int i = 0; i < 60; ++i)
   {
     const Index dimensions = { 7, 8, 9 };
-    const auto lines = RandomLines(dice, dimensions, 40);
-    const int slope = dice.Integer(1, 20);
+    const auto lines = RandomLines(random, dimensions, 40);
+    const int slope = random.Integer(1, 20);
     const Field ramp = Sample(dimensions,
       [slope, i](int x, int y, int z) { return slope * (i % 2 == 0 ? x : (x + y + z) / 2); });
     const Field label =
-      Sample(dimensions, [&dice](int, int, int) { return dice.Integer(0, 3) * 40; });
+      Sample(dimensions, [&random](int, int, int) { return random.Integer(0, 3) * 40; });
     const Field checker =
       Sample(dimensions, [](int x, int y, int z) { return (x + y + z) % 2 == 0 ? 10 : 250; });
     ramps.Try(ramp, 2 * slope, lines, ScalarType::UInt8);
-    labels.Try(label, 40 * dice.Integer(1, 3), lines, ScalarType::UInt8);
+    labels.Try(label, 40 * random.Integer(1, 3), lines, ScalarType::UInt8);
     checkers.Try(checker, i % 2 == 0 ? 250.0 : 130.0, lines, ScalarType::UInt8);
   }
   ramps.Report();
@@ -182,14 +182,14 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
     { "flat slab: above, at, above", 1, 1, {} } };
   for (const auto& layer : layers)
   {
-    Dice dice(82);
+    RandomNumbers random(82);
     const Field field = Sample({ 9, 9, 9 },
       [&layer](int, int, int z) { return z < 3 ? layer.Before : (z > 5 ? layer.Behind : 0); });
     std::vector<Line> lines;
     for (int i = 0; i < 2000; ++i)
     {
-      const Triple direction = { dice.Uniform(-0.3, 0.3), dice.Uniform(-0.3, 0.3), 1.0 };
-      lines.push_back({ { dice.Uniform(3.0, 5.0), dice.Uniform(3.0, 5.0), -2.0 }, direction });
+      const Triple direction = { random.Uniform(-0.3, 0.3), random.Uniform(-0.3, 0.3), 1.0 };
+      lines.push_back({ { random.Uniform(3.0, 5.0), random.Uniform(3.0, 5.0), -2.0 }, direction });
     }
     Tracer tracer(field);
     const RayHits hits = tracer.Cast(lines, 0.0);
@@ -215,27 +215,28 @@ TEST(TestVolumes, FlatCellsAtTheIsovalue)
 
 TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
 {
-  Dice dice(83);
+  RandomNumbers random(83);
   Tally tally("sizes 8 n + {-1, 0, 1, 2}, sparse (Robust)");
   std::size_t different = 0;
   for (int size = 0; size < 4 * 4 * 8; ++size)
   {
     const int x = size % 4 - 1;
     const int y = size / 4 % 4 - 1;
-    const Index dimensions = { 16 + x, 8 + y, 16 + dice.Integer(-1, 2) };
+    const Index dimensions = { 16 + x, 8 + y, 16 + random.Integer(-1, 2) };
     // Two samples are inside, near seams: most macrocells are empty, and surfaces reach into one
     // from samples that it shares with the next.
-    Field field = Sample(dimensions, [&dice](int, int, int) { return dice.Uniform(-1.0, -0.1); });
+    Field field =
+      Sample(dimensions, [&random](int, int, int) { return random.Uniform(-1.0, -0.1); });
     std::vector<Line> lines;
     for (int i = 0; i < 2; ++i)
     {
-      const Index spot = { dice.Integer(7, 9), dice.Integer(6, 7) + std::max(y - 1, 0),
-        dice.Integer(7, 9) };
-      field.At(spot[0], spot[1], spot[2]) = dice.Uniform(0.1, 1.0);
+      const Index spot = { random.Integer(7, 9), random.Integer(6, 7) + std::max(y - 1, 0),
+        random.Integer(7, 9) };
+      field.At(spot[0], spot[1], spot[2]) = random.Uniform(0.1, 1.0);
       for (int ray = 0; ray < 50; ++ray)
       {
-        const Triple direction = dice.Direction();
-        const Triple target = dice.Point(-0.9, 0.9);
+        const Triple direction = random.Direction();
+        const Triple target = random.PointInBox({ -0.9, -0.9, -0.9 }, { 0.9, 0.9, 0.9 });
         Line line{ {}, direction };
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
@@ -256,16 +257,17 @@ TEST(TestVolumes, SeamsOfMacrocellsAndBricks)
 
 TEST(TestVolumes, SamplesThatAreNotFinite)
 {
-  Dice dice(84);
+  RandomNumbers random(84);
   Tally tally("5 % NaN and infinite samples (Robust)");
   const double bad[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity };
   for (int i = 0; i < 100; ++i)
   {
     const Field field = Sample({ 9, 8, 10 },
-      [&](int, int, int)
-      { return dice.Integer(0, 19) == 0 ? bad[dice.Integer(0, 2)] : dice.Uniform(-1.0, 1.0); });
-    const auto lines = RandomLines(dice, field.Dimensions, 40);
-    const double isovalue = dice.Uniform(-0.5, 0.5);
+      [&](int, int, int) {
+        return random.Integer(0, 19) == 0 ? bad[random.Integer(0, 2)] : random.Uniform(-1.0, 1.0);
+      });
+    const auto lines = RandomLines(random, field.Dimensions, 40);
+    const double isovalue = random.Uniform(-0.5, 0.5);
     tally.Try(field, isovalue, lines);
   }
   tally.Report();
@@ -273,12 +275,12 @@ TEST(TestVolumes, SamplesThatAreNotFinite)
 
 TEST(TestVolumes, IsovalueThatIsNotFinite)
 {
-  Dice dice(85);
+  RandomNumbers random(85);
   const Field field = Sample({ 6, 6, 6 },
-    [&dice](int, int, int)
-    { return dice.Integer(0, 9) == 0 ? Infinity : dice.Uniform(-1.0, 1.0); });
+    [&random](int, int, int)
+    { return random.Integer(0, 9) == 0 ? Infinity : random.Uniform(-1.0, 1.0); });
   Tracer tracer(field);
-  const auto lines = RandomLines(dice, field.Dimensions, 1000);
+  const auto lines = RandomLines(random, field.Dimensions, 1000);
   Tally tally("isovalue NaN or infinite (Robust)");
   for (const double isovalue : { Infinity, -Infinity, std::numeric_limits<double>::quiet_NaN() })
   {
@@ -291,14 +293,15 @@ TEST(TestVolumes, IsovalueThatIsNotFinite)
 TEST(TestVolumes, RandomBitsAsSamples)
 {
   // Everything a double can be, whole volumes of it, through the whole machine.
-  Dice dice(86);
+  RandomNumbers random(86);
   Tally tally("volumes of random bits (Robust, Marmitt, Analytic, Linear)");
   const int volumes = IsLongRun() ? 10000 : 20;
   for (int i = 0; i < volumes; ++i)
   {
-    const Field field = Sample({ 9, 10, 11 }, [&dice](int, int, int) { return dice.AnyDouble(); });
+    const Field field =
+      Sample({ 9, 10, 11 }, [&random](int, int, int) { return random.AnyDouble(); });
     Tracer tracer(field);
-    const auto lines = RandomLines(dice, field.Dimensions, 500);
+    const auto lines = RandomLines(random, field.Dimensions, 500);
     for (const RootSolver solver :
       { RootSolver::Robust, RootSolver::Marmitt, RootSolver::Analytic, RootSolver::Linear })
     {

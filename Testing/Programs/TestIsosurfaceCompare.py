@@ -9,6 +9,7 @@ import html.parser
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,6 +23,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
 PROGRAM = sys.argv.pop(1)
+SOURCE = Path(__file__).parents[2]
 ALL_METHODS = [
     "vtkFlyingEdges3D",
     "vtkMarchingCubes",
@@ -160,6 +162,26 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(len(squares), 6)
         self.assertEqual(len(charts), 4)
         self.assertEqual(len(squares) + len(charts), len(sizes))
+        self.check_document(
+            self.folder / "report.json", self.folder / "new" / "folder" / "report.html"
+        )
+
+    def check_document(self, table, report):
+        """The measured part of Documentation/comparison.md can be made of these files."""
+        copy = self.folder / "Documentation"
+        (copy / "images").mkdir(parents=True)
+        shutil.copy(SOURCE / "Documentation" / "comparison.md", copy)
+        program = SOURCE / "Utilities" / "document_comparison.py"
+        command = [sys.executable, program, "--documentation", copy, table, report]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        page = (copy / "comparison.md").read_text(encoding="utf-8")
+        self.assertIn("repeats: 1.", page)
+        for method in ("vtkFlyingEdges3D", "vtkIsosurfaceRayTraceMapper"):
+            self.assertRegex(page, rf"\| {method} \| [0-9.e+-]+ \|")
+        for name in ("times", "crossover"):
+            png = (copy / "images" / f"comparison-{name}.png").read_bytes()
+            self.assertGreater(read_png(png)[2], 5)
 
     def test_report_without_display(self):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}

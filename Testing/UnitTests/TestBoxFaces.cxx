@@ -7,9 +7,12 @@
 
 #include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <array>
@@ -27,20 +30,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-template <typename T>
-TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
-{
-  RandomNumbers random(seed);
-  TestVolume<T> volume(size, std::vector<T>(Count(size)));
-  for (T& value : volume.Values)
-  {
-    value = static_cast<T>(random.Integer(0, 120));
-  }
-  return volume;
-}
-
 /// Surfaces that let nearly all through, so that a ray meets all of them; one is at a sample.
 TraceRequest Request(double opacity = 1e-9)
 {
@@ -48,24 +37,6 @@ TraceRequest Request(double opacity = 1e-9)
     { { 20.0, opacity }, { 50.0, opacity }, { 50.5, opacity }, { 90.25, opacity } });
   wanted.Field = Interpolant::Nearest;
   return wanted;
-}
-
-template <typename T>
-std::unique_ptr<ImageField> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
-{
-  auto traced = ImageField::New(volume.View(), settings, 2);
-  traced->Select(wanted, 2);
-  return traced;
-}
-
-std::vector<Hit> Trace(ImageField& volume, const Line& line, double tEnd = Infinity,
-  const UnevenPlanes* planes = nullptr)
-{
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions(), planes) }, hits);
-  return hits.Hits;
 }
 
 /// A crossing of a face, between a sample and the next one along an axis, that is a surface.
@@ -305,9 +276,7 @@ class BoxFaces : public testing::Test
 {
 };
 
-using Types = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-  std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(BoxFaces, Types);
+TYPED_TEST_SUITE(BoxFaces, SampleTypes);
 
 TYPED_TEST(BoxFaces, AreAllMetByRays)
 {

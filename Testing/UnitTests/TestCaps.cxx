@@ -5,9 +5,12 @@
 // are where the field says.
 
 #include "Image/ImageField.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,35 +27,10 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// So little that a ray goes through any number of such surfaces.
-constexpr double Glass = 1e-9;
-
-std::vector<Hit> Trace(ImageField& volume, const Line& line, const UnevenPlanes* planes = nullptr)
-{
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.GetDimensions(), planes) },
-    hits);
-  return hits.Hits;
-}
-
 /// A half-space with caps that ends in a point of its plane.
 HalfSpace Behind(const Vector3& normal, const Vector3& point)
 {
   return { normal, -Dot(normal, point), true };
-}
-
-/// Noise that is 0 at the border, so that what is above is closed.
-TestVolume<float> ClosedNoise(std::uint64_t seed, const Index3& size)
-{
-  RandomNumbers random(seed);
-  TestVolume<float> volume(size, std::vector<float>(Count(size), 0.0F));
-  ForEachPlace({ size[0] - 2, size[1] - 2, size[2] - 2 },
-    [&](const Index3& i) {
-      volume.At({ i[0] + 1, i[1] + 1, i[2] + 1 }) = static_cast<float>(random.Integer(0, 4));
-    });
-  return volume;
 }
 
 /// Half-spaces that leave something of a volume: oblique, or along lattice planes.
@@ -98,8 +76,8 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
       Line line = ray % 2 == 0 ? RandomLine(random, volume.Dimensions)
                                : LatticeLine(random, volume.Dimensions);
       line.Origin = line.Origin - line.Direction * 64.0; // from without
-      const std::vector<Hit> hits = Trace(*traced, line, wanted.Planes);
-      const std::vector<Hit> first = Trace(*opaque, line, wanted.Planes);
+      const std::vector<Hit> hits = Trace(*traced, line, Infinity, wanted.Planes);
+      const std::vector<Hit> first = Trace(*opaque, line, Infinity, wanted.Planes);
       bool isInTurn = hits.size() % 2 == 0;
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
@@ -117,7 +95,7 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
 //------------------------------------------------------------------------------
 TEST(Caps, HoldAllRaysThatComeFromWithout)
 {
-  const TestVolume<float> volume = ClosedNoise(5, { 21, 19, 23 });
+  const TestVolume<float> volume = ClosedNoise<float>({ 21, 19, 23 }, 5, 0, 4, 0);
   for (const double isovalue : { 2.0, 1.5, 0.25 })
   {
     int caps = 0;
@@ -141,7 +119,7 @@ TEST(Caps, HoldAllRaysThatComeFromWithout)
 TEST(Caps, HoldAllRaysBetweenUnevenPlanes)
 {
   const Index3 size = { 21, 19, 23 };
-  const TestVolume<float> volume = ClosedNoise(6, size);
+  const TestVolume<float> volume = ClosedNoise<float>(size, 6, 0, 4, 0);
   RandomNumbers random(3);
   std::array<std::vector<double>, 3> places;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -332,7 +310,7 @@ TEST(Caps, CloseTheFacesOfTheVolumeThatPlanesLieIn)
 TEST(Caps, OfBoxesHaveTheValuesOfTheirSamples)
 {
   const Index3 size = { 14, 15, 16 };
-  TestVolume<float> volume = ClosedNoise(8, size);
+  TestVolume<float> volume = ClosedNoise<float>(size, 8, 0, 4, 0);
   for (float& value : volume.Values)
   {
     value *= 0.7F; // of which a weighted mean of equals may be something else

@@ -9,6 +9,7 @@
 #include "Image/Macrocells/BlockMask.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -31,8 +32,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class CellKernels : public WithKernels
 {

@@ -148,9 +148,7 @@ class CellMasksOf : public testing::Test
 {
 };
 
-using ScalarTypes = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-  std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(CellMasksOf, ScalarTypes);
+TYPED_TEST_SUITE(CellMasksOf, SampleTypes);
 
 //------------------------------------------------------------------------------
 // One object is asked for all isovalues in turn: it has to forget.

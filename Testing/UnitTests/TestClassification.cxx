@@ -31,8 +31,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 class Classification : public WithKernels
 {
 };

@@ -4,8 +4,8 @@
 // The roots of cubics are compared with those they were made from, and with those that halving the
 // interval finds in higher precision.
 
+#include "ExactRoots.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Oracle.h"
 #include "RandomNumbers.h"
 
 #include <algorithm>

@@ -4,11 +4,14 @@
 // The hits of rays with the isosurfaces of whole volumes are compared with those found without any
 // traversal, in every cell and in higher precision; and rays must not slip through closed surfaces.
 
+#include "ExactRoots.h"
 #include "Image/ImageField.h"
-#include "Oracle.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <array>
@@ -30,33 +33,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// So little that a ray goes through any number of such surfaces.
-constexpr double Glass = 1e-9;
-
-bool AreSame(const std::vector<Hit>& a, const std::vector<Hit>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const Hit& x, const Hit& y) { return AreSame(x, y); });
-}
-
-template <typename T>
-std::unique_ptr<ImageField> NewTraced(const TestVolume<T>& volume,
-  const std::vector<Isosurface>& surfaces, const ImageSettings& settings = {})
-{
-  auto traced = ImageField::New(volume.View(), settings, 2);
-  traced->Select({ surfaces }, 2);
-  return traced;
-}
-
-std::vector<Hit> Trace(ImageField& volume, const Line& line, double tEnd = Infinity)
-{
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions()) }, hits);
-  return hits.Hits;
-}
-
 std::vector<double> Noise(std::uint64_t seed, std::size_t count, double low, double high)
 {
   RandomNumbers random(seed);
@@ -66,19 +42,6 @@ std::vector<double> Noise(std::uint64_t seed, std::size_t count, double low, dou
     value = random.Uniform(low, high);
   }
   return noise;
-}
-
-/// Integers from low to high; or, at the border of the volume, the border's value.
-template <typename T>
-TestVolume<T> ClosedNoise(std::uint64_t seed, const Index3& size, int low, int high, int border)
-{
-  RandomNumbers random(seed);
-  TestVolume<T> volume(size, std::vector<T>(Count(size), static_cast<T>(border)));
-  ForEachPlace({ size[0] - 2, size[1] - 2, size[2] - 2 },
-    [&](const Index3& i) {
-      volume.At({ i[0] + 1, i[1] + 1, i[2] + 1 }) = static_cast<T>(random.Integer(low, high));
-    });
-  return volume;
 }
 
 //------------------------------------------------------------------------------
@@ -340,9 +303,9 @@ TEST(ImageField, FindsTheHitsThatEveryCellHas)
   CheckRandomLines(
     "noise", TestVolume<double>(size, Noise(305, Count(size), -1.0, 1.0)), 0.0, 305, 2000);
   CheckRandomLines("noise of bytes 0 to 4, isovalue 2",
-    ClosedNoise<std::uint8_t>(306, size, 0, 4, 0), 2.0, 306, 2000);
+    ClosedNoise<std::uint8_t>(size, 306, 0, 4, 0), 2.0, 306, 2000);
   CheckRandomLines("noise of two values, isovalue the larger",
-    ClosedNoise<std::int16_t>(307, size, -1, 0, -1), 0.0, 307, 1000);
+    ClosedNoise<std::int16_t>(size, 307, -1, 0, -1), 0.0, 307, 1000);
 }
 
 //------------------------------------------------------------------------------
@@ -488,14 +451,14 @@ TEST(ImageField, HoldsAllRaysInClosedNoise)
   const Index3 size = { 13, 14, 15 };
   const Index3 place = { 6, 7, 7 };
   const Vector3 start = { 6.0, 7.0, 7.0 };
-  auto noise = ClosedNoise<std::int16_t>(323, size, -2, 2, -2);
+  auto noise = ClosedNoise<std::int16_t>(size, 323, -2, 2, -2);
   noise.At(place) = 1;
   EXPECT_EQ(CountLeaks(*NewTraced(noise, { { 0.0, Glass } }), 200000, 324,
               [&](RandomNumbers& random) {
                 return Line{ start, random.Direction() };
               }),
     0U);
-  auto fine = ClosedNoise<float>(325, size, -8000000, 8000000, -8000000);
+  auto fine = ClosedNoise<float>(size, 325, -8000000, 8000000, -8000000);
   fine.At(place) = 1.0F;
   EXPECT_EQ(CountLeaks(*NewTraced(fine, { { 0.0, Glass } }), 100000, 326,
               [&](RandomNumbers& random) {
@@ -540,7 +503,7 @@ TEST(ImageField, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
 TEST(ImageField, HoldsAllRaysThroughVerticesAndEdges)
 {
   const Index3 size = { 13, 14, 15 };
-  auto noise = ClosedNoise<std::int8_t>(327, size, -2, 2, -2);
+  auto noise = ClosedNoise<std::int8_t>(size, 327, -2, 2, -2);
   std::vector<Vector3> starts;
   ForEachPlace(size,
     [&](const Index3& i)
@@ -577,7 +540,7 @@ TEST(ImageField, HoldsAllRaysThroughVerticesAndEdges)
 TEST(ImageField, FindsEntriesAndExitsInTurn)
 {
   const Index3 size = { 15, 14, 13 };
-  const auto noise = ClosedNoise<std::uint8_t>(330, size, 0, 9, 0);
+  const auto noise = ClosedNoise<std::uint8_t>(size, 330, 0, 9, 0);
   const auto traced = NewTraced(noise, { { 5.0, Glass } });
   RandomNumbers random(331);
   std::size_t hits = 0;
@@ -762,7 +725,7 @@ TEST(ImageField, FollowsTheSurfacesLastSelected)
   const Index3 size = { 17, 16, 15 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
   const ImageSettings settings = { { 2, 2 }, BrickLayout::Apron, 8, 4 };
-  const auto traced = NewTraced(volume, {}, settings);
+  const auto traced = NewTraced(volume, TraceRequest(), settings);
   RandomNumbers random(334);
   std::vector<Line> lines;
   for (int i = 0; i < 200; ++i)
@@ -787,7 +750,7 @@ TEST(ImageField, FollowsTheSurfacesLastSelected)
 TEST(ImageField, TakesNegativeZeroForZero)
 {
   const Index3 size = { 12, 13, 11 };
-  const auto zeros = ClosedNoise<float>(344, size, -1, 1, -1);
+  const auto zeros = ClosedNoise<float>(size, 344, -1, 1, -1);
   auto negative = zeros;
   std::replace(negative.Values.begin(), negative.Values.end(), 0.0F, -0.0F);
   const auto reference = NewTraced(zeros, { { 0.0, Glass } });

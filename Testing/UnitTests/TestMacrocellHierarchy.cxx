@@ -97,9 +97,7 @@ class MacrocellHierarchyOf : public testing::Test
 {
 };
 
-using ScalarTypes = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-  std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(MacrocellHierarchyOf, ScalarTypes);
+TYPED_TEST_SUITE(MacrocellHierarchyOf, SampleTypes);
 
 //------------------------------------------------------------------------------
 template <typename T>

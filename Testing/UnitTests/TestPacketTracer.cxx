@@ -9,6 +9,7 @@
 #include "Image/Samples/UnevenPlanes.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 
@@ -31,8 +32,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Rays = std::vector<std::optional<Ray>>;
 
@@ -211,14 +210,6 @@ RayHits TraceWith(ImageField& volume, const Rays& rays, TraceRequest wanted, con
   return hits;
 }
 
-bool AreSameBits(const Hit& a, const Hit& b)
-{
-  return vtkIsosurfaceRayTracing::AreSameBits(a.T, b.T) && a.Cell == b.Cell &&
-    a.Surface == b.Surface && a.Entering == b.Entering &&
-    std::equal(a.Parametric.begin(), a.Parametric.end(), b.Parametric.begin(),
-      [](double x, double y) { return vtkIsosurfaceRayTracing::AreSameBits(x, y); });
-}
-
 std::string ToText(const Hit& hit)
 {
   std::ostringstream text;
@@ -260,7 +251,7 @@ public:
       ASSERT_EQ(found.First[i + 1], expected.First[i + 1]) << this->Describe(i, rays[i], wanted);
       for (std::size_t hit = first; hit < expected.First[i + 1]; ++hit)
       {
-        ASSERT_TRUE(AreSameBits(found.Hits[hit], expected.Hits[hit]))
+        ASSERT_TRUE(AreSame(found.Hits[hit], expected.Hits[hit]))
           << ToText(found.Hits[hit]) << "should be " << ToText(expected.Hits[hit])
           << this->Describe(i, rays[i], wanted);
       }
@@ -609,7 +600,7 @@ TEST_P(Beams, HitTheSameWithSeveralThreads)
       const RayHits expected = TraceWith(*alone, groups[i], OpaqueSurface(0.2), nullptr);
       ASSERT_EQ(hits[i].First, expected.First);
       ASSERT_TRUE(std::equal(hits[i].Hits.begin(), hits[i].Hits.end(), expected.Hits.begin(),
-        [](const Hit& a, const Hit& b) { return AreSameBits(a, b); }));
+        [](const Hit& a, const Hit& b) { return AreSame(a, b); }));
     }
   }
 }

@@ -5,9 +5,12 @@
 // precision, which share no code with what is tested; and with what is known of simple fields.
 
 #include "Image/ImageField.h"
+#include "Noise.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <array>
@@ -26,20 +29,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr Extremum Both[] = { Extremum::Largest, Extremum::Smallest };
-
-template <typename T>
-TestVolume<T> Noise(const Index3& size, std::uint64_t seed)
-{
-  RandomNumbers random(seed);
-  TestVolume<T> volume(size, std::vector<T>(Count(size)));
-  for (T& value : volume.Values)
-  {
-    value = static_cast<T>(random.Integer(0, 120));
-  }
-  return volume;
-}
 
 TraceRequest Request(Extremum kind, const Visibility& seen = {})
 {
@@ -47,15 +37,6 @@ TraceRequest Request(Extremum kind, const Visibility& seen = {})
   wanted.Projection = kind;
   wanted.Visible = seen;
   return wanted;
-}
-
-template <typename T>
-std::unique_ptr<ImageField> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
-{
-  auto traced = ImageField::New(volume.View(), settings, 2);
-  traced->Select(wanted, 2);
-  return traced;
 }
 
 std::optional<Hit> Project(ImageField& volume, const Line& line, double tEnd = Infinity)
@@ -182,9 +163,7 @@ class Projection : public testing::Test
 {
 };
 
-using Types = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-  std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(Projection, Types);
+TYPED_TEST_SUITE(Projection, SampleTypes);
 
 TYPED_TEST(Projection, FindsTheMostExtremeOfManySamples)
 {

@@ -10,6 +10,7 @@
 #include "RandomNumbers.h"
 #include "Rays/Camera.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 
 #include <algorithm>
@@ -27,8 +28,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class RayKernels : public WithKernels
 {

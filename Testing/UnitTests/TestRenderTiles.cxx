@@ -7,6 +7,7 @@
 #include "Picture/RenderTiles.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

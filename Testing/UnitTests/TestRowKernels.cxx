@@ -9,6 +9,7 @@
 #include "Image/Samples/VolumeView.h"
 #include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestVolume.h"
 
 #include <sys/mman.h>

@@ -9,6 +9,7 @@
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
 

@@ -5,9 +5,9 @@
 // slipping between cells (the same bits on both sides of a face, signs that no rounding changes) is
 // exact.
 
+#include "ExactRoots.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 #include "Math/TrilinearCell.h"
-#include "Oracle.h"
 #include "RandomNumbers.h"
 
 #include <algorithm>

@@ -9,8 +9,10 @@
 #include "Math/TrilinearCell.h"
 #include "Picture/CastRays.h"
 #include "RandomNumbers.h"
+#include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <array>
 #include <cmath>
@@ -25,10 +27,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// So little that a ray goes through any number of such surfaces.
-constexpr double Glass = 1e-9;
 
 /// Places from 0 to n - 1, some steps a thousand times as long as others; none, if asked, for about
 /// one cell in four. The first and the last cell are not flat.
@@ -65,16 +63,8 @@ std::vector<double> WholeNumbers(int count)
   return places;
 }
 
-template <typename T>
-std::unique_ptr<ImageField> NewTraced(
-  const TestVolume<T>& volume, const TraceRequest& wanted, const ImageSettings& settings = {})
-{
-  auto traced = ImageField::New(volume.View(), settings, 1);
-  traced->Select(wanted, 1);
-  return traced;
-}
-
-std::vector<Hit> Trace(ImageField& volume, const Line& line, const UnevenPlanes* planes)
+/// The hits of the whole line, on both sides of its origin.
+std::vector<Hit> TraceBothWays(ImageField& volume, const Line& line, const UnevenPlanes* planes)
 {
   RayHits hits;
   volume.Trace({ ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity,
@@ -179,8 +169,8 @@ TEST(UnevenPlanes, WholeNumbersChangeNothing)
   for (int i = 0; i < 2000; ++i)
   {
     const Line line = AnyLine(random, size, planes);
-    const std::vector<Hit> expected = Trace(*even, line, nullptr);
-    const std::vector<Hit> hits = Trace(*uneven, line, &planes);
+    const std::vector<Hit> expected = TraceBothWays(*even, line, nullptr);
+    const std::vector<Hit> hits = TraceBothWays(*uneven, line, &planes);
     ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
     for (std::size_t k = 0; k < hits.size(); ++k)
     {
@@ -213,7 +203,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
     for (int i = 0; i < 400; ++i)
     {
       const Line line = AnyLine(random, size, planes);
-      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
       found += hits.size();
       ASSERT_EQ(hits.size() % 2, 0U) << ToText(line);
       for (std::size_t k = 0; k < hits.size(); ++k)
@@ -223,7 +213,7 @@ TEST(UnevenPlanes, NoRaySlipsThrough)
       }
       for (ImageField* volumeToo : { simple.get(), other.get() })
       {
-        const std::vector<Hit> too = Trace(*volumeToo, line, &planes);
+        const std::vector<Hit> too = TraceBothWays(*volumeToo, line, &planes);
         ASSERT_EQ(too.size(), hits.size()) << ToText(line);
         for (std::size_t k = 0; k < too.size(); ++k)
         {
@@ -253,7 +243,7 @@ TEST(UnevenPlanes, HitsAreThoseOfTheInterpolant)
     for (int i = 0; i < 50; ++i)
     {
       const Line line = RandomLine(random, size);
-      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
       const std::optional<Ray> ray =
         ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
       ASSERT_TRUE(ray);
@@ -305,7 +295,7 @@ TEST(UnevenPlanes, ExtremeValuesAreThoseOfTheInterpolant)
     for (int i = 0; i < 50; ++i)
     {
       const Line line = RandomLine(random, size);
-      const std::vector<Hit> hits = Trace(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
       const std::optional<Ray> ray =
         ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
       ASSERT_TRUE(ray);
@@ -400,7 +390,7 @@ TEST(UnevenPlanes, FlatCellsAreWalls)
       for (const double direction : { 1.0, -1.0 })
       {
         const auto hits =
-          Trace(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } }, &planes);
+          TraceBothWays(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } }, &planes);
         ASSERT_EQ(hits.size(), 1U) << "flat cell " << flat;
         EXPECT_EQ(hits[0].Cell[0], flat);
         EXPECT_NEAR(hits[0].Parametric[0], 0.25, 1e-6);
@@ -438,7 +428,7 @@ TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
   {
     const Line line = RandomLine(random, size);
     std::vector<Hit> expected;
-    for (const Hit& hit : Trace(*all, line, &planes))
+    for (const Hit& hit : TraceBothWays(*all, line, &planes))
     {
       if (wanted.Visible.Regions.Contain(hit.GetPoint(&planes)))
       {
@@ -449,7 +439,7 @@ TEST(UnevenPlanes, VisibilityIsThatOfTheSpace)
         ++unseen;
       }
     }
-    const std::vector<Hit> hits = Trace(*cropped, line, &planes);
+    const std::vector<Hit> hits = TraceBothWays(*cropped, line, &planes);
     ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
     seen += hits.size();
   }

@@ -94,9 +94,7 @@ class VolumeLayoutOf : public testing::Test
 {
 };
 
-using ScalarTypes = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-  std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
-TYPED_TEST_SUITE(VolumeLayoutOf, ScalarTypes);
+TYPED_TEST_SUITE(VolumeLayoutOf, SampleTypes);
 
 //------------------------------------------------------------------------------
 TYPED_TEST(VolumeLayoutOf, HasTheSamplesOfTheUser)

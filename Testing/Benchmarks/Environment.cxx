@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Environment.h"
+
+#ifdef BENCHMARK_HAS_EMBREE
+#include "EmbreeTriangles.h"
+#endif
+#include "Baselines.h"
+#include "OffScreenWindow.h"
+#include "Setup.h"
+
+#include <vtkSMPTools.h>
+#include <vtkVersion.h>
+#include <vtksys/SystemInformation.hxx>
+
+#include <ctime>
+#include <thread>
+
+namespace Benchmark
+{
+
+//------------------------------------------------------------------------------
+Json::Value DescribeEnvironment(const std::vector<std::string>& command, OffScreenWindow* window)
+{
+  Json::Value environment;
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  const std::time_t now = std::time(nullptr);
+  char date[32];
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+  std::string line;
+  for (const std::string& word : command)
+  {
+    line += (line.empty() ? "" : " ") + word;
+  }
+  environment["date"] = date;
+  environment["command"] = line;
+  environment["machine"] = std::string(system.GetModelName()) + ", " +
+    std::to_string(std::thread::hardware_concurrency()) + " logical processors";
+  environment["load of the machine before"] =
+    ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)";
+  environment["compiler"] = __VERSION__;
+  environment["VTK"] = std::string(vtkVersion::GetVTKVersion()) +
+    ", threads of its filters: " + vtkSMPTools::GetBackend();
+#ifdef BENCHMARK_HAS_EMBREE
+  environment["Embree"] = EmbreeTriangles::GetVersion();
+#endif
+  environment["OpenGL"] = window
+    ? std::string(window->GetDriver())
+    : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, whole "
+      "frames are not measured";
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SelectAvailable(
+  const std::vector<std::string>& baselines, Json::Value& environment)
+{
+  std::vector<std::string> available;
+  for (const std::string& name : baselines)
+  {
+    const std::string absence = GetAbsence(name);
+    if (absence.empty())
+    {
+      available.push_back(name);
+      continue;
+    }
+    environment["absent"].append(name + ", because " + absence);
+    Log(name + " is absent, because " + absence);
+  }
+  return available;
+}
+
+}

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time frames of 512 x 512 pixels from eight sides, of several mappers in turn:
+
+    time_frames.py interpolation VOLUME ISOVALUE   tricubic beside trilinear isosurfaces
+    time_frames.py projection VOLUME               maximum intensity beside the fixed-point mapper
+
+The first in time of the processors, all threads together; the second in time of the clock."""
+
+import statistics
+import sys
+import time
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for its factories
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkNIFTIImageReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
+from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+
+VIEWS, FRAMES, SIZE = 8, 3, 512
+
+
+def read(name):
+    reader = (vtkNIFTIImageReader() if name.endswith((".nii", ".nii.gz"))
+              else vtkImageReader2Factory.CreateImageReader2(name))
+    if reader is None:
+        sys.exit(f"VTK has no image reader for {name}")
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def new_volume(image, mapper):
+    mapper.SetInputData(image)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().SetInterpolationTypeToLinear()
+    return volume
+
+
+def new_isosurface(image, isovalue, mode):
+    volume = new_volume(image, vtkIsosurfaceRayTraceMapper())
+    volume.GetMapper().SetInterpolationMode(mode)
+    look = volume.GetProperty()
+    look.ShadeOn()
+    look.GetIsoSurfaceValues().SetValue(0, isovalue)
+    look.GetRGBTransferFunction().AddRGBPoint(isovalue, 1.0, 1.0, 1.0)
+    look.GetScalarOpacity().AddPoint(isovalue, 1.0)
+    return volume
+
+
+def new_projection(image, mapper):
+    volume = new_volume(image, mapper)
+    mapper.SetBlendModeToMaximumIntensity()
+    low, high = image.GetScalarRange()
+    look = volume.GetProperty()
+    look.GetRGBTransferFunction().AddRGBPoint(low, 0.0, 0.0, 0.0)
+    look.GetRGBTransferFunction().AddRGBPoint(high, 1.0, 1.0, 1.0)
+    look.GetScalarOpacity().RemoveAllPoints()
+    look.GetScalarOpacity().AddPoint(low, 0.0)
+    look.GetScalarOpacity().AddPoint(high, 1.0)
+    return volume
+
+
+def measure(volumes, clock, prepare):
+    """The ms of the first frames after prepare(volume, view), and of the frames that follow."""
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    firsts, frames = ({name: [] for name in volumes} for _ in range(2))
+    for view in range(VIEWS):
+        for name, volume in volumes.items():
+            renderer.RemoveAllViewProps()
+            renderer.AddVolume(volume)
+            renderer.ResetCamera()
+            renderer.GetActiveCamera().Zoom(1.6)
+            prepare(volume, view)
+            for times in (firsts, *[frames] * FRAMES):
+                start = clock()
+                window.Render()
+                window.WaitForCompletion()
+                times[name].append(1e3 * (clock() - start))
+        renderer.GetActiveCamera().Azimuth(360 / VIEWS)
+    return firsts, frames
+
+
+def describe(times):
+    return f"{statistics.median(times):.0f} ({min(times):.0f}-{max(times):.0f})"
+
+
+def print_table(titles, columns):
+    """The times of columns by name, and what they are to the first of the names."""
+    print(f"| method | {' | '.join(titles)} | times the first's |\n|{'---|' * (len(titles) + 2)}")
+    for name, own in columns[0].items():
+        ratio = statistics.median(a / b for a, b in zip(own, next(iter(columns[0].values()))))
+        cells = [describe(column[name]) for column in columns]
+        print(f"| {name} | {' | '.join(cells)} | {ratio:.2f} |")
+
+
+def time_interpolation(file_name, isovalue):
+    image, isovalue = read(file_name), float(isovalue)
+    volumes = {
+        "trilinear": new_isosurface(image, isovalue, vtkIsosurfaceRayTraceMapper.TRILINEAR),
+        "tricubic": new_isosurface(image, isovalue, vtkIsosurfaceRayTraceMapper.CUBIC),
+    }
+
+    def change_isovalue(volume, view):
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue + 1e-3 * view)
+
+    firsts, frames = measure(volumes, time.process_time, change_isovalue)
+    print_table(["processor ms per frame", "first frame with an isovalue"], [frames, firsts])
+
+
+def time_projection(file_name):
+    image = read(file_name)
+    volumes = {"this mapper": new_projection(image, vtkIsosurfaceRayTraceMapper())}
+    for name in ("nearest (its default)", "linear", "linear, 10 samples per cell"):
+        mapper = vtkFixedPointVolumeRayCastMapper()
+        volumes[f"fixed-point, {name}"] = new_projection(image, mapper)
+    volumes["fixed-point, nearest (its default)"].GetProperty().SetInterpolationTypeToNearest()
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(0.1 * min(image.GetSpacing()))
+    _, frames = measure(volumes, time.perf_counter, lambda volume, view: None)
+    print_table(["frame, ms"], [frames])
+
+
+def main():
+    if len(sys.argv) == 4 and sys.argv[1] == "interpolation":
+        time_interpolation(*sys.argv[2:])
+    elif len(sys.argv) == 3 and sys.argv[1] == "projection":
+        time_projection(sys.argv[2])
+    else:
+        sys.exit(__doc__)
+
+
+main()

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Selection_h
+#define Selection_h
+
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkProp.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkSmartPointer.h>
+
+#include <set>
+
+namespace MapperTesting
+{
+
+/// The ids of a prop that vtkHardwareSelector finds in the whole window: those of cells or points,
+/// by the association (vtkDataObject::FIELD_ASSOCIATION_CELLS).
+inline std::set<vtkIdType> Select(vtkRenderer* renderer, vtkProp* prop, int association)
+{
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(
+    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
+  selector->SetFieldAssociation(association);
+  const auto selection = vtk::TakeSmartPointer(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
+    {
+      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    }
+  }
+  return ids;
+}
+
+}
+
+#endif
