@@ -93,7 +93,7 @@ void VisitProblems(
           input.Isovalue;
       }
       const auto inside =
-        std::count_if(problem.Difference.begin(), problem.Difference.end(), IsInside);
+        std::count_if(problem.Difference.begin(), problem.Difference.end(), IsInside<double>);
       return inside != 0 && inside != 8 && SegmentInCell(ray, cell, problem.Segment) &&
         visit(problem);
     });

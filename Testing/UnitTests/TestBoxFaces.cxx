@@ -7,7 +7,6 @@
 
 #include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
-#include "Image/ImageField.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
 #include "SameBits.h"

@@ -41,15 +41,15 @@ INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
 //------------------------------------------------------------------------------
 /// Calls visit(passage) for every passage that a kernel finds in a block.
 template <typename Visit>
-void ForEachPassage(const Kernels& kernels, const RayPacket& group, const RaySet& rays, int axis,
-  const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
+void ForEachPassage(const Kernels& kernels, const AlignedRays& aligned, const RaySet& rays,
+  int axis, const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
   // Others are there already, and stay.
   passages.Count = 1;
   passages.Ways[0].Ray = -1;
   passages.BlockCount = 1;
-  kernels.FindPassages(group, rays, axis, first, mask.Slices[axis], passages);
+  kernels.FindPassages(aligned, rays, axis, first, mask.Slices[axis], passages);
   ASSERT_EQ(passages.Ways[0].Ray, -1);
   ASSERT_EQ(passages.BlockCount, passages.Count > 1 ? 2 : 1);
   for (int i = 1; i < passages.Count; ++i)
@@ -96,11 +96,11 @@ public:
   {
   }
 
-  void Check(RandomNumbers& random, RayPacket& group, const RaySet& rays, int axis,
+  void Check(RandomNumbers& random, const RayPacket& group, const RaySet& rays, int axis,
     const Index3& dimensions, bool all)
   {
     Frustum beam;
-    ASSERT_TRUE(this->TheKernels.Align(group, rays, axis, beam));
+    ASSERT_TRUE(this->TheKernels.Align(group, rays, axis, this->Aligned, beam));
     std::vector<std::set<Index3>> left(RayPacket::Capacity);
     for (int i = 0; i < group.Count; ++i)
     {
@@ -118,7 +118,7 @@ public:
         const BlockMask mask = MakeMask(random, block, dimensions, all);
         RaySet seen = {};
         Passages passages;
-        ForEachPassage(this->TheKernels, group, rays, axis, block, mask, passages,
+        ForEachPassage(this->TheKernels, this->Aligned, rays, axis, block, mask, passages,
           [&](int i)
           {
             const int ray = passages.Ways[i].Ray;
@@ -150,6 +150,9 @@ public:
 
   std::size_t GetNumberOfRays() const { return this->Rays; }
 
+  /// Those that were checked last.
+  const AlignedRays& GetAlignedRays() const { return this->Aligned; }
+
 private:
   void Take(const std::uint64_t cells[8], int axis, const Index3& block, const BlockMask& mask,
     std::set<Index3>& left, bool all)
@@ -173,6 +176,7 @@ private:
   }
 
   const Kernels& TheKernels;
+  AlignedRays Aligned;
   std::size_t Rays = 0;
   std::size_t Passed = 0;
   std::size_t Found = 0;
@@ -274,28 +278,29 @@ RaySet SomeRays(RandomNumbers& random, const RayPacket& group)
 }
 
 /// What a bunch sweeps must hold its rays all the way, and no more than it needs to at the ends.
-void CheckBunches(const RayPacket& group, const RaySet& rays)
+void CheckBunches(const AlignedRays& aligned, const RaySet& rays)
 {
-  for (int bunch = 0; bunch < RayPacket::Bunches; ++bunch)
+  for (int bunch = 0; bunch < AlignedRays::Bunches; ++bunch)
   {
     for (std::size_t j = 0; j < 2; ++j)
     {
       for (const double share : { 0.0, 0.3, 0.5, 0.9, 1.0 })
       {
-        const double plane = group.SweptLow + share * (group.SweptHigh - group.SweptLow);
+        const double plane = aligned.SweptLow + share * (aligned.SweptHigh - aligned.SweptLow);
         double least = Infinity;
         double most = -Infinity;
-        for (int i = bunch * RayPacket::Bunch; i < (bunch + 1) * RayPacket::Bunch; ++i)
+        for (int i = bunch * AlignedRays::Bunch; i < (bunch + 1) * AlignedRays::Bunch; ++i)
         {
           if (Has(rays, i))
           {
-            const double place = group.Offset[j][i] + plane * group.Slope[j][i];
+            const double place = aligned.Offset[j][i] + plane * aligned.Slope[j][i];
             least = std::min(least, place);
             most = std::max(most, place);
           }
         }
-        const double foundLeast = group.LeastOffset[j][bunch] + plane * group.LeastSlope[j][bunch];
-        const double foundMost = group.MostOffset[j][bunch] + plane * group.MostSlope[j][bunch];
+        const double foundLeast =
+          aligned.LeastOffset[j][bunch] + plane * aligned.LeastSlope[j][bunch];
+        const double foundMost = aligned.MostOffset[j][bunch] + plane * aligned.MostSlope[j][bunch];
         const double tiny = 1e-9;
         ASSERT_LE(foundLeast, least + tiny);
         ASSERT_GE(foundMost, most - tiny);
@@ -327,7 +332,7 @@ TEST_P(CellKernels, FindAllCellsThatBunchesOfRaysPass)
     }
     ASSERT_NO_FATAL_FAILURE(checks.Check(
       random, group, rays, static_cast<int>(axis), dimensions, random.Integer(0, 3) == 0));
-    ASSERT_NO_FATAL_FAILURE(CheckBunches(group, rays));
+    ASSERT_NO_FATAL_FAILURE(CheckBunches(checks.GetAlignedRays(), rays));
   }
   std::cout << "[ tried    ] " << checks.GetNumberOfRays() << " rays, " << checks.GetExcess()
             << " cells found for one that is passed\n";

@@ -369,9 +369,10 @@ public:
     {
       AddRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), group);
     }
+    AlignedRays aligned;
     Frustum beam;
     if (IsEmpty(group.Exists) ||
-      !this->TheKernels.Align(group, group.Exists, static_cast<int>(axis), beam))
+      !this->TheKernels.Align(group, group.Exists, static_cast<int>(axis), aligned, beam))
     {
       return;
     }
@@ -388,7 +389,7 @@ public:
       [&](const Index3& block)
       {
         const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
-        this->TheKernels.FindPassages(group, group.Exists, static_cast<int>(axis), first,
+        this->TheKernels.FindPassages(aligned, group.Exists, static_cast<int>(axis), first,
           MakeMask(field, block, all).Slices[axis], passages);
         if (passages.Count >= Passages::Batch)
         {

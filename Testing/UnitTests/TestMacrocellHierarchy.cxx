@@ -266,8 +266,8 @@ protected:
         std::generate(values.begin(), values.end(), [&] { return AnyValue<T>(random); });
         for (std::size_t i = 0; i < count; ++i)
         {
-          expectedLow[i] = ValueRange<T>::Smaller(values[i], expectedLow[i]);
-          expectedHigh[i] = ValueRange<T>::Larger(values[i], expectedHigh[i]);
+          IncludeLow(values[i], expectedLow[i]);
+          IncludeHigh(values[i], expectedHigh[i]);
         }
         includeRow(values.data(), low.data(), high.data(), static_cast<std::ptrdiff_t>(count));
         ASSERT_EQ(std::memcmp(low.data(), expectedLow.data(), size * sizeof(T)), 0) << count;

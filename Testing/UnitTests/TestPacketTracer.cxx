@@ -807,10 +807,11 @@ TEST_P(Beams, AreUsedWhereTheyWillDo)
   static int calls;
   base = &this->TheKernels;
   Kernels counting = this->TheKernels;
-  counting.Align = [](RayPacket& group, const RaySet& rays, int axis, Frustum& beam)
+  counting.Align =
+    [](const RayPacket& group, const RaySet& rays, int axis, AlignedRays& aligned, Frustum& beam)
   {
     ++calls;
-    return base->Align(group, rays, axis, beam);
+    return base->Align(group, rays, axis, aligned, beam);
   };
   const Index3 size = { 17, 18, 19 };
   const AnalyticFields::Gyroid tunnels = { 7.3 };

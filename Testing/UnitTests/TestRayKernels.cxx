@@ -441,8 +441,9 @@ TEST_P(RayKernels, AlignRaysToBeamsThatHoldThem)
     const int axis = random.Integer(0, 2);
     bool undecided = false;
     const bool expected = MakeBeam(group, rays, axis, undecided);
+    AlignedRays aligned;
     Frustum beam = {};
-    const bool isBeam = this->TheKernels.Align(group, rays, axis, beam);
+    const bool isBeam = this->TheKernels.Align(group, rays, axis, aligned, beam);
     if (undecided)
     {
       continue;
@@ -474,8 +475,9 @@ TEST_P(RayKernels, AlignNoRaysThatGoAcrossOrBothWaysOrSteeply)
     {
       AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), group);
     }
+    AlignedRays aligned;
     Frustum beam;
-    return this->TheKernels.Align(group, group.Exists, 0, beam);
+    return this->TheKernels.Align(group, group.Exists, 0, aligned, beam);
   };
   EXPECT_TRUE(areBeam({ { 1.0, 0.0, 0.0 } }));
   EXPECT_TRUE(areBeam({ { -1.0, 1.9, -1.9 }, { -0.01, 0.0, 0.0 } }));

@@ -5,9 +5,9 @@
 // touch nothing beside it: the samples end at a page of memory that nobody may read.
 
 #include "AllKernels.h"
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/ImageField.h"
 #include "Image/Samples/VolumeView.h"
+#include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
 #include "SameBits.h"
 #include "TestVolume.h"

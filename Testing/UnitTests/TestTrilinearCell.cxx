@@ -7,7 +7,7 @@
 
 #include "ExactRoots.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 // Volumes whose samples are not evenly spaced: rays miss nothing in them, and gradients are those
 // of their space.
 
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/ImageField.h"
 #include "Image/Samples/UnevenPlanes.h"
+#include "Math/TrilinearCell.h"
 #include "Picture/CastRays.h"
 #include "RandomNumbers.h"
 #include "SameBits.h"

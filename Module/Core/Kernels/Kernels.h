@@ -4,59 +4,17 @@
 #ifndef Kernels_h
 #define Kernels_h
 
-// Plain structures and functions only: this header is compiled for several instruction sets, and
-// nothing of it may leave code behind that runs on one of them alone.
+#include "Kernels/Frustum.h"
+#include "Rays/RayPacket.h"
+
 #include <cstddef>
 #include <cstdint>
 
+// Plain structures only: they are compiled for several instruction sets, and must not leave code
+// behind that runs on one of them alone.
+
 namespace vtkIsosurfaceRayTracing
 {
-
-/// Some of up to 128 rays.
-struct RaySet
-{
-  std::uint64_t Words[2];
-};
-
-/// Rays that are traced side by side, in arrays.
-struct RayPacket
-{
-  static constexpr int Capacity = 128;
-
-  int Count;
-  /// Those that meet the volume at all; the others have no defined values.
-  RaySet Exists;
-  // As in Ray. The direction is zero along an axis that the ray is parallel to.
-  alignas(64) double Origin[3][Capacity];
-  alignas(64) double Direction[3][Capacity];
-  alignas(64) double Inverse[3][Capacity];
-  alignas(64) double Begin[Capacity];
-  alignas(64) double End[Capacity];
-  alignas(64) double Base[Capacity];
-
-  // For the axis the rays were last aligned with, and the two axes across.
-  /// The coordinates across at plane 0 of the axis.
-  alignas(64) double Offset[2][Capacity];
-  /// How they change from plane to plane.
-  alignas(64) double Slope[2][Capacity];
-  /// Both slopes of a ray, side by side.
-  alignas(64) float Slopes[Capacity][2];
-  /// The part of the ray in the volume, along the axis, and a little more.
-  alignas(64) double Low[Capacity];
-  alignas(64) double High[Capacity];
-
-  /// What every eight rays sweep across the axis, the first included and as Frustum says: the least
-  /// and the most coordinates at plane 0, and how they change from plane to plane. Good from
-  /// SweptLow to SweptHigh.
-  static constexpr int Bunch = 8;
-  static constexpr int Bunches = Capacity / Bunch;
-  double SweptLow;
-  double SweptHigh;
-  alignas(64) double LeastOffset[2][Bunches];
-  alignas(64) double LeastSlope[2][Bunches];
-  alignas(64) double MostOffset[2][Bunches];
-  alignas(64) double MostSlope[2][Bunches];
-};
 
 /// A rectangle of at most 128 pixels, and what is needed to send rays through them; see Camera.
 struct PixelBlock
@@ -76,27 +34,13 @@ struct PixelBlock
   const int* Dimensions;
 };
 
-/// What a set of rays sweeps: between the planes Low and High of an axis they are, across it,
-/// between two lines. (The smallest of linear functions is concave and stays above the chord.)
-struct Frustum
-{
-  int Axis;
-  /// Whether the rays go up the axis.
-  bool IsUp;
-  double Low;
-  double High;
-  /// At Low and at High, for the two axes across.
-  double Least[2][2];
-  double Most[2][2];
-};
-
 /// Where rays pass blocks of cells: for each passage the cells that the ray may pass there, of
 /// those in the mask of the block.
 struct Passages
 {
   /// When there are so many, it is time to go through them...
   static constexpr int Batch = 128;
-  /// ...for each ray of a group may add one before anybody asks.
+  /// ...for each ray of a packet may add one before anybody asks.
   static constexpr int Capacity = 1024;
   /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
   /// across). For so many rays, and one passage that turns out to be none, there is room without
@@ -248,16 +192,17 @@ struct Kernels
 {
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
-  void (*MakeRays)(const PixelBlock& block, RayPacket& group);
+  void (*MakeRays)(const PixelBlock& block, RayPacket& packet);
 
-  /// Looks at rays along an axis, and finds the beam they make. Returns false if they make none:
+  /// Looks at rays along an axis, and finds the frustum they make. Returns false if they make none:
   /// if they do not all go the same way along it, or steeply away from it.
-  bool (*Align)(RayPacket& group, const RaySet& rays, int axis, Frustum& beam);
+  bool (*Align)(
+    const RayPacket& packet, const RaySet& rays, int axis, AlignedRays& aligned, Frustum& frustum);
 
-  /// Adds the passages of rays of a beam through a block with its first cell at first; slices are
-  /// those of its mask across the axis. It may find cells that a ray comes near to; it never leaves
-  /// out one that a ray passes.
-  void (*FindPassages)(const RayPacket& group, const RaySet& rays, int axis, const int first[3],
+  /// Adds the passages of rays of a frustum through a block with its first cell at first; slices
+  /// are those of its mask across the axis. It may find cells that a ray comes near to; it never
+  /// leaves out one that a ray passes.
+  void (*FindPassages)(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], Passages& passages);
 
   /// Adds those of some cells to the candidates in which a ray may hit the surface, as single
@@ -272,7 +217,7 @@ struct Kernels
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
   /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
-  void (*Solve)(const RayPacket& group, const Candidates& candidates,
+  void (*Solve)(const RayPacket& packet, const Candidates& candidates,
     const ScaledIsovalue& isovalue, Solutions& solutions);
 
   /// Interpolates the central differences at the corners of cells, which makes the gradients of

@@ -4,31 +4,26 @@
 #ifndef MonotonePieces_h
 #define MonotonePieces_h
 
-#include "Image/Cells/TrilinearCell.h"
-
-#include <algorithm>
-#include <cmath>
+#include "Math/BernsteinCubic.h"
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The roots in (0, 1) of the derivative a u^2 + 2 h u + c of a cubic, in order: there it may turn.
-/// Returns how many there are, 0 to 2.
-inline int TurningPoints(double a, double h, double c, double turns[2])
+/// The roots in (0, 1) of the derivative of a cubic, in order: there it may turn. Returns how many
+/// there are, 0 to 2.
+inline int TurningPoints(const CubicDerivative<double>& derivative, double turns[2])
 {
-  const double discriminant = h * h - a * c;
+  const double discriminant = derivative.GetDiscriminant();
   if (!(discriminant > 0.0))
   {
     return 0;
   }
-  // The form that does not cancel; where a or w is zero, a quotient is infinite or NaN and falls
-  // out of the comparisons.
-  const double w = -(h + std::copysign(std::sqrt(discriminant), h));
-  const double first = std::min(w / a, c / w);
-  const double second = std::max(w / a, c / w);
+  double roots[2];
+  derivative.FindRoots(discriminant, roots);
   int count = 0;
-  for (const double u : { first, second })
+  for (const double u : roots)
   {
+    // What is infinite or NaN falls out of the comparisons.
     if (u > 0.0 && u < 1.0)
     {
       turns[count++] = u;

@@ -4,8 +4,7 @@
 #ifndef NonicRoots_h
 #define NonicRoots_h
 
-#include "Image/Cells/TricubicCell.h"
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/Arithmetic.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,9 @@
 
 namespace vtkIsosurfaceRayTracing
 {
+
+/// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients.
+using BernsteinNonic = std::array<double, 10>;
 
 /// All roots of a polynomial of degree 9, found by numbers.
 ///

@@ -4,6 +4,8 @@
 #ifndef Vector_h
 #define Vector_h
 
+#include "Math/Arithmetic.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,15 +36,22 @@ inline Vector3 operator*(const Vector3& a, double s)
   return { a[0] * s, a[1] * s, a[2] * s };
 }
 
-inline double Dot(const Vector3& a, const Vector3& b)
+template <typename Number>
+SIMD_INLINE Number Dot(const Number a[3], const Number b[3])
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Whether the square of a length neither overflowed nor lost digits.
-inline bool IsSafeSquare(double square)
+inline double Dot(const Vector3& a, const Vector3& b)
 {
-  return square > 1e-280 && square < 1e280;
+  return Dot(a.data(), b.data());
+}
+
+/// Whether the square of a length neither overflowed nor lost digits.
+template <typename Number>
+SIMD_INLINE auto IsSafeSquare(Number square)
+{
+  return (1e-280 < square) & (square < 1e280);
 }
 
 /// The length of a vector, whose squares may overflow or vanish.
@@ -62,13 +71,27 @@ inline double Length(const Vector3& a)
   return size * std::sqrt(Dot(scaled, scaled));
 }
 
+/// Brings a vector to length one, times a factor, where the square of its length is safe. Returns
+/// where it is.
+template <typename Number>
+SIMD_INLINE auto Normalize(Number a[3], double factor)
+{
+  const Number square = Dot(a, a);
+  const Number inverse = 1.0 / Sqrt(square);
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = a[i] * inverse * factor;
+  }
+  return IsSafeSquare(square);
+}
+
 /// The vector at length one; a zero vector stays zero.
 inline Vector3 Normalized(const Vector3& a)
 {
-  const double square = Dot(a, a);
-  if (IsSafeSquare(square))
+  Vector3 normalized = a;
+  if (Normalize(normalized.data(), 1.0))
   {
-    return a * (1.0 / std::sqrt(square));
+    return normalized;
   }
   const double size = std::max(std::max(std::abs(a[0]), std::abs(a[1])), std::abs(a[2]));
   if (!(size > 0.0))
@@ -88,10 +111,20 @@ inline Vector3 TransformPoint(const Matrix4& m, const Vector3& p)
 }
 
 /// Transforms a direction: the linear part of the matrix alone.
+template <typename Number>
+SIMD_INLINE void TransformDirection(const double* m, const Number d[3], Number transformed[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    transformed[i] = m[4 * i] * d[0] + m[4 * i + 1] * d[1] + m[4 * i + 2] * d[2];
+  }
+}
+
 inline Vector3 TransformDirection(const Matrix4& m, const Vector3& d)
 {
-  return { m[0] * d[0] + m[1] * d[1] + m[2] * d[2], m[4] * d[0] + m[5] * d[1] + m[6] * d[2],
-    m[8] * d[0] + m[9] * d[1] + m[10] * d[2] };
+  Vector3 transformed;
+  TransformDirection(m.data(), d.data(), transformed.data());
+  return transformed;
 }
 
 /// Multiplies by the transposed linear part. With the inverse of a transformation this carries a

@@ -3,6 +3,7 @@
 
 #include "Picture/RenderTiles.h"
 
+#include "Math/ByteColor.h"
 #include "Picture/Shader.h"
 #include "Rays/RayPacket.h"
 
@@ -101,12 +102,6 @@ void TraceBlock(const Scene& scene, ImageField& volume, const PixelRectangle& pi
   block.Dimensions = volume.GetDimensions().data();
   scene.Request.BeamKernels->MakeRays(block, rays);
   volume.Trace(rays, hits);
-}
-
-std::uint8_t ToByte(double value)
-{
-  // What is no number, from a light without any attenuation on its own position, is black.
-  return static_cast<std::uint8_t>(255.0 * (value > 0.0 ? std::min(value, 1.0) : 0.0) + 0.5);
 }
 
 /// Composites the hits of one ray, front to back.

@@ -5,8 +5,7 @@
 #define Camera_h
 
 #include "Math/Vector.h"
-
-#include <limits>
+#include "Rays/PixelRays.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -45,31 +44,19 @@ public:
   /// The ray through the centre of a pixel, up to a depth in [0, 1] as in the depth buffer.
   PixelRay GetRay(int column, int row, double depth) const
   {
-    // The line through the pixel has homogeneous points a + z b, where z is the clip coordinate, -1
-    // at the near plane and 1 at the far plane. Its direction, b wa - a wb, is found without going
-    // to the far plane, which may be very far.
-    const Matrix4& m = this->IndexFromClip;
-    const double x = (column + 0.5) * (2.0 / this->Width) - 1.0;
-    const double y = (row + 0.5) * (2.0 / this->Height) - 1.0;
-    const Vector3 a = { m[0] * x + m[1] * y + m[3], m[4] * x + m[5] * y + m[7],
-      m[8] * x + m[9] * y + m[11] };
-    const Vector3 b = { m[2], m[6], m[10] };
-    const double wa = m[12] * x + m[13] * y + m[15];
-    const double wb = m[14];
-    const double wNear = wa - wb;
-    const double z = 2.0 * depth - 1.0;
-    const double end = (z + 1.0) / ((wa + z * wb) * wNear);
-    return { (a - b) * (1.0 / wNear), b * wa - a * wb,
-      end >= 0.0 ? end : std::numeric_limits<double>::infinity() };
+    double origin[3];
+    double direction[3];
+    double end;
+    MakePixelRays<double>(this->IndexFromClip.data(), this->Width, this->Height, column, row, depth,
+      origin, direction, end);
+    return { { origin[0], origin[1], origin[2] }, { direction[0], direction[1], direction[2] },
+      end };
   }
 
   /// The depth in [0, 1] of a point in index space.
   double GetDepth(const Vector3& point) const
   {
-    const Matrix4& m = this->ClipFromIndex;
-    const double z = m[8] * point[0] + m[9] * point[1] + m[10] * point[2] + m[11];
-    const double w = m[12] * point[0] + m[13] * point[1] + m[14] * point[2] + m[15];
-    return 0.5 * z / w + 0.5;
+    return GetPixelDepth(this->ClipFromIndex.data(), point.data());
   }
 
   /// The same view by rays that go through other places of their pixels: so many pixels to the

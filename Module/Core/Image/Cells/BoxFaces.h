@@ -5,7 +5,7 @@
 #define BoxFaces_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/TrilinearCell.h"
 #include "Rays/TraceRequest.h"
 
 #include <vector>

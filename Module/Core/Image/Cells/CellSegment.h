@@ -4,12 +4,10 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/TrilinearCell.h"
+#include "Rays/CellCrossings.h"
 #include "Rays/Hit.h"
 #include "Rays/Ray.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -54,7 +52,7 @@ inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& p
   {
     const double above = ray.Coordinate(axis, place.T) - box.Lower[axis];
     const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
-    p[axis] = std::min(1.0, std::max(0.0, share));
+    p[axis] = ClampToCell(share);
   }
   return p;
 }
@@ -64,8 +62,7 @@ inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& p
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
   const CellBox box = GetBox(cell, ray.Planes);
-  Crossing entry{ -std::numeric_limits<double>::infinity(), 0 };
-  Crossing exit{ std::numeric_limits<double>::infinity(), Crossing::StartAxis };
+  CellCrossings<double> crossings;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (ray.Step[axis] == 0)
@@ -77,40 +74,30 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
       continue;
     }
     const bool up = ray.Step[axis] > 0;
-    const Crossing in{ ray.CrossingTAt(axis, up ? box.Lower[axis] : box.Upper[axis]),
-      static_cast<int>(axis) };
-    const Crossing out{ ray.CrossingTAt(axis, up ? box.Upper[axis] : box.Lower[axis]),
-      static_cast<int>(axis) };
-    entry = std::max(entry, in);
-    exit = std::min(exit, out);
+    const double in = ray.CrossingTAt(axis, up ? box.Lower[axis] : box.Upper[axis]);
+    const double out = ray.CrossingTAt(axis, up ? box.Upper[axis] : box.Lower[axis]);
+    crossings.Narrow(static_cast<int>(axis), true, in, out);
   }
-
-  // Where the ray begins or ends within the cell, no plane is crossed there.
-  const bool entersThroughFace = entry.T >= ray.Begin;
-  const bool leavesThroughFace = exit.T <= ray.End;
-  const Crossing begin = entersThroughFace ? entry : Crossing{ ray.Begin, Crossing::StartAxis };
-  const Crossing end = leavesThroughFace ? exit : Crossing{ ray.End, Crossing::StartAxis };
-  // A flat cell is passed at one place.
-  const bool isFlat = ray.Planes && entersThroughFace && leavesThroughFace && entry.T == exit.T &&
-    entry.Axis == exit.Axis;
-  if (!(begin < end || isFlat) || !(exit.T > ray.Begin) || !(entry.T < ray.End))
+  if (!crossings.CutToRay(ray.Begin, ray.End, ray.Planes != nullptr))
   {
     return false;
   }
 
+  const Crossing begin{ crossings.Begin, static_cast<int>(crossings.BeginAxis) };
+  const Crossing end{ crossings.End, static_cast<int>(crossings.EndAxis) };
   segment.Begin = begin.T;
   segment.BeginAxis = begin.Axis;
   segment.End = end.T;
   segment.Entry = PointInCell(ray, box, begin);
   segment.Exit = PointInCell(ray, box, end);
-  if (entersThroughFace)
+  if (begin.Axis != Crossing::StartAxis)
   {
-    const auto axis = static_cast<std::size_t>(entry.Axis);
+    const auto axis = static_cast<std::size_t>(begin.Axis);
     segment.Entry[axis] = ray.Step[axis] > 0 ? 0.0 : 1.0;
   }
-  if (leavesThroughFace)
+  if (end.Axis != Crossing::StartAxis)
   {
-    const auto axis = static_cast<std::size_t>(exit.Axis);
+    const auto axis = static_cast<std::size_t>(end.Axis);
     segment.Exit[axis] = ray.Step[axis] > 0 ? 1.0 : 0.0;
   }
   return true;
@@ -125,9 +112,8 @@ inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segmen
   {
     point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], fraction);
   }
-  // Written so that it never falls as the fraction grows.
-  const double t = segment.Begin + (segment.End - segment.Begin) * fraction;
-  return { ray.Base + std::min(t, segment.End), cell, surface, point, entering };
+  const double t = GetTAt(segment.Begin, segment.End, fraction);
+  return { ray.Base + t, cell, surface, point, entering };
 }
 
 }

@@ -5,7 +5,7 @@
 #define LargestValue_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Cells/TrilinearCell.h"
+#include "Math/TrilinearCell.h"
 
 namespace vtkIsosurfaceRayTracing
 {

@@ -4,8 +4,9 @@
 #ifndef TricubicCell_h
 #define TricubicCell_h
 
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/Samples/UnevenPlanes.h"
+#include "Math/NonicRoots.h"
+#include "Math/TrilinearCell.h"
 #include "Math/Vector.h"
 
 #include <algorithm>
@@ -120,9 +121,6 @@ using TricubicCell = std::array<double, 64>;
 
 /// Makes the coefficients of a cell of the 4^3 samples around it, in the same order.
 void InterpolateSamples(const CubicEdges& edges, const Index3& cell, TricubicCell& samples);
-
-/// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients.
-using BernsteinNonic = std::array<double, 10>;
 
 /// The interpolant along the straight line from p to q, as a polynomial of the fraction of the way:
 /// that along the diagonal of the box [p, q]. As for CubicAlongSegment, there are convex

@@ -84,7 +84,7 @@ public:
       return false;
     }
     this->TakeOff(cell, isovalue, coefficients);
-    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside);
+    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside<double>);
     return inside > 0 && inside < 64;
   }
 

@@ -4,11 +4,11 @@
 #ifndef TrilinearGradients_h
 #define TrilinearGradients_h
 
-#include "Image/Cells/TrilinearCell.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Samples/UnevenPlanes.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/Kernels.h"
+#include "Math/TrilinearCell.h"
 #include "Rays/Hit.h"
 #include "Rays/TraceRequest.h"
 

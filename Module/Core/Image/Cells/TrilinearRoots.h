@@ -5,8 +5,8 @@
 #define TrilinearRoots_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Cells/TrilinearCell.h"
 #include "Kernels/Kernels.h"
+#include "Math/TrilinearCell.h"
 #include "Rays/TraceRequest.h"
 
 namespace vtkIsosurfaceRayTracing

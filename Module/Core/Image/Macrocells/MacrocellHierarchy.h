@@ -8,64 +8,14 @@
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
+#include "Math/ValueRange.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// The smallest and the largest of a set of samples, in their own type: nothing is rounded. NaN
-/// does not count. The range of no samples has Min > Max.
-template <typename T>
-struct ValueRange
-{
-  T Min = std::numeric_limits<T>::max();
-  T Max = std::numeric_limits<T>::lowest();
-
-  void Include(T low, T high)
-  {
-    this->Min = Smaller(low, this->Min);
-    this->Max = Larger(high, this->Max);
-  }
-
-  // Comparisons with NaN are false: the order of the operands keeps NaN out.
-  static T Smaller(T value, T than)
-  {
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      return value < than && value >= std::numeric_limits<T>::lowest() ? value : than;
-    }
-    return value < than ? value : than;
-  }
-
-  static T Larger(T value, T than)
-  {
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      return value > than && value <= std::numeric_limits<T>::max() ? value : than;
-    }
-    return value > than ? value : than;
-  }
-
-  /// Whether samples lie on both sides of the isovalue, by the rule that equal is inside.
-  bool Straddles(double isovalue) const
-  {
-    return static_cast<double>(this->Min) < isovalue && isovalue <= static_cast<double>(this->Max);
-  }
-
-  /// The same for a range that is made longer at both ends, by so many times its length.
-  bool Straddles(double isovalue, double overshoot) const
-  {
-    const auto low = static_cast<double>(this->Min);
-    const auto high = static_cast<double>(this->Max);
-    const double margin = overshoot * (high - low);
-    return low <= high && low - margin < isovalue && isovalue <= high + margin;
-  }
-};
 
 /// Levels of macrocells over the cells of a volume, each with the range of all samples at the
 /// corners of its cells (Parker et al. 1998, section 3). Level 0 is the finest.
@@ -182,8 +132,8 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
           for (std::size_t x = 0; x < length; ++x)
           {
             const T value = sample[static_cast<std::ptrdiff_t>(x) * stride];
-            low[x] = ValueRange<T>::Smaller(value, low[x]);
-            high[x] = ValueRange<T>::Larger(value, high[x]);
+            IncludeLow(value, low[x]);
+            IncludeHigh(value, high[x]);
           }
         }
       }

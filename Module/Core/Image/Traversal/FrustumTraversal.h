@@ -13,33 +13,34 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Traversals a beam of rays through a tree of blocks, slice by slice across its axis, to the
+/// Leads a frustum of rays through a tree of blocks, slice by slice across its axis, to the
 /// active macrocells it may pass. Those of one slice come together, in no order; a ray meets
 /// nothing in a later slice that is not behind everything it meets in an earlier one.
 class FrustumTraversal
 {
 public:
-  /// No beam may be wider, in cells.
+  /// No frustum may be wider, in cells.
   static constexpr double LargestWidth = 96.0;
 
-  /// The tree must outlive the walk.
-  FrustumTraversal(const BlockTree& tree, const Frustum& beam)
+  /// The tree must outlive the traversal.
+  FrustumTraversal(const BlockTree& tree, const Frustum& frustum)
     : Tree(tree)
-    , TheBeam(beam)
+    , TheFrustum(frustum)
   {
     for (int j = 0; j < 2; ++j)
     {
-      this->LeastSlope[j] = (beam.Least[j][1] - beam.Least[j][0]) / (beam.High - beam.Low);
-      this->MostSlope[j] = (beam.Most[j][1] - beam.Most[j][0]) / (beam.High - beam.Low);
+      this->LeastSlope[j] =
+        (frustum.Least[j][1] - frustum.Least[j][0]) / (frustum.High - frustum.Low);
+      this->MostSlope[j] = (frustum.Most[j][1] - frustum.Most[j][0]) / (frustum.High - frustum.Low);
     }
   }
 
-  static bool IsTooWide(const Frustum& beam)
+  static bool IsTooWide(const Frustum& frustum)
   {
     for (int j = 0; j < 2; ++j)
     {
-      if (beam.Most[j][0] - beam.Least[j][0] > LargestWidth ||
-        beam.Most[j][1] - beam.Least[j][1] > LargestWidth)
+      if (frustum.Most[j][0] - frustum.Least[j][0] > LargestWidth ||
+        frustum.Most[j][1] - frustum.Least[j][1] > LargestWidth)
       {
         return true;
       }
@@ -54,7 +55,7 @@ public:
   {
     const std::size_t top = this->Tree.GetLevels().size() - 1;
     const Index3& size = this->Tree.GetLevels()[top].Size;
-    const auto axis = static_cast<std::size_t>(this->TheBeam.Axis);
+    const auto axis = static_cast<std::size_t>(this->TheFrustum.Axis);
     Members all;
     all.Count = 0;
     for (int v = 0; v < size[static_cast<std::size_t>(BlockMask::V[axis])]; ++v)
@@ -84,14 +85,14 @@ private:
     }
   };
 
-  /// Calls function(i) for count numbers from first on, in the order of the beam, until it returns
-  /// true; and returns whether it did.
+  /// Calls function(i) for count numbers from first on, in the order of the frustum, until it
+  /// returns true; and returns whether it did.
   template <typename Function>
   bool ForEachMember(int first, int count, const Function& function) const
   {
     for (int i = 0; i < count; ++i)
     {
-      if (function(first + (this->TheBeam.IsUp ? i : count - 1 - i)))
+      if (function(first + (this->TheFrustum.IsUp ? i : count - 1 - i)))
       {
         return true;
       }
@@ -106,7 +107,7 @@ private:
       [&](int slice) { return this->EnterSlice(level, slice, blocks, visit); });
   }
 
-  /// Goes on with the members of blocks that are active and that the beam may pass in a slice.
+  /// Goes on with the members of blocks that are active and that the frustum may pass in a slice.
   template <typename Visit>
   bool EnterSlice(std::size_t level, int slice, const Members& blocks, const Visit& visit) const
   {
@@ -120,7 +121,7 @@ private:
     {
       return this->EnterBlocks(level - 1, slice, members, visit);
     }
-    const int axis = this->TheBeam.Axis;
+    const int axis = this->TheFrustum.Axis;
     Index3 macrocells[Members::Capacity];
     for (int i = 0; i < members.Count; ++i)
     {
@@ -136,11 +137,11 @@ private:
   {
     members.Count = 0;
     const BlockTree::Level& level = this->Tree.GetLevels()[levelNumber];
-    const Frustum& beam = this->TheBeam;
-    const int axis = beam.Axis;
+    const Frustum& frustum = this->TheFrustum;
+    const int axis = frustum.Axis;
     const double edge = level.MemberEdge;
-    const double begin = std::max(slice * edge, beam.Low) - beam.Low;
-    const double end = std::min((slice + 1) * edge, beam.High) - beam.Low;
+    const double begin = std::max(slice * edge, frustum.Low) - frustum.Low;
+    const double end = std::min((slice + 1) * edge, frustum.High) - frustum.Low;
     if (begin > end)
     {
       return;
@@ -150,9 +151,9 @@ private:
     for (int j = 0; j < 2; ++j)
     {
       const double least =
-        beam.Least[j][0] + std::min(begin * this->LeastSlope[j], end * this->LeastSlope[j]);
+        frustum.Least[j][0] + std::min(begin * this->LeastSlope[j], end * this->LeastSlope[j]);
       const double most =
-        beam.Most[j][0] + std::max(begin * this->MostSlope[j], end * this->MostSlope[j]);
+        frustum.Most[j][0] + std::max(begin * this->MostSlope[j], end * this->MostSlope[j]);
       const int across = j == 0 ? BlockMask::U[axis] : BlockMask::V[axis];
       const int count = level.Size[static_cast<std::size_t>(across)] * BlockMask::Edge;
       if (!(most >= 0.0 && least < count * edge))
@@ -191,7 +192,7 @@ private:
   }
 
   const BlockTree& Tree;
-  const Frustum& TheBeam;
+  const Frustum& TheFrustum;
   double LeastSlope[2];
   double MostSlope[2];
 };

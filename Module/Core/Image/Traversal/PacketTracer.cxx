@@ -20,13 +20,13 @@ int FirstOf(const RaySet& set)
   return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
 }
 
-/// The axis along which a ray of a group mainly goes.
-int GetMainAxis(const RayPacket& group, int ray)
+/// The axis along which a ray of a packet mainly goes.
+int GetMainAxis(const RayPacket& packet, int ray)
 {
   int axis = 0;
   for (int other = 1; other < 3; ++other)
   {
-    if (std::abs(group.Direction[other][ray]) > std::abs(group.Direction[axis][ray]))
+    if (std::abs(packet.Direction[other][ray]) > std::abs(packet.Direction[axis][ray]))
     {
       axis = other;
     }
@@ -61,18 +61,21 @@ bool PacketTracer::MayMeet(
     lines.Begin[i] = std::min(first, last);
     lines.End[i] = std::max(first, last);
   }
-  Frustum beam;
-  if (!kernels.Align(lines, lines.Exists, axis, beam) || FrustumTraversal::IsTooWide(beam))
+  AlignedRays aligned;
+  Frustum frustum;
+  if (!kernels.Align(lines, lines.Exists, axis, aligned, frustum) ||
+    FrustumTraversal::IsTooWide(frustum))
   {
     return true;
   }
   bool meets = false;
-  FrustumTraversal(tree, beam).ForEachSlice([&meets](const Index3*, int) { return meets = true; });
+  FrustumTraversal(tree, frustum)
+    .ForEachSlice([&meets](const Index3*, int) { return meets = true; });
   return meets;
 }
 
 const PacketHits& PacketTracer::FindFirstHits(
-  RayPacket& group, FirstHitCells& cells, const ScaledIsovalue& isovalue)
+  const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
 {
   this->FirstHitSource = &cells;
   this->Isovalue = isovalue;
@@ -81,38 +84,38 @@ const PacketHits& PacketTracer::FindFirstHits(
   this->Waiting.Count = 0;
   this->SurelyHit = {};
   this->Hits.Found = {};
-  this->Trace(group, cells);
+  this->Trace(packet, cells);
   this->SolveCandidates();
   return this->Hits;
 }
 
-void PacketTracer::FollowRays(RayPacket& group, FollowedCells& cells)
+void PacketTracer::FollowRays(const RayPacket& packet, FollowedCells& cells)
 {
   this->FollowedSource = &cells;
   this->Isovalue.reset();
-  this->Trace(group, cells);
+  this->Trace(packet, cells);
 }
 
-void PacketTracer::Trace(RayPacket& group, Cells& cells)
+void PacketTracer::Trace(const RayPacket& packet, Cells& cells)
 {
-  this->Group = &group;
+  this->Packet = &packet;
   this->Source = &cells;
-  this->TraceSet(group.Exists, CountOf(group.Exists));
+  this->TraceSet(packet.Exists, CountOf(packet.Exists));
 }
 
-/// Traces rays as one beam, or, where they make none, half of them after the other.
+/// Traces rays as one frustum, or, where they make none, half of them after the other.
 void PacketTracer::TraceSet(const RaySet& rays, int count)
 {
   if (count == 0)
   {
     return;
   }
-  const int axis = GetMainAxis(*this->Group, FirstOf(rays));
-  Frustum beam;
-  const bool isBeam = this->TheKernels.Align(*this->Group, rays, axis, beam);
+  const int axis = GetMainAxis(*this->Packet, FirstOf(rays));
+  Frustum frustum;
+  const bool isFrustum = this->TheKernels.Align(*this->Packet, rays, axis, this->Aligned, frustum);
   // All passages of a slice must have room if rays are to be followed in order.
   const int largestCount = this->Isovalue ? RayPacket::Capacity : Passages::RaysWithRoom;
-  if (count > 1 && (!isBeam || FrustumTraversal::IsTooWide(beam) || count > largestCount))
+  if (count > 1 && (!isFrustum || FrustumTraversal::IsTooWide(frustum) || count > largestCount))
   {
     RaySet half = {};
     RaySet rest = rays;
@@ -129,9 +132,9 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
   this->Going = rays;
   this->ClearPassages();
   this->SetStepsInSlice(axis);
-  FrustumTraversal(this->Tree, beam)
+  FrustumTraversal(this->Tree, frustum)
     .ForEachSlice(
-      [this, &beam](const Index3* blocks, int blockCount)
+      [this, &frustum](const Index3* blocks, int blockCount)
       {
         for (int i = 0; i < blockCount; ++i)
         {
@@ -139,9 +142,9 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
         }
         for (int i = 0; i < blockCount; ++i)
         {
-          this->VisitBlock(beam, blocks[i]);
+          this->VisitBlock(frustum, blocks[i]);
         }
-        this->EndSlice(beam);
+        this->EndSlice(frustum);
         return IsEmpty(this->Going);
       });
 }
@@ -156,7 +159,7 @@ void PacketTracer::SetStepsInSlice(int axis)
   }
 }
 
-void PacketTracer::VisitBlock(const Frustum& beam, const Index3& block)
+void PacketTracer::VisitBlock(const Frustum& frustum, const Index3& block)
 {
   BlockMask own;
   const BlockMask& mask = this->Source->GetMask(block, own);
@@ -164,7 +167,7 @@ void PacketTracer::VisitBlock(const Frustum& beam, const Index3& block)
     block[2] * BlockMask::Edge };
   const int before = this->Passed.Count;
   this->TheKernels.FindPassages(
-    *this->Group, this->Going, beam.Axis, first, mask.Slices[beam.Axis], this->Passed);
+    this->Aligned, this->Going, frustum.Axis, first, mask.Slices[frustum.Axis], this->Passed);
   if (!this->Isovalue || this->Passed.Count == before)
   {
     return;
@@ -174,7 +177,7 @@ void PacketTracer::VisitBlock(const Frustum& beam, const Index3& block)
   this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
   if (this->Passed.Count >= Passages::Batch)
   {
-    this->ClassifyPassages(beam);
+    this->ClassifyPassages(frustum);
   }
 }
 
@@ -187,14 +190,14 @@ void PacketTracer::ClearPassages()
 }
 
 /// Does what is to be done for the rays in a slice of blocks.
-void PacketTracer::EndSlice(const Frustum& beam)
+void PacketTracer::EndSlice(const Frustum& frustum)
 {
   if (!this->Isovalue)
   {
-    this->FollowPassages(beam);
+    this->FollowPassages(frustum);
     return;
   }
-  this->ClassifyPassages(beam);
+  this->ClassifyPassages(frustum);
   for (int word = 0; word < 2; ++word)
   {
     this->Going.Words[word] &= ~(this->SurelyHit.Words[word] | this->Hits.Found.Words[word]);
@@ -202,7 +205,7 @@ void PacketTracer::EndSlice(const Frustum& beam)
 }
 
 /// Follows each ray through the cells of all its passages.
-void PacketTracer::FollowPassages(const Frustum& beam)
+void PacketTracer::FollowPassages(const Frustum& frustum)
 {
   // The passages of a ray, each with the number of the next.
   int first[RayPacket::Capacity];
@@ -213,7 +216,7 @@ void PacketTracer::FollowPassages(const Frustum& beam)
     next[i] = std::exchange(first[this->Passed.Ways[i].Ray], i);
   }
   std::vector<Index3>& cells = this->CellsOfRay;
-  for (int ray = 0; ray < this->Group->Count; ++ray)
+  for (int ray = 0; ray < this->Packet->Count; ++ray)
   {
     if (first[ray] < 0)
     {
@@ -222,7 +225,7 @@ void PacketTracer::FollowPassages(const Frustum& beam)
     cells.clear();
     for (int passage = first[ray]; passage >= 0; passage = next[passage])
     {
-      this->AddCells(beam.Axis, passage, cells);
+      this->AddCells(frustum.Axis, passage, cells);
     }
     if (this->FollowedSource->Follow(ray, cells))
     {
@@ -253,7 +256,7 @@ void PacketTracer::AddCells(int axis, int passage, std::vector<Index3>& cells) c
 /// Finds the candidates of every passage, up to where it surely hits something. A ray needs the
 /// cells of a slice only if it does not in the slices before. (Whether there is more to do for a
 /// ray is as good as random: counting is faster than branching.)
-void PacketTracer::ClassifyPassages(const Frustum& beam)
+void PacketTracer::ClassifyPassages(const Frustum& frustum)
 {
   int waiting[Passages::Capacity];
   int left = this->Passed.Count;
@@ -268,18 +271,18 @@ void PacketTracer::ClassifyPassages(const Frustum& beam)
     {
       const int passage = waiting[i];
       const unsigned int slices = this->Passed.Slices[passage];
-      const int slice = beam.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
+      const int slice = frustum.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
       const unsigned int others = slices & ~(1U << slice);
       this->Passed.Slices[passage] = others;
-      this->AddCellsOfSlice(beam.Axis, passage, slice);
+      this->AddCellsOfSlice(frustum.Axis, passage, slice);
       waiting[next] = passage;
       next += others != 0 ? 1 : 0;
       if (this->Queue.Count >= PassedCells::Batch)
       {
-        this->ClassifyQueue(beam);
+        this->ClassifyQueue(frustum);
       }
     }
-    this->ClassifyQueue(beam);
+    this->ClassifyQueue(frustum);
     left = 0;
     for (int i = 0; i < next; ++i)
     {
@@ -319,7 +322,7 @@ void PacketTracer::AddCellsOfSlice(int axis, int passage, int slice)
   }
 }
 
-void PacketTracer::ClassifyQueue(const Frustum& beam)
+void PacketTracer::ClassifyQueue(const Frustum& frustum)
 {
   if (this->Queue.Count == 0)
   {
@@ -332,11 +335,11 @@ void PacketTracer::ClassifyQueue(const Frustum& beam)
   {
     // Those that wait are read from rows, those that come now from copies.
     this->SolveCandidates();
-    this->FirstHitSource->CopyCorners(this->Queue, beam.Axis, this->Passed);
+    this->FirstHitSource->CopyCorners(this->Queue, frustum.Axis, this->Passed);
     this->AreCopied = true;
   }
   this->FirstHitSource->ClassifyCells(
-    this->Queue, beam.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
+    this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
   {
@@ -357,7 +360,7 @@ void PacketTracer::SolveCandidates()
     this->Waiting.Ray[i] = this->Waiting.Ray[0];
   }
   this->FirstHitSource->LoadCorners(this->AreCopied, this->Waiting);
-  this->TheKernels.Solve(*this->Group, this->Waiting, *this->Isovalue, this->Solved);
+  this->TheKernels.Solve(*this->Packet, this->Waiting, *this->Isovalue, this->Solved);
   for (int word = 0; word < Solutions::Words; ++word)
   {
     for (std::uint64_t bits = this->Solved.Found[word]; bits != 0; bits &= bits - 1)

@@ -18,7 +18,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The first hits of the rays of a group.
+/// The first hits of the rays of a packet.
 struct PacketHits
 {
   /// The rays that hit.
@@ -28,9 +28,9 @@ struct PacketHits
   std::array<Crossing, RayPacket::Capacity> Begin;
 };
 
-/// Leads the rays of a group through the volume together.
+/// Leads the rays of a packet through the volume together.
 ///
-/// They walk as a beam to the active macrocells; for each of them, all cells of a macrocell that
+/// They walk as a frustum to the active macrocells; for each of them, all cells of a macrocell that
 /// the ray may pass and a surface does are found at once. For first hits, single precision tells of
 /// most of these cells whether the ray surely misses or surely hits the surface there; those it may
 /// hit are solved together, as exactly as for a ray by itself. What a cell has to say to a ray
@@ -89,25 +89,25 @@ public:
   static bool MayMeet(
     const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines);
 
-  /// Finds the first hits of all rays of a group that exist, with one surface. The candidates of
+  /// Finds the first hits of all rays of a packet that exist, with one surface. The candidates of
   /// many rays are solved at once.
   const PacketHits& FindFirstHits(
-    RayPacket& group, FirstHitCells& cells, const ScaledIsovalue& isovalue);
+    const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
 
-  /// Leads all rays of a group that exist through the cells that may have hits.
-  void FollowRays(RayPacket& group, FollowedCells& cells);
+  /// Leads all rays of a packet that exist through the cells that may have hits.
+  void FollowRays(const RayPacket& packet, FollowedCells& cells);
 
 private:
-  void Trace(RayPacket& group, Cells& cells);
+  void Trace(const RayPacket& packet, Cells& cells);
   void TraceSet(const RaySet& rays, int count);
   void SetStepsInSlice(int axis);
-  void VisitBlock(const Frustum& beam, const Index3& block);
-  void EndSlice(const Frustum& beam);
+  void VisitBlock(const Frustum& frustum, const Index3& block);
+  void EndSlice(const Frustum& frustum);
   void ClearPassages();
-  void ClassifyPassages(const Frustum& beam);
+  void ClassifyPassages(const Frustum& frustum);
   void AddCellsOfSlice(int axis, int passage, int slice);
-  void ClassifyQueue(const Frustum& beam);
-  void FollowPassages(const Frustum& beam);
+  void ClassifyQueue(const Frustum& frustum);
+  void FollowPassages(const Frustum& frustum);
   void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
   void SolveCandidates();
   void FindFirstHit(int ray, const Index3& cell);
@@ -117,11 +117,13 @@ private:
   const Kernels& TheKernels;
   const BlockTree& Tree;
 
-  RayPacket* Group = nullptr;
+  const RayPacket* Packet = nullptr;
   Cells* Source = nullptr;
   /// The same; one of them is null.
   FirstHitCells* FirstHitSource = nullptr;
   FollowedCells* FollowedSource = nullptr;
+  /// Along the axis of the frustum that goes on.
+  AlignedRays Aligned;
   /// The rays that are still on their way.
   RaySet Going = {};
   /// The surface whose first hits are wanted; none when rays are followed.

@@ -49,7 +49,7 @@ void ForEachRoot(
 {
   const PowerCubic c = PowerCubicAlongSegment(difference, segment);
   double turns[2];
-  const int count = TurningPoints(3.0 * c[3], c[2], c[1], turns);
+  const int count = TurningPoints({ 3.0 * c[3], c[2], c[1] }, turns);
   ForEachSignChange(
     turns, count, Interpolate(difference, segment.Entry), Interpolate(difference, segment.Exit),
     [&c](double u) { return Evaluate(c, u); },

@@ -5,12 +5,11 @@
 #define RobustSolver_h
 
 #include "Image/Cells/CellSegment.h"
-#include "Image/Cells/TrilinearCell.h"
 #include "Math/MonotonePieces.h"
+#include "Math/TrilinearCell.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -24,70 +23,37 @@ namespace vtkIsosurfaceRayTracing
 namespace Robust
 {
 
-/// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
-/// to the square of it.
-constexpr double Tolerance = 1e-10;
-/// Where that does not come soon (near a triple root), bisection brings it to an end.
-constexpr int NewtonIterations = 40;
-constexpr int MaximumIterations = NewtonIterations + 36;
-
-/// The cubic at a fraction of its interval, by convex combinations (de Casteljau).
+/// The cubic at a fraction of its interval.
 inline double Evaluate(const BernsteinCubic& b, double u)
 {
-  const double b01 = Lerp(b[0], b[1], u);
-  const double b12 = Lerp(b[1], b[2], u);
-  const double b23 = Lerp(b[2], b[3], u);
-  return Lerp(Lerp(b01, b12, u), Lerp(b12, b23, u), u);
+  return EvaluateBernstein(b.data(), u);
 }
 
 /// Where the cubic turns, in (0, 1). Returns how often.
 inline int Extrema(const BernsteinCubic& b, double turns[2])
 {
-  const double d0 = b[1] - b[0];
-  const double d1 = b[2] - b[1];
-  const double d2 = b[3] - b[2];
-  const bool monotone =
-    (d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0);
-  return monotone ? 0 : TurningPoints((d2 - d1) - (d1 - d0), d1 - d0, d0, turns);
+  return IsMonotone(b.data()) ? 0 : TurningPoints(GetDerivative(b.data()), turns);
 }
 
-/// The root in [lo, hi], where the cubic is monotone and its signs at the ends differ: Newton's
-/// method, kept inside a shrinking bracket by bisection.
+/// The root in [lo, hi], where the cubic is monotone and its signs at the ends differ.
 inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double atLo, double atHi)
 {
-  const double c1 = 3.0 * (b[1] - b[0]);
-  const double c2 = 3.0 * ((b[2] - b[1]) - (b[1] - b[0]));
-  const double c3 = (b[3] - b[0]) - 3.0 * (b[2] - b[1]);
-  const bool insideAtLo = IsInside(atLo);
-  double u = std::min(hi, lo + (hi - lo) * (atLo / (atLo - atHi)));
-  for (int i = 0; i < MaximumIterations; ++i)
+  using Refinement = RootRefinement<double>;
+  Refinement refinement(b.data(), lo, hi, atLo, atHi);
+  bool isDone = false;
+  for (int i = 0; i < Refinement::MaximumIterations && !isDone; ++i)
   {
-    const double f = ((c3 * u + c2) * u + c1) * u + b[0];
-    (IsInside(f) == insideAtLo ? lo : hi) = u;
-    const double slope = (3.0 * c3 * u + 2.0 * c2) * u + c1;
-    double next = u - f / slope;
-    if (!(next >= lo && next <= hi) || i >= NewtonIterations)
-    {
-      next = lo + 0.5 * (hi - lo);
-    }
-    const bool done = std::abs(next - u) <= Tolerance;
-    u = next;
-    if (done)
-    {
-      break;
-    }
+    isDone = refinement.Step(i, true);
   }
-  return u;
+  return refinement.GetRoot();
 }
 
 /// Brings coefficients of extreme size near 1, by a power of two, where squares neither overflow
 /// nor vanish. The roots stay where they are, and so does the sign of every coefficient.
 inline BernsteinCubic Normalize(BernsteinCubic b)
 {
-  const double size =
-    std::max(std::max(std::abs(b[0]), std::abs(b[1])), std::max(std::abs(b[2]), std::abs(b[3])));
-  const bool isExtreme = size < 1e-100 || size > 1e100;
-  if (!isExtreme || size == 0.0 || !std::isfinite(size))
+  const double size = GetSize(b.data());
+  if (IsOrdinarySize(size) || size == 0.0 || !std::isfinite(size))
   {
     return b;
   }
@@ -106,9 +72,7 @@ inline BernsteinCubic Normalize(BernsteinCubic b)
 template <typename Visit>
 void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
 {
-  const bool inside = IsInside(coefficients[0]);
-  if (IsInside(coefficients[1]) == inside && IsInside(coefficients[2]) == inside &&
-    IsInside(coefficients[3]) == inside)
+  if (!MayHaveRoot(coefficients.data()))
   {
     return;
   }

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What single precision tells of rays in cells: sure misses, sure hits, and the candidates that are
+// left. Included by Kernels.inl only.
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// Passed cells, each with the way of the ray: as in Passages::Way, but counted from the corner of
+/// the cell across.
+struct RoughCells
+{
+  /// The lower plane of the cell, from the middle plane of the block.
+  Floats Plane;
+  Floats Crossing[2];
+  Floats Slope[2];
+  Floats Ends[2];
+};
+
+SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned int* codes)
+{
+  const float* lines[FloatWidth];
+  for (int lane = 0; lane < FloatWidth; ++lane)
+  {
+    lines[lane] = passages.Ways[codes[lane] & 0xFFFFU].Line;
+  }
+  Floats line[4];
+  LoadFours(lines, line);
+  RoughCells cells;
+  cells.Plane = GetBits(codes, 16, 7U) - 4.0F;
+  cells.Crossing[0] = line[0] - GetBits(codes, 24, 7U);
+  cells.Crossing[1] = line[1] - GetBits(codes, 27, 7U);
+  cells.Slope[0] = line[2];
+  cells.Slope[1] = line[3];
+  cells.Ends[0] = NoEnd[0];
+  cells.Ends[1] = NoEnd[1];
+  if (passages.HasEnds)
+  {
+    float ends[2][FloatWidth];
+    for (int lane = 0; lane < FloatWidth; ++lane)
+    {
+      const Passages::Way& way = passages.Ways[codes[lane] & 0xFFFFU];
+      ends[0][lane] = way.Ends[0];
+      ends[1][lane] = way.Ends[1];
+    }
+    cells.Ends[0] = LoadFloats(ends[0]);
+    cells.Ends[1] = LoadFloats(ends[1]);
+  }
+  return cells;
+}
+
+/// What single precision can tell of the part of rays in cells.
+struct Classification
+{
+  FloatMask Misses;
+  FloatMask Hits;
+};
+
+/// The planes between which rays are in cells, taken a little too wide; by how much the ends may
+/// be off, and whether there is surely something between them.
+struct RoughSegments
+{
+  Floats Low;
+  Floats High;
+  Floats Error;
+  FloatMask Exist;
+};
+
+/// More than single precision may be off by, in cells: of a place in a block and of a plane.
+constexpr float PlaceError = 0x1p-18F;
+
+SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
+{
+  const Floats one = 1.0F;
+  const Floats error = PlaceError;
+  Floats low = Max(cells.Plane, cells.Ends[0] - error);
+  Floats surelyLow = Max(cells.Plane, cells.Ends[0] + error);
+  Floats high = Min(cells.Plane + one, cells.Ends[1] + error);
+  Floats surelyHigh = Min(cells.Plane + one, cells.Ends[1] - error);
+  for (int j = 0; j < 2; ++j)
+  {
+    // Of a slope that is nearly or really none, a large reciprocal will do.
+    const Floats inverse =
+      ApproximateReciprocal(CopySign(Max(Abs(cells.Slope[j]), 0x1p-60F), cells.Slope[j]));
+    const Floats first = (0.0F - cells.Crossing[j]) * inverse;
+    const Floats second = (one - cells.Crossing[j]) * inverse;
+    const Floats off = MultiplyAdd(error, Abs(inverse), error);
+    const Floats in = Min(first, second);
+    const Floats out = Max(first, second);
+    low = Max(low, in - off);
+    surelyLow = Max(surelyLow, in + off);
+    high = Min(high, out + off);
+    surelyHigh = Min(surelyHigh, out - off);
+  }
+  RoughSegments result;
+  result.Low = low;
+  result.High = high;
+  result.Error = Max(surelyLow - low, high - surelyHigh);
+  result.Exist = surelyLow + error < surelyHigh;
+  return result;
+}
+
+/// Looks at the cubics along rays in cells, of values less the isovalue; largest is the largest
+/// size of each cell's. All that single precision gets wrong is less than 2^-16 of it, and what is
+/// wrong with the isovalue.
+SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
+  const int order[3], const RoughCells& cells, const RoughSegments& segments)
+{
+  // The places in the cell at both ends of the segment.
+  Floats p[3];
+  Floats q[3];
+  p[order[0]] = segments.Low - cells.Plane;
+  q[order[0]] = segments.High - cells.Plane;
+  for (int j = 0; j < 2; ++j)
+  {
+    p[order[1 + j]] = MultiplyAdd(segments.Low, cells.Slope[j], cells.Crossing[j]);
+    q[order[1 + j]] = MultiplyAdd(segments.High, cells.Slope[j], cells.Crossing[j]);
+  }
+  Floats x[2][4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const Floats difference = v[2 * i + 1] - v[2 * i];
+    x[0][i] = MultiplyAdd(difference, p[0], v[2 * i]);
+    x[1][i] = MultiplyAdd(difference, q[0], v[2 * i]);
+  }
+  Floats b[2][2][2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Floats xy[2][2];
+    for (int z = 0; z < 2; ++z)
+    {
+      const Floats difference = x[i][2 * z + 1] - x[i][2 * z];
+      xy[0][z] = MultiplyAdd(difference, p[1], x[i][2 * z]);
+      xy[1][z] = MultiplyAdd(difference, q[1], x[i][2 * z]);
+    }
+    for (int j = 0; j < 2; ++j)
+    {
+      const Floats difference = xy[j][1] - xy[j][0];
+      b[i][j][0] = MultiplyAdd(difference, p[2], xy[j][0]);
+      b[i][j][1] = MultiplyAdd(difference, q[2], xy[j][0]);
+    }
+  }
+  const Floats begin = b[0][0][0];
+  const Floats end = b[1][1][1];
+  const Floats once = b[1][0][0] + b[0][1][0] + b[0][0][1];
+  const Floats twice = b[1][1][0] + b[1][0][1] + b[0][1][1];
+  // Where values are so large that differences overflow, the square does too, and nothing is told.
+  const Floats part = largest * 0x1p-36F;
+  const Floats error = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, isovalueError));
+  // A value changes by at most twice the largest size for a cell along each axis, and a ray goes at
+  // most two cells across for one along.
+  const Floats errorOfEnds = MultiplyAdd(largest * segments.Error, 10.0F, error);
+  const Floats nearer = Min(Abs(begin), Abs(end));
+  const Floats third = 1.0F / 3.0F;
+  const Floats nearest = Min(nearer, Min(Abs(once), Abs(twice)) * third);
+  const FloatMask changes = HaveDifferentSigns(begin, end);
+  const FloatMask mayChange =
+    changes | HaveDifferentSigns(begin, once) | HaveDifferentSigns(begin, twice);
+  Classification result;
+  result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
+  result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
+  return result;
+}
+
+/// The corners of cells in single precision, less the isovalue. Returns the largest size.
+template <typename T>
+SIMD_INLINE Floats LoadRoughDifferences(
+  const void* const* first, const std::ptrdiff_t strides[3], Floats isovalue, Floats values[8])
+{
+  Floats largest = 0.0F;
+  for (int row = 0; row < 4; ++row)
+  {
+    Floats* pair = &values[2 * row];
+    LoadRowOfFloats<T>(first, row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
+    for (int x = 0; x < 2; ++x)
+    {
+      pair[x] = pair[x] - isovalue;
+      largest = MaxAbs(largest, pair[x]);
+    }
+  }
+  return largest;
+}
+
+template <typename T>
+void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits)
+{
+  // In other magnitudes nothing is told.
+  const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
+  const auto rounded = static_cast<float>(isovalue.Isovalue);
+  const Floats isovalueError = least + 0x1p-22F * (rounded < 0.0F ? -rounded : rounded);
+  // The order of the axis and those across, in that of the corners.
+  const int order[3] = { axis, AxisU[axis], AxisV[axis] };
+  for (int i = 0; i < cells.Count; i += FloatWidth)
+  {
+    const RoughCells rough = LoadRoughCells(passages, &cells.Codes[i]);
+    const RoughSegments segments = FindRoughSegments(rough);
+    Floats values[8];
+    const Floats largest = LoadRoughDifferences<T>(&cells.First[i], strides, rounded, values);
+    const Classification classification =
+      Classify(values, largest, isovalueError, order, rough, segments);
+    const unsigned int lanes = (1U << SmallerOf(cells.Count - i, FloatWidth)) - 1U;
+    const unsigned int sure = ToBits(classification.Hits);
+    for (unsigned int left = lanes & ~ToBits(classification.Misses); left != 0; left &= left - 1)
+    {
+      const int lane = __builtin_ctz(left);
+      const unsigned int code = cells.Codes[i + lane];
+      const unsigned int passage = code & 0xFFFFU;
+      const unsigned int bit = code >> 24;
+      const Passages::Way& way = passages.Ways[passage];
+      const int* first = passages.First[way.Block];
+      const int place = candidates.Count++;
+      candidates.Ray[place] = way.Ray;
+      candidates.Cell[order[0]][place] = first[order[0]] + static_cast<int>(code >> 16 & 0xFFU);
+      candidates.Cell[order[1]][place] = first[order[1]] + static_cast<int>(bit & 7U);
+      candidates.Cell[order[2]][place] = first[order[2]] + static_cast<int>(bit >> 3);
+      candidates.First[place] = cells.First[i + lane];
+      const unsigned int isSure = sure >> lane & 1U;
+      passages.Hits[passage] = passages.Hits[passage] || isSure != 0;
+      hits.Words[way.Ray >> 6] |= static_cast<std::uint64_t>(isSure) << (way.Ray & 63);
+    }
+  }
+}
+
+}
+}

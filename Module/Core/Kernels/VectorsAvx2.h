@@ -1,0 +1,443 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The vectors of AVX2 with FMA. Included by Vectors.h only; see VectorsAvx512.h for what the
+// functions do.
+
+#include <immintrin.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr int DoubleWidth = 4;
+
+struct Mask
+{
+  __m256d Value;
+};
+
+/// Converts from double, so that arithmetic reads as for one number.
+struct Doubles
+{
+  Doubles() = default;
+  SIMD_INLINE Doubles(__m256d value)
+    : Value(value)
+  {
+  }
+  SIMD_INLINE Doubles(double value)
+    : Value(_mm256_set1_pd(value))
+  {
+  }
+
+  __m256d Value;
+};
+
+SIMD_INLINE Mask operator&(Mask a, Mask b)
+{
+  return { _mm256_and_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Mask operator|(Mask a, Mask b)
+{
+  return { _mm256_or_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Mask operator^(Mask a, Mask b)
+{
+  return { _mm256_xor_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Mask AndNot(Mask a, Mask b)
+{
+  return { _mm256_andnot_pd(b.Value, a.Value) };
+}
+SIMD_INLINE unsigned int ToBits(Mask a)
+{
+  return static_cast<unsigned int>(_mm256_movemask_pd(a.Value));
+}
+SIMD_INLINE Mask FirstLanes(int count)
+{
+  return { _mm256_castsi256_pd(
+    _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_set_epi64x(3, 2, 1, 0))) };
+}
+
+SIMD_INLINE Doubles Load(const double* a)
+{
+  return { _mm256_loadu_pd(a) };
+}
+SIMD_INLINE void Store(Doubles a, double* to)
+{
+  _mm256_storeu_pd(to, a.Value);
+}
+SIMD_INLINE Doubles LoadIntegers(const int* a)
+{
+  return { _mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a))) };
+}
+SIMD_INLINE void StoreTruncated(Doubles a, int* to)
+{
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a.Value));
+}
+SIMD_INLINE Doubles Gather(const double* from, const int* places)
+{
+  return { _mm256_set_pd(from[places[3]], from[places[2]], from[places[1]], from[places[0]]) };
+}
+SIMD_INLINE Doubles operator+(Doubles a, Doubles b)
+{
+  return { _mm256_add_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator-(Doubles a, Doubles b)
+{
+  return { _mm256_sub_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator*(Doubles a, Doubles b)
+{
+  return { _mm256_mul_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator/(Doubles a, Doubles b)
+{
+  return { _mm256_div_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles FusedMultiplyAdd(Doubles a, Doubles b, Doubles c)
+{
+  return { _mm256_fmadd_pd(a.Value, b.Value, c.Value) };
+}
+SIMD_INLINE Doubles Sqrt(Doubles a)
+{
+  return { _mm256_sqrt_pd(a.Value) };
+}
+SIMD_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm256_floor_pd(a.Value) };
+}
+SIMD_INLINE Doubles Abs(Doubles a)
+{
+  return { _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.Value) };
+}
+SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
+{
+  const __m256d sign = _mm256_set1_pd(-0.0);
+  return { _mm256_or_pd(_mm256_and_pd(sign, b.Value), _mm256_andnot_pd(sign, a.Value)) };
+}
+SIMD_INLINE Mask operator<(Doubles a, Doubles b)
+{
+  return { _mm256_cmp_pd(a.Value, b.Value, _CMP_LT_OQ) };
+}
+SIMD_INLINE Mask operator<=(Doubles a, Doubles b)
+{
+  return { _mm256_cmp_pd(a.Value, b.Value, _CMP_LE_OQ) };
+}
+SIMD_INLINE Mask operator==(Doubles a, Doubles b)
+{
+  return { _mm256_cmp_pd(a.Value, b.Value, _CMP_EQ_OQ) };
+}
+SIMD_INLINE Doubles Min(Doubles a, Doubles b)
+{
+  return { _mm256_min_pd(b.Value, a.Value) };
+}
+SIMD_INLINE Doubles Max(Doubles a, Doubles b)
+{
+  return { _mm256_max_pd(b.Value, a.Value) };
+}
+SIMD_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
+{
+  return { _mm256_blendv_pd(no.Value, yes.Value, mask.Value) };
+}
+
+SIMD_INLINE double ReduceMin(Doubles a)
+{
+  const __m128d two =
+    _mm_min_pd(_mm256_castpd256_pd128(a.Value), _mm256_extractf128_pd(a.Value, 1));
+  return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
+}
+SIMD_INLINE Mask ToMask(unsigned int bits)
+{
+  double lanes[DoubleWidth];
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    lanes[lane] = static_cast<double>(bits >> lane & 1U);
+  }
+  return Doubles(0.0) < Load(lanes);
+}
+SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+  double lanes[2][DoubleWidth];
+  Store(first, lanes[0]);
+  Store(second, lanes[1]);
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
+    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
+  }
+}
+SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
+{
+  int count = 0;
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    numbers[count] = first + lane;
+    count += static_cast<int>(lanes >> lane & 1U);
+  }
+  return count;
+}
+
+constexpr int FloatWidth = 8;
+
+struct FloatMask
+{
+  __m256 Value;
+};
+
+/// Converts from float, so that arithmetic reads as for one number.
+struct Floats
+{
+  Floats() = default;
+  SIMD_INLINE Floats(__m256 value)
+    : Value(value)
+  {
+  }
+  SIMD_INLINE Floats(float value)
+    : Value(_mm256_set1_ps(value))
+  {
+  }
+
+  __m256 Value;
+};
+
+SIMD_INLINE FloatMask operator&(FloatMask a, FloatMask b)
+{
+  return { _mm256_and_ps(a.Value, b.Value) };
+}
+SIMD_INLINE FloatMask operator|(FloatMask a, FloatMask b)
+{
+  return { _mm256_or_ps(a.Value, b.Value) };
+}
+SIMD_INLINE unsigned int ToBits(FloatMask a)
+{
+  return static_cast<unsigned int>(_mm256_movemask_ps(a.Value));
+}
+SIMD_INLINE Floats LoadFloats(const float* a)
+{
+  return { _mm256_loadu_ps(a) };
+}
+SIMD_INLINE Floats Round(Doubles low, Doubles high)
+{
+  return { _mm256_set_m128(_mm256_cvtpd_ps(high.Value), _mm256_cvtpd_ps(low.Value)) };
+}
+SIMD_INLINE Floats operator+(Floats a, Floats b)
+{
+  return { _mm256_add_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator-(Floats a, Floats b)
+{
+  return { _mm256_sub_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator*(Floats a, Floats b)
+{
+  return { _mm256_mul_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator/(Floats a, Floats b)
+{
+  return { _mm256_div_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats MultiplyAdd(Floats a, Floats b, Floats c)
+{
+  return { _mm256_fmadd_ps(a.Value, b.Value, c.Value) };
+}
+SIMD_INLINE Floats Abs(Floats a)
+{
+  return { _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.Value) };
+}
+SIMD_INLINE FloatMask operator<(Floats a, Floats b)
+{
+  return { _mm256_cmp_ps(a.Value, b.Value, _CMP_LT_OQ) };
+}
+SIMD_INLINE Floats Min(Floats a, Floats b)
+{
+  return { _mm256_min_ps(b.Value, a.Value) };
+}
+SIMD_INLINE Floats Max(Floats a, Floats b)
+{
+  return { _mm256_max_ps(b.Value, a.Value) };
+}
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
+{
+  return Max(Abs(a), Abs(b));
+}
+SIMD_INLINE Floats CopySign(Floats a, Floats b)
+{
+  const __m256 sign = _mm256_set1_ps(-0.0F);
+  return { _mm256_or_ps(_mm256_and_ps(sign, b.Value), _mm256_andnot_ps(sign, a.Value)) };
+}
+SIMD_INLINE FloatMask HaveDifferentSigns(Floats a, Floats b)
+{
+  return { _mm256_xor_ps(a.Value, b.Value) };
+}
+SIMD_INLINE FloatMask AndNot(FloatMask a, FloatMask b)
+{
+  return { _mm256_andnot_ps(b.Value, a.Value) };
+}
+SIMD_INLINE Floats ApproximateReciprocal(Floats a)
+{
+  return { _mm256_div_ps(_mm256_set1_ps(1.0F), a.Value) };
+}
+SIMD_INLINE Floats GetBits(const unsigned int* words, int shift, unsigned int mask)
+{
+  const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(words));
+  return { _mm256_cvtepi32_ps(_mm256_and_si256(
+    _mm256_srl_epi32(all, _mm_cvtsi32_si128(shift)), _mm256_set1_epi32(static_cast<int>(mask)))) };
+}
+SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
+{
+  __m256 rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = _mm256_set_m128(_mm_loadu_ps(from[4 + i]), _mm_loadu_ps(from[i]));
+  }
+  const __m256d low[2] = { _mm256_castps_pd(_mm256_unpacklo_ps(rows[0], rows[1])),
+    _mm256_castps_pd(_mm256_unpacklo_ps(rows[2], rows[3])) };
+  const __m256d high[2] = { _mm256_castps_pd(_mm256_unpackhi_ps(rows[0], rows[1])),
+    _mm256_castps_pd(_mm256_unpackhi_ps(rows[2], rows[3])) };
+  to[0] = { _mm256_castpd_ps(_mm256_unpacklo_pd(low[0], low[1])) };
+  to[1] = { _mm256_castpd_ps(_mm256_unpackhi_pd(low[0], low[1])) };
+  to[2] = { _mm256_castpd_ps(_mm256_unpacklo_pd(high[0], high[1])) };
+  to[3] = { _mm256_castpd_ps(_mm256_unpackhi_pd(high[0], high[1])) };
+}
+
+//------------------------------------------------------------------------------
+// There is no conversion from integers of more than 31 bits.
+template <typename T>
+constexpr bool HasWords = sizeof(T) <= 2 || (sizeof(T) == 4 && IsSigned<T>);
+
+template <typename Word>
+SIMD_INLINE Word LoadWord(const void* row, std::ptrdiff_t bytes)
+{
+  Word word;
+  __builtin_memcpy(&word, static_cast<const char*>(row) + bytes, sizeof(word));
+  return word;
+}
+
+template <int Size>
+SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t bytes)
+{
+  const void* row[DoubleWidth];
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    row[lane] = rows[lane < lanes ? lane : 0];
+  }
+  if constexpr (Size == 8)
+  {
+    return _mm256_set_epi64x(LoadWord<long long>(row[3], bytes), LoadWord<long long>(row[2], bytes),
+      LoadWord<long long>(row[1], bytes), LoadWord<long long>(row[0], bytes));
+  }
+  else
+  {
+    return _mm_set_epi32(LoadWord<int>(row[3], bytes), LoadWord<int>(row[2], bytes),
+      LoadWord<int>(row[1], bytes), LoadWord<int>(row[0], bytes));
+  }
+}
+
+/// Of samples that are the highest bits of their words.
+template <typename T>
+SIMD_INLINE Doubles ToDoubles(__m128i high)
+{
+  constexpr int bits = 8 * sizeof(T);
+  if constexpr (IsFloating<T>)
+  {
+    return { _mm256_cvtps_pd(_mm_castsi128_ps(high)) };
+  }
+  else
+  {
+    return { _mm256_cvtepi32_pd(
+      IsSigned<T> ? _mm_srai_epi32(high, 32 - bits) : _mm_srli_epi32(high, 32 - bits)) };
+  }
+}
+
+template <typename T>
+SIMD_INLINE Doubles TakeFromWords(__m256i words, int k)
+{
+  constexpr int bits = 8 * sizeof(T);
+  const __m256i high = _mm256_sll_epi64(words, _mm_cvtsi32_si128(64 - bits * (k + 1)));
+  const __m256i upperHalves = _mm256_set_epi32(7, 5, 3, 1, 7, 5, 3, 1);
+  return ToDoubles<T>(_mm256_castsi256_si128(_mm256_permutevar8x32_epi32(high, upperHalves)));
+}
+
+template <typename T>
+SIMD_INLINE Doubles TakeFromWords(__m128i words, int k)
+{
+  constexpr int bits = 8 * sizeof(T);
+  return ToDoubles<T>(_mm_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1))));
+}
+
+template <typename T, int Count>
+SIMD_INLINE void LoadWordRow(
+  const void* const* rows, int lanes, std::ptrdiff_t place, Doubles values[Count])
+{
+  const auto words =
+    LoadWords<Count * sizeof(T)>(rows, lanes, place * static_cast<std::ptrdiff_t>(sizeof(T)));
+  for (int k = 0; k < Count; ++k)
+  {
+    values[k] = TakeFromWords<T>(words, k);
+  }
+}
+
+template <typename T>
+constexpr bool HasFloatPairs = false;
+
+//------------------------------------------------------------------------------
+using SliceMasks = const std::uint64_t*;
+
+SIMD_INLINE SliceMasks LoadSlices(const std::uint64_t slices[8])
+{
+  return slices;
+}
+
+/// The cells between the coordinates of a ray along one axis across, one bit for each, in eight
+/// slices.
+SIMD_INLINE __m256i FindRow(float middle, float slope, float margin)
+{
+  const __m256 planes = _mm256_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m256 margins = _mm256_set1_ps(margin);
+  const __m256 slopes = _mm256_set1_ps(slope);
+  const __m256 near = _mm256_add_ps(_mm256_set1_ps(middle), _mm256_mul_ps(planes, slopes));
+  const __m256 far = _mm256_add_ps(near, slopes);
+  const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margins);
+  const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margins);
+  const __m256i seven = _mm256_set1_epi32(7);
+  const __m256i low = _mm256_max_epi32(_mm256_cvttps_epi32(least), _mm256_setzero_si256());
+  const __m256i high =
+    _mm256_sub_epi32(seven, _mm256_min_epi32(_mm256_cvttps_epi32(_mm256_floor_ps(most)), seven));
+  const __m256i byte = _mm256_set1_epi32(0xFF);
+  return _mm256_and_si256(
+    byte, _mm256_and_si256(_mm256_sllv_epi32(byte, low), _mm256_srlv_epi32(byte, high)));
+}
+
+/// Those of four slices that are in a row of columns, a column of rows, and the slices.
+SIMD_INLINE unsigned int FindCellsOfSlices(
+  __m128i columns, __m128i rows, const std::uint64_t slices[4], std::uint64_t cells[4])
+{
+  const __m256i firstBytes = _mm256_set_epi64x(0x0808080808080808, 0, 0x0808080808080808, 0);
+  const __m256i bits = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201U));
+  const auto spread = [firstBytes](__m128i words)
+  { return _mm256_shuffle_epi8(_mm256_cvtepu32_epi64(words), firstBytes); };
+  const __m256i inRows = _mm256_cmpeq_epi8(_mm256_and_si256(spread(rows), bits), bits);
+  const __m256i found = _mm256_and_si256(_mm256_and_si256(inRows, spread(columns)),
+    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(slices)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(cells), found);
+  const __m256i none = _mm256_cmpeq_epi64(found, _mm256_setzero_si256());
+  return 15U ^ static_cast<unsigned int>(_mm256_movemask_pd(_mm256_castsi256_pd(none)));
+}
+
+SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
+  SliceMasks slices, std::uint64_t cells[8])
+{
+  const __m256i columns = FindRow(middle[0], slope[0], margin);
+  const __m256i rows = FindRow(middle[1], slope[1], margin);
+  const unsigned int first =
+    FindCellsOfSlices(_mm256_castsi256_si128(columns), _mm256_castsi256_si128(rows), slices, cells);
+  return first |
+    FindCellsOfSlices(_mm256_extracti128_si256(columns, 1), _mm256_extracti128_si256(rows, 1),
+      slices + 4, cells + 4)
+    << 4;
+}
+
+}
+}

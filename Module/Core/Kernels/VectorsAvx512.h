@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The vectors of AVX-512. Included by Vectors.h only.
+
+#include <immintrin.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr int DoubleWidth = 8;
+
+/// A truth value for each lane.
+struct Mask
+{
+  __mmask8 Value;
+};
+
+/// Converts from double, so that arithmetic reads as for one number.
+struct Doubles
+{
+  Doubles() = default;
+  SIMD_INLINE Doubles(__m512d value)
+    : Value(value)
+  {
+  }
+  SIMD_INLINE Doubles(double value)
+    : Value(_mm512_set1_pd(value))
+  {
+  }
+
+  __m512d Value;
+};
+
+SIMD_INLINE Mask operator&(Mask a, Mask b)
+{
+  return { _kand_mask8(a.Value, b.Value) };
+}
+SIMD_INLINE Mask operator|(Mask a, Mask b)
+{
+  return { _kor_mask8(a.Value, b.Value) };
+}
+SIMD_INLINE Mask operator^(Mask a, Mask b)
+{
+  return { _kxor_mask8(a.Value, b.Value) };
+}
+SIMD_INLINE Mask AndNot(Mask a, Mask b)
+{
+  return { _kandn_mask8(b.Value, a.Value) };
+}
+SIMD_INLINE unsigned int ToBits(Mask a)
+{
+  return a.Value;
+}
+SIMD_INLINE Mask FirstLanes(int count)
+{
+  return { static_cast<__mmask8>((1U << count) - 1U) };
+}
+
+SIMD_INLINE Doubles Load(const double* a)
+{
+  return { _mm512_loadu_pd(a) };
+}
+SIMD_INLINE void Store(Doubles a, double* to)
+{
+  _mm512_storeu_pd(to, a.Value);
+}
+SIMD_INLINE Doubles LoadIntegers(const int* a)
+{
+  return { _mm512_cvtepi32_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(a))) };
+}
+/// Rounded towards zero.
+SIMD_INLINE void StoreTruncated(Doubles a, int* to)
+{
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.Value));
+}
+SIMD_INLINE Doubles Gather(const double* from, const int* places)
+{
+  return { _mm512_i32gather_pd(
+    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places)), from, 8) };
+}
+SIMD_INLINE Doubles operator+(Doubles a, Doubles b)
+{
+  return { _mm512_add_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator-(Doubles a, Doubles b)
+{
+  return { _mm512_sub_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator*(Doubles a, Doubles b)
+{
+  return { _mm512_mul_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles operator/(Doubles a, Doubles b)
+{
+  return { _mm512_div_pd(a.Value, b.Value) };
+}
+SIMD_INLINE Doubles FusedMultiplyAdd(Doubles a, Doubles b, Doubles c)
+{
+  return { _mm512_fmadd_pd(a.Value, b.Value, c.Value) };
+}
+SIMD_INLINE Doubles Sqrt(Doubles a)
+{
+  return { _mm512_sqrt_pd(a.Value) };
+}
+SIMD_INLINE Doubles Abs(Doubles a)
+{
+  return { _mm512_abs_pd(a.Value) };
+}
+SIMD_INLINE Doubles Floor(Doubles a)
+{
+  return { _mm512_floor_pd(a.Value) };
+}
+SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
+{
+  const __m512i sign = _mm512_set1_epi64(static_cast<long long>(0x8000000000000000U));
+  return { _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
+    sign, _mm512_castpd_si512(b.Value), _mm512_castpd_si512(a.Value), 0xCA)) };
+}
+SIMD_INLINE Mask operator<(Doubles a, Doubles b)
+{
+  return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_LT_OQ) };
+}
+SIMD_INLINE Mask operator<=(Doubles a, Doubles b)
+{
+  return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_LE_OQ) };
+}
+SIMD_INLINE Mask operator==(Doubles a, Doubles b)
+{
+  return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_EQ_OQ) };
+}
+SIMD_INLINE Doubles Min(Doubles a, Doubles b)
+{
+  return { _mm512_min_pd(b.Value, a.Value) };
+}
+SIMD_INLINE Doubles Max(Doubles a, Doubles b)
+{
+  return { _mm512_max_pd(b.Value, a.Value) };
+}
+SIMD_INLINE Doubles Select(Mask mask, Doubles yes, Doubles no)
+{
+  return { _mm512_mask_mov_pd(no.Value, mask.Value, yes.Value) };
+}
+
+/// The smallest of the lanes.
+SIMD_INLINE double ReduceMin(Doubles a)
+{
+  return _mm512_reduce_min_pd(a.Value);
+}
+/// From a bit for each lane.
+SIMD_INLINE Mask ToMask(unsigned int bits)
+{
+  return { static_cast<__mmask8>(bits) };
+}
+/// Stores pairs in single precision.
+SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+  const __m512i places = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  _mm512_storeu_ps(pairs,
+    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), places,
+      _mm512_castps256_ps512(_mm512_cvtpd_ps(second.Value))));
+}
+/// Appends the numbers of some lanes, counted from the first. There must be room for a vector.
+SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
+{
+  const __m256i all =
+    _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(numbers),
+    _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), all));
+  return __builtin_popcount(lanes);
+}
+
+constexpr int FloatWidth = 16;
+
+struct FloatMask
+{
+  __mmask16 Value;
+};
+
+/// Converts from float, so that arithmetic reads as for one number.
+struct Floats
+{
+  Floats() = default;
+  SIMD_INLINE Floats(__m512 value)
+    : Value(value)
+  {
+  }
+  SIMD_INLINE Floats(float value)
+    : Value(_mm512_set1_ps(value))
+  {
+  }
+
+  __m512 Value;
+};
+
+SIMD_INLINE FloatMask operator&(FloatMask a, FloatMask b)
+{
+  return { _kand_mask16(a.Value, b.Value) };
+}
+SIMD_INLINE FloatMask operator|(FloatMask a, FloatMask b)
+{
+  return { _kor_mask16(a.Value, b.Value) };
+}
+SIMD_INLINE unsigned int ToBits(FloatMask a)
+{
+  return a.Value;
+}
+SIMD_INLINE Floats LoadFloats(const float* a)
+{
+  return { _mm512_loadu_ps(a) };
+}
+/// What two vectors of doubles hold, rounded.
+SIMD_INLINE Floats Round(Doubles low, Doubles high)
+{
+  return { _mm512_insertf32x8(
+    _mm512_castps256_ps512(_mm512_cvtpd_ps(low.Value)), _mm512_cvtpd_ps(high.Value), 1) };
+}
+SIMD_INLINE Floats operator+(Floats a, Floats b)
+{
+  return { _mm512_add_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator-(Floats a, Floats b)
+{
+  return { _mm512_sub_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator*(Floats a, Floats b)
+{
+  return { _mm512_mul_ps(a.Value, b.Value) };
+}
+SIMD_INLINE Floats operator/(Floats a, Floats b)
+{
+  return { _mm512_div_ps(a.Value, b.Value) };
+}
+/// a b + c, rounded once or twice.
+SIMD_INLINE Floats MultiplyAdd(Floats a, Floats b, Floats c)
+{
+  return { _mm512_fmadd_ps(a.Value, b.Value, c.Value) };
+}
+SIMD_INLINE Floats Abs(Floats a)
+{
+  return { _mm512_abs_ps(a.Value) };
+}
+SIMD_INLINE FloatMask operator<(Floats a, Floats b)
+{
+  return { _mm512_cmp_ps_mask(a.Value, b.Value, _CMP_LT_OQ) };
+}
+SIMD_INLINE Floats Min(Floats a, Floats b)
+{
+  return { _mm512_min_ps(b.Value, a.Value) };
+}
+SIMD_INLINE Floats Max(Floats a, Floats b)
+{
+  return { _mm512_max_ps(b.Value, a.Value) };
+}
+/// The larger of two magnitudes.
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
+{
+  return { _mm512_range_ps(a.Value, b.Value, 0x0B) };
+}
+SIMD_INLINE Floats CopySign(Floats a, Floats b)
+{
+  const __m512i sign = _mm512_set1_epi32(static_cast<int>(0x80000000U));
+  return { _mm512_castsi512_ps(_mm512_ternarylogic_epi32(
+    sign, _mm512_castps_si512(b.Value), _mm512_castps_si512(a.Value), 0xCA)) };
+}
+/// Of the bits alone: zeros have a sign too.
+SIMD_INLINE FloatMask HaveDifferentSigns(Floats a, Floats b)
+{
+  return { _mm512_movepi32_mask(
+    _mm512_xor_si512(_mm512_castps_si512(a.Value), _mm512_castps_si512(b.Value))) };
+}
+SIMD_INLINE FloatMask AndNot(FloatMask a, FloatMask b)
+{
+  return { _kandn_mask16(b.Value, a.Value) };
+}
+/// 1 / a to some twenty bits.
+SIMD_INLINE Floats ApproximateReciprocal(Floats a)
+{
+  const __m512 first = _mm512_rcp14_ps(a.Value);
+  return { _mm512_mul_ps(first, _mm512_fnmadd_ps(a.Value, first, _mm512_set1_ps(2.0F))) };
+}
+/// Some bits of each word.
+SIMD_INLINE Floats GetBits(const unsigned int* words, int shift, unsigned int mask)
+{
+  return { _mm512_cvtepi32_ps(
+    _mm512_and_si512(_mm512_srl_epi32(_mm512_loadu_si512(words), _mm_cvtsi32_si128(shift)),
+      _mm512_set1_epi32(static_cast<int>(mask)))) };
+}
+/// Four numbers for each lane, each of them in a vector.
+SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
+{
+  __m512 rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = _mm512_castps128_ps512(_mm_loadu_ps(from[i]));
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[4 + i]), 1);
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[8 + i]), 2);
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[12 + i]), 3);
+  }
+  const __m512d low[2] = { _mm512_castps_pd(_mm512_unpacklo_ps(rows[0], rows[1])),
+    _mm512_castps_pd(_mm512_unpacklo_ps(rows[2], rows[3])) };
+  const __m512d high[2] = { _mm512_castps_pd(_mm512_unpackhi_ps(rows[0], rows[1])),
+    _mm512_castps_pd(_mm512_unpackhi_ps(rows[2], rows[3])) };
+  to[0] = { _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1])) };
+  to[1] = { _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1])) };
+  to[2] = { _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1])) };
+  to[3] = { _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1])) };
+}
+
+//------------------------------------------------------------------------------
+/// Whether samples of a type are loaded in words of 8 or 4 bytes, one in each lane, that hold some
+/// of them.
+template <typename T>
+constexpr bool HasWords = true;
+
+/// Words of so many bytes, from as many bytes behind the beginnings of the rows.
+template <int Size>
+SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t bytes)
+{
+  const __mmask8 mask = FirstLanes(lanes).Value;
+  const __m512i addresses = _mm512_add_epi64(_mm512_loadu_si512(rows), _mm512_set1_epi64(bytes));
+  if constexpr (Size == 8)
+  {
+    return _mm512_mask_i64gather_epi64(_mm512_setzero_si512(), mask, addresses, nullptr, 1);
+  }
+  else
+  {
+    return _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), mask, addresses, nullptr, 1);
+  }
+}
+
+/// Sample k of each word.
+template <typename T>
+SIMD_INLINE Doubles TakeFromWords(__m512i words, int k)
+{
+  constexpr int bits = 8 * sizeof(T);
+  const __m512i high = _mm512_sll_epi64(words, _mm_cvtsi32_si128(64 - bits * (k + 1)));
+  if constexpr (IsFloating<T> && bits == 64)
+  {
+    return { _mm512_castsi512_pd(words) };
+  }
+  else if constexpr (IsFloating<T>)
+  {
+    const __m256i values = _mm512_cvtepi64_epi32(_mm512_srli_epi64(high, 32));
+    return { _mm512_cvtps_pd(_mm256_castsi256_ps(values)) };
+  }
+  else if constexpr (IsSigned<T>)
+  {
+    return { _mm512_cvtepi64_pd(_mm512_srai_epi64(high, 64 - bits)) };
+  }
+  else
+  {
+    return { _mm512_cvtepu64_pd(_mm512_srli_epi64(high, 64 - bits)) };
+  }
+}
+
+template <typename T>
+SIMD_INLINE Doubles TakeFromWords(__m256i words, int k)
+{
+  constexpr int bits = 8 * sizeof(T);
+  const __m256i high = _mm256_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
+  return { _mm512_cvtepi32_pd(
+    IsSigned<T> ? _mm256_srai_epi32(high, 32 - bits) : _mm256_srli_epi32(high, 32 - bits)) };
+}
+
+template <typename T, int Count>
+SIMD_INLINE void LoadWordRow(
+  const void* const* rows, int lanes, std::ptrdiff_t place, Doubles values[Count])
+{
+  const auto words =
+    LoadWords<Count * sizeof(T)>(rows, lanes, place * static_cast<std::ptrdiff_t>(sizeof(T)));
+  for (int k = 0; k < Count; ++k)
+  {
+    values[k] = TakeFromWords<T>(words, k);
+  }
+}
+
+/// Whether pairs of samples of a type are loaded in single precision.
+template <typename T>
+constexpr bool HasFloatPairs = sizeof(T) == 2 || (IsFloating<T> && sizeof(T) == 4);
+
+template <typename T>
+SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t place, Floats pair[2])
+{
+  constexpr int size = 2 * sizeof(T);
+  const std::ptrdiff_t bytes = place * static_cast<std::ptrdiff_t>(sizeof(T));
+  const auto low = LoadWords<size>(rows, DoubleWidth, bytes);
+  const auto high = LoadWords<size>(rows + DoubleWidth, DoubleWidth, bytes);
+  if constexpr (size == 4)
+  {
+    const __m512i words = _mm512_inserti32x8(_mm512_castsi256_si512(low), high, 1);
+    const __m512i first = _mm512_slli_epi32(words, 16);
+    pair[0] = { _mm512_cvtepi32_ps(
+      IsSigned<T> ? _mm512_srai_epi32(first, 16) : _mm512_srli_epi32(first, 16)) };
+    pair[1] = { _mm512_cvtepi32_ps(
+      IsSigned<T> ? _mm512_srai_epi32(words, 16) : _mm512_srli_epi32(words, 16)) };
+  }
+  else
+  {
+    const __m512i even =
+      _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
+    const __m512i odd = _mm512_or_si512(even, _mm512_set1_epi32(1));
+    const __m512 first = _mm512_castsi512_ps(low);
+    const __m512 second = _mm512_castsi512_ps(high);
+    pair[0] = { _mm512_permutex2var_ps(first, even, second) };
+    pair[1] = { _mm512_permutex2var_ps(first, odd, second) };
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The eight slices of a block of cells, with a bit for each cell.
+using SliceMasks = __m512i;
+
+SIMD_INLINE SliceMasks LoadSlices(const std::uint64_t slices[8])
+{
+  return _mm512_loadu_si512(slices);
+}
+
+/// Finds the cells of one ray in a block, of those in the masks: slice by slice the rectangle of
+/// cells between the crossings with the two planes of the slice, and a margin around it. The ray is
+/// given by its coordinates across the axis in the middle plane of the block, counted from the
+/// first cell, and its slopes. Returns which slices have any.
+SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
+  SliceMasks slices, std::uint64_t cells[8])
+{
+  // All slices at once: in the lower half of a register for u, in the upper half for v.
+  const __m512 planes = _mm512_set_ps(3.0F, 2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F, 3.0F,
+    2.0F, 1.0F, 0.0F, -1.0F, -2.0F, -3.0F, -4.0F);
+  const __m512 margins = _mm512_set1_ps(margin);
+  const auto spread = [](const float pair[2])
+  { return _mm512_mask_blend_ps(0xFF00, _mm512_set1_ps(pair[0]), _mm512_set1_ps(pair[1])); };
+  const __m512 slopes = spread(slope);
+  const __m512 near = _mm512_fmadd_ps(planes, slopes, spread(middle));
+  const __m512 far = _mm512_add_ps(near, slopes);
+  const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margins);
+  const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margins);
+  const __m512i seven = _mm512_set1_epi32(7);
+  const __m512i low = _mm512_max_epi32(_mm512_cvttps_epi32(least), _mm512_setzero_si512());
+  const __m512i high = _mm512_sub_epi32(seven,
+    _mm512_min_epi32(
+      _mm512_cvt_roundps_epi32(most, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC), seven));
+
+  const __m512i byte = _mm512_set1_epi32(0xFF);
+  const __m512i bits = _mm512_ternarylogic_epi32(
+    _mm512_sllv_epi32(byte, low), _mm512_srlv_epi32(byte, high), byte, 0x80);
+  const __m512i columns = _mm512_shuffle_epi8(_mm512_cvtepu32_epi64(_mm512_castsi512_si256(bits)),
+    _mm512_set4_epi32(0x08080808, 0x08080808, 0x00000000, 0x00000000));
+  const __m128i rowBits = _mm256_cvtepi32_epi8(_mm512_extracti64x4_epi64(bits, 1));
+  const __mmask64 rows = static_cast<__mmask64>(_mm_cvtsi128_si64(rowBits));
+  const __m512i found = _mm512_maskz_mov_epi8(rows, _mm512_and_si512(slices, columns));
+  _mm512_storeu_si512(cells, found);
+  return _mm512_test_epi64_mask(found, found);
+}
+
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Arithmetic_h
+#define Arithmetic_h
+
+/// What the kernels share with the rest of the core is written once, as templates of a Number: a
+/// double, or a SIMD vector of doubles (Kernels/Vectors.h), with a comparison for each lane. It is
+/// always inlined, without optimization too: otherwise the linker might keep the copy that was
+/// compiled for a processor which is not there. For the same reason it calls nothing of the
+/// standard library.
+#define SIMD_INLINE inline __attribute__((always_inline))
+
+namespace vtkIsosurfaceRayTracing
+{
+
+// The operations of a Number, for double. Those of vectors have the same names and give the same
+// bits, of NaN and of the signs of zeros too.
+
+SIMD_INLINE bool AndNot(bool a, bool b)
+{
+  return a && !b;
+}
+
+SIMD_INLINE bool Any(bool a)
+{
+  return a;
+}
+
+SIMD_INLINE double Select(bool condition, double yes, double no)
+{
+  return condition ? yes : no;
+}
+
+/// As std::min chooses.
+SIMD_INLINE double Min(double a, double b)
+{
+  return b < a ? b : a;
+}
+
+/// As std::max chooses.
+SIMD_INLINE double Max(double a, double b)
+{
+  return a < b ? b : a;
+}
+
+SIMD_INLINE double Abs(double a)
+{
+  return __builtin_fabs(a);
+}
+
+/// The first with the sign of the second.
+SIMD_INLINE double CopySign(double a, double b)
+{
+  return __builtin_copysign(a, b);
+}
+
+SIMD_INLINE double Sqrt(double a)
+{
+  return __builtin_sqrt(a);
+}
+
+SIMD_INLINE double Floor(double a)
+{
+  return __builtin_floor(a);
+}
+
+/// a b + c, rounded once.
+SIMD_INLINE double FusedMultiplyAdd(double a, double b, double c)
+{
+  return __builtin_fma(a, b, c);
+}
+
+/// As std::clamp chooses: NaN stays.
+template <typename Number>
+SIMD_INLINE Number Clamp(Number value, Number low, Number high)
+{
+  return Select(value < low, low, Select(high < value, high, value));
+}
+
+/// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
+/// place where the sign changes. To touch the isovalue from inside and turn back is none; to touch
+/// it from outside is to go in and out again at one place.
+template <typename Number>
+SIMD_INLINE auto IsInside(Number valueMinusIsovalue)
+{
+  return 0.0 <= valueMinusIsovalue;
+}
+
+/// Linear interpolation that is exact at both ends and never changes the common sign of a and b,
+/// unless they all but vanish (see SmallestDifference). (a + t (b - a) is neither.) Written without
+/// fma, so that every instruction set gives one result.
+template <typename Number>
+SIMD_INLINE Number Lerp(Number a, Number b, Number t)
+{
+  return (1.0 - t) * a + t * b;
+}
+
+}
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TrilinearCell_h
+#define TrilinearCell_h
+
+#include "Math/Arithmetic.h"
+#include "Math/BernsteinCubic.h"
+#include "Math/Vector.h"
+
+#include <array>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The values at the corners of a cell: corner (x, y, z) in {0, 1}^3 is number x + 2 y + 4 z.
+using CellCorners = std::array<double, 8>;
+
+/// Corners smaller than this, and not zero, could vanish in three interpolations in turn, and their
+/// sign with them.
+constexpr double SmallestDifference = 0x1p-900;
+
+/// A difference between a value and the isovalue that keeps its sign in interpolations.
+template <typename Number>
+SIMD_INLINE Number KeepSign(Number difference, Number value, double isovalue)
+{
+  const Number sign = Select(value < isovalue, -SmallestDifference,
+    Select(isovalue < value, SmallestDifference, Number(0.0)));
+  return Select(SmallestDifference <= Abs(difference), difference, sign);
+}
+
+/// The difference between a value and the isovalue, both multiplied by a power of two. Its sign is
+/// exact.
+inline double Difference(double value, double isovalue, double scale)
+{
+  return KeepSign(value * scale - isovalue * scale, value, isovalue);
+}
+
+/// The trilinear interpolant of the corners v at a point of the cell.
+template <typename Number>
+SIMD_INLINE Number Interpolate(const Number v[8], const Number p[3])
+{
+  const Number y0z0 = Lerp(v[0], v[1], p[0]);
+  const Number y1z0 = Lerp(v[2], v[3], p[0]);
+  const Number y0z1 = Lerp(v[4], v[5], p[0]);
+  const Number y1z1 = Lerp(v[6], v[7], p[0]);
+  return Lerp(Lerp(y0z0, y1z0, p[1]), Lerp(y0z1, y1z1, p[1]), p[2]);
+}
+
+inline double Interpolate(const CellCorners& v, const Vector3& p)
+{
+  return Interpolate(v.data(), p.data());
+}
+
+/// The gradient of the trilinear interpolant, per cell edge along each axis.
+inline Vector3 InterpolantGradient(const CellCorners& v, const Vector3& p)
+{
+  const auto bilinear = [](double d00, double d10, double d01, double d11, double s, double t)
+  { return Lerp(Lerp(d00, d10, s), Lerp(d01, d11, s), t); };
+  return { bilinear(v[1] - v[0], v[3] - v[2], v[5] - v[4], v[7] - v[6], p[1], p[2]),
+    bilinear(v[2] - v[0], v[3] - v[1], v[6] - v[4], v[7] - v[5], p[0], p[2]),
+    bilinear(v[4] - v[0], v[5] - v[1], v[6] - v[2], v[7] - v[3], p[0], p[1]) };
+}
+
+/// The trilinear interpolant of the corners v along the straight line from p to q, as a cubic of
+/// the fraction of the way, by its Bernstein coefficients.
+///
+/// A trilinear function is its own blossom: with each coordinate taken from p or from q, the values
+/// at the eight corners of the box [p, q] give the Bernstein coefficients as means over the corners
+/// that take 0, 1, 2 or 3 coordinates from q. These are convex combinations only; the usual
+/// coefficients of powers cancel. The ends are Interpolate(p) and Interpolate(q) to the last bit.
+/// (L. Ramshaw: Blossoms are polar forms. Computer Aided Geometric Design 6(4), 1989.)
+template <typename Number>
+SIMD_INLINE void FindCubicAlongSegment(
+  const Number v[8], const Number p[3], const Number q[3], Number b[4])
+{
+  Number x[2][4];
+  for (int i = 0; i < 4; ++i)
+  {
+    x[0][i] = Lerp(v[2 * i], v[2 * i + 1], p[0]);
+    x[1][i] = Lerp(v[2 * i], v[2 * i + 1], q[0]);
+  }
+  // Which coordinates come from q, from x on.
+  Number blossom[2][2][2];
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      const Number y = j == 0 ? p[1] : q[1];
+      const Number z0 = Lerp(x[i][0], x[i][1], y);
+      const Number z1 = Lerp(x[i][2], x[i][3], y);
+      blossom[i][j][0] = Lerp(z0, z1, p[2]);
+      blossom[i][j][1] = Lerp(z0, z1, q[2]);
+    }
+  }
+  const Number once = blossom[1][0][0] + blossom[0][1][0] + blossom[0][0][1];
+  const Number twice = blossom[1][1][0] + blossom[1][0][1] + blossom[0][1][1];
+  const Number third = 1.0 / 3.0;
+  b[0] = blossom[0][0][0];
+  b[1] = once * third;
+  b[2] = twice * third;
+  b[3] = blossom[1][1][1];
+}
+
+inline BernsteinCubic CubicAlongSegment(const CellCorners& v, const Vector3& p, const Vector3& q)
+{
+  BernsteinCubic b;
+  FindCubicAlongSegment(v.data(), p.data(), q.data(), b.data());
+  return b;
+}
+
+}
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellCrossings_h
+#define CellCrossings_h
+
+#include "Math/Arithmetic.h"
+#include "Rays/Ray.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where rays come into cells and leave them, found from the planes of the cells alone. Places on a
+/// ray are ordered as Crossing says, with axes as numbers.
+template <typename Number>
+struct CellCrossings
+{
+  using Mask = decltype(Number() < Number());
+
+  Number Begin = -__builtin_inf();
+  Number BeginAxis = 0.0;
+  Number End = __builtin_inf();
+  Number EndAxis = Crossing::StartAxis;
+
+  /// Narrows the part of rays to what is between the two planes of an axis that they move along.
+  /// Axes come in their order: of equal crossings the last one begins a cell, the first one ends
+  /// it.
+  SIMD_INLINE void Narrow(int axis, Mask moves, Number in, Number out)
+  {
+    const Number number = axis;
+    const Mask isLater = moves & (this->Begin <= in);
+    this->Begin = Select(isLater, in, this->Begin);
+    this->BeginAxis = Select(isLater, number, this->BeginAxis);
+    const Mask isSooner = moves & (out < this->End);
+    this->End = Select(isSooner, out, this->End);
+    this->EndAxis = Select(isSooner, number, this->EndAxis);
+  }
+
+  /// Cuts the part to that of the ray. Where the ray begins or ends within the cell, no plane is
+  /// crossed there. Returns which rays pass their cells. A flat cell is passed at one place.
+  SIMD_INLINE Mask CutToRay(Number begin, Number end, bool mayBeFlat)
+  {
+    const Number start = Crossing::StartAxis;
+    const Mask isInTime = (begin < this->End) & (this->Begin < end);
+    const Mask enters = begin <= this->Begin;
+    const Mask leaves = this->End <= end;
+    this->Begin = Select(enters, this->Begin, begin);
+    this->BeginAxis = Select(enters, this->BeginAxis, start);
+    this->End = Select(leaves, this->End, end);
+    this->EndAxis = Select(leaves, this->EndAxis, start);
+    const Mask isOrdered = mayBeFlat
+      ? (this->BeginAxis <= this->EndAxis) & (this->BeginAxis < start)
+      : this->BeginAxis < this->EndAxis;
+    return ((this->Begin < this->End) | ((this->Begin == this->End) & isOrdered)) & isInTime;
+  }
+};
+
+/// The part of a coordinate that lies in a cell.
+template <typename Number>
+SIMD_INLINE Number ClampToCell(Number coordinate)
+{
+  return Min(Number(1.0), Max(Number(0.0), coordinate));
+}
+
+/// The t at a fraction of a segment. Written so that it never falls as the fraction grows.
+template <typename Number>
+SIMD_INLINE Number GetTAt(Number begin, Number end, Number fraction)
+{
+  return Min(begin + (end - begin) * fraction, end);
+}
+
+}
+
+#endif

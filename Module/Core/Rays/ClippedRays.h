@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ClippedRays_h
+#define ClippedRays_h
+
+#include "Math/Arithmetic.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Rays in index space that are clipped to a volume; see Ray for what its numbers mean.
+template <typename Number>
+struct ClippedRays
+{
+  using Mask = decltype(Number() < Number());
+
+  Number Origin[3];
+  Number Direction[3];
+  Number Inverse[3];
+  /// Whether the ray goes up an axis, and whether it is parallel to its planes.
+  Mask Up[3];
+  Mask Parallel[3];
+  Number Begin;
+  Number End;
+  Number Base;
+};
+
+/// Narrows [Begin, End] to the slabs of the box. An axis the ray is parallel to only asks whether
+/// the ray lies within; a ray in a face counts as within. Returns which rays meet the box.
+template <typename Number>
+SIMD_INLINE auto ClipToSlabs(
+  const int dimensions[3], const double lastPlanes[3], ClippedRays<Number>& rays)
+{
+  using Mask = typename ClippedRays<Number>::Mask;
+  const Number zero = 0.0;
+  Mask meets = zero <= zero;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Number last = lastPlanes[axis];
+    const Number origin = rays.Origin[axis];
+    const Mask up = rays.Up[axis];
+    const Mask parallel = rays.Parallel[axis];
+    meets = AndNot(meets, AndNot(parallel, (zero <= origin) & (origin <= dimensions[axis] - 1)));
+    const Number in = (Select(up, zero, last) - origin) * rays.Inverse[axis];
+    const Number out = (Select(up, last, zero) - origin) * rays.Inverse[axis];
+    rays.Begin = Select(parallel, rays.Begin, Max(rays.Begin, in));
+    rays.End = Select(parallel, rays.End, Min(rays.End, out));
+  }
+  return meets & (rays.Begin <= rays.End);
+}
+
+/// Clips rays with origin, direction, begin and end to a volume of so many samples, whose last
+/// lattice planes stand at the given places, and finds the rest of them. Returns which rays meet
+/// it; the others have no defined values.
+template <typename Number>
+SIMD_INLINE auto ClipToVolume(
+  const int dimensions[3], const double lastPlanes[3], ClippedRays<Number>& rays)
+{
+  using Mask = typename ClippedRays<Number>::Mask;
+  const Number zero = 0.0;
+  const Number infinity = __builtin_inf();
+  Mask isFinite = zero < infinity;
+  Mask isRay = infinity < zero;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Number direction = rays.Direction[axis];
+    isFinite = isFinite & (Abs(rays.Origin[axis]) < infinity) & (Abs(direction) < infinity);
+    // A component so small that its inverse is infinite does not move the ray across any volume.
+    rays.Inverse[axis] = 1.0 / direction;
+    const Mask moves = Abs(rays.Inverse[axis]) < infinity;
+    rays.Parallel[axis] = AndNot(zero < infinity, moves);
+    rays.Up[axis] = zero < direction;
+    rays.Direction[axis] = Select(moves, direction, zero);
+    isRay = isRay | moves;
+  }
+  const Number begin = rays.Begin;
+  const Number end = rays.End;
+  const Mask meets = isFinite & isRay & ClipToSlabs(dimensions, lastPlanes, rays);
+  // The new origin lies on the ray to the last bit of its own, small, coordinates.
+  rays.Base = rays.Begin;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    rays.Origin[axis] = FusedMultiplyAdd(rays.Base, rays.Direction[axis], rays.Origin[axis]);
+  }
+  rays.Begin = begin - rays.Base;
+  rays.End = end - rays.Base;
+  const Mask stillMeets = meets & ClipToSlabs(dimensions, lastPlanes, rays);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (Any(rays.Parallel[axis]))
+    {
+      const Number last = dimensions[axis] - 2;
+      const Number cell = Min(Floor(rays.Origin[axis]), last);
+      rays.Inverse[axis] = Select(rays.Parallel[axis], cell, rays.Inverse[axis]);
+    }
+  }
+  return stillMeets;
+}
+
+}
+
+#endif
