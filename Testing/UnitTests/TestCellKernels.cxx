@@ -183,7 +183,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST_P(CellKernels, FindAllCellsThatRaysPassAndNotManyMore)
+TEST_P(CellKernels, FindTheCellsThatRaysPass)
 {
   RandomNumbers random(841);
   for (const LineKind kind : AllLineKinds)
@@ -314,7 +314,7 @@ void CheckBunches(const AlignedRays& aligned, const RaySet& rays)
   }
 }
 
-TEST_P(CellKernels, FindAllCellsThatBunchesOfRaysPass)
+TEST_P(CellKernels, FindTheCellsThatPacketsPass)
 {
   RandomNumbers random(843);
   CellChecks checks(this->TheKernels);
@@ -517,7 +517,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST_P(CellKernels, FindTheFirstRootsOfTheRobustSolver)
+TEST_P(CellKernels, FirstRootsMatchTheRobustSolver)
 {
   RandomNumbers random(842);
   for (const ScaledIsovalue& isovalue : { ScaledIsovalue{ 0.0, 1.0 }, { 100.25, 1.0 },

@@ -541,7 +541,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST_P(Classification, KeepsCellsWithRootsAndIsSureOnlyOfThose)
+TEST_P(Classification, KeepsCellsWithRootsAndConfirmsOnlyThose)
 {
   for (const FieldKind kind : AllFieldKinds)
   {

@@ -291,7 +291,7 @@ const AnalyticFields::Gyroid Tunnels = { 7.3 };
 const AnalyticFields::Plane Slope = { { 0.3, -0.7, 0.45 }, 0.9 };
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsTheHitsThatEveryCellHas)
+TEST(ImageField, FindsTheHitsOfEveryCell)
 {
   const Index3 size = { 18, 16, 17 };
   CheckRandomLines("sphere", TestVolume<float>::Of(size, Ball), 0.0, 301, 500);
@@ -309,7 +309,7 @@ TEST(ImageField, FindsTheHitsThatEveryCellHas)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsThePlaneWhereItIs)
+TEST(ImageField, FindsAPlane)
 {
   const auto volume = TestVolume<double>::Of({ 20, 21, 22 }, Slope);
   const auto traced = NewTraced(volume, { { 0.0, 1.0 } });
@@ -334,7 +334,7 @@ TEST(ImageField, FindsThePlaneWhereItIs)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsHitsThatAreTheSameToTheLastBitWithAllSettings)
+TEST(ImageField, IdenticalHitsWithAllSettings)
 {
   const Index3 size = { 25, 19, 33 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
@@ -411,7 +411,7 @@ Line FromNear(RandomNumbers& random, const Vector3& point, double distance)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, HoldsAllRaysInAClosedSurface)
+TEST(ImageField, NoRayLeaksThroughAClosedSurface)
 {
   const Index3 size = { 33, 33, 33 };
   const Vector3 center = { 16.2, 15.9, 16.1 };
@@ -431,7 +431,7 @@ TEST(ImageField, HoldsAllRaysInAClosedSurface)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, HoldsAllRaysInASurfaceThatAllButTouchesFacesOfCells)
+TEST(ImageField, NoRayLeaksThroughASurfaceNearFacesOfCells)
 {
   const Index3 size = { 17, 17, 17 };
   const Vector3 center = { 8.0, 8.0, 8.0 };
@@ -446,7 +446,7 @@ TEST(ImageField, HoldsAllRaysInASurfaceThatAllButTouchesFacesOfCells)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, HoldsAllRaysInClosedNoise)
+TEST(ImageField, NoRayLeaksThroughClosedNoise)
 {
   const Index3 size = { 13, 14, 15 };
   const Index3 place = { 6, 7, 7 };
@@ -469,7 +469,7 @@ TEST(ImageField, HoldsAllRaysInClosedNoise)
 
 //------------------------------------------------------------------------------
 // Samples of all magnitudes side by side: products of differences vanish, and sums overflow.
-TEST(ImageField, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
+TEST(ImageField, NoRayLeaksThroughClosedNoiseOfAllMagnitudes)
 {
   const Index3 size = { 13, 14, 15 };
   const Vector3 start = { 6.0, 7.0, 7.0 };
@@ -500,7 +500,7 @@ TEST(ImageField, HoldsAllRaysInClosedNoiseOfAllMagnitudes)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, HoldsAllRaysThroughVerticesAndEdges)
+TEST(ImageField, NoRayLeaksThroughVerticesAndEdges)
 {
   const Index3 size = { 13, 14, 15 };
   auto noise = ClosedNoise<std::int8_t>(size, 327, -2, 2, -2);
@@ -537,7 +537,7 @@ TEST(ImageField, HoldsAllRaysThroughVerticesAndEdges)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsEntriesAndExitsInTurn)
+TEST(ImageField, EntriesAndExitsAlternate)
 {
   const Index3 size = { 15, 14, 13 };
   const auto noise = ClosedNoise<std::uint8_t>(size, 330, 0, 9, 0);
@@ -567,7 +567,7 @@ TEST(ImageField, FindsEntriesAndExitsInTurn)
 //------------------------------------------------------------------------------
 // A cell whose values along its diagonal rise above 5 by so little that the entry and the exit have
 // the same t on a ray that comes from far away.
-TEST(ImageField, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
+TEST(ImageField, EntryPrecedesExitAtEqualT)
 {
   for (const double isovalue : { 5.0, -5.0 })
   {
@@ -594,7 +594,7 @@ TEST(ImageField, FindsEntryBeforeExitEvenIfTheirTIsTheSame)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, MeetsSeveralSurfacesInTheOrderOfTheRay)
+TEST(ImageField, SurfacesInTheOrderOfTheRay)
 {
   const auto volume = TestVolume<float>::Of(
     { 9, 9, 9 }, [](const AnalyticFields::Point& p) { return p[0] + 0.1 * p[1]; });
@@ -623,7 +623,7 @@ TEST(ImageField, MeetsSeveralSurfacesInTheOrderOfTheRay)
 
 //------------------------------------------------------------------------------
 // The values differ by so little, and the field is so steep, that no number lies between the hits.
-TEST(ImageField, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
+TEST(ImageField, CoincidentSurfacesInTheOrderOfTheirValues)
 {
   const auto volume = TestVolume<double>::Of(
     { 4, 3, 3 }, [](const AnalyticFields::Point& p) { return 0x1p30 * (p[0] - 1.5); });
@@ -641,7 +641,7 @@ TEST(ImageField, MeetsSurfacesInTheOrderOfTheirValuesWhereTheyCoincide)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsWithSeveralSurfacesWhatItFindsWithEach)
+TEST(ImageField, SeveralSurfacesMatchSingleOnes)
 {
   const Index3 size = { 15, 14, 13 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
@@ -681,7 +681,7 @@ TEST(ImageField, FindsWithSeveralSurfacesWhatItFindsWithEach)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, StopsWhereNothingOfTheRayIsLeft)
+TEST(ImageField, StopsWhereTheRayIsOpaque)
 {
   const auto volume =
     TestVolume<std::int16_t>::Of({ 9, 3, 3 }, [](const AnalyticFields::Point& p) { return p[0]; });
@@ -701,7 +701,7 @@ TEST(ImageField, StopsWhereNothingOfTheRayIsLeft)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, GivesEveryRayItsHits)
+TEST(ImageField, HitsAreStoredByRay)
 {
   const auto volume = TestVolume<float>::Of({ 9, 9, 9 }, Slope);
   const auto traced = NewTraced(volume, { { 0.0, 1.0 } });
@@ -720,7 +720,7 @@ TEST(ImageField, GivesEveryRayItsHits)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FollowsTheSurfacesLastSelected)
+TEST(ImageField, SelectReplacesTheSurfaces)
 {
   const Index3 size = { 17, 16, 15 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
@@ -747,7 +747,7 @@ TEST(ImageField, FollowsTheSurfacesLastSelected)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, TakesNegativeZeroForZero)
+TEST(ImageField, NegativeZeroEqualsZero)
 {
   const Index3 size = { 12, 13, 11 };
   const auto zeros = ClosedNoise<float>(size, 344, -1, 1, -1);
@@ -801,7 +801,7 @@ void CheckNonFiniteSamples(const std::string& what, std::uint64_t seed)
   EXPECT_GT(checks.GetNumberOfHits(), 300U);
 }
 
-TEST(ImageField, HasNoSurfaceInCellsWithSamplesThatAreNotFinite)
+TEST(ImageField, NoSurfaceInCellsWithNonFiniteSamples)
 {
   CheckNonFiniteSamples<float>("float with NaN and infinity", 335);
   CheckNonFiniteSamples<double>("double with NaN and infinity", 336);
@@ -844,7 +844,7 @@ void CheckSameHits(const std::vector<double>& samples, ImageField& reference,
   }
 }
 
-TEST(ImageField, FindsTheSameHitsInSamplesOfAllTypes)
+TEST(ImageField, IdenticalHitsForAllSampleTypes)
 {
   const Index3 size = { 11, 12, 13 };
   RandomNumbers random(337);
@@ -869,7 +869,7 @@ TEST(ImageField, FindsTheSameHitsInSamplesOfAllTypes)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsFromFarAwayWhatItFindsFromNear)
+TEST(ImageField, HitsFromFarAwayMatchThoseFromNear)
 {
   const Index3 size = { 18, 16, 17 };
   const auto volume = TestVolume<float>::Of(size, Ball);
@@ -906,7 +906,7 @@ TEST(ImageField, FindsFromFarAwayWhatItFindsFromNear)
 
 //------------------------------------------------------------------------------
 // The origin 2^30 cells away is exact, and so is the ray: every digit is that of a ray from near.
-TEST(ImageField, LosesNothingOfARayFromFarAway)
+TEST(ImageField, NoHitIsLostFromFarAway)
 {
   const Index3 size = { 18, 16, 17 };
   const auto volume = TestVolume<float>::Of(size, Ball);
@@ -944,7 +944,7 @@ TEST(ImageField, LosesNothingOfARayFromFarAway)
 }
 
 //------------------------------------------------------------------------------
-TEST(ImageField, FindsNothingBehindTheEndOfARay)
+TEST(ImageField, NoHitsBehindTheEndOfARay)
 {
   const auto volume = TestVolume<double>::Of({ 17, 16, 18 }, Ball);
   const auto traced = NewTraced(volume, { { 0.0, Glass } });
@@ -970,7 +970,7 @@ TEST(ImageField, FindsNothingBehindTheEndOfARay)
 //------------------------------------------------------------------------------
 // Scaled by a power of two, data has the same hits to the last bit, if no difference of samples
 // becomes denormal.
-TEST(ImageField, FindsTheSameHitsAtAnyMagnitudeOfTheData)
+TEST(ImageField, IdenticalHitsAtAnyMagnitudeOfTheData)
 {
   const Index3 size = { 12, 11, 10 };
   const auto unit = TestVolume<float>::Of(size, Tunnels);

@@ -506,7 +506,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, PassOverSamplesThatAreNotFinite)
+TEST_P(Beams, SkipNonFiniteSamples)
 {
   RandomNumbers random(854);
   BeamChecks checks("NaN and infinity", this->TheKernels);
@@ -553,7 +553,7 @@ TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, FollowTheSurfaceLastSelected)
+TEST_P(Beams, SelectReplacesTheSurface)
 {
   RandomNumbers random(856);
   const AnalyticFields::Gyroid tunnels = { 7.3 };
@@ -570,7 +570,7 @@ TEST_P(Beams, FollowTheSurfaceLastSelected)
 
 //------------------------------------------------------------------------------
 // Threads make masks and bricks while others read them.
-TEST_P(Beams, HitTheSameWithSeveralThreads)
+TEST_P(Beams, IdenticalWithSeveralThreads)
 {
   const AnalyticFields::Gyroid tunnels = { 9.3 };
   const Index3 size = { 58, 57, 56 };
@@ -680,7 +680,7 @@ RayPacket LinesOf(const Pencil& pencil)
   return lines;
 }
 
-TEST_P(Beams, AreSentWhereverRaysHit)
+TEST_P(Beams, AreTracedWhereverRaysHit)
 {
   RandomNumbers random(860);
   std::size_t withHits = 0;
@@ -732,7 +732,7 @@ TEST_P(Beams, AreSentWhereverRaysHit)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, AreSentWhereNobodyKnows)
+TEST_P(Beams, AreTracedWithoutHitPrediction)
 {
   const auto volume = TestVolume<float>::Of({ 33, 33, 33 }, AnalyticFields::Sphere{ {}, 3.0 });
   const auto traced = ImageField::New(volume.View(), {}, 1);
@@ -782,7 +782,7 @@ TEST_P(Beams, AreSentWhereNobodyKnows)
 
 //------------------------------------------------------------------------------
 // A walk has no room for so many macrocells of a slice.
-TEST_P(Beams, AreSentWhereLinesAreFarApart)
+TEST_P(Beams, AreTracedForLinesFarApart)
 {
   RandomNumbers random(861);
   const auto volume = Islands<float>(random, { 400, 400, 9 }, 50);
@@ -801,7 +801,7 @@ TEST_P(Beams, AreSentWhereLinesAreFarApart)
 
 //------------------------------------------------------------------------------
 // Without this test the others might compare single rays with single rays.
-TEST_P(Beams, AreUsedWhereTheyWillDo)
+TEST_P(Beams, AreUsedForSuitableRays)
 {
   static const Kernels* base;
   static int calls;

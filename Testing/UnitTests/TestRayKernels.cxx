@@ -206,7 +206,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST_P(RayKernels, MakeTheRaysOfTheCamera)
+TEST_P(RayKernels, GenerateCameraRays)
 {
   RandomNumbers random(831);
   PixelChecks checks(this->TheKernels);
@@ -223,7 +223,7 @@ TEST_P(RayKernels, MakeTheRaysOfTheCamera)
 //------------------------------------------------------------------------------
 // Along each axis, up and down, with a pixel on every column of samples, and one beyond on each
 // side.
-TEST_P(RayKernels, MakeTheRaysInTheFacesOfCells)
+TEST_P(RayKernels, GenerateRaysInFacesOfCells)
 {
   PixelChecks checks(this->TheKernels);
   for (int axis = 0; axis < 3; ++axis)
@@ -424,7 +424,7 @@ private:
   std::size_t Beams = 0;
 };
 
-TEST_P(RayKernels, AlignRaysToBeamsThatHoldThem)
+TEST_P(RayKernels, FrustaContainTheirRays)
 {
   RandomNumbers random(832);
   BeamChecks checks;
@@ -463,7 +463,7 @@ TEST_P(RayKernels, AlignRaysToBeamsThatHoldThem)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(RayKernels, AlignNoRaysThatGoAcrossOrBothWaysOrSteeply)
+TEST_P(RayKernels, NoFrustumForOpposedOrSteepRays)
 {
   const Index3 dimensions = { 20, 20, 20 };
   const auto areBeam = [&](const std::vector<Vector3>& directions)

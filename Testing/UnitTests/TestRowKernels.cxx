@@ -152,7 +152,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   ASSERT_LE(candidates.Count, cells.Count);
 }
 
-TEST_P(RowKernels, ClassifyCellsAndReadNothingBesideThem)
+TEST_P(RowKernels, ClassifyCellsReadsOnlyTheCells)
 {
   RandomNumbers random(873);
   for (int i = 0; i < 300; ++i)
@@ -198,7 +198,7 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   }
 }
 
-TEST_P(RowKernels, FindTheGradientsThatHitsHaveOneByOne)
+TEST_P(RowKernels, GradientsMatchSingleHits)
 {
   RandomNumbers random(872);
   for (int i = 0; i < 200; ++i)

@@ -140,7 +140,7 @@ bool IsForKernels(const Scene& scene)
 }
 
 // Any number of hits, from none to many more than the kernels take at once.
-TEST_P(ShadingKernels, ShadeHitsOneByOne)
+TEST_P(ShadingKernels, ShadingMatchesSingleHits)
 {
   RandomNumbers random(862);
   const CountingKernels kernels(this->TheKernels);

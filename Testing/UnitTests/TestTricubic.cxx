@@ -292,7 +292,7 @@ class Tricubic : public testing::Test
 
 TYPED_TEST_SUITE(Tricubic, SampleTypes);
 
-TYPED_TEST(Tricubic, SurfacesAreWhereTheInterpolantIs)
+TYPED_TEST(Tricubic, SurfacesMatchTheInterpolant)
 {
   RandomNumbers random(3);
   const auto volume = Noise<TypeParam>({ 12, 9, 10 }, 5);
@@ -314,7 +314,7 @@ TEST(TricubicRays, HitThinVolumes)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, HitSurfacesThatNoSampleIsBeyond)
+TEST(TricubicRays, HitSurfacesOfOvershoots)
 {
   // Single samples of 1 among 0: only what overshoots them reaches the isovalues. Some stand where
   // macrocells meet.
@@ -338,7 +338,7 @@ TEST(TricubicRays, HitSurfacesThatNoSampleIsBeyond)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, DependOnNothingButTheSamples)
+TEST(TricubicRays, IndependentOfSettings)
 {
   const auto volume = Noise<std::int16_t>({ 70, 30, 25 }, 9);
   RandomNumbers random(11);
@@ -399,7 +399,7 @@ TEST(TricubicRays, DependOnNothingButTheSamples)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, MeetQuadricsWhereTheyAre)
+TEST(TricubicRays, HitQuadricsExactly)
 {
   // A ball and a saddle: the interpolant is the field itself, but for the outermost cells.
   const Index3 size = { 12, 12, 12 };
@@ -443,7 +443,7 @@ TEST(TricubicRays, MeetQuadricsWhereTheyAre)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, DoNotSlipThroughEdgesAndCorners)
+TEST(TricubicRays, DoNotLeakThroughEdgesAndCorners)
 {
   // Rays from the middle of a ball, which go out exactly once, through places where cells meet.
   const Index3 size = { 17, 17, 17 };
@@ -474,7 +474,7 @@ TEST(TricubicRays, DoNotSlipThroughEdgesAndCorners)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, DoNotSlipThroughWhereTheSurfaceIsInAFace)
+TEST(TricubicRays, DoNotLeakThroughSurfacesInFaces)
 {
   // Rays through places in faces of cells that the surface passes to within rounding: both cells
   // must say the same of them, so that a ray never goes in, or out, twice in turn.
@@ -519,7 +519,7 @@ TEST(TricubicRays, DoNotSlipThroughWhereTheSurfaceIsInAFace)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, SeeNothingWithinTwoSamplesOfNoNumber)
+TEST(TricubicRays, HitNothingWithinTwoSamplesOfANonFiniteOne)
 {
   auto volume = Noise<float>({ 12, 9, 10 }, 31);
   const float none[] = { std::numeric_limits<float>::quiet_NaN(),
@@ -574,7 +574,7 @@ TEST(TricubicRays, SeeNothingWithinTwoSamplesOfNoNumber)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, GoThroughUnevenPlanes)
+TEST(TricubicRays, UnevenPlanes)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 41);
   RandomNumbers random(42);
@@ -599,7 +599,7 @@ TEST(TricubicRays, GoThroughUnevenPlanes)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, MeetWallsWherePlanesCoincide)
+TEST(TricubicRays, CoincidentPlanesAreDiscontinuities)
 {
   // A field of x that jumps from 4 to 8 where planes 4 and 5 coincide, a straight line on each
   // side.
@@ -630,7 +630,7 @@ TEST(TricubicRays, MeetWallsWherePlanesCoincide)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
+TEST(TricubicRays, PlanesAndInterpolantCanChange)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 51);
   RandomNumbers random(52);
@@ -680,7 +680,7 @@ TEST(TricubicRays, FollowOtherPlanesAndInterpolants)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, MeetWhatOnlyOtherPlanesHave)
+TEST(TricubicRays, HitSurfacesThatOnlyOtherPlanesHave)
 {
   // A layer of 1 among 0. Where it is near to the next, the steep slope there swings far above 1
   // before it.
@@ -709,7 +709,7 @@ TEST(TricubicRays, MeetWhatOnlyOtherPlanesHave)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, ShowWhatIsSeen)
+TEST(TricubicRays, RespectCroppingAndClipping)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
   const auto whole = NewTraced(volume, Request());
@@ -768,7 +768,7 @@ TEST(TricubicRays, ShowWhatIsSeen)
 }
 
 //------------------------------------------------------------------------------
-TEST(TricubicRays, KnowNumbersOfAllSizes)
+TEST(TricubicRays, SamplesOfAllMagnitudes)
 {
   // Largest and smallest numbers: the same hits as with ordinary ones.
   const auto volume = Noise<double>({ 12, 9, 10 }, 61);
@@ -848,7 +848,7 @@ std::vector<double> FindRoots(const BernsteinNonic& nonic)
   return roots;
 }
 
-TEST(NonicRoots, AreThoseOfTheirFactors)
+TEST(NonicRoots, RootsOfProducts)
 {
   RandomNumbers random(71);
   for (int i = 0; i < 3000; ++i)
@@ -881,7 +881,7 @@ TEST(NonicRoots, AreThoseOfTheirFactors)
   }
 }
 
-TEST(NonicRoots, AreFoundInPairsAsNearAsTheCoefficientsTell)
+TEST(NonicRoots, PairsOfCloseRoots)
 {
   for (const double distance : { 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7 })
   {
@@ -903,7 +903,7 @@ TEST(NonicRoots, AreFoundInPairsAsNearAsTheCoefficientsTell)
   }
 }
 
-TEST(NonicRoots, EndWhereTheyAreMultiple)
+TEST(NonicRoots, TerminatesAtMultipleRoots)
 {
   for (const int multiplicity : { 2, 3, 4, 5, 9 })
   {
