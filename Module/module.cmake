@@ -3,6 +3,7 @@
 set(core_sources
   Rays/Ray.cxx
   Kernels/InstructionSets.cxx
+  Field/TracedField.cxx
   Image/Cells/BoxFaces.cxx
   Image/Cells/CellsOnRay.cxx
   Image/Cells/LargestValue.cxx
@@ -14,7 +15,9 @@ set(core_sources
   Image/Traversal/Caps.cxx
   Image/Traversal/PacketTracer.cxx
   Picture/CastRays.cxx
+  Picture/PixelBlockRenderer.cxx
   Picture/RenderTiles.cxx
+  Picture/SecondaryRays.cxx
   Picture/Shader.cxx)
 list(TRANSFORM core_sources PREPEND "Module/Core/")
 

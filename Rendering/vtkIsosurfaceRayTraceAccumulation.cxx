@@ -34,8 +34,8 @@ bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
   constexpr double tolerance = 1e-7;
   for (std::size_t row = 0; row < 4; ++row)
   {
-    const double* ofA = a.GetClipFromIndex().data() + 4 * row;
-    const double* ofB = b.GetClipFromIndex().data() + 4 * row;
+    const double* ofA = a.GetClipFromObject().data() + 4 * row;
+    const double* ofB = b.GetClipFromObject().data() + 4 * row;
     const double largest = std::abs(*std::max_element(
       ofA, ofA + 4, [](double left, double right) { return std::abs(left) < std::abs(right); }));
     if (!std::equal(ofA, ofA + 4, ofB,
@@ -44,7 +44,7 @@ bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
       return false;
     }
   }
-  return a.GetWorldFromIndex() == b.GetWorldFromIndex() && a.GetWidth() == b.GetWidth() &&
+  return a.GetWorldFromObject() == b.GetWorldFromObject() && a.GetWidth() == b.GetWidth() &&
     a.GetHeight() == b.GetHeight();
 }
 
@@ -53,6 +53,19 @@ bool AreTheSame(const std::vector<float>& a, const std::vector<float>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
     [](float x, float y) { return std::abs(x - y) <= 0x1p-22F; });
+}
+
+void AppendRequest(const vtkirt::TraceRequest& request, std::vector<double>& numbers)
+{
+  for (const vtkirt::Isosurface& surface : request.Surfaces)
+  {
+    Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, numbers);
+  }
+  for (const vtkirt::HalfSpace& half : request.Visible.HalfSpaces)
+  {
+    Append(half.Normal, numbers);
+    numbers.push_back(half.Offset);
+  }
 }
 
 void AppendLight(const vtkirt::Light& light, std::vector<double>& numbers)
@@ -71,8 +84,7 @@ void AppendLight(const vtkirt::Light& light, std::vector<double>& numbers)
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAccumulation::Key::Key(
   const std::vector<vtkObject*>& objects, double distance, const vtkirt::Scene& scene)
-  : View(scene.View)
-  , Numbers({ distance, scene.TwoSidedLighting ? 1.0 : 0.0 })
+  : Numbers({ distance, scene.TwoSidedLighting ? 1.0 : 0.0 })
 {
   for (vtkObject* object : objects)
   {
@@ -80,14 +92,10 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
   }
   const vtkirt::PixelRectangle& pixels = scene.Pixels;
   Append(std::array<int, 4>{ pixels.X, pixels.Y, pixels.Width, pixels.Height }, this->Numbers);
-  for (const vtkirt::Isosurface& surface : scene.Request.Surfaces)
+  for (const vtkirt::SceneField& field : scene.Fields)
   {
-    Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, this->Numbers);
-  }
-  for (const vtkirt::HalfSpace& half : scene.Request.Visible.HalfSpaces)
-  {
-    Append(half.Normal, this->Numbers);
-    this->Numbers.push_back(half.Offset);
+    this->Views.push_back(field.View);
+    AppendRequest(field.Field->GetRequest(), this->Numbers);
   }
   for (const vtkirt::Light& light : scene.Lights)
   {
@@ -104,7 +112,9 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
 bool vtkIsosurfaceRayTraceAccumulation::Key::operator==(const Key& other) const
 {
   return this->Objects == other.Objects && this->Numbers == other.Numbers &&
-    AreTheSame(this->View, other.View) && AreTheSame(this->Depths, other.Depths);
+    std::equal(this->Views.begin(), this->Views.end(), other.Views.begin(), other.Views.end(),
+      [](const vtkirt::Camera& a, const vtkirt::Camera& b) { return AreTheSame(a, b); }) &&
+    AreTheSame(this->Depths, other.Depths);
 }
 
 //------------------------------------------------------------------------------
@@ -120,8 +130,11 @@ void vtkIsosurfaceRayTraceAccumulation::SetFrame(int number, vtkirt::Scene& scen
   const double side = number % 2 == 0 ? -1.0 : 1.0;
   const double x = 0.7548776662466927 * pair;
   const double y = 0.5698402909980532 * pair;
-  scene.View =
-    scene.View.Shifted(side * (x - std::floor(x + 0.5)), side * (y - std::floor(y + 0.5)));
+  for (vtkirt::SceneField& field : scene.Fields)
+  {
+    field.View =
+      field.View.Shifted(side * (x - std::floor(x + 0.5)), side * (y - std::floor(y + 0.5)));
+  }
   scene.OcclusionFrame = number;
 }
 

@@ -38,7 +38,8 @@ public:
     bool operator==(const Key& other) const;
 
     std::vector<std::pair<const vtkObject*, vtkMTimeType>> Objects;
-    vtkIsosurfaceRayTracing::Camera View;
+    /// Of each field.
+    std::vector<vtkIsosurfaceRayTracing::Camera> Views;
     std::vector<double> Numbers;
     std::vector<float> Depths;
   };

@@ -49,7 +49,7 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceColors::GetPlace(const vtkirt::Hit& hit) co
     return { cell[0] + place[0], cell[1] + place[1], cell[2] + place[2] };
   }
   const vtkirt::Vector3 point = vtkirt::TransformPoint(
-    this->Source.GetGeometry().GetPhysicalFromIndex(), this->Source.GetPoint(hit));
+    this->Source.GetGeometry().GetPhysicalFromObject(), this->Source.GetField()->GetPoint(hit));
   this->Image->TransformPhysicalPointToContinuousIndex(point.data(), place.data());
   const int* extent = this->Image->GetExtent();
   return { place[0] - extent[0], place[1] - extent[2], place[2] - extent[4] };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The cropping of a vtkVolumeMapper, in the space that rays go through.
+// The cropping of a vtkVolumeMapper, in the object space of the field.
 
 #ifndef vtkIsosurfaceRayTraceCropping_h
 #define vtkIsosurfaceRayTraceCropping_h

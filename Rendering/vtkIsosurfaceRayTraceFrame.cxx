@@ -154,7 +154,8 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   const Drawing drawing(settings, target);
   this->SetScene(settings, request, target, drawing);
   const vtkirt::Scene& scene = this->Picture.Scene;
-  if (scene.Request.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  const vtkirt::TraceRequest& trace = request.GetTraceRequest();
+  if (trace.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -162,7 +163,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   const Clock::time_point depthStart = Clock::now();
   // For a selection of points the depth is also that of our own surfaces, rounded; there, the depth
   // test decides.
-  if (MayShowOthers(target.Renderer) && (!drawing.Selector || scene.Request.Projection))
+  if (MayShowOthers(target.Renderer) && (!drawing.Selector || trace.Projection))
   {
     this->ReadDepths(drawing);
   }
@@ -290,7 +291,7 @@ bool vtkIsosurfaceRayTraceFrame::Trace(
 bool vtkIsosurfaceRayTraceFrame::IsOpaque(const Drawing& drawing) const
 {
   // A mean is not opaque where a surface ends.
-  const vtkirt::TraceRequest& request = this->Picture.Scene.Request;
+  const vtkirt::TraceRequest& request = this->Picture.Scene.Fields.front().Field->GetRequest();
   return !request.Projection && vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces) &&
     drawing.Sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1;
 }
@@ -324,7 +325,7 @@ void vtkIsosurfaceRayTraceFrame::DisplayIds(
     vtkirt::TakeNearestRays(
       drawing.Sampling.Rays, this->Picture.Scene.Pixels.Width, this->Picture.Frame);
   }
-  const bool isOpaque = !request.Trace.Projection;
+  const bool isOpaque = !request.GetTraceRequest().Projection;
   this->Display.Display(drawing.Window, this->GetImage(drawing, isOpaque), nullptr);
 }
 

@@ -73,7 +73,7 @@ std::string FindProblemOfAxis(const Places& places, int points, char name)
 }
 
 /// The matrix of an image, with the place of the sample that is counted 0.
-vtkirt::Matrix4 GetPhysicalFromIndex(const double origin[3], const double spacing[3],
+vtkirt::Matrix4 GetPhysicalFromObject(const double origin[3], const double spacing[3],
   const double direction[9], const vtkirt::Vector3& firstSample)
 {
   vtkirt::Matrix4 matrix;
@@ -141,7 +141,7 @@ std::string vtkIsosurfaceRayTraceGeometry::FindProblem(vtkDataSet* grid)
     return problem;
   }
   const vtkIsosurfaceRayTraceGeometry geometry(grid, false);
-  const vtkirt::Matrix4& m = geometry.PhysicalFromIndex;
+  const vtkirt::Matrix4& m = geometry.PhysicalFromObject;
   const bool isUsable =
     std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }) &&
     vtkMath::Determinant3x3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]) != 0.0;
@@ -174,8 +174,8 @@ void vtkIsosurfaceRayTraceGeometry::SetImage(vtkImageData* image)
   const int* extent = image->GetExtent();
   this->FirstIndex = { extent[0], extent[2], extent[4] };
   this->FirstSample = this->AtCenters ? 0.5 : 0.0;
-  this->PhysicalFromIndex =
-    ::GetPhysicalFromIndex(this->Origin.data(), this->Spacing.data(), this->Direction.data(),
+  this->PhysicalFromObject =
+    ::GetPhysicalFromObject(this->Origin.data(), this->Spacing.data(), this->Direction.data(),
       { this->FirstIndex[0] + this->FirstSample, this->FirstIndex[1] + this->FirstSample,
         this->FirstIndex[2] + this->FirstSample });
 }
@@ -201,7 +201,7 @@ void vtkIsosurfaceRayTraceGeometry::SetRectilinear(vtkRectilinearGrid* grid)
     isEven = Normalize(places) && isEven;
   }
   this->Direction = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
-  this->PhysicalFromIndex = ::GetPhysicalFromIndex(
+  this->PhysicalFromObject = ::GetPhysicalFromObject(
     this->Origin.data(), this->Spacing.data(), this->Direction.data(), { 0.0, 0.0, 0.0 });
   if (!isEven)
   {

@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/Samples/UnevenPlanes.h"
+#include "Rays/UnevenPlanes.h"
 
 #include <array>    // for std::array
 #include <optional> // for std::optional
@@ -38,11 +38,11 @@ public:
   /// Whether the points stand at the same places.
   bool HasSamePoints(const vtkIsosurfaceRayTraceGeometry& other) const;
 
-  /// From the space that rays go through to the coordinates of the grid. The first sample stands at
+  /// From the object space of the field to the coordinates of the grid. The first sample stands at
   /// 0 there, and the spacing is 1; in the mean if it is uneven.
-  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const
+  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const
   {
-    return this->PhysicalFromIndex;
+    return this->PhysicalFromObject;
   }
 
   /// Where uneven samples stand in that space; null if at whole numbers.
@@ -77,7 +77,7 @@ private:
 
   /// The index of the first sample, counted from the first point.
   double FirstSample = 0.0;
-  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromIndex = {};
+  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = {};
   std::optional<vtkIsosurfaceRayTracing::UnevenPlanes> Planes;
 };
 

@@ -154,7 +154,6 @@ vtkirt::TraceRequest vtkIsosurfaceRayTraceGridInput::MakeTraceRequest() const
 {
   vtkirt::TraceRequest request;
   request.Visible = this->Visible;
-  request.Planes = this->Source.GetGeometry().GetPlanes();
   return request;
 }
 

@@ -43,17 +43,13 @@ public:
   /// has the cell.
   vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
 
-  vtkIsosurfaceRayTracing::ImageField* GetVolume() const override
+  vtkIsosurfaceRayTracing::TracedField* GetField() const override
   {
-    return this->Source.GetVolume();
+    return this->Source.GetField();
   }
-  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const override
+  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const override
   {
-    return this->Source.GetGeometry().GetPhysicalFromIndex();
-  }
-  vtkIsosurfaceRayTracing::Vector3 GetPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override
-  {
-    return this->Source.GetPoint(hit);
+    return this->Source.GetGeometry().GetPhysicalFromObject();
   }
   vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const override;
   int GetPropertyComponent() const override { return this->PropertyComponent; }

@@ -8,11 +8,10 @@
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 
+#include "Math/Matrix.h"
 #include "Picture/CastRays.h"
-#include "Picture/Shader.h"
 
 #include <algorithm>
-#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -22,45 +21,36 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector3>& origins,
   const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
 {
-  vtkirt::ImageField& volume = *this->Request.Input.GetVolume();
-  const vtkirt::Matrix4& worldFromIndex = this->Request.WorldFromIndex;
-  vtkirt::Matrix4 indexFromWorld;
-  vtkMatrix4x4::Invert(worldFromIndex.data(), indexFromWorld.data());
+  const vtkirt::Matrix4& worldFromObject = this->Request.WorldFromObject;
+  vtkirt::Matrix4 objectFromWorld;
+  vtkMatrix4x4::Invert(worldFromObject.data(), objectFromWorld.data());
   // Differences first: a volume far from the origin of the world loses nothing.
-  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromIndex, { 0.0, 0.0, 0.0 });
-  std::vector<std::optional<vtkirt::Ray>> rays(origins.size());
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
+  std::vector<vtkirt::CastRay> rays(origins.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     using vtkirt::operator-;
-    rays[i] = vtkirt::ClipToVolume(vtkirt::TransformDirection(indexFromWorld, origins[i] - first),
-      vtkirt::TransformDirection(indexFromWorld, directions[i]), 0.0, tEnd, volume.GetDimensions(),
-      this->Request.Trace.Planes);
+    rays[i] = { vtkirt::TransformDirection(objectFromWorld, origins[i] - first),
+      vtkirt::TransformDirection(objectFromWorld, directions[i]), 0.0, tEnd };
   }
-  volume.Select(this->Request.Trace, threads);
-  return vtkirt::CastRays(volume, rays, threads);
+  return vtkirt::CastRays(*this->Request.Input.GetField(), rays, threads);
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetPosition(const vtkirt::Hit& hit) const
 {
-  return vtkirt::TransformPoint(this->Request.WorldFromIndex, this->Request.Input.GetPoint(hit));
+  return vtkirt::TransformPoint(
+    this->Request.WorldFromObject, this->Request.Input.GetField()->GetPoint(hit));
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetNormal(const vtkirt::Hit& hit) const
 {
   using vtkirt::operator*;
-  const vtkirt::Vector3 gradient =
-    this->Request.Input.GetVolume()->GetGradient(hit, this->Request.NormalMode);
-  return vtkirt::Normalized(vtkirt::GradientToWorld(this->Request.WorldFromIndex, gradient)) * -1.0;
-}
-
-//------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceHits::GetValue(const vtkirt::Hit& hit) const
-{
-  const vtkirt::TraceRequest& request = this->Request.Trace;
-  return request.Projection ? hit.Value
-                            : request.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  const vtkirt::TracedField& field = *this->Request.Input.GetField();
+  const vtkirt::Vector3 gradient = field.GetGradient(hit, field.GetRequest().Normals);
+  return vtkirt::Normalized(vtkirt::GradientToWorld(this->Request.WorldFromObject, gradient)) *
+    -1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -71,7 +61,7 @@ vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   description.CellId = this->Request.Input.FindCell(hit, description.Parametric);
   description.Position = this->GetPosition(hit);
   description.Normal = this->GetNormal(hit);
-  description.Value = this->GetValue(hit);
+  description.Value = this->Request.Input.GetField()->GetValue(hit);
   return description;
 }
 

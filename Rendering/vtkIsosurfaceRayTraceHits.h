@@ -9,7 +9,7 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
-#include "Image/ImageField.h"
+#include "Field/TracedField.h"
 
 #include <vector> // for std::vector
 
@@ -56,7 +56,6 @@ public:
 private:
   vtkIsosurfaceRayTracing::Vector3 GetPosition(const vtkIsosurfaceRayTracing::Hit& hit) const;
   vtkIsosurfaceRayTracing::Vector3 GetNormal(const vtkIsosurfaceRayTracing::Hit& hit) const;
-  double GetValue(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
   const vtkIsosurfaceRayTraceRequest& Request;
 };

@@ -25,14 +25,10 @@ public:
   virtual ~vtkIsosurfaceRayTraceInput() = default;
 
   /// Null before the input is first traced.
-  virtual vtkIsosurfaceRayTracing::ImageField* GetVolume() const = 0;
+  virtual vtkIsosurfaceRayTracing::TracedField* GetField() const = 0;
 
-  /// From the space that rays go through to the coordinates of the data.
-  virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromIndex() const = 0;
-
-  /// A hit in the space that rays go through.
-  virtual vtkIsosurfaceRayTracing::Vector3 GetPoint(
-    const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+  /// From the object space of the field to the coordinates of the data.
+  virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const = 0;
 
   /// Requests nothing yet, but has what the data say: what of them is visible.
   virtual vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const = 0;

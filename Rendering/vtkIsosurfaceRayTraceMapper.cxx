@@ -51,6 +51,13 @@ bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
     y < pixels.Y + pixels.Height;
 }
 
+/// All zero before the input is first traced.
+vtkirt::FieldStatistics GetStatistics(const vtkIsosurfaceRayTraceInput& input)
+{
+  const vtkirt::TracedField* field = input.GetField();
+  return field ? field->GetStatistics() : vtkirt::FieldStatistics();
+}
+
 /// The names of parameters are those of IntersectWithLine.
 void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double pcoords[3],
   vtkIdType& cellId, double& isovalue, double normal[3])
@@ -104,29 +111,25 @@ void vtkIsosurfaceRayTraceMapper::SetColorInputData(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMacrocellMemory()
 {
-  const vtkirt::ImageField* volume = this->Input->GetVolume();
-  return volume ? static_cast<vtkIdType>(volume->GetMacrocellMemory()) : 0;
+  return static_cast<vtkIdType>(GetStatistics(*this->Input).HierarchyMemory);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetBrickMemory()
 {
-  const vtkirt::ImageField* volume = this->Input->GetVolume();
-  return volume ? static_cast<vtkIdType>(volume->GetBrickMemory()) : 0;
+  return static_cast<vtkIdType>(GetStatistics(*this->Input).CacheMemory);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetNumberOfBricks()
 {
-  const vtkirt::ImageField* volume = this->Input->GetVolume();
-  return volume ? static_cast<vtkIdType>(volume->GetNumberOfBricks()) : 0;
+  return static_cast<vtkIdType>(GetStatistics(*this->Input).NumberOfBricks);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 {
-  const vtkirt::ImageField* volume = this->Input->GetVolume();
-  return volume ? static_cast<vtkIdType>(volume->GetMaximumNumberOfBricks()) : 0;
+  return static_cast<vtkIdType>(GetStatistics(*this->Input).MaximumNumberOfBricks);
 }
 
 //------------------------------------------------------------------------------

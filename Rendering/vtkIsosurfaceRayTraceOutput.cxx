@@ -155,7 +155,7 @@ void WriteHits(
 void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output)
 {
-  const bool isProjection = request.Trace.Projection.has_value();
+  const bool isProjection = request.GetTraceRequest().Projection.has_value();
   const vtkIsosurfaceRayTraceHits traced(request);
   output->Initialize();
   output->SetDimensions(width, height, 1);
@@ -176,9 +176,8 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       const Description description = traced.Describe(hit);
       // A projection hides nothing in a window, and so has no depth there; but each value has its
       // place.
-      const float depth = isProjection
-        ? static_cast<float>(picture.Scene.View.GetDepth(request.Input.GetPoint(hit)))
-        : std::min(picture.Frame.Depths[from], 1.0F);
+      const float depth =
+        isProjection ? picture.GetDepth(hit) : std::min(picture.Frame.Depths[from], 1.0F);
       arrays.Set(to, &picture.Frame.Colors[4 * from], depth, description);
       if (isProjection)
       {

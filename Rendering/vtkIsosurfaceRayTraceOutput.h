@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/ImageField.h"
+#include "Rays/RayHits.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 

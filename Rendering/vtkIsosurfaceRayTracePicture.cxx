@@ -18,33 +18,35 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
 {
-  this->Volume = request.Input.GetVolume();
-  vtkirt::Scene scene;
-  scene.Threads = settings.NumberOfThreads;
-  scene.TileWidth = settings.TileWidth;
-  scene.TileHeight = settings.TileHeight;
-  scene.Normals = request.NormalMode;
-  scene.Request = request.Trace;
-  for (const vtkirt::Isosurface& surface : scene.Request.Surfaces)
+  const vtkirt::TraceRequest& trace = request.GetTraceRequest();
+  this->Execution = request.Execution;
+  vtkirt::SceneField field;
+  field.Field = request.Input.GetField();
+  for (const vtkirt::Isosurface& surface : trace.Surfaces)
   {
-    scene.Colors.push_back(
+    field.Colors.push_back(
       vtkIsosurfaceRayTraceScene::GetColor(request.Property, request.Component, surface.Isovalue));
   }
-  scene.Look = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
-  scene.Shadows = settings.Shadows;
-  scene.OcclusionRays = settings.NumberOfAmbientOcclusionRays;
-  scene.OcclusionRadius = settings.AmbientOcclusionRadius;
+  field.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
   this->ColorsOfHits = request.Input.MakeColors(request.Property);
-  scene.ColorsOfHits = this->ColorsOfHits.get();
-  if (scene.Request.Projection || scene.Request.Visible.HasCaps())
+  field.ColorsOfHits = this->ColorsOfHits.get();
+  if (trace.Projection || trace.Visible.HasCaps())
   {
     this->ColorsOfValues =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(request.Property, request.Component);
-    scene.ColorsOfValues = this->ColorsOfValues.get();
+    field.ColorsOfValues = this->ColorsOfValues.get();
   }
-  scene.View = vtkIsosurfaceRayTraceScene::MakeCamera(
-    view.ClipFromWorld, request.WorldFromIndex, view.Width, view.Height);
-  scene.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(scene.View, this->Volume->GetDimensions());
+  field.View = vtkIsosurfaceRayTraceScene::MakeCamera(
+    view.ClipFromWorld, request.WorldFromObject, view.Width, view.Height);
+
+  vtkirt::Scene scene;
+  scene.TileWidth = settings.TileWidth;
+  scene.TileHeight = settings.TileHeight;
+  scene.Shadows = settings.Shadows;
+  scene.OcclusionRays = settings.NumberOfAmbientOcclusionRays;
+  scene.OcclusionRadius = settings.AmbientOcclusionRadius;
+  scene.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(field.View, field.Field->GetBounds());
+  scene.Fields.push_back(std::move(field));
   this->Scene = std::move(scene);
 }
 
@@ -59,14 +61,22 @@ void vtkIsosurfaceRayTracePicture::AddLights(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTracePicture::Trace(const std::function<bool(double)>& keepGoing)
 {
-  return vtkirt::RenderTiles(this->Scene, *this->Volume, this->Frame, this->Times, keepGoing);
+  return vtkirt::RenderTiles(this->Scene, this->Execution, this->Frame, this->Times, keepGoing);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTracePicture::IsVisible(std::size_t pixel) const
 {
-  return this->Frame.Hits[pixel].Surface != vtkirt::Hit::NoSurface &&
-    (!this->Scene.Request.Projection || this->Frame.Colors[4 * pixel + 3] > 0);
+  const vtkirt::Hit& hit = this->Frame.Hits[pixel];
+  return hit.Surface != vtkirt::Hit::NoSurface &&
+    (!this->GetField(hit).Field->GetRequest().Projection || this->Frame.Colors[4 * pixel + 3] > 0);
+}
+
+//------------------------------------------------------------------------------
+float vtkIsosurfaceRayTracePicture::GetDepth(const vtkirt::Hit& hit) const
+{
+  const vtkirt::SceneField& field = this->GetField(hit);
+  return static_cast<float>(field.View.GetDepth(field.Field->GetPoint(hit)));
 }
 
 VTK_ABI_NAMESPACE_END

@@ -45,12 +45,20 @@ public:
   /// have no opacity.
   bool IsVisible(std::size_t pixel) const;
 
+  /// Of a hit of the picture: where it is, as in the depth buffer, but not cut to [0, 1].
+  float GetDepth(const vtkIsosurfaceRayTracing::Hit& hit) const;
+
   vtkIsosurfaceRayTracing::Scene Scene;
   vtkIsosurfaceRayTracing::Frame Frame;
   vtkIsosurfaceRayTracing::FrameTimes Times;
 
 private:
-  vtkIsosurfaceRayTracing::ImageField* Volume = nullptr;
+  const vtkIsosurfaceRayTracing::SceneField& GetField(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return this->Scene.Fields[static_cast<std::size_t>(hit.Field)];
+  }
+
+  vtkIsosurfaceRayTracing::Execution Execution;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
   std::unique_ptr<vtkIsosurfaceRayTracing::ValueColors> ColorsOfValues;
 };

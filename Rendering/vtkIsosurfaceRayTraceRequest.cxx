@@ -21,7 +21,7 @@ namespace
 {
 
 /// The half-space that a clipping plane leaves.
-vtkirt::HalfSpace ToIndexSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFromIndex)
+vtkirt::HalfSpace ToObjectSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFromObject)
 {
   using vtkirt::operator-;
   vtkirt::Vector3 normal;
@@ -29,8 +29,8 @@ vtkirt::HalfSpace ToIndexSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFrom
   plane->GetNormal(normal.data());
   plane->GetOrigin(origin.data());
   // Differences first: a volume far from the origin of the world loses nothing.
-  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromIndex, { 0.0, 0.0, 0.0 });
-  return { vtkirt::TransposeTransformDirection(worldFromIndex, normal),
+  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
+  return { vtkirt::TransposeTransformDirection(worldFromObject, normal),
     vtkirt::Dot(normal, first - origin) };
 }
 
@@ -61,28 +61,35 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   : Input(input)
   , Property(volume->GetProperty())
   , Component(input.GetPropertyComponent())
-  , WorldFromIndex(
-      vtkIsosurfaceRayTraceScene::GetWorldFromIndex(volume, input.GetPhysicalFromIndex()))
-  , NormalMode(settings.NormalMode)
-  , Trace(input.MakeTraceRequest())
+  , WorldFromObject(
+      vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, input.GetPhysicalFromObject()))
 {
-  this->Trace.Projection = settings.Projection;
+  this->Execution.Threads = settings.NumberOfThreads;
+  vtkirt::TraceRequest request = input.MakeTraceRequest();
+  request.Projection = settings.Projection;
   if (!settings.Projection)
   {
-    this->Trace.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(this->Property, this->Component);
+    request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(this->Property, this->Component);
   }
-  this->Trace.Field = settings.InterpolationMode;
-  this->Trace.Solver = settings.RootSolver;
-  this->Trace.Interpolations = settings.NumberOfInterpolations;
-  this->Trace.MaximumMemory = settings.MaximumMemory;
+  request.Interpolation = settings.InterpolationMode;
+  request.Solver = settings.RootSolver;
+  request.Interpolations = settings.NumberOfInterpolations;
+  request.Normals = settings.NormalMode;
   if (clippingPlanes)
   {
     for (vtkPlane* plane : vtk::Range(clippingPlanes))
     {
-      this->Trace.Visible.HalfSpaces.push_back(ToIndexSpace(plane, this->WorldFromIndex));
-      this->Trace.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
+      request.Visible.HalfSpaces.push_back(ToObjectSpace(plane, this->WorldFromObject));
+      request.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
     }
   }
+  input.GetField()->Select(request, this->Execution, { settings.MaximumMemory });
+}
+
+//------------------------------------------------------------------------------
+const vtkirt::TraceRequest& vtkIsosurfaceRayTraceRequest::GetTraceRequest() const
+{
+  return this->Input.GetField()->GetRequest();
 }
 
 VTK_ABI_NAMESPACE_END

@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/ImageField.h"
+#include "Field/TracedField.h"
 
 #include <string> // for std::string
 
@@ -26,18 +26,21 @@ struct vtkIsosurfaceRayTraceRequest
   /// Why a blend mode of vtkVolumeMapper cannot be drawn; empty if it can.
   static std::string FindProblem(int blendMode, const vtkIsosurfaceRayTraceSettings& settings);
 
-  /// The input must be up to date, and outlive the request. There may be no clipping planes.
+  /// Selects what the field of the input traces from now on. The input must be up to date, and
+  /// outlive the request. There may be no clipping planes.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
+
+  /// What was selected.
+  const vtkIsosurfaceRayTracing::TraceRequest& GetTraceRequest() const;
 
   const vtkIsosurfaceRayTraceInput& Input;
   vtkVolumeProperty* Property;
   /// That of the property.
   int Component;
-  /// From the space that rays go through to the world.
-  vtkIsosurfaceRayTracing::Matrix4 WorldFromIndex;
-  vtkIsosurfaceRayTracing::NormalMode NormalMode;
-  vtkIsosurfaceRayTracing::TraceRequest Trace;
+  /// From the object space of the field to the world.
+  vtkIsosurfaceRayTracing::Matrix4 WorldFromObject;
+  vtkIsosurfaceRayTracing::Execution Execution;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -161,12 +161,12 @@ void AddLights(
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Matrix4 GetWorldFromIndex(vtkVolume* volume, const vtkirt::Matrix4& physicalFromIndex)
+vtkirt::Matrix4 GetWorldFromObject(vtkVolume* volume, const vtkirt::Matrix4& physicalFromObject)
 {
-  vtkirt::Matrix4 worldFromIndex;
+  vtkirt::Matrix4 worldFromObject;
   vtkMatrix4x4::Multiply4x4(
-    volume->GetMatrix()->GetData(), physicalFromIndex.data(), worldFromIndex.data());
-  return worldFromIndex;
+    volume->GetMatrix()->GetData(), physicalFromObject.data(), worldFromObject.data());
+  return worldFromObject;
 }
 
 //------------------------------------------------------------------------------
@@ -191,17 +191,17 @@ vtkirt::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double aspect)
 
 //------------------------------------------------------------------------------
 vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
-  const vtkirt::Matrix4& worldFromIndex, double width, double height)
+  const vtkirt::Matrix4& worldFromObject, double width, double height)
 {
-  vtkirt::Matrix4 clipFromIndex;
-  vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromIndex.data(), clipFromIndex.data());
-  vtkirt::Matrix4 indexFromClip;
-  vtkMatrix4x4::Invert(clipFromIndex.data(), indexFromClip.data());
-  return { clipFromIndex, indexFromClip, worldFromIndex, width, height };
+  vtkirt::Matrix4 clipFromObject;
+  vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromObject.data(), clipFromObject.data());
+  vtkirt::Matrix4 objectFromClip;
+  vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
+  return { clipFromObject, objectFromClip, worldFromObject, width, height };
 }
 
 //------------------------------------------------------------------------------
-vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Index3& dimensions)
+vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Bounds& bounds)
 {
   const double width = std::ceil(camera.GetWidth());
   const double height = std::ceil(camera.GetHeight());
@@ -209,10 +209,14 @@ vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Ind
   double high[2] = { 0.0, 0.0 };
   for (int corner = 0; corner < 8; ++corner)
   {
-    const double point[4] = { (corner & 1) * (dimensions[0] - 1.0),
-      (corner >> 1 & 1) * (dimensions[1] - 1.0), (corner >> 2) * (dimensions[2] - 1.0), 1.0 };
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const bool isUpper = (corner >> axis & 1) != 0;
+      point[axis] = isUpper ? bounds.Upper[axis] : bounds.Lower[axis];
+    }
     double clip[4];
-    vtkMatrix4x4::MultiplyPoint(camera.GetClipFromIndex().data(), point, clip);
+    vtkMatrix4x4::MultiplyPoint(camera.GetClipFromObject().data(), point, clip);
     if (!(clip[3] > 0.0))
     {
       return { 0, 0, static_cast<int>(width), static_cast<int>(height) };

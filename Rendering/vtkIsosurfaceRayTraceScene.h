@@ -43,8 +43,8 @@ vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int c
 void AddLights(vtkLightCollection* lights, vtkCamera* camera, bool areFollowing,
   vtkIsosurfaceRayTracing::Scene& scene);
 
-vtkIsosurfaceRayTracing::Matrix4 GetWorldFromIndex(
-  vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromIndex);
+vtkIsosurfaceRayTracing::Matrix4 GetWorldFromObject(
+  vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromObject);
 
 /// What a camera shows of the world, for both eyes together, in a picture of an aspect (width over
 /// height).
@@ -54,11 +54,11 @@ vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspe
 vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double aspect);
 
 vtkIsosurfaceRayTracing::Camera MakeCamera(const vtkIsosurfaceRayTracing::Matrix4& clipFromWorld,
-  const vtkIsosurfaceRayTracing::Matrix4& worldFromIndex, double width, double height);
+  const vtkIsosurfaceRayTracing::Matrix4& worldFromObject, double width, double height);
 
-/// The pixels that the box of a volume covers: all, if a part of it is beside or behind the eye.
+/// The pixels that a box covers: all, if a part of it is beside or behind the eye.
 vtkIsosurfaceRayTracing::PixelRectangle GetPixels(
-  const vtkIsosurfaceRayTracing::Camera& camera, const vtkIsosurfaceRayTracing::Index3& dimensions);
+  const vtkIsosurfaceRayTracing::Camera& camera, const vtkIsosurfaceRayTracing::Bounds& bounds);
 
 }
 

@@ -8,7 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/ImageField.h"
+#include "Rays/TraceRequest.h"
 
 #include <cstddef>  // for std::size_t
 #include <limits>   // for std::numeric_limits

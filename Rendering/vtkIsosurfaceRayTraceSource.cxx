@@ -239,12 +239,13 @@ bool vtkIsosurfaceRayTraceSource::Update(
   }
   this->GridTime = grid->GetMTime();
   this->Geometry = std::move(geometry);
-  if (this->Volume && this->Built && *this->Built == key && !gridChanged)
+  if (this->Field && this->Built && *this->Built == key && !gridChanged)
   {
+    this->Field->SetPlanes(this->Geometry.GetPlanes());
     return false;
   }
 
-  this->Volume.reset(); // Its memory first.
+  this->Field.reset(); // Its memory first.
   int component = 0;
   vtkDataArray* plain = this->GetPlainScalars(selection, component);
   vtkirt::VolumeView view;
@@ -252,7 +253,8 @@ bool vtkIsosurfaceRayTraceSource::Update(
   view.Samples = plain->GetVoidPointer(component);
   view.Stride = plain->GetNumberOfComponents();
   view.Dimensions = key.Dimensions;
-  this->Volume = vtkirt::ImageField::New(view, settings, threads);
+  this->Field = vtkirt::ImageField::New(view, settings, threads);
+  this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);
   return true;
 }
@@ -316,7 +318,7 @@ const unsigned char* vtkIsosurfaceRayTraceSource::GetHiddenCells() const
 vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
-  vtkirt::Index3 cell = hit.Cell;
+  vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
   parametric = hit.Parametric;
   for (std::size_t axis = 0; this->Built->AreOfCells && axis < 3; ++axis)
   {
@@ -343,12 +345,12 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
 //------------------------------------------------------------------------------
 vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hit& hit) const
 {
-  vtkirt::Index3 point;
+  vtkirt::Index3 point = this->Field->GetLattice().GetCell(hit);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Between the centres of two cells it is the one between these.
     const bool isNext = this->Built->AreOfCells || hit.IsNearUpper(axis);
-    point[axis] = hit.Cell[axis] + (isNext ? 1 : 0);
+    point[axis] += isNext ? 1 : 0;
   }
   return point;
 }

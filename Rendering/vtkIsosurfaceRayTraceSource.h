@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The volume that a mapper traces: made of the scalars of an image or a rectilinear grid, and kept
+// The field that a mapper traces: made of the scalars of an image or a rectilinear grid, and kept
 // while they are the same.
 
 #ifndef vtkIsosurfaceRayTraceSource_h
@@ -45,13 +45,13 @@ public:
   /// What stands in the way of tracing; empty if nothing does.
   static std::string FindProblem(vtkDataSet* grid, const Selection& selection);
 
-  /// Makes sure that the volume is that of the input, which must have no problem. Returns whether
+  /// Makes sure that the field is that of the input, which must have no problem. Returns whether
   /// it had to be built.
   bool Update(vtkDataSet* grid, const Selection& selection,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
   /// Null before the first update.
-  vtkIsosurfaceRayTracing::ImageField* GetVolume() const { return this->Volume.get(); }
+  vtkIsosurfaceRayTracing::ImageField* GetField() const { return this->Field.get(); }
 
   /// Where the samples stand.
   const vtkIsosurfaceRayTraceGeometry& GetGeometry() const { return this->Geometry; }
@@ -62,15 +62,9 @@ public:
     return { this->Cells[0] + 1, this->Cells[1] + 1, this->Cells[2] + 1 };
   }
 
-  /// One for every cell of the volume, not zero where it is blanked or belongs to another piece;
+  /// One for every cell of the field, not zero where it is blanked or belongs to another piece;
   /// null if all are to be seen.
   const unsigned char* GetHiddenCells() const;
-
-  /// A hit in the space that rays go through.
-  vtkIsosurfaceRayTracing::Vector3 GetPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
-  {
-    return hit.GetPoint(this->Geometry.GetPlanes());
-  }
 
   /// The cell of the grid that a hit is in, and the point in its coordinates.
   vtkIsosurfaceRayTracing::Index3 FindStructuredCell(
@@ -89,7 +83,7 @@ private:
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
   vtkDataArray* GetPlainScalars(const Selection& selection, int& component);
 
-  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Volume;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
   std::unique_ptr<Key> Built;
   vtkIsosurfaceRayTraceGeometry Geometry;
   vtkMTimeType GridTime = 0;

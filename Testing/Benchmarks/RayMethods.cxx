@@ -42,21 +42,22 @@ std::optional<Ray> MakeRay(const Input& input, const Oracle::Line& line)
 //------------------------------------------------------------------------------
 // The solvers of the project, through the path that draws
 
-void CastWithSolver(const Input& input, ImageField& volume, const std::vector<Oracle::Line>& lines,
-  std::vector<double>& ts)
+void CastWithSolver(
+  ImageField& volume, const std::vector<Oracle::Line>& lines, std::vector<double>& ts)
 {
-  constexpr std::size_t portion = 128;
+  constexpr std::size_t portion = RayPacket::Capacity;
   RayHits hits;
-  std::vector<std::optional<Ray>> rays;
+  RayPacket packet;
   for (std::size_t first = 0; first < lines.size(); first += portion)
   {
     const std::size_t last = std::min(lines.size(), first + portion);
-    rays.clear();
+    packet.Count = 0;
+    packet.Exists = {};
     for (std::size_t i = first; i < last; ++i)
     {
-      rays.push_back(MakeRay(input, lines[i]));
+      volume.AddRay(lines[i].Origin, lines[i].Direction, lines[i].Begin, lines[i].End, packet);
     }
-    volume.Trace(rays, hits);
+    volume.Trace(packet, hits);
     for (std::size_t i = first; i < last; ++i)
     {
       const std::size_t hit = hits.First[i - first];
@@ -330,8 +331,8 @@ RayMethod MakeSolverMethod(const std::shared_ptr<PreparedInput>& prepared,
   method.Parameter = parameter;
   method.Cast = [prepared, request](const std::vector<Oracle::Line>& lines, std::vector<double>& ts)
   {
-    prepared->Volume->Select(request, 1);
-    CastWithSolver(prepared->Input, *prepared->Volume, lines, ts);
+    prepared->Volume->Select(request, {});
+    CastWithSolver(*prepared->Volume, lines, ts);
   };
   method.MeasureCell = [prepared, solve]() { return MeasureSolver(prepared->Problems, solve); };
   return method;

@@ -47,9 +47,8 @@ std::vector<unsigned char> ToBytes(const std::vector<double>& values, ScalarType
 //------------------------------------------------------------------------------
 Tracer::Tracer(const Field& field, const ImageSettings& settings, ScalarType type)
   : Bytes(ToBytes(field.Values, type))
-  , Volume(vtkIsosurfaceRayTracing::ImageField::New(
+  , Traced(vtkIsosurfaceRayTracing::ImageField::New(
       { this->Bytes.data(), type, field.Dimensions, 1 }, settings, 1))
-  , Dimensions(field.Dimensions)
 {
 }
 
@@ -60,14 +59,13 @@ RayHits Tracer::Cast(
   TraceRequest wanted;
   wanted.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
   wanted.Solver = solver;
-  this->Volume->Select(wanted, threads);
-  std::vector<std::optional<vtkIsosurfaceRayTracing::Ray>> rays;
+  this->Traced->Select(wanted, { threads });
+  std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
   for (const Line& line : lines)
   {
-    rays.push_back(vtkIsosurfaceRayTracing::ClipToVolume(
-      line.Origin, line.Direction, line.Begin, line.End, this->Dimensions));
+    rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
   }
-  return CastRays(*this->Volume, rays, threads);
+  return CastRays(*this->Traced, rays, threads);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #define HardCases_Scenes_h
 
 #include "ExactCrossings.h"
+#include "Image/ImageField.h"
 #include "Picture/CastRays.h"
 #include "RandomNumbers.h"
 
@@ -44,12 +45,13 @@ public:
   RayHits Cast(const std::vector<Line>& lines, double isovalue,
     RootSolver solver = RootSolver::Robust, Reach reach = Reach::All, int threads = 1);
 
-  vtkIsosurfaceRayTracing::ImageField& GetVolume() { return *this->Volume; }
+  vtkIsosurfaceRayTracing::ImageField& GetField() { return *this->Traced; }
+
+  Index GetCell(const Hit& hit) const { return this->Traced->GetLattice().GetCell(hit); }
 
 private:
   std::vector<unsigned char> Bytes;
-  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Volume;
-  Index Dimensions;
+  std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Traced;
 };
 
 /// A field by a function of the point.

@@ -86,15 +86,16 @@ struct Tally::Question
 };
 
 //------------------------------------------------------------------------------
-Tally::Placed Tally::Crossing(const Line& line, const Hit& hit)
+Tally::Placed Tally::Crossing(const Tracer& tracer, const Line& line, const Hit& hit)
 {
+  const Index cell = tracer.GetCell(hit);
   Oracle::QuadTriple way;
   Quad along = 0;
   Quad square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const Quad direction = line.Direction[axis];
-    way[axis] = (static_cast<Quad>(hit.Cell[axis]) + static_cast<Quad>(hit.Parametric[axis])) -
+    way[axis] = (static_cast<Quad>(cell[axis]) + static_cast<Quad>(hit.Parametric[axis])) -
       static_cast<Quad>(line.Origin[axis]);
     along += way[axis] * direction;
     square += direction * direction;
@@ -110,7 +111,7 @@ Tally::Placed Tally::Crossing(const Line& line, const Hit& hit)
   // A double far away has no more digits than this.
   const double digits = std::abs(hit.T) * length * 0x1p-51;
   const double tOff = std::abs(static_cast<double>((hit.T - t) * length));
-  return { t, std::max(beside, tOff - digits), hit.Entering, hit.Cell, &hit };
+  return { t, std::max(beside, tOff - digits), hit.Entering, cell, &hit };
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +288,7 @@ void Tally::JudgeLine(const Field& field, double isovalue, const Line& line, con
   std::size_t from = 0; // intervals and hits are in order
   for (const Hit* hit = first; hit != last; ++hit)
   {
-    const Placed placed = Crossing(line, *hit);
+    const Placed placed = Crossing(tracer, line, *hit);
     while (from < intervals.size() && placed.T > intervals[from].End + 4 * slack)
     {
       ++from;
@@ -417,7 +418,7 @@ void Tally::MeasureRoot(const Question& question, const Piece& piece, const Plac
   const auto exact = Oracle::GradientAt(field, question.Isovalue, line, placed.Cell, root);
   if (Oracle::Absolute(exact[0]) + Oracle::Absolute(exact[1]) + Oracle::Absolute(exact[2]) > 1e-2)
   {
-    const Triple claimed = question.TheTracer.GetVolume().GetGradient(
+    const Triple claimed = question.TheTracer.GetField().GetGradient(
       *placed.TheHit, vtkIsosurfaceRayTracing::NormalMode::InterpolantGradient);
     this->LargestAngle = std::max(this->LargestAngle, Oracle::AngleBetween(claimed, exact));
   }

@@ -67,7 +67,7 @@ private:
   /// What was asked of whom.
   struct Question;
 
-  static Placed Crossing(const Line& line, const Hit& hit);
+  static Placed Crossing(const Tracer& tracer, const Line& line, const Hit& hit);
   static double Distance(const Question& question, const Placed& placed, const Oracle::Quad& root);
   static bool IsNear(const Question& question, const Placed& placed, const Oracle::Quad& root);
   static bool IsWellConditioned(

@@ -5,7 +5,7 @@
 
 #include "Tally.h"
 
-#include "Picture/Shader.h"
+#include "Math/Matrix.h"
 
 #include <gtest/gtest.h>
 
@@ -232,7 +232,7 @@ TEST(TestRays, AnisotropicSpacing)
       0.0, 0.0, 0.0, 0.0, spacing[2], 0.0, 0.0, 0.0, 0.0, 1.0 };
     for (const Hit& hit : hits.Hits)
     {
-      const Triple gradient = tracer.GetVolume().GetGradient(
+      const Triple gradient = tracer.GetField().GetGradient(
         hit, vtkIsosurfaceRayTracing::NormalMode::InterpolantGradient);
       const Triple normal = vtkIsosurfaceRayTracing::GradientToWorld(toWorld, gradient);
       const Oracle::QuadTriple exact = { gradient[0] / Oracle::Quad(spacing[0]),
@@ -318,8 +318,9 @@ TEST(TestRays, CameraInsideTheVolume)
       const RayHits hits = tracer.Cast({ fromInside.back() }, isovalue);
       for (const Hit& hit : hits.Hits)
       {
-        fromSurface.push_back({ hit.GetPoint(nullptr), random.Direction() });
-        fromSurface.push_back({ Nudged(random, hit.GetPoint(nullptr)), random.Direction() });
+        fromSurface.push_back({ tracer.GetField().GetPoint(hit), random.Direction() });
+        fromSurface.push_back(
+          { Nudged(random, tracer.GetField().GetPoint(hit)), random.Direction() });
         for (const double off : { -1e-6, -1e-12, 1e-12, 1e-6 })
         {
           clipped.push_back(fromInside.back());
@@ -360,9 +361,10 @@ TEST(TestRays, SecondaryRaysFromASurface)
     const RayHits hits = tracer.Cast(primary, isovalue, RootSolver::Robust, Reach::First);
     for (const Hit& hit : hits.Hits)
     {
-      const Line line = { hit.GetPoint(nullptr), random.Direction() };
+      const Line line = { tracer.GetField().GetPoint(hit), random.Direction() };
       // The side is that of the direction, unless it grazes.
-      const auto slope = static_cast<double>(Oracle::SlopeAt(field, isovalue, line, hit.Cell, 0));
+      const auto slope =
+        static_cast<double>(Oracle::SlopeAt(field, isovalue, line, tracer.GetCell(hit), 0));
       if (std::abs(slope) < 1e-6)
       {
         continue;

@@ -121,7 +121,7 @@ TEST(TestOracle, FirstHitsAreCertified)
         continue;
       }
       const Hit& hit = hits.Hits[hits.First[ray]];
-      const Claim claim = { hit.Cell, hit.T - 1e-9, hit.T + 1e-9, hit.Entering };
+      const Claim claim = { tracer.GetCell(hit), hit.T - 1e-9, hit.T + 1e-9, hit.Entering };
       const Verdict verdict = Oracle::Judge(field, isovalue, lines[ray], claim);
       tally.Count(0, 1, verdict == Verdict::EarlierRoot, verdict == Verdict::NoSignChange);
       EXPECT_EQ(verdict, Verdict::Proven);

@@ -5,7 +5,7 @@
 
 #include "Tally.h"
 
-#include "Picture/Shader.h"
+#include "Math/Matrix.h"
 
 #include <gtest/gtest.h>
 
@@ -204,8 +204,8 @@ TEST(TestVolumes, ConstantCellsAtTheIsovalue)
       invented += count > layer.Places.size() ? 1 : 0;
       for (std::size_t k = 0; k < std::min(count, layer.Places.size()); ++k)
       {
-        tally.AddError(
-          std::abs(hits.Hits[hits.First[ray] + k].GetPoint(nullptr)[2] - layer.Places[k]));
+        const Hit& hit = hits.Hits[hits.First[ray] + k];
+        tally.AddError(std::abs(tracer.GetField().GetPoint(hit)[2] - layer.Places[k]));
       }
     }
     tally.Count(lines.size(), hits.Hits.size(), missed, invented);

@@ -4,7 +4,7 @@
 #ifndef Matrices_h
 #define Matrices_h
 
-#include "Math/Vector.h"
+#include "Math/Matrix.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,19 +12,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-
-inline Matrix4 Multiply(const Matrix4& a, const Matrix4& b)
-{
-  Matrix4 product = {};
-  for (std::size_t i = 0; i < 16; ++i)
-  {
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      product[i] += a[i / 4 * 4 + k] * b[k * 4 + i % 4];
-    }
-  }
-  return product;
-}
 
 /// By elimination, with the largest pivot of each column.
 inline Matrix4 Invert(const Matrix4& matrix)

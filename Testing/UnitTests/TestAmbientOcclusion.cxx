@@ -4,16 +4,20 @@
 // How open the sky is above a surface, beside what geometry says: a sum over a fine grid of
 // directions that shares no code with what is tested.
 
+#include "Image/ImageField.h"
 #include "Matrices.h"
+#include "OneFieldScene.h"
 #include "Picture/Hemisphere.h"
-#include "Picture/RenderTiles.h"
+#include "Picture/SecondaryRays.h"
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -24,7 +28,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Edge = 41;
 
 /// A floor at z = 4.5 that ends at a wall at x = 4.5, which is as high and as long as the volume.
@@ -47,32 +50,31 @@ struct OpenScene
     , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
     const Matrix4 worldFromIndex = Scaling({ 1.0, 1.0, 2.0 });
-    this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+    this->TheScene.Shown.View =
+      Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
     this->TheScene.Request.Surfaces = { { 0.0, opacity } };
-    this->TheScene.Colors = { { 0.8, 0.5, 0.3 } };
-    this->TheScene.Look = { true, 0.5, 0.4, 0.0, 1.0 };
+    this->TheScene.Shown.Colors = { { 0.8, 0.5, 0.3 } };
+    this->TheScene.Shown.Surface = { true, 0.5, 0.4, 0.0, 1.0 };
     this->TheScene.OcclusionRays = 4096;
-    this->Traced->Select(this->TheScene.Request, 1);
+    this->TheScene.Show(*this->Traced);
   }
 
   /// The first hit of a ray.
   Hit Find(const Vector3& origin, const Vector3& direction)
   {
-    RayHits hits;
-    this->Traced->Trace(
-      { ClipToVolume(origin, direction, 0.0, Infinity, { Edge, Edge, Edge }) }, hits);
-    EXPECT_FALSE(hits.Hits.empty());
-    return hits.Hits.at(0);
+    const std::vector<Hit> hits = Trace(*this->Traced, { origin, direction });
+    EXPECT_FALSE(hits.empty());
+    return hits.at(0);
   }
 
-  double GetOpenness(const Hit& hit)
+  double FindAmbientTransmittance(const Hit& hit) const
   {
-    return Shader(this->TheScene, *this->Traced).FindOpenness({ hit }).at(0);
+    return SecondaryRays(this->TheScene, 0).FindAmbientTransmittance({ hit }).at(0);
   }
 
   TestVolume<double> Volume;
   std::unique_ptr<ImageField> Traced;
-  Scene TheScene;
+  OneFieldScene TheScene;
 };
 
 /// The share of the sky above z that comes through, given how much of it does in each direction.
@@ -109,9 +111,11 @@ TEST(AmbientOcclusion, PlaneIsNotOccluded)
   OpenScene scene(Floor);
   for (const double slant : { 0.0, 0.3, -0.4 })
   {
-    EXPECT_EQ(scene.GetOpenness(scene.Find({ 20.0, 20.0, 45.0 }, { slant, 0.1, -1.0 })), 1.0);
+    EXPECT_EQ(
+      scene.FindAmbientTransmittance(scene.Find({ 20.0, 20.0, 45.0 }, { slant, 0.1, -1.0 })), 1.0);
     // From below it is open, too, to the side that is seen.
-    EXPECT_EQ(scene.GetOpenness(scene.Find({ 20.0, 20.0, -5.0 }, { slant, 0.1, 1.0 })), 1.0);
+    EXPECT_EQ(
+      scene.FindAmbientTransmittance(scene.Find({ 20.0, 20.0, -5.0 }, { slant, 0.1, 1.0 })), 1.0);
   }
 }
 
@@ -128,7 +132,8 @@ TEST(AmbientOcclusion, HalfInACorner)
       const double expected = 1.0 -
         Integrate([distance, radius](const Vector3& direction)
           { return MeetsWall(direction, distance, radius) ? 1.0 : 0.0; });
-      EXPECT_NEAR(scene.GetOpenness(hit), expected, 0.004) << distance << " " << radius;
+      EXPECT_NEAR(scene.FindAmbientTransmittance(hit), expected, 0.004)
+        << distance << " " << radius;
       if (distance == 1.0 && radius == Infinity)
       {
         EXPECT_NEAR(expected, 0.5, 0.02);
@@ -144,7 +149,7 @@ TEST(AmbientOcclusion, TranslucentSurfacesOccludeByTheirOpacity)
   const Hit hit = scene.Find({ 7.5, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
   const double hidden = Integrate(
     [](const Vector3& direction) { return MeetsWall(direction, 3.0, Infinity) ? 1.0 : 0.0; });
-  EXPECT_NEAR(scene.GetOpenness(hit), 1.0 - 0.4 * hidden, 0.002);
+  EXPECT_NEAR(scene.FindAmbientTransmittance(hit), 1.0 - 0.4 * hidden, 0.002);
 }
 
 //------------------------------------------------------------------------------
@@ -153,28 +158,29 @@ TEST(AmbientOcclusion, AffectsOnlyTheAmbientTerm)
   OpenScene scene(Corner);
   scene.TheScene.Lights = { Light() };
   const Hit hit = scene.Find({ 6.0, 20.0, 45.0 }, { 0.0, 0.0, -1.0 });
-  const Shader shader(scene.TheScene, *scene.Traced);
+  const Shader shader(scene.TheScene, 0, scene.TheScene.Request.PacketKernels);
   const Vector3 direction = { 0.0, 0.0, -1.0 };
   const Vector3 open = shader.Shade(hit, direction);
-  const Vector3 closed = shader.Shade(hit, direction, nullptr, 0.25);
+  const Vector3 closed = shader.Shade(hit, direction, { nullptr, 0.25 });
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const double ambient = 0.5 * scene.TheScene.Colors[0][i];
+    const double ambient = 0.5 * scene.TheScene.Shown.Colors[0][i];
     EXPECT_NEAR(open[i] - closed[i], 0.75 * ambient, 1e-12);
-    EXPECT_GT(closed[i], 0.3 * scene.TheScene.Colors[0][i]);
+    EXPECT_GT(closed[i], 0.3 * scene.TheScene.Shown.Colors[0][i]);
   }
 
-  // And the colours of a group of rays have it.
-  RayPacket rays;
-  rays.Count = 0;
-  rays.Exists = {};
-  AddRay(ClipToVolume({ 6.0, 20.0, 45.0 }, direction, 0.0, Infinity, { Edge, Edge, Edge }), rays);
+  // And the fragments of a packet of rays have it.
+  RayPacket packet;
+  packet.Count = 0;
+  packet.Exists = {};
+  scene.Traced->AddRay({ 6.0, 20.0, 45.0 }, direction, 0.0, Infinity, packet);
   RayHits hits;
-  scene.Traced->Trace(rays, hits);
-  std::vector<Vector3> colors;
-  shader.Shade(rays, hits, colors);
-  ASSERT_EQ(colors.size(), 1U);
-  EXPECT_EQ(colors[0], shader.Shade(hit, direction, nullptr, scene.GetOpenness(hit)));
+  scene.Traced->Trace(packet, hits);
+  Fragments fragments;
+  shader.MakeFragments(packet, hits, fragments);
+  ASSERT_EQ(fragments.List.size(), 1U);
+  EXPECT_EQ(fragments.List[0].Color,
+    shader.Shade(hit, direction, { nullptr, scene.FindAmbientTransmittance(hit) }));
 }
 
 //------------------------------------------------------------------------------
@@ -186,18 +192,17 @@ TEST(AmbientOcclusion, IndependentOfTheOtherHits)
   std::vector<Hit> hits;
   while (hits.size() < 300)
   {
-    RayHits found;
-    scene.Traced->Trace({ ClipToVolume(random.PointInBox({ 0.0, 0.0, 0.0 }, { 40.0, 40.0, 40.0 }),
-                          random.Direction(), 0.0, Infinity, { Edge, Edge, Edge }) },
-      found);
-    hits.insert(hits.end(), found.Hits.begin(), found.Hits.end());
+    const Vector3 origin = random.PointInBox({ 0.0, 0.0, 0.0 }, { 40.0, 40.0, 40.0 });
+    const std::vector<Hit> found = Trace(*scene.Traced, { origin, random.Direction() });
+    hits.insert(hits.end(), found.begin(), found.end());
   }
-  const std::vector<double> together = Shader(scene.TheScene, *scene.Traced).FindOpenness(hits);
+  const std::vector<double> together =
+    SecondaryRays(scene.TheScene, 0).FindAmbientTransmittance(hits);
   double least = 1.0;
   double most = 0.0;
   for (std::size_t i = 0; i < hits.size(); ++i)
   {
-    EXPECT_EQ(scene.GetOpenness(hits[i]), together[i]);
+    EXPECT_EQ(scene.FindAmbientTransmittance(hits[i]), together[i]);
     least = std::min(least, together[i]);
     most = std::max(most, together[i]);
   }
@@ -220,9 +225,9 @@ TEST(AmbientOcclusion, DirectionsVaryBetweenFrames)
   for (scene.TheScene.OcclusionFrame = 0; scene.TheScene.OcclusionFrame < frames;
        ++scene.TheScene.OcclusionFrame)
   {
-    const double openness = scene.GetOpenness(hit);
-    sum += openness;
-    largest = std::max(largest, std::abs(openness - expected));
+    const double transmittance = scene.FindAmbientTransmittance(hit);
+    sum += transmittance;
+    largest = std::max(largest, std::abs(transmittance - expected));
   }
   // Five rays know it to a fifth; the mean of many frames, as well as so many rays.
   EXPECT_GT(largest, 0.1);
@@ -233,15 +238,15 @@ TEST(AmbientOcclusion, DirectionsVaryBetweenFrames)
 TEST(Hemisphere, DirectionsVaryBetweenFrames)
 {
   const Vector3 up = { 0.0, 0.0, 1.0 };
-  const Hit hit = { 0.0, { 1, 2, 3 }, 0, { 0.1, 0.2, 0.3 }, true };
+  const Vector3 point = { 1.1, 2.2, 3.3 };
   EXPECT_EQ(
-    Hemisphere(up, 4, HitNumbers(hit)).Next(), Hemisphere(up, 4, HitNumbers(hit, 0)).Next());
+    Hemisphere(up, 4, HitNumbers(point)).Next(), Hemisphere(up, 4, HitNumbers(point, 0)).Next());
   for (int frame = 1; frame < 16; ++frame)
   {
     for (int other = 0; other < frame; ++other)
     {
-      EXPECT_NE(Hemisphere(up, 4, HitNumbers(hit, frame)).Next(),
-        Hemisphere(up, 4, HitNumbers(hit, other)).Next());
+      EXPECT_NE(Hemisphere(up, 4, HitNumbers(point, frame)).Next(),
+        Hemisphere(up, 4, HitNumbers(point, other)).Next());
     }
   }
 }
@@ -254,9 +259,9 @@ TEST(Hemisphere, DirectionsAreCosineWeighted)
   {
     const Vector3 normal =
       i == 0 ? Vector3{ 0.0, 0.0, -1.0 } : (i == 1 ? Vector3{ 0.0, 0.0, 1.0 } : random.Direction());
-    const Hit hit = { random.Uniform(0.0, 9.0), { i, 2, 3 }, 0, { 0.1, 0.2, 0.3 }, true };
+    const Vector3 point = { i + 0.1, 2.2, 3.3 };
     constexpr int count = 256;
-    Hemisphere sky(normal, count, HitNumbers(hit));
+    Hemisphere sky(normal, count, HitNumbers(point));
     Vector3 sum = { 0.0, 0.0, 0.0 };
     for (int number = 0; number < count; ++number)
     {

@@ -6,11 +6,16 @@
 #include "Image/ImageField.h"
 #include "Image/Samples/BlockCache.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -154,8 +159,8 @@ TEST(BlockCache, DoesNotChangeHits)
     { 70, 50, 60 }, [&random](const AnalyticFields::Point&) { return random.Uniform(-1.0, 1.0); });
   const auto unlimited = ImageField::New(volume.View(), {}, 2);
   const auto limited = ImageField::New(volume.View(), {}, 2);
-  TraceRequest wanted;
-  wanted.Surfaces = { { 0.9, 1.0 } };
+  TestRequest request;
+  request.Surfaces = { { 0.9, 1.0 } };
   const std::size_t ceilings[] = { 0, 20000, 100000, 100000, 300000, 40000, Unlimited };
   for (const std::size_t ceiling : ceilings)
   {
@@ -166,14 +171,14 @@ TEST(BlockCache, DoesNotChangeHits)
       const Vector3 direction = { random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2), 1.0 };
       rays.push_back(ClipToVolume(origin, direction, 0.0, 100.0, { 70, 50, 60 }));
     }
-    wanted.MaximumMemory = Unlimited;
-    unlimited->Select(wanted, 2);
-    wanted.MaximumMemory = ceiling;
-    limited->Select(wanted, 2);
+    request.Budget.CacheBytes = Unlimited;
+    Select(*unlimited, request, 2);
+    request.Budget.CacheBytes = ceiling;
+    Select(*limited, request, 2);
     RayHits expected;
     RayHits hits;
-    unlimited->Trace(rays, expected);
-    limited->Trace(rays, hits);
+    Trace(*unlimited, rays, expected);
+    Trace(*limited, rays, hits);
     ASSERT_EQ(hits.First, expected.First);
     for (std::size_t i = 0; i < hits.Hits.size(); ++i)
     {
@@ -183,7 +188,8 @@ TEST(BlockCache, DoesNotChangeHits)
     }
     // Beside the bricks there are two tables of two numbers for each of the 9 x 7 x 8 blocks.
     const std::size_t tables = 9 * 7 * 8 * 16;
-    EXPECT_LE(limited->GetBrickMemory(), ceiling == Unlimited ? Unlimited : ceiling + tables);
+    EXPECT_LE(
+      limited->GetStatistics().CacheMemory, ceiling == Unlimited ? Unlimited : ceiling + tables);
   }
 }
 

@@ -6,9 +6,10 @@
 // boxes, with a walk from box to box in exact arithmetic. Neither knows of cells.
 
 #include "Image/ImageField.h"
-#include "Image/Samples/UnevenPlanes.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
+#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -31,12 +32,12 @@ namespace
 {
 
 /// Surfaces that let nearly all through, so that a ray meets all of them; one is at a sample.
-TraceRequest Request(double opacity = 1e-9)
+TestRequest Request(double opacity = 1e-9)
 {
-  TraceRequest wanted(
+  TestRequest request(
     { { 20.0, opacity }, { 50.0, opacity }, { 50.5, opacity }, { 90.25, opacity } });
-  wanted.Field = Interpolant::Nearest;
-  return wanted;
+  request.Interpolation = Interpolant::Nearest;
+  return request;
 }
 
 /// A crossing of a face, between a sample and the next one along an axis, that is a surface.
@@ -203,27 +204,28 @@ std::optional<std::vector<CrossingT>> WalkFromBoxToBox(
 }
 
 void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
-  const std::vector<CrossingT>& expected, double tolerance, const UnevenPlanes* planes = nullptr)
+  const std::vector<CrossingT>& expected, double tolerance)
 {
   ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
   for (std::size_t i = 0; i < hits.size(); ++i)
   {
     const Hit& hit = hits[i];
+    const Index3 cell = traced.GetLattice().GetCell(hit);
     const CrossingT& crossing = expected[i];
     EXPECT_NEAR(hit.T, static_cast<double>(crossing.T), tolerance) << ToText(line);
     EXPECT_EQ(hit.Surface, crossing.Surface) << ToText(line);
     EXPECT_EQ(hit.Entering, crossing.Entering) << ToText(line);
     EXPECT_EQ(hit.Parametric[crossing.Axis], 0.5) << ToText(line);
     const Vector3 onRay = line.Origin + line.Direction * hit.T;
-    EXPECT_LE(Length(onRay - hit.GetPoint(planes)), 1e-9) << ToText(line);
+    EXPECT_LE(Length(onRay - traced.GetPoint(hit)), 1e-9) << ToText(line);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       // The sample inside; along the plane it is the nearest, where one is nearest.
-      const int nearest = hit.Cell[axis] + (hit.IsNearUpper(axis) ? 1 : 0);
+      const int nearest = cell[axis] + (hit.IsNearUpper(axis) ? 1 : 0);
       const bool isBetween = std::abs(hit.Parametric[axis] - 0.5) < 1e-5;
       if (axis == crossing.Axis)
       {
-        EXPECT_EQ(hit.Cell[axis], crossing.Lower[axis]) << ToText(line);
+        EXPECT_EQ(cell[axis], crossing.Lower[axis]) << ToText(line);
         EXPECT_EQ(nearest, crossing.Lower[axis] + (crossing.RisesAlongAxis ? 1 : 0));
       }
       else if (!isBetween)
@@ -235,8 +237,9 @@ void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
     gradient[crossing.Axis] = crossing.RisesAlongAxis ? 1.0 : -1.0;
     EXPECT_EQ(traced.GetGradient(hit, NormalMode::InterpolantGradient), gradient) << ToText(line);
     EXPECT_EQ(traced.GetGradient(hit, NormalMode::CentralDifferences), gradient) << ToText(line);
+    double points[3][RayPacket::Capacity];
     double gradients[3][RayPacket::Capacity];
-    traced.GetGradients(&hit, 1, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+    traced.GetPointsAndGradients(&hit, 1, points, gradients);
     EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), gradient);
   }
 }
@@ -344,7 +347,7 @@ TEST(BoxFacesOfRays, IndependentOfSettings)
     for (const auto& ray : rays)
     {
       RayHits own;
-      plain->Trace({ ray }, own);
+      Trace(*plain, { ray }, own);
       expected.Append(own);
     }
     EXPECT_GT(expected.Hits.size(), 200U);
@@ -352,10 +355,10 @@ TEST(BoxFacesOfRays, IndependentOfSettings)
     {
       for (const RootSolver solver : { RootSolver::Robust, RootSolver::Linear })
       {
-        TraceRequest wanted = Request(opacity);
-        wanted.Solver = solver;
+        TestRequest request = Request(opacity);
+        request.Solver = solver;
         RayHits hits;
-        NewTraced(volume, wanted, settings)->Trace(rays, hits);
+        Trace(*NewTraced(volume, request, settings), rays, hits);
         ASSERT_EQ(hits.First, expected.First);
         for (std::size_t i = 0; i < hits.Hits.size(); ++i)
         {
@@ -403,9 +406,9 @@ TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
     }
   }
   const UnevenPlanes planes(places);
-  TraceRequest wanted = Request();
-  wanted.Planes = &planes;
-  const auto traced = NewTraced(volume, wanted);
+  TestRequest request = Request();
+  request.Planes = &planes;
+  const auto traced = NewTraced(volume, request);
   int compared = 0;
   for (int i = 0; i < 400; ++i)
   {
@@ -413,7 +416,7 @@ TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
     if (const auto expected = LookAtEveryFace(volume, line, &planes))
     {
       compared += expected->empty() ? 0 : 1;
-      Compare(*traced, line, Trace(*traced, line, Infinity, &planes), *expected, 1e-9, &planes);
+      Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
     }
   }
   EXPECT_GT(compared, 300);
@@ -427,8 +430,8 @@ TEST(BoxFacesOfRays, RespectCroppingAndClipping)
   int seenHits = 0;
   for (int i = 0; i < 60; ++i)
   {
-    TraceRequest wanted = Request(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = wanted.Visible;
+    TestRequest request = Request(i % 2 == 0 ? 1e-9 : 1.0);
+    Visibility& seen = request.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
@@ -457,7 +460,7 @@ TEST(BoxFacesOfRays, RespectCroppingAndClipping)
         (!seen.HalfSpaces.empty() &&
           Dot(seen.HalfSpaces[0].Normal, point) + seen.HalfSpaces[0].Offset < 0.0);
     };
-    const auto traced = NewTraced(volume, wanted);
+    const auto traced = NewTraced(volume, request);
     for (int ray = 0; ray < 10; ++ray)
     {
       const Line line = RandomLine(random, volume.Dimensions);
@@ -504,14 +507,14 @@ TEST(BoxFacesOfRays, TrilinearSurfacesAfterNearest)
 {
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.25 });
-  TraceRequest wanted({ { 0.0, 1.0 } });
-  wanted.Field = Interpolant::Nearest;
-  const auto traced = NewTraced(ramp, wanted);
+  TestRequest request({ { 0.0, 1.0 } });
+  request.Interpolation = Interpolant::Nearest;
+  const auto traced = NewTraced(ramp, request);
   const Line line = { { -2.0, 4.5, 4.5 }, { 1.0, 0.0, 0.0 } };
   ASSERT_EQ(Trace(*traced, line).size(), 1U);
   EXPECT_EQ(Trace(*traced, line)[0].T, 6.5);
-  wanted.Field = Interpolant::Trilinear;
-  traced->Select(wanted, 1);
+  request.Interpolation = Interpolant::Trilinear;
+  Select(*traced, request, 1);
   ASSERT_EQ(Trace(*traced, line).size(), 1U);
   EXPECT_EQ(Trace(*traced, line)[0].T, 6.25);
   EXPECT_EQ(Trace(*traced, line)[0].Jump, 0);

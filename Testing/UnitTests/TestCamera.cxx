@@ -3,6 +3,7 @@
 
 // The rays of a camera are compared with those that a pinhole and parallel beams have by geometry.
 
+#include "Math/Matrix.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
 #include "Rays/Camera.h"
@@ -120,7 +121,7 @@ TEST(Camera, SubpixelOffsets)
     const Matrix4 viewFromWorld = Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0));
     const Camera camera = NewCamera(Perspective(0.5, 50.0, 0.7), viewFromWorld, worldFromIndex);
     // A pixel of four times the resolution in a pixel.
-    const Camera fine(camera.GetClipFromIndex(), camera.GetIndexFromClip(), worldFromIndex,
+    const Camera fine(camera.GetClipFromObject(), camera.GetObjectFromClip(), worldFromIndex,
       4.0 * Width, 4.0 * Height);
     const int column = random.Integer(0, 3);
     const int row = random.Integer(0, 3);
@@ -133,7 +134,7 @@ TEST(Camera, SubpixelOffsets)
     ASSERT_NEAR(shifted.GetDepth(ray.Origin + ray.Direction * ray.End), 0.4, 1e-9);
     // What the ray goes through is in the centre of the pixel of the shifted view.
     const Vector3 point = ray.Origin + ray.Direction * ray.End;
-    const Matrix4& m = shifted.GetClipFromIndex();
+    const Matrix4& m = shifted.GetClipFromObject();
     const Vector3 inClip = TransformPoint(m, point);
     const double w = m[12] * point[0] + m[13] * point[1] + m[14] * point[2] + m[15];
     ASSERT_NEAR(inClip[0] / w, 2.0 * 7.5 / Width - 1.0, 1e-9);

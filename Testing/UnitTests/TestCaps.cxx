@@ -58,7 +58,7 @@ std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& siz
 
 /// Counts the rays, among many, of which the hits do not go in and out in turn, or go in and never
 /// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
-int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
+int CountLeaks(const TestVolume<float>& volume, TestRequest request, int& caps)
 {
   const auto traced = ImageField::New(volume.View(), {}, 2);
   const auto opaque = ImageField::New(volume.View(), {}, 2);
@@ -66,18 +66,18 @@ int CountLeaks(const TestVolume<float>& volume, TraceRequest wanted, int& caps)
   int leaks = 0;
   for (int scene = 0; scene < 40; ++scene)
   {
-    wanted.Visible.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
-    wanted.Surfaces[0].Opacity = 1.0;
-    opaque->Select(wanted, 2);
-    wanted.Surfaces[0].Opacity = Glass;
-    traced->Select(wanted, 2);
+    request.Visible.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
+    request.Surfaces[0].Opacity = 1.0;
+    Select(*opaque, request, 2);
+    request.Surfaces[0].Opacity = Glass;
+    Select(*traced, request, 2);
     for (int ray = 0; ray < 500; ++ray)
     {
       Line line = ray % 2 == 0 ? RandomLine(random, volume.Dimensions)
                                : LatticeLine(random, volume.Dimensions);
       line.Origin = line.Origin - line.Direction * 64.0; // from without
-      const std::vector<Hit> hits = Trace(*traced, line, Infinity, wanted.Planes);
-      const std::vector<Hit> first = Trace(*opaque, line, Infinity, wanted.Planes);
+      const std::vector<Hit> hits = Trace(*traced, line);
+      const std::vector<Hit> first = Trace(*opaque, line);
       bool isInTurn = hits.size() % 2 == 0;
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
@@ -101,15 +101,15 @@ TEST(Caps, NoRayFromOutsideLeaks)
     int caps = 0;
     EXPECT_EQ(CountLeaks(volume, { { { isovalue, 1.0 } } }, caps), 0) << "above " << isovalue;
     EXPECT_GT(caps, 3000);
-    TraceRequest alone({ { isovalue, 1.0 } });
-    alone.BeamKernels = nullptr;
+    TestRequest alone({ { isovalue, 1.0 } });
+    alone.PacketKernels = nullptr;
     EXPECT_EQ(CountLeaks(volume, alone, caps), 0) << "cell by cell, above " << isovalue;
-    TraceRequest boxes({ { isovalue, 1.0 } });
-    boxes.Field = Interpolant::Nearest;
+    TestRequest boxes({ { isovalue, 1.0 } });
+    boxes.Interpolation = Interpolant::Nearest;
     EXPECT_EQ(CountLeaks(volume, boxes, caps), 0) << "between boxes, above " << isovalue;
     int cubicCaps = 0;
-    TraceRequest cubic({ { isovalue, 1.0 } });
-    cubic.Field = Interpolant::Tricubic;
+    TestRequest cubic({ { isovalue, 1.0 } });
+    cubic.Interpolation = Interpolant::Tricubic;
     EXPECT_EQ(CountLeaks(volume, cubic, cubicCaps), 0) << "tricubic, above " << isovalue;
     EXPECT_GT(cubicCaps, 1000);
   }
@@ -136,15 +136,15 @@ TEST(Caps, NoRayLeaksBetweenUnevenPlanes)
     places[axis].back() = size[axis] - 1.0;
   }
   const UnevenPlanes planes(places);
-  TraceRequest wanted({ { 1.5, 1.0 } });
-  wanted.Planes = &planes;
+  TestRequest request({ { 1.5, 1.0 } });
+  request.Planes = &planes;
   int caps = 0;
-  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0);
-  wanted.Field = Interpolant::Nearest;
-  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0) << "between boxes";
+  EXPECT_EQ(CountLeaks(volume, request, caps), 0);
+  request.Interpolation = Interpolant::Nearest;
+  EXPECT_EQ(CountLeaks(volume, request, caps), 0) << "between boxes";
   EXPECT_GT(caps, 3000);
-  wanted.Field = Interpolant::Tricubic;
-  EXPECT_EQ(CountLeaks(volume, wanted, caps), 0) << "tricubic";
+  request.Interpolation = Interpolant::Tricubic;
+  EXPECT_EQ(CountLeaks(volume, request, caps), 0) << "tricubic";
 }
 
 //------------------------------------------------------------------------------
@@ -159,10 +159,10 @@ TEST(Caps, LieWhereTheFieldReachesTheLargestIsovalue)
   int found[4] = {};
   for (int scene = 0; scene < 50; ++scene)
   {
-    TraceRequest wanted(surfaces);
-    wanted.Visible.HalfSpaces = { Behind(random.Direction(), { 9.5, 8.5, 10.5 }) };
-    const HalfSpace& half = wanted.Visible.HalfSpaces[0];
-    traced->Select(wanted, 2);
+    TestRequest request(surfaces);
+    request.Visible.HalfSpaces = { Behind(random.Direction(), { 9.5, 8.5, 10.5 }) };
+    const HalfSpace& half = request.Visible.HalfSpaces[0];
+    Select(*traced, request, 2);
     for (int ray = 0; ray < 100; ++ray)
     {
       const Line line = RandomLine(random, volume.Dimensions);
@@ -197,11 +197,12 @@ TEST(Caps, LieWhereTheFieldReachesTheLargestIsovalue)
       EXPECT_EQ(cap->Plane, 0);
       EXPECT_EQ(cap->Surface, surface);
       EXPECT_NEAR(cap->T, t, 1e-9);
-      EXPECT_NEAR(Length(cap->GetPoint(nullptr) - point), 0.0, 1e-9);
+      EXPECT_NEAR(Length(traced->GetPointInCells(*cap) - point), 0.0, 1e-9);
       EXPECT_NEAR(cap->Value, value, 1e-9);
       EXPECT_EQ(traced->GetGradient(*cap, NormalMode::CentralDifferences), half.Normal);
+      double points[3][RayPacket::Capacity];
       double gradients[3][RayPacket::Capacity];
-      traced->GetGradients(&*cap, 1, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+      traced->GetPointsAndGradients(&*cap, 1, points, gradients);
       EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), half.Normal);
     }
   }
@@ -217,9 +218,9 @@ TEST(Caps, AreHitFromBothSidesButNotInTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = ImageField::New(full.View(), {}, 2);
-  TraceRequest wanted({ { 0.0, 1.0 } });
-  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
-  traced->Select(wanted, 2);
+  TestRequest request({ { 0.0, 1.0 } });
+  request.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  Select(*traced, request, 2);
   const auto look = [&traced](double from, double way) {
     return Trace(*traced, { { 3.5, 3.25, from }, { 0.0, 0.0, way } });
   };
@@ -247,9 +248,9 @@ TEST(Caps, HaveTheOpacityOfTheirSurface)
   const Line line = { { -4.0, 4.25, 4.5 }, { 1.0, 0.0, 0.0 } };
   const auto trace = [&](double skin, double bone, double cut)
   {
-    TraceRequest wanted({ { 2.0, skin }, { 4.0, bone } });
-    wanted.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
-    traced->Select(wanted, 2);
+    TestRequest request({ { 2.0, skin }, { 4.0, bone } });
+    request.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
+    Select(*traced, request, 2);
     std::string order;
     for (const Hit& hit : Trace(*traced, line))
     {
@@ -278,18 +279,18 @@ TEST(Caps, CloseFacesOfTheVolumeThatLieInAPlane)
   RandomNumbers random(31);
   for (const double error : { 0.0, 1e-13, 1e-9 })
   {
-    TraceRequest wanted({ { 0.0, Glass } });
+    TestRequest request({ { 0.0, Glass } });
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       Vector3 normal = { 0.0, 0.0, 0.0 };
       normal[axis] = 0.1;
       Vector3 last = { 8.0, 7.0, 6.0 };
       last[axis] += random.Uniform(-error, error);
-      wanted.Visible.HalfSpaces.push_back(
+      request.Visible.HalfSpaces.push_back(
         Behind(normal, { random.Uniform(-error, error), error, -error }));
-      wanted.Visible.HalfSpaces.push_back(Behind(normal * -1.0, last));
+      request.Visible.HalfSpaces.push_back(Behind(normal * -1.0, last));
     }
-    traced->Select(wanted, 2);
+    Select(*traced, request, 2);
     for (int ray = 0; ray < 1000; ++ray)
     {
       Line line = RandomLine(random, full.Dimensions);
@@ -300,9 +301,9 @@ TEST(Caps, CloseFacesOfTheVolumeThatLieInAPlane)
     }
   }
   // A plane outside of the volume cuts nothing.
-  TraceRequest wanted({ { 0.0, Glass } });
-  wanted.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { -1e-5, 0.0, 0.0 }) };
-  traced->Select(wanted, 2);
+  TestRequest request({ { 0.0, Glass } });
+  request.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { -1e-5, 0.0, 0.0 }) };
+  Select(*traced, request, 2);
   EXPECT_TRUE(Trace(*traced, { { -3.0, 3.5, 3.5 }, { 1.0, 0.1, 0.1 } }).empty());
 }
 
@@ -322,15 +323,15 @@ TEST(Caps, HaveTheValuesOfNearestSamples)
   int found = 0;
   for (int scene = 0; scene < 30; ++scene)
   {
-    TraceRequest wanted({ { low, Glass }, { high, Glass } });
-    wanted.Field = Interpolant::Nearest;
-    wanted.Visible.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
-    traced->Select(wanted, 2);
+    TestRequest request({ { low, Glass }, { high, Glass } });
+    request.Interpolation = Interpolant::Nearest;
+    request.Visible.HalfSpaces = { Behind(random.Direction(), { 6.5, 7.0, 7.5 }) };
+    Select(*traced, request, 2);
     for (int ray = 0; ray < 100; ++ray)
     {
       for (const Hit& hit : Trace(*traced, RandomLine(random, size)))
       {
-        const Vector3 point = hit.GetPoint(nullptr);
+        const Vector3 point = traced->GetPointInCells(hit);
         const Index3 nearest = { static_cast<int>(std::lround(point[0])),
           static_cast<int>(std::lround(point[1])), static_cast<int>(std::lround(point[2])) };
         if (hit.Plane != Hit::NoPlane)
@@ -356,11 +357,11 @@ TEST(Caps, BetweenNearestSamplesHaveTheValueOfTheRemainingOne)
   RandomNumbers random(12);
   for (const double way : { 1.0, -1.0 })
   {
-    TraceRequest wanted({ { -1.0, Glass }, { 5.5, Glass } });
-    wanted.Field = Interpolant::Nearest;
+    TestRequest request({ { -1.0, Glass }, { 5.5, Glass } });
+    request.Interpolation = Interpolant::Nearest;
     const double length = way * random.Uniform(0.1, 10.0);
-    wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
-    traced->Select(wanted, 2);
+    request.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -5.5 * length, true } };
+    Select(*traced, request, 2);
     int found[2] = { 0, 0 };
     for (int ray = 0; ray < 1000; ++ray)
     {
@@ -390,15 +391,15 @@ TEST(Caps, SkipHiddenAndNonFiniteCells)
   std::vector<unsigned char> hidden(8 * 8 * 8, 0);
   hidden[Offset({ 5, 5, 2 }, { 8, 8, 8 })] = 1;
   const auto traced = ImageField::New(volume.View(), {}, 2);
-  TraceRequest wanted({ { 0.0, 1.0 } });
-  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
-  wanted.Visible.HiddenCells = hidden.data();
-  wanted.Visible.Regions = { { { { 2.0, 6.0 }, { 2.0, 6.0 }, { 2.0, 6.0 } } },
+  TestRequest request({ { 0.0, 1.0 } });
+  request.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }) };
+  request.Visible.HiddenCells = hidden.data();
+  request.Visible.Regions = { { { { 2.0, 6.0 }, { 2.0, 6.0 }, { 2.0, 6.0 } } },
     CroppingRegions::All & ~(1U << (2 + 3 * 2 + 9 * 1)) };
   for (const Interpolant field : { Interpolant::Trilinear, Interpolant::Nearest })
   {
-    wanted.Field = field;
-    traced->Select(wanted, 2);
+    request.Interpolation = field;
+    Select(*traced, request, 2);
     const auto isClosed = [&traced](double x, double y)
     {
       const std::vector<Hit> hits = Trace(*traced, { { x, y, -2.0 }, { 0.0, 0.0, 1.0 } });
@@ -436,10 +437,10 @@ TEST(Caps, InLatticePlanesBelongToTheRemainingCells)
         }
       });
     const auto traced = ImageField::New(volume.View(), {}, 2);
-    TraceRequest wanted({ { 0.0, Glass } });
+    TestRequest request({ { 0.0, Glass } });
     const double length = way * random.Uniform(0.1, 10.0);
-    wanted.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
-    traced->Select(wanted, 2);
+    request.Visible.HalfSpaces = { { { 0.0, 0.0, length }, -6.0 * length, true } };
+    Select(*traced, request, 2);
     int found = 0;
     for (int ray = 0; ray < 1000; ++ray)
     {
@@ -451,7 +452,7 @@ TEST(Caps, InLatticePlanesBelongToTheRemainingCells)
       {
         const std::vector<Hit> hits = Trace(*traced, line);
         ASSERT_EQ(hits.size(), 1U) << ToText(line);
-        EXPECT_EQ(hits[0].Cell[2], way > 0.0 ? 6 : 5);
+        EXPECT_EQ(traced->GetLattice().GetCell(hits[0])[2], way > 0.0 ? 6 : 5);
         EXPECT_NEAR(hits[0].Parametric[2], way > 0.0 ? 0.0 : 1.0, 1e-9);
         ++found;
       }
@@ -465,14 +466,14 @@ TEST(Caps, AreOnlyOnRequestedPlanes)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
   const auto traced = ImageField::New(full.View(), {}, 2);
-  TraceRequest wanted({ { 0.0, 1.0 } });
+  TestRequest request({ { 0.0, 1.0 } });
   // The second one cuts later, and has none.
-  wanted.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),
+  request.Visible.HalfSpaces = { Behind({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.25 }),
     { { 0.0, 0.0, 1.0 }, -3.5 } };
-  traced->Select(wanted, 2);
+  Select(*traced, request, 2);
   EXPECT_TRUE(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).empty());
-  wanted.Visible.HalfSpaces[1].Offset = -1.5;
-  traced->Select(wanted, 2);
+  request.Visible.HalfSpaces[1].Offset = -1.5;
+  Select(*traced, request, 2);
   EXPECT_EQ(Trace(*traced, { { 3.5, 3.25, -1.0 }, { 0.0, 0.1, 1.0 } }).size(), 1U);
 }
 

@@ -363,16 +363,16 @@ public:
     const Index3& n = field.Volume.Dimensions;
     const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
     const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
-    RayPacket group = EmptyGroup();
+    RayPacket packet = EmptyGroup();
     const int count = random.Integer(0, 1) ? RayPacket::Capacity : random.Integer(1, 20);
     for (int i = 0; i < count; ++i)
     {
-      AddRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), group);
+      AddRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), packet);
     }
     AlignedRays aligned;
     Frustum beam;
-    if (IsEmpty(group.Exists) ||
-      !this->TheKernels.Align(group, group.Exists, static_cast<int>(axis), aligned, beam))
+    if (IsEmpty(packet.Exists) ||
+      !this->TheKernels.Align(packet, packet.Exists, static_cast<int>(axis), aligned, beam))
     {
       return;
     }
@@ -389,15 +389,15 @@ public:
       [&](const Index3& block)
       {
         const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
-        this->TheKernels.FindPassages(aligned, group.Exists, static_cast<int>(axis), first,
+        this->TheKernels.FindPassages(aligned, packet.Exists, static_cast<int>(axis), first,
           MakeMask(field, block, all).Slices[axis], passages);
         if (passages.Count >= Passages::Batch)
         {
-          ASSERT_NO_FATAL_FAILURE(this->CheckPassages(random, field, group, axis, all, passages));
+          ASSERT_NO_FATAL_FAILURE(this->CheckPassages(random, field, packet, axis, all, passages));
           clear();
         }
       });
-    ASSERT_NO_FATAL_FAILURE(this->CheckPassages(random, field, group, axis, all, passages));
+    ASSERT_NO_FATAL_FAILURE(this->CheckPassages(random, field, packet, axis, all, passages));
   }
 
   // Of the cells that the surface passes:
@@ -411,7 +411,7 @@ private:
   /// Asks about the cells of all passages, but never of two of one passage at once: so it is known
   /// which of them is surely hit.
   template <typename T>
-  void CheckPassages(RandomNumbers& random, const Field<T>& field, const RayPacket& group,
+  void CheckPassages(RandomNumbers& random, const Field<T>& field, const RayPacket& packet,
     std::size_t axis, bool all, Passages& passages)
   {
     std::vector<std::vector<Question>> rounds;
@@ -439,7 +439,7 @@ private:
           random.Integer(0, 3) ? random.Integer(1, 40) : random.Integer(64, MostAtOnce),
           round.size() - first);
         ASSERT_NO_FATAL_FAILURE(this->CheckSome(
-          random, field.Volume, field.Isovalue, group, axis, all, &round[first], count, passages));
+          random, field.Volume, field.Isovalue, packet, axis, all, &round[first], count, passages));
         first += count;
       }
       for (const Question& question : round)
@@ -447,11 +447,11 @@ private:
         if (random.Integer(0, 1) && field.Isovalue.Scale == 1.0)
         {
           const ScaledIsovalue hard = { FindHardIsovalue(random, field.Volume,
-                                          GetRay(group, passages.Ways[question.Passage].Ray),
+                                          GetRay(packet, passages.Ways[question.Passage].Ray),
                                           GetCell(passages, question, axis)),
             1.0 };
-          ASSERT_NO_FATAL_FAILURE(
-            this->CheckSome(random, field.Volume, hard, group, axis, true, &question, 1, passages));
+          ASSERT_NO_FATAL_FAILURE(this->CheckSome(
+            random, field.Volume, hard, packet, axis, true, &question, 1, passages));
         }
       }
     }
@@ -459,7 +459,7 @@ private:
 
   template <typename T>
   void CheckSome(RandomNumbers& random, const TestVolume<T>& volume, const ScaledIsovalue& isovalue,
-    const RayPacket& group, std::size_t axis, bool all, const Question* questions,
+    const RayPacket& packet, std::size_t axis, bool all, const Question* questions,
     std::size_t count, Passages& passages)
   {
     std::vector<Index3> cells;
@@ -480,17 +480,22 @@ private:
     Candidates candidates;
     const int before = random.Integer(0, Candidates::Batch - 1);
     candidates.Count = before;
-    RaySet hits = { { random.Bits() & random.Bits(), random.Bits() & random.Bits() } };
-    RaySet expectedHits = hits;
+    RaySet hits[2];
+    RaySet expectedHits[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      hits[side] = { { random.Bits() & random.Bits(), random.Bits() & random.Bits() } };
+      expectedHits[side] = hits[side];
+    }
     const auto stride = static_cast<std::ptrdiff_t>(volume.Stride);
     const Index3& n = volume.Dimensions;
     const std::ptrdiff_t strides[3] = { stride, stride * n[0], stride * n[0] * n[1] };
-    const auto sift = [&]
+    const auto classify = [&]
     {
       this->TheKernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
         passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
     };
-    sift();
+    classify();
 
     int next = before;
     for (std::size_t i = 0; i < count; ++i)
@@ -499,7 +504,7 @@ private:
       const int ray = passages.Ways[passage].Ray;
       const Index3& cell = cells[i];
       const CellCorners corners = CornersOf(volume, cell);
-      const MaybeRoot root = ExpectRoot(GetRay(group, ray), cell, Differences(corners, isovalue));
+      const MaybeRoot root = ExpectRoot(GetRay(packet, ray), cell, Differences(corners, isovalue));
       const bool isKept = next < candidates.Count && candidates.Ray[next] == ray &&
         candidates.Cell[0][next] == cell[0] && candidates.Cell[1][next] == cell[1] &&
         candidates.Cell[2][next] == cell[2] && candidates.First[next] == passed.First[i];
@@ -510,7 +515,8 @@ private:
       ASSERT_TRUE(!isSure || root) << "cell " << i << " of " << count << " has no root";
       if (isSure)
       {
-        Add(ray, expectedHits);
+        const bool isUp = packet.Direction[axis][ray] > 0.0;
+        Add(ray, expectedHits[root->Entering == isUp ? 1 : 0]);
       }
       if (!all)
       {
@@ -521,17 +527,23 @@ private:
       }
     }
     ASSERT_EQ(next, candidates.Count) << "there are candidates that nobody asked for";
-    ASSERT_EQ(hits.Words[0], expectedHits.Words[0]);
-    ASSERT_EQ(hits.Words[1], expectedHits.Words[1]);
+    for (int side = 0; side < 2; ++side)
+    {
+      ASSERT_EQ(hits[side].Words[0], expectedHits[side].Words[0]);
+      ASSERT_EQ(hits[side].Words[1], expectedHits[side].Words[1]);
+    }
 
     // What is surely hit stays so, whatever the other cells say.
     std::fill_n(passages.Hits, passages.Count, true);
     candidates.Count = 0;
-    sift();
+    classify();
     ASSERT_EQ(candidates.Count, next - before);
     ASSERT_EQ(std::count(passages.Hits, passages.Hits + passages.Count, false), 0);
-    ASSERT_EQ(hits.Words[0], expectedHits.Words[0]);
-    ASSERT_EQ(hits.Words[1], expectedHits.Words[1]);
+    for (int side = 0; side < 2; ++side)
+    {
+      ASSERT_EQ(hits[side].Words[0], expectedHits[side].Words[0]);
+      ASSERT_EQ(hits[side].Words[1], expectedHits[side].Words[1]);
+    }
     std::fill_n(passages.Hits, passages.Count, false);
   }
 

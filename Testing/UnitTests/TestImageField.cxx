@@ -249,7 +249,8 @@ public:
       ++this->Hits;
       const double error = std::abs(hits[i].T - exact[i].T);
       ASSERT_LE(error, exact[i].Slack) << this->What << ": " << ToText(line);
-      const Vector3 off = hits[i].GetPoint(nullptr) - (line.Origin + line.Direction * exact[i].T);
+      const Vector3 off =
+        traced.GetPointInCells(hits[i]) - (line.Origin + line.Direction * exact[i].T);
       ASSERT_LE(std::sqrt(Dot(off, off)), exact[i].Slack * (1.0 + speed))
         << this->What << ": " << ToText(line);
       if (exact[i].Slack < 1e-9)
@@ -321,7 +322,7 @@ TEST(ImageField, FindsAPlane)
     for (const Hit& hit : Trace(*traced, line))
     {
       ++hits;
-      const Vector3 point = hit.GetPoint(nullptr);
+      const Vector3 point = traced->GetPointInCells(hit);
       const double slope =
         Dot(line.Direction, { Slope.Normal[0], Slope.Normal[1], Slope.Normal[2] });
       ASSERT_NEAR(Slope(point), 0.0, 1e-13) << ToText(line);
@@ -711,11 +712,11 @@ TEST(ImageField, HitsAreStoredByRay)
   RayHits hits;
   for (int repeat = 0; repeat < 2; ++repeat)
   {
-    traced->Trace({ ray, std::nullopt, miss, ray }, hits);
+    Trace(*traced, { ray, std::nullopt, miss, ray }, hits);
     ASSERT_EQ(hits.First, (std::vector<std::size_t>{ 0, 1, 1, 1, 2 }));
     EXPECT_TRUE(AreSame(hits.Hits[0], hits.Hits[1]));
   }
-  traced->Trace({}, hits);
+  Trace(*traced, {}, hits);
   EXPECT_EQ(hits.First, (std::vector<std::size_t>{ 0 }));
 }
 
@@ -725,7 +726,7 @@ TEST(ImageField, SelectReplacesTheSurfaces)
   const Index3 size = { 17, 16, 15 };
   const auto volume = TestVolume<float>::Of(size, Tunnels);
   const ImageSettings settings = { { 2, 2 }, BrickLayout::Apron, 8, 4 };
-  const auto traced = NewTraced(volume, TraceRequest(), settings);
+  const auto traced = NewTraced(volume, TestRequest(), settings);
   RandomNumbers random(334);
   std::vector<Line> lines;
   for (int i = 0; i < 200; ++i)
@@ -737,7 +738,7 @@ TEST(ImageField, SelectReplacesTheSurfaces)
     { { -1.2, Glass }, { 1.3, Glass } }, {}, { { -1.2, Glass } } };
   for (const std::vector<Isosurface>& surfaces : selections)
   {
-    traced->Select({ surfaces }, 1);
+    Select(*traced, { surfaces }, 1);
     const auto fresh = NewTraced(volume, surfaces, settings);
     for (const Line& line : lines)
     {
@@ -812,7 +813,7 @@ template <typename T>
 void CheckSameHits(const std::vector<double>& samples, ImageField& reference,
   const std::vector<Isosurface>& surfaces)
 {
-  const Index3& size = reference.GetDimensions();
+  const Index3& size = reference.GetLattice().GetDimensions();
   std::vector<T> converted;
   for (const double sample : samples)
   {
@@ -893,7 +894,8 @@ TEST(ImageField, HitsFromFarAwayMatchThoseFromNear)
     for (std::size_t k = 0; k < 2; ++k)
     {
       ++compared;
-      const Vector3 off = nearHits[k].GetPoint(nullptr) - farHits[k].GetPoint(nullptr);
+      const Vector3 off =
+        traced->GetPointInCells(nearHits[k]) - traced->GetPointInCells(farHits[k]);
       largest = std::max(largest, std::sqrt(Dot(off, off)));
       ASSERT_NEAR(farHits[k].T, exact[k].T, 2.5e-7);
     }
@@ -931,7 +933,8 @@ TEST(ImageField, NoHitIsLostFromFarAway)
     for (std::size_t k = 0; k < nearHits.size(); ++k)
     {
       ++compared;
-      const Vector3 off = nearHits[k].GetPoint(nullptr) - farHits[k].GetPoint(nullptr);
+      const Vector3 off =
+        traced->GetPointInCells(nearHits[k]) - traced->GetPointInCells(farHits[k]);
       const double steep = std::abs(
         Dot(traced->GetGradient(nearHits[k], NormalMode::InterpolantGradient), line.Direction));
       largest = std::max(largest, std::sqrt(Dot(off, off)) * std::min(1.0, steep));

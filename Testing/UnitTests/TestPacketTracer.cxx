@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What rays hit as beams, with the kernels of every instruction set, must be what each of them hits
-// by itself, cell after cell: the same to the last bit.
+// What rays hit as packets, with the kernels of every instruction set, must be what each of them
+// hits by itself, cell after cell: the same to the last bit.
 
 #include "AllKernels.h"
 #include "Image/ImageField.h"
-#include "Image/Samples/UnevenPlanes.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
+#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +25,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -194,66 +198,67 @@ constexpr NewRays AllKinds[] = { PinholeRays, ParallelRays, AxisParallelRays, La
   MixedRays, RaysInAllDirections, SteepRays, OneRay, EndlessRays };
 
 //------------------------------------------------------------------------------
-TraceRequest OpaqueSurface(double isovalue)
+TestRequest OpaqueSurface(double isovalue)
 {
-  TraceRequest wanted;
-  wanted.Surfaces = { { isovalue, 1.0 } };
-  return wanted;
+  TestRequest request;
+  request.Surfaces = { { isovalue, 1.0 } };
+  return request;
 }
 
-RayHits TraceWith(ImageField& volume, const Rays& rays, TraceRequest wanted, const Kernels* kernels)
+RayHits TraceWith(ImageField& volume, const Rays& rays, TestRequest request, const Kernels* kernels)
 {
-  wanted.BeamKernels = kernels;
-  volume.Select(wanted, 1);
+  request.PacketKernels = kernels;
+  Select(volume, request, 1);
   RayHits hits;
-  volume.Trace(rays, hits);
+  Trace(volume, rays, hits);
   return hits;
 }
 
-std::string ToText(const Hit& hit)
+std::string ToText(const Hit& hit, const CellLattice& lattice)
 {
+  const Index3 cell = lattice.GetCell(hit);
   std::ostringstream text;
-  text << "t " << std::hexfloat << hit.T << " in cell " << hit.Cell[0] << ", " << hit.Cell[1]
-       << ", " << hit.Cell[2] << "; ";
+  text << "t " << std::hexfloat << hit.T << " in cell " << cell[0] << ", " << cell[1] << ", "
+       << cell[2] << "; ";
   return text.str();
 }
 
-/// Compares beams with single rays, and counts.
-class BeamChecks
+/// Compares packets with single rays, and counts.
+class PacketChecks
 {
 public:
-  BeamChecks(std::string what, const Kernels& kernels)
+  PacketChecks(std::string what, const Kernels& kernels)
     : What(std::move(what))
     , TheKernels(kernels)
   {
   }
 
-  ~BeamChecks()
+  ~PacketChecks()
   {
     std::cout << "[ tried    ] " << this->What << ": " << this->Rays << " rays, " << this->Hits
               << " hits\n";
   }
 
-  BeamChecks(const BeamChecks&) = delete;
-  BeamChecks& operator=(const BeamChecks&) = delete;
+  PacketChecks(const PacketChecks&) = delete;
+  PacketChecks& operator=(const PacketChecks&) = delete;
 
   void Check(
-    ImageField& volume, const vtkIsosurfaceRayTracing::Rays& rays, const TraceRequest& wanted)
+    ImageField& volume, const vtkIsosurfaceRayTracing::Rays& rays, const TestRequest& request)
   {
-    const RayHits expected = TraceWith(volume, rays, wanted, nullptr);
-    const RayHits found = TraceWith(volume, rays, wanted, &this->TheKernels);
+    const RayHits expected = TraceWith(volume, rays, request, nullptr);
+    const RayHits found = TraceWith(volume, rays, request, &this->TheKernels);
     ASSERT_EQ(expected.First.size(), rays.size() + 1);
     ASSERT_EQ(found.First.size(), rays.size() + 1);
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       const std::size_t first = expected.First[i];
       ASSERT_EQ(found.First[i], first);
-      ASSERT_EQ(found.First[i + 1], expected.First[i + 1]) << this->Describe(i, rays[i], wanted);
+      ASSERT_EQ(found.First[i + 1], expected.First[i + 1]) << this->Describe(i, rays[i], request);
       for (std::size_t hit = first; hit < expected.First[i + 1]; ++hit)
       {
         ASSERT_TRUE(AreSame(found.Hits[hit], expected.Hits[hit]))
-          << ToText(found.Hits[hit]) << "should be " << ToText(expected.Hits[hit])
-          << this->Describe(i, rays[i], wanted);
+          << ToText(found.Hits[hit], volume.GetLattice()) << "should be "
+          << ToText(expected.Hits[hit], volume.GetLattice()) << this->Describe(i, rays[i], request);
       }
     }
     this->Rays += rays.size();
@@ -261,14 +266,14 @@ public:
   }
 
   /// All kinds of rays.
-  void CheckAll(RandomNumbers& random, ImageField& volume, const TraceRequest& wanted, int repeats)
+  void CheckAll(RandomNumbers& random, ImageField& volume, const TestRequest& request, int repeats)
   {
     for (const NewRays newRays : AllKinds)
     {
       for (int i = 0; i < repeats; ++i)
       {
         ASSERT_NO_FATAL_FAILURE(
-          this->Check(volume, newRays(random, volume.GetDimensions()), wanted));
+          this->Check(volume, newRays(random, volume.GetLattice().GetDimensions()), request));
       }
     }
   }
@@ -277,11 +282,11 @@ public:
 
 private:
   std::string Describe(
-    std::size_t number, const std::optional<Ray>& ray, const TraceRequest& wanted) const
+    std::size_t number, const std::optional<Ray>& ray, const TestRequest& request) const
   {
     std::ostringstream text;
-    text << this->What << ", solver " << static_cast<int>(wanted.Solver) << ", isovalue "
-         << wanted.Surfaces[0].Isovalue << " of " << wanted.Surfaces.size() << ", ray " << number;
+    text << this->What << ", solver " << static_cast<int>(request.Solver) << ", isovalue "
+         << request.Surfaces[0].Isovalue << " of " << request.Surfaces.size() << ", ray " << number;
     if (ray)
     {
       text << ": " << ToText(Line{ ray->Origin, ray->Direction }) << "t from " << ray->Begin
@@ -333,7 +338,7 @@ protected:
   void CheckType(const std::string& what)
   {
     RandomNumbers random(8510 + static_cast<std::uint64_t>(ScalarTypeOf<T>()));
-    BeamChecks checks(what, this->TheKernels);
+    PacketChecks checks(what, this->TheKernels);
     for (const Index3& size : Sizes)
     {
       for (const int percent : { 1, 50 })
@@ -373,7 +378,7 @@ TEST_P(Beams, HitWhatSingleRaysHitInAllLayouts)
   const AnalyticFields::Gyroid tunnels = { 7.3 };
   const auto volume = TestVolume<float>::Of(size, tunnels);
   RandomNumbers random(852);
-  BeamChecks checks("gyroid", this->TheKernels);
+  PacketChecks checks("gyroid", this->TheKernels);
   for (const BrickLayout layout :
     { BrickLayout::Unbricked, BrickLayout::Apron, BrickLayout::TwoLevel })
   {
@@ -400,7 +405,7 @@ const std::vector<std::vector<Isosurface>> SetsOfSurfaces = { { { 49.5, 1.0 } },
   { { 50.0, 0.5 }, { std::nan(""), 0.5 } } };
 
 template <typename T>
-void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
+void CheckAllSolvers(RandomNumbers& random, PacketChecks& checks)
 {
   for (const Index3& size : { Index3{ 10, 17, 18 }, { 17, 34, 35 } })
   {
@@ -412,10 +417,10 @@ void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
       {
         for (const RootSolver solver : AllSolvers)
         {
-          TraceRequest wanted;
-          wanted.Surfaces = surfaces;
-          wanted.Solver = solver;
-          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 2));
+          TestRequest request;
+          request.Surfaces = surfaces;
+          request.Solver = solver;
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 2));
         }
       }
     }
@@ -425,7 +430,7 @@ void CheckAllSolvers(RandomNumbers& random, BeamChecks& checks)
 TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
 {
   RandomNumbers random(858);
-  BeamChecks checks("all solvers and surfaces", this->TheKernels);
+  PacketChecks checks("all solvers and surfaces", this->TheKernels);
   ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<std::int16_t>(random, checks));
   ASSERT_NO_FATAL_FAILURE(CheckAllSolvers<float>(random, checks));
   EXPECT_GT(checks.GetNumberOfHits(), 500000U);
@@ -435,18 +440,18 @@ TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
 TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
 {
   RandomNumbers random(859);
-  BeamChecks checks("little memory", this->TheKernels);
+  PacketChecks checks("little memory", this->TheKernels);
   const auto volume = Islands<std::uint8_t>(random, { 40, 33, 42 }, 5);
   for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
   {
     const auto traced = ImageField::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, 1);
     for (const std::size_t memory : { 0, 1000, 20000 })
     {
-      TraceRequest wanted = OpaqueSurface(50.0);
-      wanted.MaximumMemory = memory;
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
-      wanted.Surfaces[0].Opacity = 0.5;
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, wanted, 5));
+      TestRequest request = OpaqueSurface(50.0);
+      request.Budget.CacheBytes = memory;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 5));
+      request.Surfaces[0].Opacity = 0.5;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 5));
     }
   }
   EXPECT_GT(checks.GetNumberOfHits(), 10000U);
@@ -458,7 +463,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
 {
   const Index3 size = { 34, 34, 34 };
   RandomNumbers random(853);
-  BeamChecks checks("several blocks", this->TheKernels);
+  PacketChecks checks("several blocks", this->TheKernels);
   std::size_t several = 0;
   for (int i = 0; i < 60; ++i)
   {
@@ -477,18 +482,18 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
     }
     ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, OpaqueSurface(50.0)));
 
-    TraceRequest all;
+    TestRequest all;
     all.Surfaces = { { 50.0, 1e-9 } };
-    traced->Select(all, 1);
+    Select(*traced, all, 1);
     RayHits hits;
-    traced->Trace(rays, hits);
+    Trace(*traced, rays, hits);
     for (std::size_t ray = 0; ray < rays.size(); ++ray)
     {
       // Whether the first two blocks with hits lie in one slice across the axis.
       const auto axis = static_cast<std::size_t>(i) % 3;
-      const auto blockOf = [&hits](std::size_t hit)
+      const auto blockOf = [&hits, &traced](std::size_t hit)
       {
-        const Index3& cell = hits.Hits[hit].Cell;
+        const Index3 cell = traced->GetLattice().GetCell(hits.Hits[hit]);
         return Index3{ cell[0] / 8, cell[1] / 8, cell[2] / 8 };
       };
       const std::size_t first = hits.First[ray];
@@ -509,7 +514,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
 TEST_P(Beams, SkipNonFiniteSamples)
 {
   RandomNumbers random(854);
-  BeamChecks checks("NaN and infinity", this->TheKernels);
+  PacketChecks checks("NaN and infinity", this->TheKernels);
   for (int i = 0; i < 20; ++i)
   {
     auto volume = Islands<float>(random, { 19, 26, 17 }, 5);
@@ -529,7 +534,7 @@ TEST_P(Beams, SkipNonFiniteSamples)
 TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
 {
   RandomNumbers random(855);
-  BeamChecks checks("all magnitudes", this->TheKernels);
+  PacketChecks checks("all magnitudes", this->TheKernels);
   for (int i = 0; i < 30; ++i)
   {
     const double limits[][2] = { { -324.0, 308.0 }, { -324.0, -290.0 }, { -110.0, -90.0 },
@@ -559,7 +564,7 @@ TEST_P(Beams, SelectReplacesTheSurface)
   const AnalyticFields::Gyroid tunnels = { 7.3 };
   const auto volume = TestVolume<float>::Of({ 30, 29, 28 }, tunnels);
   const auto traced = ImageField::New(volume.View(), {}, 2);
-  BeamChecks checks("isovalue after isovalue", this->TheKernels);
+  PacketChecks checks("isovalue after isovalue", this->TheKernels);
   for (int i = 0; i < 40; ++i)
   {
     const double isovalue = i % 2 == 0 ? 0.3 : random.Uniform(-1.4, 1.4);
@@ -585,15 +590,15 @@ TEST_P(Beams, IdenticalWithSeveralThreads)
   for (int repeat = 0; repeat < 3; ++repeat)
   {
     const auto traced = ImageField::New(volume.View(), {}, 2);
-    TraceRequest wanted = OpaqueSurface(0.2);
-    wanted.BeamKernels = &this->TheKernels;
-    traced->Select(wanted, 2);
+    TestRequest request = OpaqueSurface(0.2);
+    request.PacketKernels = &this->TheKernels;
+    Select(*traced, request, 2);
     std::vector<RayHits> hits(groups.size());
 #pragma omp parallel for num_threads(2) schedule(dynamic)
     for (int i = 0; i < static_cast<int>(groups.size()); ++i)
     {
       const auto group = static_cast<std::size_t>(i);
-      traced->Trace(groups[group], hits[group]);
+      Trace(*traced, groups[group], hits[group]);
     }
     for (std::size_t i = 0; i < groups.size(); ++i)
     {
@@ -714,9 +719,9 @@ TEST_P(Beams, AreTracedWhereverRaysHit)
         rays.push_back(Clip(pencil.GetMean(random), size));
       }
       const bool hits = !TraceWith(*traced, rays, OpaqueSurface(50.0), nullptr).Hits.empty();
-      TraceRequest wanted = OpaqueSurface(50.0);
-      wanted.BeamKernels = &this->TheKernels;
-      traced->Select(wanted, 1);
+      TestRequest request = OpaqueSurface(50.0);
+      request.PacketKernels = &this->TheKernels;
+      Select(*traced, request, 1);
       RayPacket lines = LinesOf(pencil);
       const bool mayHit = traced->MayHitBetween(lines);
       ASSERT_TRUE(mayHit || !hits) << ToText(pencil.Lines[0]) << ToText(pencil.Lines[3]);
@@ -738,18 +743,18 @@ TEST_P(Beams, AreTracedWithoutHitPrediction)
   const auto traced = ImageField::New(volume.View(), {}, 1);
   Pencil pencil = { {}, true, {} };
   std::fill_n(pencil.Lines, 4, Line{ { 20.0, 20.0, -9.0 }, { 0.0, 0.0, 1.0 } });
-  const auto mayHit = [&](TraceRequest wanted, const Pencil& of)
+  const auto mayHit = [&](TestRequest request, const Pencil& of)
   {
-    wanted.BeamKernels = wanted.BeamKernels ? &this->TheKernels : nullptr;
-    traced->Select(wanted, 1);
+    request.PacketKernels = request.PacketKernels ? &this->TheKernels : nullptr;
+    Select(*traced, request, 1);
     RayPacket lines = LinesOf(of);
     return traced->MayHitBetween(lines);
   };
-  const TraceRequest surface = OpaqueSurface(0.0);
+  const TestRequest surface = OpaqueSurface(0.0);
   EXPECT_FALSE(mayHit(surface, pencil));
 
-  TraceRequest other = surface;
-  other.BeamKernels = nullptr;
+  TestRequest other = surface;
+  other.PacketKernels = nullptr;
   EXPECT_TRUE(mayHit(other, pencil));
   other = surface;
   other.Projection = Extremum::Largest;
@@ -792,9 +797,9 @@ TEST_P(Beams, AreTracedForLinesFarApart)
   {
     pencil.Lines[i] = { { 399.0 * (i % 2), i < 2 ? 0.0 : 399.0, -9.0 }, { 0.0, 0.0, 1.0 } };
   }
-  TraceRequest wanted = OpaqueSurface(50.0);
-  wanted.BeamKernels = &this->TheKernels;
-  traced->Select(wanted, 1);
+  TestRequest request = OpaqueSurface(50.0);
+  request.PacketKernels = &this->TheKernels;
+  Select(*traced, request, 1);
   RayPacket lines = LinesOf(pencil);
   EXPECT_TRUE(traced->MayHitBetween(lines));
 }
@@ -807,38 +812,39 @@ TEST_P(Beams, AreUsedForSuitableRays)
   static int calls;
   base = &this->TheKernels;
   Kernels counting = this->TheKernels;
-  counting.Align =
-    [](const RayPacket& group, const RaySet& rays, int axis, AlignedRays& aligned, Frustum& beam)
+  counting.Align = [](const RayPacket& packet, const RaySet& rays, int axis, AlignedRays& aligned,
+                     Frustum& frustum)
   {
     ++calls;
-    return base->Align(group, rays, axis, aligned, beam);
+    return base->Align(packet, rays, axis, aligned, frustum);
   };
   const Index3 size = { 17, 18, 19 };
   const AnalyticFields::Gyroid tunnels = { 7.3 };
   const auto volume = TestVolume<float>::Of(size, tunnels);
-  const auto useBeams = [&](const TraceRequest& wanted, const ImageSettings& settings, double slow)
+  const auto usesPackets = [&](
+                             const TestRequest& request, const ImageSettings& settings, double slow)
   {
     const auto traced = ImageField::New(volume.View(), settings, 1);
-    traced->Select(wanted, 1);
+    Select(*traced, request, 1);
     RayHits hits;
     calls = 0;
-    traced->Trace({ Clip({ { 1.0, 2.0, 3.0 }, { slow, 0.5 * slow, 0.4 * slow } }, size) }, hits);
+    Trace(*traced, { Clip({ { 1.0, 2.0, 3.0 }, { slow, 0.5 * slow, 0.4 * slow } }, size) }, hits);
     return calls > 0;
   };
-  TraceRequest wanted = OpaqueSurface(0.2);
-  wanted.BeamKernels = &counting;
-  EXPECT_TRUE(useBeams(wanted, { { 8 }, BrickLayout::Unbricked, 8, 4 }, 1.0));
-  EXPECT_FALSE(useBeams(wanted, { { 4, 4 }, BrickLayout::Apron, 8, 4 }, 1.0));
-  EXPECT_FALSE(useBeams(wanted, { {}, BrickLayout::Apron, 8, 4 }, 1.0));
-  EXPECT_FALSE(useBeams(wanted, {}, 1e-308));
+  TestRequest request = OpaqueSurface(0.2);
+  request.PacketKernels = &counting;
+  EXPECT_TRUE(usesPackets(request, { { 8 }, BrickLayout::Unbricked, 8, 4 }, 1.0));
+  EXPECT_FALSE(usesPackets(request, { { 4, 4 }, BrickLayout::Apron, 8, 4 }, 1.0));
+  EXPECT_FALSE(usesPackets(request, { {}, BrickLayout::Apron, 8, 4 }, 1.0));
+  EXPECT_FALSE(usesPackets(request, {}, 1e-308));
   for (const RootSolver solver : AllSolvers)
   {
-    wanted.Solver = solver;
+    request.Solver = solver;
     for (const std::vector<Isosurface>& surfaces : std::vector<std::vector<Isosurface>>{
            { { 0.2, 1.0 } }, { { 0.2, 0.5 } }, { { 0.2, 1.0 }, { 0.3, 1.0 } } })
     {
-      wanted.Surfaces = surfaces;
-      EXPECT_TRUE(useBeams(wanted, {}, 1.0));
+      request.Surfaces = surfaces;
+      EXPECT_TRUE(usesPackets(request, {}, 1.0));
     }
   }
 }

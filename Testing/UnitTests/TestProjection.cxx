@@ -7,8 +7,10 @@
 #include "Image/ImageField.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
 #include "SameBits.h"
 #include "TestLines.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
 #include "TraceLine.h"
 
@@ -31,21 +33,19 @@ namespace
 
 constexpr Extremum Both[] = { Extremum::Largest, Extremum::Smallest };
 
-TraceRequest Request(Extremum kind, const Visibility& seen = {})
+TestRequest Request(Extremum kind, const Visibility& seen = {})
 {
-  TraceRequest wanted;
-  wanted.Projection = kind;
-  wanted.Visible = seen;
-  return wanted;
+  TestRequest request;
+  request.Projection = kind;
+  request.Visible = seen;
+  return request;
 }
 
 std::optional<Hit> Project(ImageField& volume, const Line& line, double tEnd = Infinity)
 {
-  RayHits hits;
-  volume.Trace(
-    { ClipToVolume(line.Origin, line.Direction, 0.0, tEnd, volume.GetDimensions()) }, hits);
-  EXPECT_LE(hits.Hits.size(), 1U);
-  return hits.Hits.empty() ? std::nullopt : std::optional<Hit>(hits.Hits.front());
+  const std::vector<Hit> hits = Trace(volume, line, tEnd);
+  EXPECT_LE(hits.size(), 1U);
+  return hits.empty() ? std::nullopt : std::optional<Hit>(hits.front());
 }
 
 /// The interpolant at a point of a cell, from its definition; NaN if a corner is not finite.
@@ -151,10 +151,11 @@ void Compare(const TestVolume<T>& volume, ImageField& traced, const Line& line, 
 
   // It has that value where it is said to be.
   const Vector3& inCell = hit->Parametric;
-  const long double value = SampleCell(volume, hit->Cell, { inCell[0], inCell[1], inCell[2] });
+  const long double value =
+    SampleCell(volume, traced.GetLattice().GetCell(*hit), { inCell[0], inCell[1], inCell[2] });
   EXPECT_NEAR(static_cast<double>(value), hit->Value, 1e-9) << ToText(line);
   const Vector3 onRay = line.Origin + line.Direction * hit->T;
-  EXPECT_LT(Length(onRay - hit->GetPoint(nullptr)), 1e-9) << ToText(line);
+  EXPECT_LT(Length(onRay - traced.GetPoint(*hit)), 1e-9) << ToText(line);
 }
 
 //------------------------------------------------------------------------------
@@ -215,7 +216,7 @@ TEST(ProjectionOfRays, FirstOfEqualValues)
       rays.push_back(ClipToVolume(
         { 9.5 - 15.0 * way, 3.25, 4.5 }, { way, 0.125, 0.25 }, 0.0, Infinity, constant.Dimensions));
     }
-    traced->Trace(rays, hits);
+    Trace(*traced, rays, hits);
     ASSERT_EQ(hits.Hits.size(), rays.size());
     for (const Hit& hit : hits.Hits)
     {
@@ -254,13 +255,13 @@ TEST(ProjectionOfRays, IndependentOfSettings)
     for (const auto& ray : rays)
     {
       RayHits own;
-      plain->Trace({ ray }, own);
+      Trace(*plain, { ray }, own);
       expected.Append(own);
     }
     for (const ImageSettings& settings : all)
     {
       RayHits hits;
-      NewTraced(volume, Request(kind), settings)->Trace(rays, hits);
+      Trace(*NewTraced(volume, Request(kind), settings), rays, hits);
       ASSERT_EQ(hits.First, expected.First);
       for (std::size_t i = 0; i < hits.Hits.size(); ++i)
       {
@@ -380,7 +381,7 @@ TEST(ProjectionOfRays, SurfacesAfterAProjection)
   const TestVolume<float> ramp =
     TestVolume<float>::Of({ 10, 10, 10 }, AnalyticFields::Plane{ { 1.0, 0.0, 0.0 }, 4.5 });
   const auto traced = NewTraced(ramp, Request(Extremum::Largest));
-  traced->Select({ { Isosurface{ 0.0, 1.0 } } }, 1);
+  Select(*traced, TestRequest({ { 0.0, 1.0 } }), 1);
   const auto hit = Project(*traced, { { -2.0, 4.5, 4.5 }, { 1.0, 0.0, 0.0 } });
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->T, 6.5);

@@ -9,6 +9,7 @@
 #include "Matrices.h"
 #include "RandomNumbers.h"
 #include "Rays/Camera.h"
+#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -165,18 +166,18 @@ public:
   void Check(View& view, bool hasDepth)
   {
     PixelBlock& block = view.Block;
-    block.IndexFromClip = view.TheCamera.GetIndexFromClip().data();
+    block.ObjectFromClip = view.TheCamera.GetObjectFromClip().data();
     block.Depth = hasDepth ? view.Depths.data() : nullptr;
     block.Dimensions = view.Dimensions.data();
-    RayPacket group;
-    std::memset(&group, 0xFF, sizeof(group)); // all numbers are none
-    this->TheKernels.MakeRays(block, group);
-    ASSERT_EQ(group.Count, block.Columns * block.Rows);
+    RayPacket packet;
+    std::memset(&packet, 0xFF, sizeof(packet)); // all numbers are none
+    this->TheKernels.MakeRays(block, packet);
+    ASSERT_EQ(packet.Count, block.Columns * block.Rows);
     for (int k = 0; k < RayPacket::Capacity; ++k)
     {
-      if (k >= group.Count)
+      if (k >= packet.Count)
       {
-        ASSERT_FALSE(Has(group.Exists, k));
+        ASSERT_FALSE(Has(packet.Exists, k));
         continue;
       }
       const int x = k % block.Columns;
@@ -186,10 +187,10 @@ public:
         view.TheCamera.GetRay(block.Column + x, block.Row + y, static_cast<double>(depth));
       const auto expected =
         ClipToVolume(pixel.Origin, pixel.Direction, 0.0, pixel.End, view.Dimensions);
-      ASSERT_EQ(Has(group.Exists, k), expected.has_value()) << "ray " << k;
+      ASSERT_EQ(Has(packet.Exists, k), expected.has_value()) << "ray " << k;
       if (expected)
       {
-        ASSERT_TRUE(AreSame(GetRay(group, k), *expected)) << "ray " << k;
+        ASSERT_TRUE(AreSame(GetRay(packet, k), *expected)) << "ray " << k;
         const auto& step = expected->Step;
         this->Parallel += std::count(step.begin(), step.end(), 0) > 0 ? 1 : 0;
       }
@@ -269,9 +270,9 @@ LongPoint PointOn(const Ray& ray, long double t)
 RayPacket MakeBundle(
   RandomNumbers& random, const Index3& dimensions, double spread, std::vector<Line>& lines)
 {
-  RayPacket group;
-  group.Count = 0;
-  group.Exists = {};
+  RayPacket packet;
+  packet.Count = 0;
+  packet.Exists = {};
   lines.clear();
   const Line middle = RandomLine(random, dimensions);
   const int count = random.Integer(1, RayPacket::Capacity);
@@ -285,18 +286,18 @@ RayPacket MakeBundle(
       line.Origin = line.Origin + off;
     }
     const double end = random.Integer(0, 3) == 0 ? random.Uniform(0.0, 40.0) : Infinity;
-    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions), group);
+    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions), packet);
     lines.push_back(line);
   }
-  return group;
+  return packet;
 }
 
-RaySet SomeOf(RandomNumbers& random, const RayPacket& group, int percent)
+RaySet SomeOf(RandomNumbers& random, const RayPacket& packet, int percent)
 {
   RaySet set = {};
-  for (int i = 0; i < group.Count; ++i)
+  for (int i = 0; i < packet.Count; ++i)
   {
-    if (Has(group.Exists, i) && random.Integer(1, 100) <= percent)
+    if (Has(packet.Exists, i) && random.Integer(1, 100) <= percent)
     {
       Add(i, set);
     }
@@ -305,24 +306,24 @@ RaySet SomeOf(RandomNumbers& random, const RayPacket& group, int percent)
 }
 
 /// Whether rays make a beam along an axis; undecided is set where rounding may have a say.
-bool MakeBeam(const RayPacket& group, const RaySet& rays, int axis, bool& undecided)
+bool MakeBeam(const RayPacket& packet, const RaySet& rays, int axis, bool& undecided)
 {
   bool up = false;
   bool down = false;
   bool steep = false;
   undecided = false;
-  for (int i = 0; i < group.Count; ++i)
+  for (int i = 0; i < packet.Count; ++i)
   {
     if (!Has(rays, i))
     {
       continue;
     }
-    const long double along = group.Direction[axis][i];
+    const long double along = packet.Direction[axis][i];
     up = up || along > 0.0L;
     down = down || along < 0.0L;
     for (int other = 0; other < 3; ++other)
     {
-      const long double slope = std::abs(group.Direction[other][i] / along);
+      const long double slope = std::abs(packet.Direction[other][i] / along);
       steep = steep || !(slope <= 2.0L);
       undecided = undecided || std::abs(slope - 2.0L) < 1e-12L;
     }
@@ -342,15 +343,16 @@ struct Bounds
 class BeamChecks
 {
 public:
-  void Check(RandomNumbers& random, const RayPacket& group, const RaySet& rays, const Frustum& beam)
+  void Check(
+    RandomNumbers& random, const RayPacket& packet, const RaySet& rays, const Frustum& beam)
   {
     ++this->Beams;
     Bounds bounds;
-    for (int i = 0; i < group.Count; ++i)
+    for (int i = 0; i < packet.Count; ++i)
     {
       if (Has(rays, i))
       {
-        const Ray ray = GetRay(group, i);
+        const Ray ray = GetRay(packet, i);
         ASSERT_EQ(beam.IsUp, ray.Direction[static_cast<std::size_t>(beam.Axis)] > 0.0);
         ASSERT_NO_FATAL_FAILURE(this->CheckRay(random, ray, beam));
         Include(ray, beam, bounds);
@@ -436,14 +438,14 @@ TEST_P(RayKernels, FrustaContainTheirRays)
       random.Integer(2, longest) };
     std::vector<Line> lines;
     const double spreads[] = { 0.0, 0.01, 0.1, 0.5, 3.0 };
-    RayPacket group = MakeBundle(random, dimensions, spreads[i % 5], lines);
-    const RaySet rays = SomeOf(random, group, i % 2 == 0 ? 100 : 30);
+    RayPacket packet = MakeBundle(random, dimensions, spreads[i % 5], lines);
+    const RaySet rays = SomeOf(random, packet, i % 2 == 0 ? 100 : 30);
     const int axis = random.Integer(0, 2);
     bool undecided = false;
-    const bool expected = MakeBeam(group, rays, axis, undecided);
+    const bool expected = MakeBeam(packet, rays, axis, undecided);
     AlignedRays aligned;
     Frustum beam = {};
-    const bool isBeam = this->TheKernels.Align(group, rays, axis, aligned, beam);
+    const bool isBeam = this->TheKernels.Align(packet, rays, axis, aligned, beam);
     if (undecided)
     {
       continue;
@@ -453,7 +455,7 @@ TEST_P(RayKernels, FrustaContainTheirRays)
     if (isBeam)
     {
       ASSERT_EQ(beam.Axis, axis);
-      ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, rays, beam)) << i;
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, packet, rays, beam)) << i;
     }
   }
   std::cout << "[ tried    ] " << checks.GetNumberOfBeams() << " beams, " << refused
@@ -468,16 +470,16 @@ TEST_P(RayKernels, NoFrustumForOpposedOrSteepRays)
   const Index3 dimensions = { 20, 20, 20 };
   const auto areBeam = [&](const std::vector<Vector3>& directions)
   {
-    RayPacket group;
-    group.Count = 0;
-    group.Exists = {};
+    RayPacket packet;
+    packet.Count = 0;
+    packet.Exists = {};
     for (const Vector3& direction : directions)
     {
-      AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), group);
+      AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), packet);
     }
     AlignedRays aligned;
     Frustum beam;
-    return this->TheKernels.Align(group, group.Exists, 0, aligned, beam);
+    return this->TheKernels.Align(packet, packet.Exists, 0, aligned, beam);
   };
   EXPECT_TRUE(areBeam({ { 1.0, 0.0, 0.0 } }));
   EXPECT_TRUE(areBeam({ { -1.0, 1.9, -1.9 }, { -0.01, 0.0, 0.0 } }));
@@ -487,7 +489,7 @@ TEST_P(RayKernels, NoFrustumForOpposedOrSteepRays)
   EXPECT_FALSE(areBeam({ { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 } }));
   EXPECT_FALSE(areBeam({ { 0.0, 1.0, 0.0 } }));
   EXPECT_FALSE(areBeam({ { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 } }));
-  // One of another kind at any place of the group.
+  // One of another kind at any place of the packet.
   for (std::size_t place = 0; place < 19; ++place)
   {
     std::vector<Vector3> directions(19, Vector3{ 1.0, 0.1, 0.2 });

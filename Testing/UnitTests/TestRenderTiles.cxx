@@ -3,7 +3,11 @@
 
 // Frames of fields whose picture is known: where surfaces are, how deep, and how colours add up.
 
+#include "Image/ImageField.h"
+#include "Kernels/Kernels.h"
+#include "Math/Matrix.h"
 #include "Matrices.h"
+#include "OneFieldScene.h"
 #include "Picture/RenderTiles.h"
 #include "RandomNumbers.h"
 #include "Rays/RayPacket.h"
@@ -44,22 +48,22 @@ Camera NewCamera(const Matrix4& projection, const Matrix4& worldFromView,
 
 /// Looks down on a volume of 9 x 9 x 9 samples along -z, from z = 20; the near plane is at z = 19,
 /// the far plane at z = -11, and a pixel is one cell wide: column 0 is at x = 0.5.
-Scene NewSceneFromAbove()
+OneFieldScene NewSceneFromAbove()
 {
-  Scene scene;
-  scene.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
+  OneFieldScene scene;
+  scene.Shown.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
     Scaling({ 1.0, 1.0, 1.0 }), 8, 8);
   scene.Pixels = { 0, 0, 8, 8 };
   scene.Request.Surfaces = { { 0.0, 1.0 } };
-  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  scene.Shown.Colors = { { 1.0, 0.5, 0.25 } };
   return scene;
 }
 
-Frame Render(const Scene& scene, ImageField& volume)
+Frame Render(OneFieldScene scene, ImageField& image)
 {
   Frame frame;
   FrameTimes times;
-  EXPECT_TRUE(RenderTiles(scene, volume, frame, times, GoOn));
+  EXPECT_TRUE(RenderTiles(scene.Show(image), scene.GetExecution(), frame, times, GoOn));
   EXPECT_GE(times.Bricks, 0.0);
   EXPECT_GE(times.Trace, 0.0);
   EXPECT_GE(times.Shade, 0.0);
@@ -67,9 +71,9 @@ Frame Render(const Scene& scene, ImageField& volume)
 }
 
 template <typename Field>
-struct TracedField
+struct SampledField
 {
-  explicit TracedField(const Field& field)
+  explicit SampledField(const Field& field)
     : Volume(TestVolume<float>::Of({ 9, 9, 9 }, field))
     , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
@@ -89,7 +93,7 @@ std::vector<int> PixelOf(const Frame& frame, std::size_t pixel)
 TEST(RenderTiles, PlaneInParallelProjection)
 {
   // z = 2 + 0.5 x - 0.25 y, inside is below
-  const TracedField field(AnalyticFields::Plane{ { 0.5, -0.25, -1.0 }, -2.0 });
+  const SampledField field(AnalyticFields::Plane{ { 0.5, -0.25, -1.0 }, -2.0 });
   const Frame frame = Render(NewSceneFromAbove(), *field.Traced);
   ASSERT_EQ(frame.Depths.size(), 64U);
   ASSERT_EQ(frame.Colors.size(), 256U);
@@ -106,10 +110,10 @@ TEST(RenderTiles, PlaneInParallelProjection)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, PlaneInPerspectiveProjection)
 {
-  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
+  OneFieldScene scene = NewSceneFromAbove();
   const double spacing = 0.5;
-  scene.View = NewCamera(Perspective(1.0, 100.0, 1.0), Translation({ 2.0, 2.0, 3.5 }),
+  scene.Shown.View = NewCamera(Perspective(1.0, 100.0, 1.0), Translation({ 2.0, 2.0, 3.5 }),
     Scaling({ spacing, spacing, spacing }), 10, 10);
   scene.Pixels = { 0, 0, 10, 10 };
   const Frame frame = Render(scene, *field.Traced);
@@ -124,8 +128,8 @@ TEST(RenderTiles, PlaneInPerspectiveProjection)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, PixelsWithoutSurfaceAreEmpty)
 {
-  const TracedField field(AnalyticFields::Plane{ { 1.0, 0.0, -1.0 }, 0.75 }); // z = x - 0.75
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Plane{ { 1.0, 0.0, -1.0 }, 0.75 }); // z = x - 0.75
+  OneFieldScene scene = NewSceneFromAbove();
   scene.Pixels = { -3, -2, 14, 12 };
   const Frame frame = Render(scene, *field.Traced);
   ASSERT_EQ(frame.Depths.size(), 14U * 12U);
@@ -147,9 +151,9 @@ TEST(RenderTiles, PixelsWithoutSurfaceAreEmpty)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, RectangleMatchesTheWholePicture)
 {
-  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
-  Scene scene = NewSceneFromAbove();
-  scene.Look.Shade = true;
+  const SampledField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  OneFieldScene scene = NewSceneFromAbove();
+  scene.Shown.Surface.Shade = true;
   scene.Lights = { Light() };
   const Frame whole = Render(scene, *field.Traced);
   scene.Pixels = { 2, 3, 5, 4 };
@@ -166,8 +170,8 @@ TEST(RenderTiles, RectangleMatchesTheWholePicture)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, EmptyRectangle)
 {
-  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  OneFieldScene scene = NewSceneFromAbove();
   scene.Pixels = { 2, 3, 0, 0 };
   const Frame frame = Render(scene, *field.Traced);
   EXPECT_TRUE(frame.Colors.empty() && frame.Depths.empty());
@@ -180,16 +184,16 @@ TestVolume<float> NewGyroid()
 }
 
 /// An opaque and a translucent surface of the gyroid, which cover many tiles.
-Scene NewSceneOfGyroid()
+OneFieldScene NewSceneOfGyroid()
 {
-  Scene scene;
+  OneFieldScene scene;
   const Matrix4 worldFromView = Multiply(Rotation(0.4, 0.9), Translation({ 10.0, 15.0, 90.0 }));
-  scene.View =
+  scene.Shown.View =
     NewCamera(Perspective(1.0, 300.0, 0.5), worldFromView, Scaling({ 1.0, 1.1, -0.9 }), 101, 67);
   scene.Pixels = { 0, 0, 101, 67 };
   scene.Request.Surfaces = { { -0.7, 1.0 }, { 0.2, 0.4 } };
-  scene.Colors = { { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.1 } };
-  scene.Look.Shade = true;
+  scene.Shown.Colors = { { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.1 } };
+  scene.Shown.Surface.Shade = true;
   scene.Lights = { Light() };
   return scene;
 }
@@ -278,13 +282,13 @@ Camera CameraAlongAnAxis(RandomNumbers& random, const Index3& n, int width, int 
   return NewCamera(square, Translation(eye), worldFromIndex, width, height);
 }
 
-Scene AnyScene(RandomNumbers& random, const Index3& n)
+OneFieldScene AnyScene(RandomNumbers& random, const Index3& n)
 {
   const int width = random.Integer(1, 80);
   const int height = random.Integer(1, 60);
-  Scene scene;
-  scene.View = random.Integer(0, 2) ? AnyCamera(random, n, width, height)
-                                    : CameraAlongAnAxis(random, n, width, height);
+  OneFieldScene scene;
+  scene.Shown.View = random.Integer(0, 2) ? AnyCamera(random, n, width, height)
+                                          : CameraAlongAnAxis(random, n, width, height);
   scene.Pixels = random.Integer(0, 1)
     ? PixelRectangle{ 0, 0, width, height }
     : PixelRectangle{ random.Integer(-9, 9), random.Integer(-9, 9), random.Integer(1, width),
@@ -295,9 +299,10 @@ Scene AnyScene(RandomNumbers& random, const Index3& n)
   scene.TileWidth = tile[0];
   scene.TileHeight = tile[1];
   scene.Request.Surfaces = { { 0.0, random.Integer(0, 2) ? 1.0 : 0.5 } };
-  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  scene.Shown.Colors = { { 1.0, 0.5, 0.25 } };
   scene.Request.Solver = random.Integer(0, 5) ? RootSolver::Robust : RootSolver::Linear;
-  scene.Request.Field = random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
+  scene.Request.Interpolation =
+    random.Integer(0, 5) ? Interpolant::Trilinear : Interpolant::Nearest;
   scene.KeepHits = true;
   return scene;
 }
@@ -313,10 +318,10 @@ TEST(RenderTiles, SkippingEmptyRegionsChangesNoPixel)
     const auto traced = ImageField::New(volume.View(), {}, 1);
     for (int k = 0; k < 5; ++k)
     {
-      Scene scene = AnyScene(random, volume.Dimensions);
-      scene.Request.BeamKernels = nullptr;
+      OneFieldScene scene = AnyScene(random, volume.Dimensions);
+      scene.Request.PacketKernels = nullptr;
       const Frame reference = Render(scene, *traced);
-      scene.Request.BeamKernels = GetKernels()[random.Bits() % GetKernels().size()];
+      scene.Request.PacketKernels = GetKernels()[random.Bits() % GetKernels().size()];
       const Frame frame = Render(scene, *traced);
       ASSERT_EQ(frame.Colors, reference.Colors) << i << " " << k;
       ASSERT_EQ(frame.Depths, reference.Depths) << i << " " << k;
@@ -337,12 +342,12 @@ TEST(RenderTiles, CastsRaysOnlyWhereTheyMayHit)
 {
   static const Kernels* base;
   static int blocks;
-  Scene scene;
-  scene.View = NewCamera(Orthographic(1.0, 200.0, 64.0), Translation({ 64.0, 64.0, 150.0 }),
+  OneFieldScene scene;
+  scene.Shown.View = NewCamera(Orthographic(1.0, 200.0, 64.0), Translation({ 64.0, 64.0, 150.0 }),
     Scaling({ 1.0, 1.0, 1.0 }), 128, 128);
   scene.Pixels = { 0, 0, 128, 128 };
   scene.Request.Surfaces = { { 0.0, 1.0 } };
-  scene.Colors = { { 1.0, 0.5, 0.25 } };
+  scene.Shown.Colors = { { 1.0, 0.5, 0.25 } };
   // In the middle of one macrocell.
   const auto volume =
     TestVolume<float>::Of({ 128, 128, 128 }, AnalyticFields::Sphere{ { 44.0, 84.0, 60.0 }, 1.5 });
@@ -352,12 +357,12 @@ TEST(RenderTiles, CastsRaysOnlyWhereTheyMayHit)
     base = kernels;
     blocks = 0;
     Kernels counting = *kernels;
-    counting.MakeRays = [](const PixelBlock& block, RayPacket& group)
+    counting.MakeRays = [](const PixelBlock& block, RayPacket& packet)
     {
       ++blocks;
-      base->MakeRays(block, group);
+      base->MakeRays(block, packet);
     };
-    scene.Request.BeamKernels = &counting;
+    scene.Request.PacketKernels = &counting;
     const Frame frame = Render(scene, *traced);
     EXPECT_EQ(CountCovered(frame), 4);
     // Of 128 x 128 pixels the macrocell covers 8 x 8, which are in one block of 16 x 8.
@@ -371,7 +376,7 @@ TEST(RenderTiles, IdenticalWithAllKernels)
 {
   const auto volume = NewGyroid();
   const auto traced = ImageField::New(volume.View(), {}, 1);
-  Scene scene = NewSceneOfGyroid();
+  OneFieldScene scene = NewSceneOfGyroid();
   scene.Pixels = { 3, 5, 91, 59 };
   std::vector<float> depths(Count({ 91, 59, 1 }), 1.0F);
   for (std::size_t i = 0; i < depths.size(); i += 3)
@@ -384,12 +389,12 @@ TEST(RenderTiles, IdenticalWithAllKernels)
     for (const double opacity : { 1.0, 0.4 })
     {
       scene.Request.Surfaces[0].Opacity = opacity;
-      scene.Request.BeamKernels = nullptr;
+      scene.Request.PacketKernels = nullptr;
       const Frame reference = Render(scene, *traced);
       EXPECT_TRUE(opacity < 1.0 || CountCovered(reference) > 500);
       for (const Kernels* kernels : GetKernels())
       {
-        scene.Request.BeamKernels = kernels;
+        scene.Request.PacketKernels = kernels;
         const Frame frame = Render(scene, *traced);
         ASSERT_EQ(frame.Colors, reference.Colors);
         ASSERT_EQ(frame.Depths, reference.Depths);
@@ -402,7 +407,7 @@ TEST(RenderTiles, IdenticalWithAllKernels)
 TEST(RenderTiles, IdenticalForAllThreadsAndTiles)
 {
   const auto volume = NewGyroid();
-  Scene scene = NewSceneOfGyroid();
+  OneFieldScene scene = NewSceneOfGyroid();
   Light lamp;
   lamp.Positional = true;
   lamp.Position = { 50.0, 50.0, 90.0 };
@@ -440,23 +445,23 @@ TEST(RenderTiles, IdenticalForAllThreadsAndTiles)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, StopsWhenAborted)
 {
-  const TracedField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
+  OneFieldScene scene = NewSceneFromAbove();
   scene.TileWidth = 1;
   scene.TileHeight = 1;
-  for (int wanted = 1; wanted <= 64; ++wanted)
+  for (int calls = 1; calls <= 64; ++calls)
   {
     Frame frame;
     FrameTimes times;
     std::vector<double> told;
-    const bool complete = RenderTiles(scene, *field.Traced, frame, times,
+    const bool complete = RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), frame, times,
       [&](double done)
       {
         told.push_back(done);
-        return static_cast<int>(told.size()) < wanted;
+        return static_cast<int>(told.size()) < calls;
       });
     ASSERT_FALSE(complete);
-    ASSERT_EQ(told.size(), static_cast<std::size_t>(wanted));
+    ASSERT_EQ(told.size(), static_cast<std::size_t>(calls));
     for (std::size_t i = 0; i < told.size(); ++i)
     {
       ASSERT_EQ(told[i], static_cast<double>(i + 1) / 64.0);
@@ -467,9 +472,9 @@ TEST(RenderTiles, StopsWhenAborted)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, AbortIsCheckedOnTheCallingThreadOnly)
 {
-  const TracedField field(AnalyticFields::Gyroid{ 5.0 });
-  Scene scene = NewSceneFromAbove();
-  scene.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
+  const SampledField field(AnalyticFields::Gyroid{ 5.0 });
+  OneFieldScene scene = NewSceneFromAbove();
+  scene.Shown.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
     Scaling({ 1.0, 1.0, 1.0 }), 300, 300);
   scene.Pixels = { 0, 0, 300, 300 };
   scene.Threads = 4;
@@ -482,7 +487,7 @@ TEST(RenderTiles, AbortIsCheckedOnTheCallingThreadOnly)
     Frame frame;
     FrameTimes times;
     double last = 0.0;
-    EXPECT_TRUE(RenderTiles(scene, *field.Traced, frame, times,
+    EXPECT_TRUE(RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), frame, times,
       [&](double done)
       {
         onlyHere = onlyHere && std::this_thread::get_id() == caller;
@@ -499,8 +504,8 @@ TEST(RenderTiles, AbortIsCheckedOnTheCallingThreadOnly)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, RaysEndAtTheDepthBuffer)
 {
-  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -3.0 }); // z = 3
+  OneFieldScene scene = NewSceneFromAbove();
   const float depthOfPlane = 16.0F / 30.0F;
   std::vector<float> depths(64);
   for (std::size_t i = 0; i < 64; ++i)
@@ -523,11 +528,11 @@ TEST(RenderTiles, RaysEndAtTheDepthBuffer)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
 {
-  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, 1.0 }, 0.0 }); // value z
-  Scene scene = NewSceneFromAbove();
-  // From above: the last first.
+  const SampledField field(AnalyticFields::Plane{ { 0.0, 0.0, 1.0 }, 0.0 }); // value z
+  OneFieldScene scene = NewSceneFromAbove();
+  // From above: the last first. A colour of 3 is clamped to 1.
   scene.Request.Surfaces = { { 1.5, 1.0 }, { 3.5, 0.25 }, { 5.5, 0.5 } };
-  scene.Colors = { { 0.4, 0.6, 3.0 }, { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.2 } }; // 3 is clamped to 1
+  scene.Shown.Colors = { { 0.4, 0.6, 3.0 }, { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.2 } };
   Frame frame = Render(scene, *field.Traced);
   const auto byte = [](double value) { return static_cast<int>(std::lround(255.0 * value)); };
   const double behind = 0.5 * 0.75;
@@ -547,8 +552,8 @@ TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
 //------------------------------------------------------------------------------
 TEST(RenderTiles, SurfacesOfTheSceneCanChange)
 {
-  const TracedField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -8.0 }); // value 8 - z
-  Scene scene = NewSceneFromAbove();
+  const SampledField field(AnalyticFields::Plane{ { 0.0, 0.0, -1.0 }, -8.0 }); // value 8 - z
+  OneFieldScene scene = NewSceneFromAbove();
   for (const double isovalue : { 1.25, 6.75, 1.25, 3.0 })
   {
     scene.Request.Surfaces = { { isovalue, 1.0 } };

@@ -10,6 +10,7 @@
 #include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
 #include "SameBits.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
 
 #include <sys/mman.h>
@@ -146,7 +147,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   }
   Candidates candidates;
   candidates.Count = 0;
-  RaySet hits = {};
+  RaySet hits[2] = {};
   kernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
     cells, random.Integer(0, 2), strides, { 1.0, 1.0 }, passages, candidates, hits);
   ASSERT_LE(candidates.Count, cells.Count);
@@ -176,7 +177,8 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   std::vector<Hit> hits(static_cast<std::size_t>(random.Integer(1, RayPacket::Capacity)));
   for (Hit& hit : hits)
   {
-    hit.Cell = { AnyCell(random, size[0]), AnyCell(random, size[1]), AnyCell(random, size[2]) };
+    hit.Cell = volume->GetLattice().GetNumber(
+      { AnyCell(random, size[0]), AnyCell(random, size[1]), AnyCell(random, size[2]) });
     for (double& place : hit.Parametric)
     {
       place = random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
@@ -184,8 +186,13 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   }
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
   {
+    TestRequest request;
+    request.Normals = mode;
+    request.PacketKernels = &kernels;
+    Select(*volume, request, 1);
+    double points[3][RayPacket::Capacity];
     double gradients[3][RayPacket::Capacity];
-    volume->GetGradients(hits.data(), static_cast<int>(hits.size()), mode, kernels, gradients);
+    volume->GetPointsAndGradients(hits.data(), static_cast<int>(hits.size()), points, gradients);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
       const Vector3 expected = volume->GetGradient(hits[i], mode);

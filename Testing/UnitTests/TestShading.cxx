@@ -3,15 +3,18 @@
 
 // Normals are compared with those by the inverse transposed, colours with the Phong model by hand.
 
+#include "Image/ImageField.h"
+#include "Math/Matrix.h"
 #include "Matrices.h"
+#include "OneFieldScene.h"
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
+#include "TraceLine.h"
 
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -90,34 +93,32 @@ public:
         { 9, 9, 9 }, [steep](const AnalyticFields::Point& p) { return steep * (p[0] - 4.0); }))
     , Traced(ImageField::New(this->Volume.View(), {}, 1))
   {
-    this->TheScene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+    this->TheScene.Shown.View =
+      Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
     this->TheScene.Request.Surfaces = { { 0.0, 1.0 } };
-    this->TheScene.Colors = { { 0.8, 0.5, 0.3 } };
-    this->TheScene.Look.Shade = true;
-    this->Traced->Select(this->TheScene.Request, 1);
+    this->TheScene.Shown.Colors = { { 0.8, 0.5, 0.3 } };
+    this->TheScene.Shown.Surface.Shade = true;
   }
 
   /// The colour at a place of the plane, seen along a direction.
   Vector3 Shade(double y, double z, const Vector3& direction = { 1.0, 0.0, 0.0 })
   {
     const Vector3 origin = Vector3{ 4.0, y, z } - direction * 2.0;
-    const auto ray =
-      ClipToVolume(origin, direction, 0.0, std::numeric_limits<double>::infinity(), { 9, 9, 9 });
-    RayHits hits;
-    this->Traced->Trace({ ray }, hits);
-    EXPECT_EQ(hits.Hits.size(), 1U);
-    return Shader(this->TheScene, *this->Traced).Shade(hits.Hits.at(0), direction);
+    const Scene& shown = this->TheScene.Show(*this->Traced);
+    const std::vector<Hit> hits = Trace(*this->Traced, { origin, direction });
+    EXPECT_EQ(hits.size(), 1U);
+    return Shader(shown, 0, this->TheScene.Request.PacketKernels).Shade(hits.at(0), direction);
   }
 
   TestVolume<double> Volume;
   std::unique_ptr<ImageField> Traced;
-  Scene TheScene;
+  OneFieldScene TheScene;
 };
 
-Vector3 Phong(const Vector3& color, double diffuse, double specular, const Material& look)
+Vector3 Phong(const Vector3& color, double diffuse, double specular, const Material& surface)
 {
-  const double scaled = look.Ambient + look.Diffuse * diffuse;
-  const double added = look.Specular * specular;
+  const double scaled = surface.Ambient + surface.Diffuse * diffuse;
+  const double added = surface.Specular * specular;
   return color * scaled + Vector3{ added, added, added };
 }
 
@@ -125,15 +126,15 @@ Vector3 Phong(const Vector3& color, double diffuse, double specular, const Mater
 TEST(Shading, ColorWithoutShading)
 {
   PlaneScene plane;
-  plane.TheScene.Look.Shade = false;
-  EXPECT_EQ(plane.Shade(3.0, 3.0), plane.TheScene.Colors[0]);
+  plane.TheScene.Shown.Surface.Shade = false;
+  EXPECT_EQ(plane.Shade(3.0, 3.0), plane.TheScene.Shown.Colors[0]);
 }
 
 //------------------------------------------------------------------------------
 TEST(Shading, AmbientTermWithoutLights)
 {
   PlaneScene plane;
-  ExpectNear(plane.Shade(3.0, 3.0), plane.TheScene.Colors[0] * 0.1, 1e-15);
+  ExpectNear(plane.Shade(3.0, 3.0), plane.TheScene.Shown.Colors[0] * 0.1, 1e-15);
 }
 
 //------------------------------------------------------------------------------
@@ -142,17 +143,17 @@ TEST(Shading, PhongWithADirectionalLight)
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
   {
     PlaneScene plane;
-    Scene& scene = plane.TheScene;
-    scene.Normals = mode;
+    OneFieldScene& scene = plane.TheScene;
+    scene.Request.Normals = mode;
     Light light;
     light.Direction = { -0.8, 0.6, 0.0 }; // the normal is -x: cosine 0.8
     scene.Lights = { light };
     // The mirrored light leaves along (-0.8, -0.6, 0); the viewer is at (-1, 0, 0).
-    ExpectNear(
-      plane.Shade(3.0, 3.0), Phong(scene.Colors[0], 0.8, std::pow(0.8, 10.0), scene.Look), 1e-14);
+    ExpectNear(plane.Shade(3.0, 3.0),
+      Phong(scene.Shown.Colors[0], 0.8, std::pow(0.8, 10.0), scene.Shown.Surface), 1e-14);
     // Seen along the mirrored light the highlight is full.
     ExpectNear(plane.Shade(3.0, 3.0, { 0.8, 0.6, 0.0 }),
-      Phong(scene.Colors[0], 0.8, 1.0, scene.Look), 1e-14);
+      Phong(scene.Shown.Colors[0], 0.8, 1.0, scene.Shown.Surface), 1e-14);
     scene.Lights[0].DiffuseColor = { 0.5, 0.0, 1.0 };
     scene.Lights[0].SpecularColor = { 0.0, 0.25, 1.0 };
     scene.Lights.push_back(light);
@@ -169,40 +170,43 @@ TEST(Shading, PhongWithADirectionalLight)
 TEST(Shading, TwoSidedLighting)
 {
   PlaneScene plane;
-  Scene& scene = plane.TheScene;
+  OneFieldScene& scene = plane.TheScene;
   Light light;
   light.Direction = { 1.0, 0.0, 0.0 };
   scene.Lights = { light };
   const Vector3 fromBehind = { -1.0, 0.0, 0.0 };
-  ExpectNear(
-    plane.Shade(3.0, 3.0, fromBehind), Phong(scene.Colors[0], 1.0, 1.0, scene.Look), 1e-14);
+  ExpectNear(plane.Shade(3.0, 3.0, fromBehind),
+    Phong(scene.Shown.Colors[0], 1.0, 1.0, scene.Shown.Surface), 1e-14);
   scene.TwoSidedLighting = false;
+  ExpectNear(plane.Shade(3.0, 3.0, fromBehind),
+    Phong(scene.Shown.Colors[0], 0.0, 0.0, scene.Shown.Surface), 1e-14);
   ExpectNear(
-    plane.Shade(3.0, 3.0, fromBehind), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
-  ExpectNear(plane.Shade(3.0, 3.0), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
+    plane.Shade(3.0, 3.0), Phong(scene.Shown.Colors[0], 0.0, 0.0, scene.Shown.Surface), 1e-14);
 }
 
 // A smooth normal may look away from a viewer who sees the outside: the hit tells which side it is.
 TEST(Shading, FrontAndBackAreThoseOfTheHit)
 {
   PlaneScene plane;
-  Scene& scene = plane.TheScene;
+  OneFieldScene& scene = plane.TheScene;
   Light light;
   light.Direction = { -1.0, 0.0, 0.0 };
   scene.Lights = { light };
-  const Shader shader(scene, *plane.Traced);
+  const Shader shader(scene.Show(*plane.Traced), 0, scene.Request.PacketKernels);
   const Vector3 direction = Unit({ -0.1, 1.0, 0.0 });
-  Hit hit = { 1.0, { 4, 3, 3 }, 0, { 0.0, 0.5, 0.5 }, true };
-  ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 1.0, 0.0, scene.Look), 1e-14);
+  Hit hit = { 1.0, plane.Traced->GetLattice().GetNumber({ 4, 3, 3 }), 0, { 0.0, 0.5, 0.5 }, true };
+  ExpectNear(shader.Shade(hit, direction),
+    Phong(scene.Shown.Colors[0], 1.0, 0.0, scene.Shown.Surface), 1e-14);
   hit.Entering = false;
-  ExpectNear(shader.Shade(hit, direction), Phong(scene.Colors[0], 0.0, 0.0, scene.Look), 1e-14);
+  ExpectNear(shader.Shade(hit, direction),
+    Phong(scene.Shown.Colors[0], 0.0, 0.0, scene.Shown.Surface), 1e-14);
 }
 
 //------------------------------------------------------------------------------
 TEST(Shading, PhongWithASpotLightAndAttenuation)
 {
   PlaneScene plane;
-  Scene& scene = plane.TheScene;
+  OneFieldScene& scene = plane.TheScene;
   Light lamp;
   lamp.Positional = true;
   lamp.Position = { 0.0, 3.0, 3.0 };
@@ -211,11 +215,12 @@ TEST(Shading, PhongWithASpotLightAndAttenuation)
   scene.Lights = { lamp };
   // Right below: 4 away.
   double strength = 1.0 / (0.5 + 0.25 * 4.0 + 0.125 * 16.0);
-  ExpectNear(plane.Shade(3.0, 3.0), Phong(scene.Colors[0], strength, strength, scene.Look), 1e-14);
+  ExpectNear(plane.Shade(3.0, 3.0),
+    Phong(scene.Shown.Colors[0], strength, strength, scene.Shown.Surface), 1e-14);
   // 3 aside: 5 away, cosine 0.8. The viewer sees the highlight under the same angle.
   strength = 1.0 / (0.5 + 0.25 * 5.0 + 0.125 * 25.0);
   const auto expected = [&](double s)
-  { return Phong(scene.Colors[0], 0.8 * s, std::pow(0.8, 10.0) * s, scene.Look); };
+  { return Phong(scene.Shown.Colors[0], 0.8 * s, std::pow(0.8, 10.0) * s, scene.Shown.Surface); };
   ExpectNear(plane.Shade(6.0, 3.0), expected(strength), 1e-14);
   // That place is 36.87 degrees off the axis of the cone.
   scene.Lights[0].ConeAngle = 36.8;
@@ -233,7 +238,7 @@ TEST(Shading, LightsAreInWorldCoordinates)
 {
   // The plane x = 4 of index space is x = -8 in the world, mirrored; the viewer is at +x.
   PlaneScene plane(Scaling({ -2.0, 1e4, 0.5 }));
-  Scene& scene = plane.TheScene;
+  OneFieldScene& scene = plane.TheScene;
   Light lamp;
   lamp.Positional = true;
   lamp.Position = { -4.0, 3e4 + 3.0, 1.5 };
@@ -241,7 +246,9 @@ TEST(Shading, LightsAreInWorldCoordinates)
   scene.Lights = { lamp };
   const double strength = 1.0 / 25.0;
   ExpectNear(plane.Shade(3.0, 3.0),
-    Phong(scene.Colors[0], 0.8 * strength, std::pow(0.8, 10.0) * strength, scene.Look), 1e-12);
+    Phong(
+      scene.Shown.Colors[0], 0.8 * strength, std::pow(0.8, 10.0) * strength, scene.Shown.Surface),
+    1e-12);
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +260,8 @@ TEST(Shading, IndependentOfTheMagnitudeOfTheData)
   {
     PlaneScene plane(Scaling({ 1.0, 1.0, 1.0 }), steep);
     plane.TheScene.Lights = { light };
-    ExpectNear(
-      plane.Shade(3.0, 3.0), Phong(plane.TheScene.Colors[0], 1.0, 1.0, plane.TheScene.Look), 1e-12);
+    ExpectNear(plane.Shade(3.0, 3.0),
+      Phong(plane.TheScene.Shown.Colors[0], 1.0, 1.0, plane.TheScene.Shown.Surface), 1e-12);
   }
 }
 
@@ -265,16 +272,17 @@ TEST(Shading, CentralDifferencesAndInterpolantGradients)
   const auto volume = TestVolume<std::int16_t>::Of(
     { 9, 4, 5 }, [](const AnalyticFields::Point& p) { return p[0] * p[0] + 3.0 * p[2]; });
   const auto traced = ImageField::New(volume.View(), {}, 1);
-  const Hit within = { 0.0, { 3, 1, 1 }, 0, { 0.25, 0.5, 0.5 }, true };
+  const CellLattice& lattice = traced->GetLattice();
+  const Hit within = { 0.0, lattice.GetNumber({ 3, 1, 1 }), 0, { 0.25, 0.5, 0.5 }, true };
   EXPECT_EQ(
     traced->GetGradient(within, NormalMode::CentralDifferences), (Vector3{ 6.5, 0.0, 3.0 }));
   EXPECT_EQ(
     traced->GetGradient(within, NormalMode::InterpolantGradient), (Vector3{ 7.0, 0.0, 3.0 }));
   // At the border the difference is one-sided: 1 at x = 0, 15 at x = 8.
-  const Hit atFirst = { 0.0, { 0, 0, 0 }, 0, { 0.0, 0.0, 0.0 }, true };
+  const Hit atFirst = { 0.0, lattice.GetNumber({ 0, 0, 0 }), 0, { 0.0, 0.0, 0.0 }, true };
   EXPECT_EQ(
     traced->GetGradient(atFirst, NormalMode::CentralDifferences), (Vector3{ 1.0, 0.0, 3.0 }));
-  const Hit atLast = { 0.0, { 7, 2, 3 }, 0, { 1.0, 1.0, 1.0 }, true };
+  const Hit atLast = { 0.0, lattice.GetNumber({ 7, 2, 3 }), 0, { 1.0, 1.0, 1.0 }, true };
   EXPECT_EQ(
     traced->GetGradient(atLast, NormalMode::CentralDifferences), (Vector3{ 15.0, 0.0, 3.0 }));
 }

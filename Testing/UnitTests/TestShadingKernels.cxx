@@ -5,9 +5,13 @@
 // colours they have one by one: the same to the last bit.
 
 #include "AllKernels.h"
+#include "Image/ImageField.h"
+#include "Math/Matrix.h"
 #include "Matrices.h"
+#include "OneFieldScene.h"
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -85,18 +89,18 @@ Matrix4 RandomWorldFromIndex(RandomNumbers& random)
   return matrix;
 }
 
-Scene RandomScene(RandomNumbers& random)
+OneFieldScene RandomScene(RandomNumbers& random)
 {
   const Matrix4 worldFromIndex = RandomWorldFromIndex(random);
-  Scene scene;
-  scene.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+  OneFieldScene scene;
+  scene.Shown.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
   scene.Request.Surfaces = { { 0.0, random.Integer(0, 1) ? 1.0 : 1e-9 }, { 0.25, 1.0 } };
-  scene.Colors = { RandomColor(random), RandomColor(random) };
-  scene.Normals =
+  scene.Shown.Colors = { RandomColor(random), RandomColor(random) };
+  scene.Request.Normals =
     random.Integer(0, 2) ? NormalMode::CentralDifferences : NormalMode::InterpolantGradient;
   const double powers[] = { 0.0, 1.0, 2.0, 10.0, 37.0, 128.0, 129.0, 0.5, 1000.0 };
-  scene.Look = { random.Integer(0, 9) != 0, random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0),
-    random.Uniform(0.0, 1.0), powers[random.Integer(0, 8)] };
+  scene.Shown.Surface = { random.Integer(0, 9) != 0, random.Uniform(0.0, 1.0),
+    random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0), powers[random.Integer(0, 8)] };
   for (int i = random.Integer(0, 4); i > 0; --i)
   {
     scene.Lights.push_back(RandomLight(random));
@@ -105,7 +109,7 @@ Scene RandomScene(RandomNumbers& random)
   return scene;
 }
 
-/// Kernels that count what they shade.
+/// Kernels that count what they shade, and keep the colours.
 struct CountingKernels
 {
   explicit CountingKernels(const Kernels& kernels)
@@ -113,6 +117,8 @@ struct CountingKernels
   {
     Base = &kernels;
     Hits = Extremes = 0;
+    Colors.clear();
+    AreExtreme.clear();
     this->Counting.Shade = [](const Phong& phong, ShadedHits& hits)
     {
       Base->Shade(phong, hits);
@@ -121,6 +127,11 @@ struct CountingKernels
       {
         Extremes += Has(hits.Extreme, i) ? 1 : 0;
       }
+      for (int i = 0; i < hits.Count; ++i)
+      {
+        Colors.push_back({ hits.Color[0][i], hits.Color[1][i], hits.Color[2][i] });
+        AreExtreme.push_back(Has(hits.Extreme, i));
+      }
     };
   }
 
@@ -128,15 +139,31 @@ struct CountingKernels
   inline static const Kernels* Base;
   inline static int Hits;
   inline static int Extremes;
+  inline static std::vector<Vector3> Colors;
+  /// Those that the kernels left to others.
+  inline static std::vector<bool> AreExtreme;
 };
 
 /// Whether the kernels have all it takes to shade a scene.
-bool IsForKernels(const Scene& scene)
+bool IsForKernels(const OneFieldScene& scene)
 {
-  return scene.Look.Shade && scene.Look.SpecularPower <= 128.0 &&
-    scene.Look.SpecularPower == std::floor(scene.Look.SpecularPower) &&
+  return scene.Shown.Surface.Shade && scene.Shown.Surface.SpecularPower <= 128.0 &&
+    scene.Shown.Surface.SpecularPower == std::floor(scene.Shown.Surface.SpecularPower) &&
     std::none_of(scene.Lights.begin(), scene.Lights.end(),
       [](const Light& light) { return light.Positional; });
+}
+
+bool AreSameColors(const Vector3& a, const Vector3& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), AreSameNumbers);
+}
+
+/// What composites have of a colour.
+Vector3 ToFragmentColor(const Vector3& color, double opacity)
+{
+  return Vector3{ std::clamp(color[0], 0.0, 1.0), std::clamp(color[1], 0.0, 1.0),
+    std::clamp(color[2], 0.0, 1.0) } *
+    opacity;
 }
 
 // Any number of hits, from none to many more than the kernels take at once.
@@ -149,39 +176,44 @@ TEST_P(ShadingKernels, ShadingMatchesSingleHits)
   {
     const auto volume = RandomVolume(random);
     const auto traced = ImageField::New(volume.View(), {}, 1);
-    Scene scene = RandomScene(random);
-    scene.Request.BeamKernels = &kernels.Counting;
-    traced->Select(scene.Request, 1);
-    RayPacket group;
-    group.Count = 0;
-    group.Exists = {};
+    OneFieldScene scene = RandomScene(random);
+    scene.Request.PacketKernels = &kernels.Counting;
+    const Scene& shown = scene.Show(*traced);
+    RayPacket packet;
+    packet.Count = 0;
+    packet.Exists = {};
     for (int ray = random.Integer(1, RayPacket::Capacity); ray > 0; --ray)
     {
       const Line line =
         random.Integer(0, 3) ? RandomLine(random, Dimensions) : LatticeLine(random, Dimensions);
-      AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, std::numeric_limits<double>::infinity(),
-               Dimensions),
-        group);
+      traced->AddRay(line.Origin, line.Direction, 0.0, Infinity, packet);
     }
     RayHits hits;
-    traced->Trace(group, hits);
+    traced->Trace(packet, hits);
 
-    const Shader shader(scene, *traced);
-    std::vector<Vector3> colors;
-    const int before = CountingKernels::Hits;
-    shader.Shade(group, hits, colors);
-    ASSERT_EQ(colors.size(), hits.Hits.size());
-    ASSERT_EQ(
-      CountingKernels::Hits - before, IsForKernels(scene) ? static_cast<int>(hits.Hits.size()) : 0);
-    for (int ray = 0; ray < group.Count; ++ray)
+    const Shader shader(shown, 0, scene.Request.PacketKernels);
+    Fragments fragments;
+    CountingKernels::Colors.clear();
+    CountingKernels::AreExtreme.clear();
+    shader.MakeFragments(packet, hits, fragments);
+    ASSERT_EQ(fragments.List.size(), hits.Hits.size());
+    ASSERT_EQ(fragments.First, hits.First);
+    const bool isForKernels = IsForKernels(scene);
+    ASSERT_EQ(CountingKernels::Colors.size(), isForKernels ? hits.Hits.size() : 0U);
+    for (int ray = 0; ray < packet.Count; ++ray)
     {
       const auto number = static_cast<std::size_t>(ray);
       for (std::size_t hit = hits.First[number]; hit < hits.First[number + 1]; ++hit)
       {
-        const Vector3 expected = shader.Shade(hits.Hits[hit], GetRay(group, ray).Direction);
-        ASSERT_TRUE(
-          std::equal(expected.begin(), expected.end(), colors[hit].begin(), AreSameNumbers))
-          << "scene " << i << ", hit " << hit << " of " << colors.size();
+        const Vector3 expected = shader.Shade(hits.Hits[hit], GetRay(packet, ray).Direction);
+        const double opacity = traced->GetOpacity(hits.Hits[hit]);
+        ASSERT_TRUE(!isForKernels || CountingKernels::AreExtreme[hit] ||
+          AreSameColors(CountingKernels::Colors[hit], expected))
+          << "scene " << i << ", hit " << hit << " of " << hits.Hits.size();
+        ASSERT_TRUE(AreSameColors(fragments.List[hit].Color, ToFragmentColor(expected, opacity)))
+          << "scene " << i << ", hit " << hit << " of " << hits.Hits.size();
+        ASSERT_EQ(fragments.List[hit].Opacity, opacity);
+        ASSERT_EQ(fragments.List[hit].T, hits.Hits[hit].T);
       }
     }
     hitCount += hits.Hits.size();

@@ -8,12 +8,14 @@
 #include "AllKernels.h"
 #include "Image/Cells/TricubicCell.h"
 #include "Image/ImageField.h"
-#include "Image/Samples/UnevenPlanes.h"
 #include "Math/NonicRoots.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
+#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
 #include "TraceLine.h"
 
@@ -35,12 +37,12 @@ namespace
 
 /// Surfaces that let nearly all through, so that a ray meets all of them. The last is above all
 /// samples.
-TraceRequest Request(double opacity = 1e-9)
+TestRequest Request(double opacity = 1e-9)
 {
-  TraceRequest wanted(
+  TestRequest request(
     { { 20.0, opacity }, { 50.0, opacity }, { 90.25, opacity }, { 125.0, opacity } });
-  wanted.Field = Interpolant::Tricubic;
-  return wanted;
+  request.Interpolation = Interpolant::Tricubic;
+  return request;
 }
 
 //------------------------------------------------------------------------------
@@ -175,13 +177,13 @@ struct Compared
 /// which side of it the ray is. Nothing is said where the field all but equals the isovalue, nor
 /// nearer to a hit than this.
 template <typename T>
-void Compare(const Reference<T>& reference, const TraceRequest& wanted, const Ray& ray,
+void Compare(const Reference<T>& reference, const TestRequest& request, const Ray& ray,
   const Line& line, const std::vector<Hit>& hits, Compared& compared)
 {
   const long double near = 1e-8L / Length(line.Direction);
   const long double begin = ray.Base + static_cast<long double>(ray.Begin);
   const long double end = ray.Base + static_cast<long double>(ray.End);
-  std::vector<std::vector<Hit>> hitsOf(wanted.Surfaces.size());
+  std::vector<std::vector<Hit>> hitsOf(request.Surfaces.size());
   std::vector<long double> places;
   for (const Hit& hit : hits)
   {
@@ -207,7 +209,7 @@ void Compare(const Reference<T>& reference, const TraceRequest& wanted, const Ra
     for (std::size_t i = 0; i < hitsOf.size(); ++i)
     {
       const std::vector<Hit>& own = hitsOf[i];
-      const long double isovalue = wanted.Surfaces[i].Isovalue;
+      const long double isovalue = request.Surfaces[i].Isovalue;
       const auto next =
         std::find_if(own.begin(), own.end(), [t](const Hit& hit) { return hit.T > t; });
       const bool isNear = std::any_of(
@@ -224,39 +226,53 @@ void Compare(const Reference<T>& reference, const TraceRequest& wanted, const Ra
   compared.Hits += static_cast<int>(hits.size());
 }
 
+/// Compares the points of hits with those of the ray, and their gradients in the selected mode with
+/// the reference, one by one and by packets.
 template <typename T>
-Compared CompareRays(const TestVolume<T>& volume, const TraceRequest& wanted,
+void CheckPointsAndGradients(const Reference<T>& reference, const ImageField& traced,
+  const Line& line, const std::vector<Hit>& hits)
+{
+  for (const Hit& hit : hits)
+  {
+    const Vector3 point = traced.GetPoint(hit);
+    EXPECT_LE(Length(line.Origin + line.Direction * hit.T - point), 1e-9);
+    const auto expected = reference.At(line, hit.T).Gradient;
+    const Vector3 gradient = traced.GetGradient(hit, traced.GetRequest().Normals);
+    double points[3][RayPacket::Capacity];
+    double gradients[3][RayPacket::Capacity];
+    traced.GetPointsAndGradients(&hit, 1, points, gradients);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(gradient[axis], static_cast<double>(expected[axis]), 1e-5) << ToText(line);
+      EXPECT_EQ(gradients[axis][0], gradient[axis]);
+      EXPECT_EQ(points[axis][0], point[axis]);
+    }
+  }
+}
+
+template <typename T>
+Compared CompareRays(const TestVolume<T>& volume, TestRequest request,
   const std::vector<Line>& lines, const ImageSettings& settings = {})
 {
-  const auto traced = NewTraced(volume, wanted, settings);
-  const Reference<T> reference(volume, wanted.Planes);
+  const auto traced = NewTraced(volume, request, settings);
+  const Reference<T> reference(volume, request.Planes);
   Compared compared;
   for (const Line& line : lines)
   {
     const auto ray =
-      ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions, wanted.Planes);
+      ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions, request.Planes);
     if (!ray)
     {
       continue;
     }
-    const std::vector<Hit> hits = Trace(*traced, line, Infinity, wanted.Planes);
-    Compare(reference, wanted, *ray, line, hits, compared);
-    for (const Hit& hit : hits)
+    const std::vector<Hit> hits = Trace(*traced, line);
+    Compare(reference, request, *ray, line, hits, compared);
+    for (const NormalMode mode :
+      { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
     {
-      EXPECT_LE(Length(line.Origin + line.Direction * hit.T - hit.GetPoint(wanted.Planes)), 1e-9);
-      const auto expected = reference.At(line, hit.T).Gradient;
-      for (const NormalMode mode :
-        { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
-      {
-        const Vector3 gradient = traced->GetGradient(hit, mode);
-        double gradients[3][RayPacket::Capacity];
-        traced->GetGradients(&hit, 1, mode, GetBestKernels(), gradients);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          EXPECT_NEAR(gradient[axis], static_cast<double>(expected[axis]), 1e-5) << ToText(line);
-          EXPECT_EQ(gradients[axis][0], gradient[axis]);
-        }
-      }
+      request.Normals = mode;
+      Select(*traced, request, 1);
+      CheckPointsAndGradients(reference, *traced, line, hits);
     }
   }
   return compared;
@@ -329,10 +345,10 @@ TEST(TricubicRays, HitSurfacesOfOvershoots)
   for (const std::vector<int>& branching :
     { std::vector<int>{}, { 8, 8 }, { 1 }, { 2, 2, 2 }, { 16, 3 } })
   {
-    TraceRequest wanted({ { -0.06, 1e-9 }, { -0.02, 1e-9 }, { 1.001, 1e-9 }, { 1.02, 1e-9 } });
-    wanted.Field = Interpolant::Tricubic;
+    TestRequest request({ { -0.06, 1e-9 }, { -0.02, 1e-9 }, { 1.001, 1e-9 }, { 1.02, 1e-9 } });
+    request.Interpolation = Interpolant::Tricubic;
     const Compared compared = CompareRays(
-      volume, wanted, ManyLines(random, volume.Dimensions, 60), { branching, BrickLayout::Apron });
+      volume, request, ManyLines(random, volume.Dimensions, 60), { branching, BrickLayout::Apron });
     EXPECT_GT(compared.Hits, 100);
   }
 }
@@ -347,7 +363,7 @@ TEST(TricubicRays, IndependentOfSettings)
   {
     rays.push_back(ClipToVolume(line.Origin, line.Direction, 0.0, Infinity, volume.Dimensions));
   }
-  // And some that go as a beam.
+  // And some that go together as packets.
   for (int i = 0; i < 100; ++i)
   {
     rays.push_back(ClipToVolume({ -5.0, 3.0 + 0.1 * i, 4.25 + 0.07 * i },
@@ -363,15 +379,15 @@ TEST(TricubicRays, IndependentOfSettings)
   all.push_back({ { 8, 8 }, BrickLayout::TwoLevel, 4, 2 });
   for (const double opacity : { 1e-9, 0.4, 1.0 })
   {
-    TraceRequest plain = Request(opacity);
-    plain.BeamKernels = nullptr;
+    TestRequest plain = Request(opacity);
+    plain.PacketKernels = nullptr;
     RayHits expected;
-    NewTraced(volume, plain, all.front())->Trace(rays, expected);
+    Trace(*NewTraced(volume, plain, all.front()), rays, expected);
     EXPECT_GT(expected.Hits.size(), 200U);
-    const auto check = [&](const TraceRequest& wanted, const ImageSettings& settings)
+    const auto check = [&](const TestRequest& request, const ImageSettings& settings)
     {
       RayHits hits;
-      NewTraced(volume, wanted, settings)->Trace(rays, hits);
+      Trace(*NewTraced(volume, request, settings), rays, hits);
       ASSERT_EQ(hits.First, expected.First);
       for (std::size_t i = 0; i < hits.Hits.size(); ++i)
       {
@@ -380,20 +396,20 @@ TEST(TricubicRays, IndependentOfSettings)
     };
     for (const ImageSettings& settings : all)
     {
-      TraceRequest wanted = Request(opacity);
-      check(wanted, settings);
-      wanted.Solver = RootSolver::Linear; // which is not asked
-      wanted.BeamKernels = nullptr;
-      check(wanted, settings);
+      TestRequest request = Request(opacity);
+      check(request, settings);
+      request.Solver = RootSolver::Linear; // which is not asked
+      request.PacketKernels = nullptr;
+      check(request, settings);
     }
     for (const Kernels* kernels : GetKernels())
     {
-      TraceRequest wanted = Request(opacity);
-      wanted.BeamKernels = kernels;
-      check(wanted, { { 8, 8 } });
+      TestRequest request = Request(opacity);
+      request.PacketKernels = kernels;
+      check(request, { { 8, 8 } });
     }
-    TraceRequest thrifty = Request(opacity);
-    thrifty.MaximumMemory = 10000; // for less than all masks
+    TestRequest thrifty = Request(opacity);
+    thrifty.Budget.CacheBytes = 10000; // for less than all masks
     check(thrifty, { { 8, 8 } });
   }
 }
@@ -412,9 +428,9 @@ TEST(TricubicRays, HitQuadricsExactly)
         (p[1] - center[1]) * (p[1] - center[1]) - sign * (p[2] - center[2]) * (p[2] - center[2]);
     };
     const auto volume = TestVolume<double>::Of(size, field);
-    TraceRequest wanted({ { 0.0, 1e-9 } });
-    wanted.Field = Interpolant::Tricubic;
-    const auto traced = NewTraced(volume, wanted);
+    TestRequest request({ { 0.0, 1e-9 } });
+    request.Interpolation = Interpolant::Tricubic;
+    const auto traced = NewTraced(volume, request);
     RandomNumbers random(15);
     int met = 0;
     for (int i = 0; i < 1000; ++i)
@@ -422,7 +438,7 @@ TEST(TricubicRays, HitQuadricsExactly)
       const Line line = RandomLine(random, size);
       for (const Hit& hit : Trace(*traced, line))
       {
-        const Vector3 point = hit.GetPoint(nullptr);
+        const Vector3 point = traced->GetPoint(hit);
         const bool isInner = *std::min_element(point.begin(), point.end()) >= 1.0 &&
           *std::max_element(point.begin(), point.end()) <= 10.0;
         if (!isInner)
@@ -450,9 +466,9 @@ TEST(TricubicRays, DoNotLeakThroughEdgesAndCorners)
   const auto ball = TestVolume<float>::Of(size, AnalyticFields::Sphere{ { 8.0, 8.0, 8.0 }, 5.0 });
   for (const double isovalue : { 0.0, 1.0, 2.0, -1.0 })
   {
-    TraceRequest wanted({ { isovalue, 1e-9 } });
-    wanted.Field = Interpolant::Tricubic;
-    const auto traced = NewTraced(ball, wanted);
+    TestRequest request({ { isovalue, 1e-9 } });
+    request.Interpolation = Interpolant::Tricubic;
+    const auto traced = NewTraced(ball, request);
     ForEachPlace({ 17, 17, 17 },
       [&](const Index3& place)
       {
@@ -485,9 +501,9 @@ TEST(TricubicRays, DoNotLeakThroughSurfacesInFaces)
   {
     value = random.Uniform(-1.0, 1.0);
   }
-  TraceRequest wanted({ { 0.1, 1e-9 } });
-  wanted.Field = Interpolant::Tricubic;
-  const auto traced = NewTraced(volume, wanted);
+  TestRequest request({ { 0.1, 1e-9 } });
+  request.Interpolation = Interpolant::Tricubic;
+  const auto traced = NewTraced(volume, request);
   const Reference<double> reference(volume);
   int through = 0;
   for (int i = 0; i < 300; ++i)
@@ -501,7 +517,7 @@ TEST(TricubicRays, DoNotLeakThroughSurfacesInFaces)
       for (int k = 0; k < 20; ++k)
       {
         const Vector3 direction = random.Direction();
-        const Line line = { hit.GetPoint(nullptr) - direction * 32.0, direction };
+        const Line line = { traced->GetPoint(hit) - direction * 32.0, direction };
         const std::vector<Hit> hits = Trace(*traced, line);
         for (std::size_t next = 1; next < hits.size(); ++next)
         {
@@ -544,15 +560,16 @@ TEST(TricubicRays, HitNothingWithinTwoSamplesOfANonFiniteOne)
       std::vector<Hit> expected = Trace(*whole, line);
       const std::size_t before = expected.size();
       expected.erase(std::remove_if(expected.begin(), expected.end(),
-                       [&places](const Hit& hit)
+                       [&places, &whole](const Hit& hit)
                        {
+                         const Index3 cell = whole->GetLattice().GetCell(hit);
                          return std::any_of(places, places + 3,
-                           [&hit](const Index3& place)
+                           [&cell](const Index3& place)
                            {
                              bool isAround = true;
                              for (std::size_t axis = 0; axis < 3; ++axis)
                              {
-                               const int offset = place[axis] - hit.Cell[axis];
+                               const int offset = place[axis] - cell[axis];
                                isAround = isAround && offset >= -1 && offset <= 2;
                              }
                              return isAround;
@@ -588,12 +605,12 @@ TEST(TricubicRays, UnevenPlanes)
     }
   }
   const UnevenPlanes planes(places);
-  TraceRequest wanted = Request();
-  wanted.Planes = &planes;
+  TestRequest request = Request();
+  request.Planes = &planes;
   for (const std::vector<int>& branching : { std::vector<int>{}, { 8, 8 }, { 2, 2 } })
   {
-    const Compared compared = CompareRays(
-      volume, wanted, ManyLines(random, volume.Dimensions, 150), { branching, BrickLayout::Apron });
+    const Compared compared = CompareRays(volume, request,
+      ManyLines(random, volume.Dimensions, 150), { branching, BrickLayout::Apron });
     EXPECT_GT(compared.Hits, 500);
   }
 }
@@ -610,18 +627,18 @@ TEST(TricubicRays, CoincidentPlanesAreDiscontinuities)
   const std::vector<double> even = { 0.0, 1.0, 2.0, 3.0, 4.0 };
   const UnevenPlanes planes({ flat, even, even });
   // At 8 the wall ends.
-  TraceRequest wanted({ { 5.5, 1e-9 }, { 8.0, 1e-9 } });
-  wanted.Field = Interpolant::Tricubic;
-  wanted.Planes = &planes;
-  const auto traced = NewTraced(volume, wanted);
+  TestRequest request({ { 5.5, 1e-9 }, { 8.0, 1e-9 } });
+  request.Interpolation = Interpolant::Tricubic;
+  request.Planes = &planes;
+  const auto traced = NewTraced(volume, request);
   for (const double direction : { 1.0, -1.0 })
   {
     const Line line = { { direction > 0.0 ? -1.0 : 10.0, 2.25, 1.75 }, { direction, 0.03, 0.01 } };
-    const std::vector<Hit> hits = Trace(*traced, line, Infinity, &planes);
+    const std::vector<Hit> hits = Trace(*traced, line);
     ASSERT_EQ(hits.size(), 2U);
     for (const Hit& hit : hits)
     {
-      EXPECT_NEAR(hit.GetPoint(&planes)[0], 4.5, 1e-12);
+      EXPECT_NEAR(traced->GetPoint(hit)[0], 4.5, 1e-12);
       EXPECT_EQ(hit.Entering, direction > 0.0);
       const Vector3 gradient = traced->GetGradient(hit, NormalMode::CentralDifferences);
       EXPECT_LE(Length(gradient - Vector3{ 4.0, 0.0, 0.0 }), 1e-9);
@@ -647,7 +664,7 @@ TEST(TricubicRays, PlanesAndInterpolantCanChange)
   std::optional<UnevenPlanes> planes;
   struct Turn
   {
-    Interpolant Field;
+    Interpolant Interpolation;
     double Shift;
     double Isovalue;
   };
@@ -660,16 +677,16 @@ TEST(TricubicRays, PlanesAndInterpolantCanChange)
   {
     places[1][4] = 4.0 + turn.Shift;
     planes.emplace(places); // in the same place in memory
-    TraceRequest wanted = Request();
-    wanted.Surfaces = { { turn.Isovalue, 1e-9 } };
-    wanted.Field = turn.Field;
-    wanted.Planes = turn.Shift == 0.0 ? nullptr : &*planes;
-    changing->Select(wanted, 1);
-    const auto fresh = NewTraced(volume, wanted);
+    TestRequest request = Request();
+    request.Surfaces = { { turn.Isovalue, 1e-9 } };
+    request.Interpolation = turn.Interpolation;
+    request.Planes = turn.Shift == 0.0 ? nullptr : &*planes;
+    Select(*changing, request, 1);
+    const auto fresh = NewTraced(volume, request);
     for (const Line& line : lines)
     {
-      const std::vector<Hit> hits = Trace(*changing, line, Infinity, wanted.Planes);
-      const std::vector<Hit> expected = Trace(*fresh, line, Infinity, wanted.Planes);
+      const std::vector<Hit> hits = Trace(*changing, line);
+      const std::vector<Hit> expected = Trace(*fresh, line);
       ASSERT_EQ(hits.size(), expected.size());
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
@@ -695,16 +712,16 @@ TEST(TricubicRays, HitSurfacesThatOnlyOtherPlanesHave)
     places[2].push_back(i);
   }
   const UnevenPlanes planes(places);
-  TraceRequest wanted({ { 2.0, 1e-9 } });
-  wanted.Field = Interpolant::Tricubic;
-  const auto traced = NewTraced(volume, wanted);
+  TestRequest request({ { 2.0, 1e-9 } });
+  request.Interpolation = Interpolant::Tricubic;
+  const auto traced = NewTraced(volume, request);
   const Line line = { { 4.3, -2.0, 4.2 }, { 0.01, 1.0, 0.02 } };
   EXPECT_TRUE(Trace(*traced, line).empty());
-  wanted.Planes = &planes;
-  traced->Select(wanted, 1);
-  EXPECT_EQ(Trace(*traced, line, Infinity, &planes).size(), 2U);
-  wanted.Planes = nullptr;
-  traced->Select(wanted, 1);
+  request.Planes = &planes;
+  Select(*traced, request, 1);
+  EXPECT_EQ(Trace(*traced, line).size(), 2U);
+  request.Planes = nullptr;
+  Select(*traced, request, 1);
   EXPECT_TRUE(Trace(*traced, line).empty());
 }
 
@@ -717,8 +734,8 @@ TEST(TricubicRays, RespectCroppingAndClipping)
   int shown = 0;
   for (int i = 0; i < 60; ++i)
   {
-    TraceRequest wanted = Request(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = wanted.Visible;
+    TestRequest request = Request(i % 2 == 0 ? 1e-9 : 1.0);
+    Visibility& seen = request.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
@@ -736,15 +753,15 @@ TEST(TricubicRays, RespectCroppingAndClipping)
       const Vector3 normal = random.Direction();
       seen.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
     }
-    const auto traced = NewTraced(volume, wanted);
+    const auto traced = NewTraced(volume, request);
     for (int ray = 0; ray < 10; ++ray)
     {
       const Line line = RandomLine(random, volume.Dimensions);
       std::vector<Hit> expected;
       for (const Hit& hit : Trace(*whole, line))
       {
-        const Vector3 point = hit.GetPoint(nullptr);
-        const bool isSeen = seen.Shows(hit, volume.Dimensions, nullptr) &&
+        const Vector3 point = whole->GetPoint(hit);
+        const bool isSeen = seen.Shows(hit, point) &&
           std::all_of(seen.HalfSpaces.begin(), seen.HalfSpaces.end(),
             [&point](const HalfSpace& half)
             { return Dot(half.Normal, point) + half.Offset >= 0.0; });
@@ -780,12 +797,12 @@ TEST(TricubicRays, SamplesOfAllMagnitudes)
     auto scaled = volume;
     std::for_each(
       scaled.Values.begin(), scaled.Values.end(), [factor](double& value) { value *= factor; });
-    TraceRequest wanted = Request();
-    for (Isosurface& surface : wanted.Surfaces)
+    TestRequest request = Request();
+    for (Isosurface& surface : request.Surfaces)
     {
       surface.Isovalue *= factor;
     }
-    const auto traced = NewTraced(scaled, wanted);
+    const auto traced = NewTraced(scaled, request);
     for (const Line& line : lines)
     {
       const std::vector<Hit> hits = Trace(*traced, line);

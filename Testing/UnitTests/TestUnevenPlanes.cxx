@@ -5,19 +5,18 @@
 // of their space.
 
 #include "Image/ImageField.h"
-#include "Image/Samples/UnevenPlanes.h"
-#include "Math/TrilinearCell.h"
-#include "Picture/CastRays.h"
 #include "RandomNumbers.h"
+#include "Rays/Ray.h"
+#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
+#include "TestRequest.h"
 #include "TestVolume.h"
 #include "TraceLine.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -64,13 +63,9 @@ std::vector<double> WholeNumbers(int count)
 }
 
 /// The hits of the whole line, on both sides of its origin.
-std::vector<Hit> TraceBothWays(ImageField& volume, const Line& line, const UnevenPlanes* planes)
+std::vector<Hit> TraceBothWays(ImageField& volume, const Line& line)
 {
-  RayHits hits;
-  volume.Trace({ ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity,
-                 volume.GetDimensions(), planes) },
-    hits);
-  return hits.Hits;
+  return Trace(volume, line, Infinity, -Infinity);
 }
 
 /// Lines through the volume, with an eye for its planes, edges and corners.
@@ -162,20 +157,20 @@ TEST(UnevenPlanes, EvenPlanesMatchNoPlanes)
   const TestVolume<double> volume = Noise(random, size, false);
   const UnevenPlanes planes(
     { WholeNumbers(size[0]), WholeNumbers(size[1]), WholeNumbers(size[2]) });
-  TraceRequest wanted({ { 0.0, Glass }, { 0.5, Glass } });
-  const auto even = NewTraced(volume, wanted);
-  wanted.Planes = &planes;
-  const auto uneven = NewTraced(volume, wanted);
+  TestRequest request({ { 0.0, Glass }, { 0.5, Glass } });
+  const auto even = NewTraced(volume, request);
+  request.Planes = &planes;
+  const auto uneven = NewTraced(volume, request);
   for (int i = 0; i < 2000; ++i)
   {
     const Line line = AnyLine(random, size, planes);
-    const std::vector<Hit> expected = TraceBothWays(*even, line, nullptr);
-    const std::vector<Hit> hits = TraceBothWays(*uneven, line, &planes);
+    const std::vector<Hit> expected = TraceBothWays(*even, line);
+    const std::vector<Hit> hits = TraceBothWays(*uneven, line);
     ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
     for (std::size_t k = 0; k < hits.size(); ++k)
     {
       EXPECT_TRUE(AreSame(hits[k], expected[k])) << ToText(line);
-      EXPECT_EQ(hits[k].GetPoint(&planes), expected[k].GetPoint(nullptr)) << ToText(line);
+      EXPECT_EQ(uneven->GetPoint(hits[k]), even->GetPoint(expected[k])) << ToText(line);
     }
   }
 }
@@ -191,19 +186,19 @@ TEST(UnevenPlanes, NoRayLeaksThroughAClosedSurface)
   {
     const TestVolume<double> volume = Noise(random, size, true);
     const UnevenPlanes planes = RandomPlanes(random, size, round % 2 == 1);
-    TraceRequest wanted({ { 0.1, Glass } });
-    wanted.Planes = &planes;
+    TestRequest request({ { 0.1, Glass } });
+    request.Planes = &planes;
     ImageSettings cellByCell;
     cellByCell.MacrocellBranching.clear();
     ImageSettings small;
     small.MacrocellBranching = { 2, 3 };
-    const auto traced = NewTraced(volume, wanted);
-    const auto simple = NewTraced(volume, wanted, cellByCell);
-    const auto other = NewTraced(volume, wanted, small);
+    const auto traced = NewTraced(volume, request);
+    const auto simple = NewTraced(volume, request, cellByCell);
+    const auto other = NewTraced(volume, request, small);
     for (int i = 0; i < 400; ++i)
     {
       const Line line = AnyLine(random, size, planes);
-      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line);
       found += hits.size();
       ASSERT_EQ(hits.size() % 2, 0U) << ToText(line);
       for (std::size_t k = 0; k < hits.size(); ++k)
@@ -213,7 +208,7 @@ TEST(UnevenPlanes, NoRayLeaksThroughAClosedSurface)
       }
       for (ImageField* volumeToo : { simple.get(), other.get() })
       {
-        const std::vector<Hit> too = TraceBothWays(*volumeToo, line, &planes);
+        const std::vector<Hit> too = TraceBothWays(*volumeToo, line);
         ASSERT_EQ(too.size(), hits.size()) << ToText(line);
         for (std::size_t k = 0; k < too.size(); ++k)
         {
@@ -237,13 +232,13 @@ TEST(UnevenPlanes, HitsLieOnTheInterpolant)
   {
     const TestVolume<double> volume = Noise(random, size, false);
     const UnevenPlanes planes = RandomPlanes(random, size, false);
-    TraceRequest wanted({ { 0.1, Glass } });
-    wanted.Planes = &planes;
-    const auto traced = NewTraced(volume, wanted);
+    TestRequest request({ { 0.1, Glass } });
+    request.Planes = &planes;
+    const auto traced = NewTraced(volume, request);
     for (int i = 0; i < 50; ++i)
     {
       const Line line = RandomLine(random, size);
-      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line);
       const std::optional<Ray> ray =
         ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
       ASSERT_TRUE(ray);
@@ -268,7 +263,7 @@ TEST(UnevenPlanes, HitsLieOnTheInterpolant)
       }
       for (const Hit& hit : hits)
       {
-        const Vector3 point = hit.GetPoint(&planes);
+        const Vector3 point = traced->GetPoint(hit);
         worst = std::max(worst, std::abs(Evaluate(volume, planes, point) - 0.1));
         worst = std::max(worst, Length(point - (line.Origin + line.Direction * hit.T)));
         ++found;
@@ -288,14 +283,14 @@ TEST(UnevenPlanes, ExtremeValuesMatchTheInterpolant)
   {
     const TestVolume<double> volume = Noise(random, size, false);
     const UnevenPlanes planes = RandomPlanes(random, size, false);
-    TraceRequest wanted;
-    wanted.Planes = &planes;
-    wanted.Projection = Extremum::Largest;
-    const auto traced = NewTraced(volume, wanted);
+    TestRequest request;
+    request.Planes = &planes;
+    request.Projection = Extremum::Largest;
+    const auto traced = NewTraced(volume, request);
     for (int i = 0; i < 50; ++i)
     {
       const Line line = RandomLine(random, size);
-      const std::vector<Hit> hits = TraceBothWays(*traced, line, &planes);
+      const std::vector<Hit> hits = TraceBothWays(*traced, line);
       const std::optional<Ray> ray =
         ClipToVolume(line.Origin, line.Direction, -Infinity, Infinity, size, &planes);
       ASSERT_TRUE(ray);
@@ -308,7 +303,7 @@ TEST(UnevenPlanes, ExtremeValuesMatchTheInterpolant)
         largest = std::max(largest, Evaluate(volume, planes, line.Origin + line.Direction * t));
       }
       EXPECT_GE(hits[0].Value, largest - 1e-9) << ToText(line);
-      EXPECT_NEAR(Evaluate(volume, planes, hits[0].GetPoint(&planes)), hits[0].Value, 1e-9)
+      EXPECT_NEAR(Evaluate(volume, planes, traced->GetPoint(hits[0])), hits[0].Value, 1e-9)
         << ToText(line);
     }
   }
@@ -328,18 +323,19 @@ TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
       { volume.At(i) = field(planes.Get(0, i[0]), planes.Get(1, i[1]), planes.Get(2, i[2])); });
     return volume;
   };
-  TraceRequest wanted({ { 0.0, 1.0 } });
-  wanted.Planes = &planes;
+  TestRequest request({ { 0.0, 1.0 } });
+  request.Planes = &planes;
   const auto linear = make([](double x, double y, double z) { return 3.0 * x - 2.0 * y + z; });
-  const auto traced = NewTraced(linear, wanted);
+  const auto traced = NewTraced(linear, request);
   const auto quadric = make([](double x, double y, double z) { return x * x - y * y + x * z; });
-  const auto curved = NewTraced(quadric, wanted);
+  const auto curved = NewTraced(quadric, request);
   std::vector<Hit> hits;
   ForEachPlace({ size[0] - 1, size[1] - 1, size[2] - 1 },
     [&](const Index3& cell)
     {
-      const Hit hit = { 0.0, cell, 0, { 0.0, 0.0, 0.0 }, true };
-      hits.push_back({ 0.0, cell, 0, { 0.3, 0.6, 0.2 }, true });
+      const std::int64_t number = traced->GetLattice().GetNumber(cell);
+      const Hit hit = { 0.0, number, 0, { 0.0, 0.0, 0.0 }, true };
+      hits.push_back({ 0.0, number, 0, { 0.3, 0.6, 0.2 }, true });
       for (const NormalMode mode :
         { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
       {
@@ -348,20 +344,22 @@ TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
       }
       if (cell[0] > 0 && cell[1] > 0 && cell[2] > 0)
       {
-        const Vector3 p = hit.GetPoint(&planes);
+        const Vector3 p = curved->GetPoint(hit);
         const Vector3 off = curved->GetGradient(hit, NormalMode::CentralDifferences) -
           Vector3{ 2.0 * p[0] + p[2], -2.0 * p[1], p[0] };
         EXPECT_LT(Length(off), 1e-8);
       }
     });
   // Those of many hits at a time are the same.
+  ASSERT_EQ(curved->GetRequest().Normals, NormalMode::CentralDifferences);
+  double points[3][RayPacket::Capacity];
   double gradients[3][RayPacket::Capacity];
-  curved->GetGradients(
-    hits.data(), RayPacket::Capacity, NormalMode::CentralDifferences, GetBestKernels(), gradients);
+  curved->GetPointsAndGradients(hits.data(), RayPacket::Capacity, points, gradients);
   for (std::size_t i = 0; i < RayPacket::Capacity; ++i)
   {
     const Vector3 one = curved->GetGradient(hits[i], NormalMode::CentralDifferences);
     EXPECT_EQ((Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }), one);
+    EXPECT_EQ((Vector3{ points[0][i], points[1][i], points[2][i] }), curved->GetPoint(hits[i]));
   }
 }
 
@@ -380,22 +378,22 @@ TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
     const UnevenPlanes planes({ places, WholeNumbers(4), WholeNumbers(4) });
     TestVolume<float> volume(size, std::vector<float>(Count(size)));
     ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
-    TraceRequest wanted({ { 0.25, 1.0 } });
-    wanted.Planes = &planes;
+    TestRequest request({ { 0.25, 1.0 } });
+    request.Planes = &planes;
     for (const RootSolver solver :
       { RootSolver::Robust, RootSolver::Analytic, RootSolver::Marmitt, RootSolver::Linear })
     {
-      wanted.Solver = solver;
-      const auto traced = NewTraced(volume, wanted);
+      request.Solver = solver;
+      const auto traced = NewTraced(volume, request);
       for (const double direction : { 1.0, -1.0 })
       {
         const auto hits =
-          TraceBothWays(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } }, &planes);
+          TraceBothWays(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } });
         ASSERT_EQ(hits.size(), 1U) << "flat cell " << flat;
-        EXPECT_EQ(hits[0].Cell[0], flat);
+        EXPECT_EQ(traced->GetLattice().GetCell(hits[0])[0], flat);
         EXPECT_NEAR(hits[0].Parametric[0], 0.25, 1e-6);
         EXPECT_EQ(hits[0].Entering, direction > 0.0);
-        EXPECT_EQ(hits[0].GetPoint(&planes)[0], planes.Get(0, flat));
+        EXPECT_EQ(traced->GetPoint(hits[0])[0], planes.Get(0, flat));
         for (const NormalMode mode :
           { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
         {
@@ -416,21 +414,21 @@ TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
   const Index3 size = { 12, 9, 10 };
   const TestVolume<double> volume = Noise(random, size, false);
   const UnevenPlanes planes = RandomPlanes(random, size, false);
-  TraceRequest wanted({ { 0.0, Glass } });
-  wanted.Planes = &planes;
-  const auto all = NewTraced(volume, wanted);
-  wanted.Visible.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
-  wanted.Visible.Regions.Visible = 0x5ab3c17;
-  const auto cropped = NewTraced(volume, wanted);
+  TestRequest request({ { 0.0, Glass } });
+  request.Planes = &planes;
+  const auto all = NewTraced(volume, request);
+  request.Visible.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
+  request.Visible.Regions.Visible = 0x5ab3c17;
+  const auto cropped = NewTraced(volume, request);
   std::size_t seen = 0;
   std::size_t unseen = 0;
   for (int i = 0; i < 200; ++i)
   {
     const Line line = RandomLine(random, size);
     std::vector<Hit> expected;
-    for (const Hit& hit : TraceBothWays(*all, line, &planes))
+    for (const Hit& hit : TraceBothWays(*all, line))
     {
-      if (wanted.Visible.Regions.Contain(hit.GetPoint(&planes)))
+      if (request.Visible.Regions.Contain(all->GetPoint(hit)))
       {
         expected.push_back(hit);
       }
@@ -439,7 +437,7 @@ TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
         ++unseen;
       }
     }
-    const std::vector<Hit> hits = TraceBothWays(*cropped, line, &planes);
+    const std::vector<Hit> hits = TraceBothWays(*cropped, line);
     ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
     seen += hits.size();
   }

@@ -15,14 +15,22 @@ namespace vtkIsosurfaceRayTracing
 /// of a step of an 8-bit colour.
 constexpr double NegligibleTransmittance = 1.0 / 1024.0;
 
+/// Where hits are, in the object space of their field.
+class HitLocator
+{
+public:
+  virtual ~HitLocator() = default;
+  virtual Vector3 GetPoint(const Hit& hit) const = 0;
+};
+
 /// Collects the hits of one ray, which come front to back, until nothing of the ray is left.
 class HitCollector
 {
 public:
-  /// Hits are appended. The dimensions are those of the image, in samples.
-  HitCollector(const TraceRequest& request, const Index3& dimensions, std::vector<Hit>& hits)
+  /// Hits are appended.
+  HitCollector(const TraceRequest& request, const HitLocator& locator, std::vector<Hit>& hits)
     : Request(&request)
-    , Dimensions(dimensions)
+    , Locator(&locator)
     , Hits(&hits)
   {
   }
@@ -31,7 +39,7 @@ public:
   bool Add(const Hit& hit)
   {
     if (!this->Request->Visible.IsConvex() &&
-      !this->Request->Visible.Shows(hit, this->Dimensions, this->Request->Planes))
+      !this->Request->Visible.Shows(hit, this->Locator->GetPoint(hit)))
     {
       return false;
     }
@@ -43,7 +51,7 @@ public:
 
 private:
   const TraceRequest* Request;
-  Index3 Dimensions;
+  const HitLocator* Locator;
   std::vector<Hit>* Hits;
   double Transmittance = 1.0;
 };

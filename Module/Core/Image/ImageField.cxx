@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
@@ -49,7 +50,6 @@ std::unique_ptr<ImageField> ImageField::New(
 ImageField::ImageField(std::unique_ptr<ImageStructures> structures)
   : Structures(std::move(structures))
   , Selection(this->Structures->GetLattice())
-  , Dimensions(this->Selection.GetDimensions())
   , Tracer(this->Structures->NewTracer(this->Selection))
 {
 }
@@ -58,19 +58,27 @@ ImageField::ImageField(std::unique_ptr<ImageStructures> structures)
 ImageField::~ImageField() = default;
 
 //------------------------------------------------------------------------------
-void ImageField::Select(const TraceRequest& request, int threads)
+void ImageField::SetPlanes(const UnevenPlanes* planes)
 {
-  this->Structures->BeginFrame(request.MaximumMemory);
+  this->Selection.Lattice.SetPlanes(planes);
+}
+
+//------------------------------------------------------------------------------
+void ImageField::Select(
+  const TraceRequest& request, const Execution& execution, const MemoryBudget& budget)
+{
+  this->Structures->BeginFrame(budget.CacheBytes);
+  this->Selection.PacketKernels = execution.PacketKernels;
   const TraceRequest& before = this->Selection.Request;
   const bool isOtherTracer =
-    request.Field != before.Field || request.Projection != before.Projection;
+    request.Interpolation != before.Interpolation || request.Projection != before.Projection;
   const bool areSameIsovalues = HaveSameIsovalues(request, before);
   this->Selection.Request = request;
   if (isOtherTracer)
   {
     this->Tracer = this->Structures->NewTracer(this->Selection);
   }
-  const bool isOtherSpacing = this->Tracer->SetPlanes(request.Planes);
+  const bool isOtherSpacing = this->Tracer->SetPlanes(this->Selection.Lattice.GetPlanes());
   if (areSameIsovalues && !isOtherTracer && !isOtherSpacing)
   {
     return;
@@ -81,7 +89,51 @@ void ImageField::Select(const TraceRequest& request, int threads)
     this->Selection.Isovalues.push_back(
       { surface.Isovalue, GetScale(this->Structures->GetRange(), surface.Isovalue) });
   }
-  this->Selection.SetActive(this->Tracer->FindActive(threads), threads);
+  this->Selection.SetActive(this->Tracer->FindActive(execution.Threads), execution.Threads);
+}
+
+//------------------------------------------------------------------------------
+Bounds ImageField::GetBounds() const
+{
+  const Index3& cells = this->Selection.Lattice.GetCells();
+  return { { 0.0, 0.0, 0.0 },
+    { static_cast<double>(cells[0]), static_cast<double>(cells[1]),
+      static_cast<double>(cells[2]) } };
+}
+
+//------------------------------------------------------------------------------
+void ImageField::AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+  RayPacket& packet) const
+{
+  const CellLattice& lattice = this->Selection.Lattice;
+  vtkIsosurfaceRayTracing::AddRay(
+    ClipToVolume(origin, direction, begin, end, lattice.GetDimensions(), lattice.GetPlanes()),
+    packet);
+}
+
+//------------------------------------------------------------------------------
+void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
+  const PixelDepths& depths, RayPacket& packet) const
+{
+  const CellLattice& lattice = this->Selection.Lattice;
+  const Kernels* kernels = this->Selection.PacketKernels;
+  if (!kernels || lattice.GetPlanes())
+  {
+    TracedField::MakeRays(view, pixels, depths, packet);
+    return;
+  }
+  PixelBlock block;
+  block.ObjectFromClip = view.GetObjectFromClip().data();
+  block.Width = view.GetWidth();
+  block.Height = view.GetHeight();
+  block.Column = pixels.X;
+  block.Row = pixels.Y;
+  block.Columns = pixels.Width;
+  block.Rows = pixels.Height;
+  block.Depth = depths.First;
+  block.DepthStride = depths.Stride;
+  block.Dimensions = lattice.GetDimensions().data();
+  kernels->MakeRays(block, packet);
 }
 
 //------------------------------------------------------------------------------
@@ -89,40 +141,67 @@ bool ImageField::MayHitBetween(RayPacket& lines) const
 {
   // Extreme values and caps may be anywhere, not in active macrocells alone.
   const TraceRequest& request = this->Selection.Request;
-  const bool isInTree = this->Selection.Tree && request.BeamKernels && !request.Planes &&
+  const CellLattice& lattice = this->Selection.Lattice;
+  const Kernels* kernels = this->Selection.PacketKernels;
+  const bool isInTree = this->Selection.Tree && kernels && !lattice.GetPlanes() &&
     !request.Projection && !request.Visible.HasCaps();
   return !isInTree ||
-    PacketTracer::MayMeet(*request.BeamKernels, *this->Selection.Tree, this->Dimensions, lines);
+    PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice.GetDimensions(), lines);
 }
 
 //------------------------------------------------------------------------------
-void ImageField::Trace(RayPacket& rays, RayHits& hits)
+void ImageField::Trace(RayPacket& packet, RayHits& hits)
 {
   hits.Clear();
+  this->CutToHalfSpaces(packet);
+  this->Tracer->Trace(packet, hits);
+}
+
+//------------------------------------------------------------------------------
+void ImageField::CutToHalfSpaces(RayPacket& packet) const
+{
   for (const HalfSpace& half : this->Selection.Request.Visible.HalfSpaces)
   {
-    CutRays(half, rays);
+    CutRays(half, packet);
   }
-  this->Tracer->Trace(rays, hits);
 }
 
 //------------------------------------------------------------------------------
-void ImageField::Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits)
+/// Where all surfaces are opaque, any crossing will do, and none needs to be the first.
+void ImageField::FindTransmittance(
+  RayPacket& packet, const Departure* departures, double* transmittance)
 {
-  hits.Clear();
-  RayHits some;
-  RayPacket packet;
-  for (std::size_t first = 0; first < rays.size(); first += RayPacket::Capacity)
+  std::optional<StoppedRays> found;
+  if (this->Selection.HasOnlyOpaqueSurfaces())
   {
-    packet.Count = 0;
-    packet.Exists = {};
-    for (std::size_t i = first; i < std::min(first + RayPacket::Capacity, rays.size()); ++i)
-    {
-      AddRay(rays[i], packet);
-    }
-    this->Trace(packet, some);
-    hits.Append(some);
+    this->CutToHalfSpaces(packet);
+    found = this->Tracer->FindStopped(packet, departures);
   }
+  if (found)
+  {
+    // Of the rays only those that nothing is known of yet are left.
+    for (int word = 0; word < 2; ++word)
+    {
+      packet.Exists.Words[word] = found->Unsure.Words[word] & ~found->Stopped.Words[word];
+    }
+  }
+  TracedField::FindTransmittance(packet, departures, transmittance);
+  for (int i = 0; found && i < packet.Count; ++i)
+  {
+    transmittance[i] = Has(found->Stopped, i) ? 0.0 : transmittance[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 ImageField::GetPoint(const Hit& hit) const
+{
+  return this->Selection.Lattice.GetPoint(hit);
+}
+
+//------------------------------------------------------------------------------
+Vector3 ImageField::GetPointInCells(const Hit& hit) const
+{
+  return this->Selection.Lattice.GetPointInCells(hit);
 }
 
 //------------------------------------------------------------------------------
@@ -132,40 +211,26 @@ Vector3 ImageField::GetGradient(const Hit& hit, NormalMode mode) const
 }
 
 //------------------------------------------------------------------------------
-void ImageField::GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
-  double (*gradients)[RayPacket::Capacity]) const
+void ImageField::GetPointsAndGradients(const Hit* hits, int count,
+  double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
-  this->Tracer->GetGradients(hits, count, mode, kernels, gradients);
+  Index3 cells[RayPacket::Capacity];
+  for (int i = 0; i < count; ++i)
+  {
+    cells[i] = this->Selection.Lattice.GetCell(hits[i]);
+    const Vector3 point = this->Selection.Lattice.GetPoint(cells[i], hits[i].Parametric);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      points[axis][i] = point[axis];
+    }
+  }
+  this->Tracer->GetGradients(hits, cells, count, gradients);
 }
 
 //------------------------------------------------------------------------------
-std::size_t ImageField::GetMacrocellMemory() const
+FieldStatistics ImageField::GetStatistics() const
 {
-  return this->Structures->GetMacrocellMemory();
-}
-
-//------------------------------------------------------------------------------
-std::size_t ImageField::GetBrickMemory() const
-{
-  return this->Structures->GetBrickMemory();
-}
-
-//------------------------------------------------------------------------------
-std::size_t ImageField::GetNumberOfBricks() const
-{
-  return this->Structures->GetNumberOfBricks();
-}
-
-//------------------------------------------------------------------------------
-std::size_t ImageField::GetMaximumNumberOfBricks() const
-{
-  return this->Structures->GetMaximumNumberOfBricks();
-}
-
-//------------------------------------------------------------------------------
-std::int64_t ImageField::GetBrickNanoseconds() const
-{
-  return this->Structures->GetBrickNanoseconds();
+  return this->Structures->GetStatistics();
 }
 
 }

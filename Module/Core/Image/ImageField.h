@@ -4,20 +4,12 @@
 #ifndef ImageField_h
 #define ImageField_h
 
+#include "Field/TracedField.h"
 #include "Image/ImageSettings.h"
 #include "Image/Samples/VolumeView.h"
 #include "Image/Tracers/ImageSelection.h"
-#include "Kernels/Kernels.h"
-#include "Rays/Hit.h"
-#include "Rays/Ray.h"
-#include "Rays/RayHits.h"
-#include "Rays/TraceRequest.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -25,55 +17,53 @@ namespace vtkIsosurfaceRayTracing
 class ImageStructures;
 class ImageTracer;
 
-/// An image made ready for rays: macrocells at once, bricks as rays come. It depends on the samples
-/// and the settings alone; the samples must outlive it and not change.
-class ImageField
+/// An image, or a rectilinear grid, made ready for rays: macrocells at once, bricks as rays come.
+/// It depends on the samples and the settings alone; the samples must outlive it and not change.
+/// Its object space is index space, or with uneven planes the space they stand in (see
+/// UnevenPlanes).
+class ImageField final : public TracedField
 {
 public:
   /// Builds the macrocells, with the given number of threads.
   static std::unique_ptr<ImageField> New(
     const VolumeView& view, const ImageSettings& settings, int threads);
-  ~ImageField();
+  ~ImageField() override;
 
-  /// Chooses what to trace from now on: finds the macrocells of the isovalues unless they are the
-  /// same as before.
-  void Select(const TraceRequest& request, int threads);
+  /// Says where the samples stand; null, as at first, if at whole numbers. The planes must outlive
+  /// their use. To be called before Select.
+  void SetPlanes(const UnevenPlanes* planes);
 
-  /// Whether rays between lines that pass through one point, or are parallel, may hit a surface:
-  /// those whose directions are means of the lines' own. The lines have an origin and a direction,
-  /// and nothing else.
-  bool MayHitBetween(RayPacket& lines) const;
+  /// Finds the macrocells of the isovalues unless they are the same as before.
+  void Select(const TraceRequest& request, const Execution& execution,
+    const MemoryBudget& budget = {}) override;
+  const TraceRequest& GetRequest() const override { return this->Selection.Request; }
 
-  /// Finds the hits of rays with the surfaces, each ray up to the first opaque one or to where
-  /// nothing of it is left to see. A ray that does not exist has no hits. Any number of threads may
-  /// trace at once; what a ray hits does not depend on the others. Rays are cut to what is visible.
-  void Trace(RayPacket& rays, RayHits& hits);
-  /// The same for any number of rays.
-  void Trace(const std::vector<std::optional<Ray>>& rays, RayHits& hits);
+  Bounds GetBounds() const override;
+  void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+    RayPacket& packet) const override;
+  void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
+    RayPacket& packet) const override;
+  bool MayHitBetween(RayPacket& lines) const override;
+  void Trace(RayPacket& packet, RayHits& hits) override;
+  void FindTransmittance(
+    RayPacket& packet, const Departure* departures, double* transmittance) override;
+  Vector3 GetPoint(const Hit& hit) const override;
+  Vector3 GetPointInCells(const Hit& hit) const override;
+  Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
+  void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
+    double (*gradients)[RayPacket::Capacity]) const override;
+  FieldStatistics GetStatistics() const override;
 
-  /// The gradient of the samples at a hit, in the space that rays go through; in a flat cell, as
-  /// long as it likes.
-  Vector3 GetGradient(const Hit& hit, NormalMode mode) const;
-
-  /// The same for up to as many hits as a packet has rays, with kernels.
-  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
-    double (*gradients)[RayPacket::Capacity]) const;
-
-  const Index3& GetDimensions() const { return this->Dimensions; }
-  /// In bytes.
-  std::size_t GetMacrocellMemory() const;
-  std::size_t GetBrickMemory() const;
-  std::size_t GetNumberOfBricks() const;
-  std::size_t GetMaximumNumberOfBricks() const;
-  /// The time spent making bricks so far, summed over the threads.
-  std::int64_t GetBrickNanoseconds() const;
+  /// The cells of the image.
+  const CellLattice& GetLattice() const { return this->Selection.Lattice; }
 
 private:
+  void CutToHalfSpaces(RayPacket& packet) const;
+
   explicit ImageField(std::unique_ptr<ImageStructures> structures);
 
   std::unique_ptr<ImageStructures> Structures;
   ImageSelection Selection;
-  Index3 Dimensions;
   std::unique_ptr<ImageTracer> Tracer;
 };
 

@@ -4,12 +4,12 @@
 #ifndef ImageStructures_h
 #define ImageStructures_h
 
+#include "Field/TracedField.h"
 #include "Image/ImageSettings.h"
 #include "Image/Samples/VolumeView.h"
 #include "Image/Tracers/ImageTracer.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 
 namespace vtkIsosurfaceRayTracing
@@ -39,12 +39,7 @@ public:
   /// Begins a frame, in which bricks and masks may take so much memory, in bytes.
   virtual void BeginFrame(std::size_t maximumMemory) = 0;
 
-  /// In bytes.
-  virtual std::size_t GetMacrocellMemory() const = 0;
-  virtual std::size_t GetBrickMemory() const = 0;
-  virtual std::size_t GetNumberOfBricks() const = 0;
-  virtual std::size_t GetMaximumNumberOfBricks() const = 0;
-  virtual std::int64_t GetBrickNanoseconds() const = 0;
+  virtual FieldStatistics GetStatistics() const = 0;
 };
 
 /// Builds the macrocells, with the given number of threads. Compiled for each type of samples by

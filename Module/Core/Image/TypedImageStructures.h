@@ -51,7 +51,7 @@ public:
         ? this->NewProjection<Extremum::Largest>(selection)
         : this->NewProjection<Extremum::Smallest>(selection);
     }
-    switch (selection.Request.Field)
+    switch (selection.Request.Interpolation)
     {
       case Interpolant::Nearest:
         return std::make_unique<NearestTracer<T, Layout>>(
@@ -75,19 +75,11 @@ public:
     this->Bricks.BeginFrame(maximumMemory - forMasks);
   }
 
-  std::size_t GetMacrocellMemory() const override { return this->Hierarchy.GetMemory(); }
-  std::size_t GetBrickMemory() const override
+  FieldStatistics GetStatistics() const override
   {
-    return this->Bricks.GetMemory() + this->Masks.GetMemory();
-  }
-  std::size_t GetNumberOfBricks() const override { return this->Bricks.GetNumberOfBricks(); }
-  std::size_t GetMaximumNumberOfBricks() const override
-  {
-    return this->Bricks.GetMaximumNumberOfBricks();
-  }
-  std::int64_t GetBrickNanoseconds() const override
-  {
-    return this->Bricks.GetCounters().Nanoseconds;
+    return { this->Hierarchy.GetMemory(), this->Bricks.GetMemory() + this->Masks.GetMemory(),
+      this->Bricks.GetNumberOfBricks(), this->Bricks.GetMaximumNumberOfBricks(),
+      this->Bricks.GetCounters().Nanoseconds };
   }
 
 private:

@@ -57,6 +57,8 @@ struct Classification
 {
   FloatMask Misses;
   FloatMask Hits;
+  /// Of those that hit, where values rise along the axis.
+  FloatMask Rise;
 };
 
 /// The planes between which rays are in cells, taken a little too wide; by how much the ends may
@@ -162,6 +164,7 @@ SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats is
   Classification result;
   result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
   result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
+  result.Rise = begin < 0.0F;
   return result;
 }
 
@@ -186,7 +189,7 @@ SIMD_INLINE Floats LoadRoughDifferences(
 
 template <typename T>
 void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits)
+  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2])
 {
   // In other magnitudes nothing is told.
   const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
@@ -204,6 +207,7 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
       Classify(values, largest, isovalueError, order, rough, segments);
     const unsigned int lanes = (1U << SmallerOf(cells.Count - i, FloatWidth)) - 1U;
     const unsigned int sure = ToBits(classification.Hits);
+    const unsigned int rising = ToBits(classification.Rise);
     for (unsigned int left = lanes & ~ToBits(classification.Misses); left != 0; left &= left - 1)
     {
       const int lane = __builtin_ctz(left);
@@ -220,7 +224,8 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
       candidates.First[place] = cells.First[i + lane];
       const unsigned int isSure = sure >> lane & 1U;
       passages.Hits[passage] = passages.Hits[passage] || isSure != 0;
-      hits.Words[way.Ray >> 6] |= static_cast<std::uint64_t>(isSure) << (way.Ray & 63);
+      RaySet& hitsThatWay = hits[rising >> lane & 1U];
+      hitsThatWay.Words[way.Ray >> 6] |= static_cast<std::uint64_t>(isSure) << (way.Ray & 63);
     }
   }
 }

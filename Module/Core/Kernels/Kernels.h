@@ -19,7 +19,7 @@ namespace vtkIsosurfaceRayTracing
 /// A rectangle of at most 128 pixels, and what is needed to send rays through them; see Camera.
 struct PixelBlock
 {
-  const double* IndexFromClip;
+  const double* ObjectFromClip;
   /// Of the viewport, in pixels.
   double Width;
   double Height;
@@ -206,11 +206,11 @@ struct Kernels
     const std::uint64_t slices[8], Passages& passages);
 
   /// Adds those of some cells to the candidates in which a ray may hit the surface, as single
-  /// precision can tell; and marks the passages and the rays that surely hit it. Corners are kept
-  /// in rows, with so many values from neighbour to neighbour along each axis. One for every
-  /// ScalarType.
+  /// precision can tell; and marks the passages and the rays that surely hit it: hits[0] where
+  /// values fall along the axis, hits[1] where they rise. Corners are kept in rows, with so many
+  /// values from neighbour to neighbour along each axis. One for every ScalarType.
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet& hits);
+    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
 
   /// Loads the corners of candidates from where they are kept in rows, with so many values from
   /// neighbour to neighbour along each axis. One for every ScalarType.

@@ -38,8 +38,8 @@ void MakeRays(const PixelBlock& block, RayPacket& packet)
   for (int i = 0; i < count; i += DoubleWidth)
   {
     ClippedRays<Doubles> rays;
-    MakePixelRays(block.IndexFromClip, block.Width, block.Height, Load(&columns[i]), Load(&rows[i]),
-      Load(&depths[i]), rays.Origin, rays.Direction, rays.End);
+    MakePixelRays(block.ObjectFromClip, block.Width, block.Height, Load(&columns[i]),
+      Load(&rows[i]), Load(&depths[i]), rays.Origin, rays.Direction, rays.End);
     rays.Begin = 0.0;
     const Mask exists = ClipToVolume(block.Dimensions, lastPlanes, rays) &
       FirstLanes(SmallerOf(count - i, DoubleWidth));

@@ -47,6 +47,11 @@ inline double Dot(const Vector3& a, const Vector3& b)
   return Dot(a.data(), b.data());
 }
 
+inline Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
 /// Whether the square of a length neither overflowed nor lost digits.
 template <typename Number>
 SIMD_INLINE auto IsSafeSquare(Number square)

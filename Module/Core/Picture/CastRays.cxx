@@ -9,19 +9,24 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-RayHits CastRays(ImageField& volume, const std::vector<std::optional<Ray>>& rays, int threads)
+//------------------------------------------------------------------------------
+RayHits CastRays(TracedField& field, const std::vector<CastRay>& rays, int threads)
 {
-  // As many rays at a time as a tile of an image has.
-  constexpr std::size_t portionSize = 128;
-  const std::size_t portions = (rays.size() + portionSize - 1) / portionSize;
-  std::vector<RayHits> found(portions);
+  constexpr std::size_t size = RayPacket::Capacity;
+  const std::size_t packets = (rays.size() + size - 1) / size;
+  std::vector<RayHits> found(packets);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(portions); ++i)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(packets); ++i)
   {
-    const auto portion = static_cast<std::size_t>(i);
-    const auto first = rays.begin() + static_cast<std::ptrdiff_t>(portion * portionSize);
-    const std::size_t count = std::min(portionSize, rays.size() - portion * portionSize);
-    volume.Trace({ first, first + static_cast<std::ptrdiff_t>(count) }, found[portion]);
+    const auto number = static_cast<std::size_t>(i);
+    RayPacket packet;
+    packet.Count = 0;
+    packet.Exists = {};
+    for (std::size_t ray = number * size; ray < std::min((number + 1) * size, rays.size()); ++ray)
+    {
+      field.AddRay(rays[ray].Origin, rays[ray].Direction, rays[ray].Begin, rays[ray].End, packet);
+    }
+    field.Trace(packet, found[number]);
   }
 
   RayHits all;

@@ -4,16 +4,24 @@
 #ifndef CastRays_h
 #define CastRays_h
 
-#include "Image/ImageField.h"
+#include "Field/TracedField.h"
 
-#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The hits of any number of rays, traced on several threads.
-RayHits CastRays(ImageField& volume, const std::vector<std::optional<Ray>>& rays, int threads);
+/// A ray in the object space of a field, from t = Begin to t = End.
+struct CastRay
+{
+  Vector3 Origin;
+  Vector3 Direction;
+  double Begin;
+  double End;
+};
+
+/// The hits of any number of rays with what the field was selected for, traced on several threads.
+RayHits CastRays(TracedField& field, const std::vector<CastRay>& rays, int threads);
 
 }
 

@@ -5,7 +5,6 @@
 #define Hemisphere_h
 
 #include "Math/Vector.h"
-#include "Rays/Hit.h"
 
 #include <array>
 #include <cmath>
@@ -20,10 +19,11 @@ namespace vtkIsosurfaceRayTracing
 class HitNumbers
 {
 public:
-  explicit HitNumbers(const Hit& hit, int frame = 0)
+  /// The point is counted in cells.
+  explicit HitNumbers(const Vector3& point, int frame = 0)
     : State(static_cast<std::uint64_t>(frame) * 0x9e3779b97f4a7c15U)
   {
-    for (const double coordinate : hit.GetPoint(nullptr))
+    for (const double coordinate : point)
     {
       // Surfaces often lie at simple fractions of a cell; the steps do not.
       const double step = std::floor(1024.0 * coordinate + 0.37);

@@ -4,6 +4,8 @@
 #ifndef RenderTiles_h
 #define RenderTiles_h
 
+#include "Field/Execution.h"
+#include "Picture/Compositor.h"
 #include "Picture/Scene.h"
 
 #include <cstdint>
@@ -20,10 +22,10 @@ struct Frame
   std::vector<std::uint8_t> Colors;
   /// The depth of the nearest opaque surface, in [0, 1]; NoSurface where there is none.
   std::vector<float> Depths;
-  /// The nearest hit, if the scene wants it, whatever its opacity.
+  /// The nearest hit, if the scene keeps hits, whatever its opacity.
   std::vector<Hit> Hits;
 
-  static constexpr float NoSurface = 2.0F;
+  static constexpr float NoSurface = PixelWithoutDepth;
 };
 
 /// The wall-clock time of a frame, in seconds. All three go on at once, on all threads; the time is
@@ -35,10 +37,10 @@ struct FrameTimes
   double Shade = 0.0;
 };
 
-/// Traces and shades a scene, tile by tile, on all its threads. Now and then keepGoing is called
-/// with the fraction done, on the calling thread only; if it returns false, the work is given up
-/// and so is the frame. Returns whether the frame is complete.
-bool RenderTiles(const Scene& scene, ImageField& volume, Frame& frame, FrameTimes& times,
+/// Traces and shades a scene, tile by tile, on all threads. The fields must be selected. Now and
+/// then keepGoing is called with the fraction done, on the calling thread only; if it returns
+/// false, the work is given up and so is the frame. Returns whether the frame is complete.
+bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing);
 
 }

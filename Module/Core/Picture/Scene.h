@@ -4,8 +4,9 @@
 #ifndef Scene_h
 #define Scene_h
 
-#include "Image/ImageField.h"
+#include "Field/TracedField.h"
 #include "Rays/Camera.h"
+#include "Rays/PixelRectangle.h"
 
 #include <array>
 #include <limits>
@@ -58,53 +59,50 @@ public:
   virtual std::array<double, 4> Get(double value) const = 0;
 };
 
-/// A rectangle of pixels, counted from the lower left of the viewport.
-struct PixelRectangle
+/// A field as a scene shows it.
+struct SceneField
 {
-  int X = 0;
-  int Y = 0;
-  int Width = 0;
-  int Height = 0;
+  /// Selected before rays are traced.
+  TracedField* Field = nullptr;
+  /// The camera, seen from the object space of the field.
+  Camera View;
+  /// The colour of each surface of the request.
+  std::vector<Vector3> Colors;
+  /// If there is one, it says the colours instead.
+  const HitColors* ColorsOfHits = nullptr;
+  /// For a projection, which is not lit; and for caps, which have the colours of the values there.
+  const ValueColors* ColorsOfValues = nullptr;
+  Material Surface;
 };
 
-/// Everything a frame is made from, besides the volume. It does not change while rays are traced,
-/// so the threads share it.
+/// Everything a frame is made from. It does not change while rays are traced, so the threads share
+/// it.
 struct Scene
 {
-  Camera View;
-  /// The pixels to draw: those that the volume may cover.
+  /// Their cameras show one world in one viewport.
+  std::vector<SceneField> Fields;
+  /// The pixels to draw: those that the fields may cover.
   PixelRectangle Pixels;
   /// The depth of what is drawn already, for the pixels of the rectangle, in rows from the bottom;
   /// null where there is nothing.
   const float* Depth = nullptr;
 
-  TraceRequest Request;
-  /// The colour of each surface.
-  std::vector<Vector3> Colors;
-  /// If there is one, it says the colours instead.
-  const HitColors* ColorsOfHits = nullptr;
-  /// For a projection, which is not lit and has none of what follows; and for caps, which have the
-  /// colours of the values there.
-  const ValueColors* ColorsOfValues = nullptr;
-  NormalMode Normals = NormalMode::CentralDifferences;
-  Material Look;
   std::vector<Light> Lights;
   bool TwoSidedLighting = true;
-  /// Whether the surfaces cast shadows on each other.
+  /// Whether surfaces cast shadows on each other, those of other fields included.
   bool Shadows = false;
   /// How many rays look from a hit for what is in the way of ambient light; 0 does without. They
   /// look so far, in the world.
   int OcclusionRays = 0;
   double OcclusionRadius = std::numeric_limits<double>::infinity();
-  /// Frames with other numbers have other such rays, so that there is less grain in their mean.
+  /// Frames with other numbers have other such rays, so that there is less noise in their mean.
   int OcclusionFrame = 0;
-  /// Whether the first hit of every pixel is wanted besides its colour.
+  /// Whether the first hit of every pixel is to be kept besides its colour.
   bool KeepHits = false;
 
-  /// What the image is worked through in, and by how many threads.
+  /// The tiles that the image is handed out in.
   int TileWidth = 16;
   int TileHeight = 8;
-  int Threads = 1;
 };
 
 }

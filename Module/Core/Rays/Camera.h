@@ -10,14 +10,15 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A camera as seen from the index space of a volume: any projection that a 4 x 4 matrix describes.
+/// A camera as seen from the object space of a volume: any projection that a 4 x 4 matrix
+/// describes.
 ///
-/// The matrices lead straight from index space to clip coordinates, so a volume far from the origin
-/// of the world loses nothing.
+/// The matrices lead straight from object space to clip coordinates, so a volume far from the
+/// origin of the world loses nothing.
 class Camera
 {
 public:
-  /// A ray through a pixel, in index space, with t = 0 at the near plane. The direction has
+  /// A ray through a pixel, in object space, with t = 0 at the near plane. The direction has
   /// whatever length the matrix gives it: nobody asks for the t of a pixel's hit.
   struct PixelRay
   {
@@ -31,11 +32,11 @@ public:
 
   /// The matrices must be inverse to each other. Width and height are those of the viewport, in
   /// pixels; not whole numbers if the last pixels reach beyond it.
-  Camera(const Matrix4& clipFromIndex, const Matrix4& indexFromClip, const Matrix4& worldFromIndex,
-    double width, double height)
-    : ClipFromIndex(clipFromIndex)
-    , IndexFromClip(indexFromClip)
-    , WorldFromIndex(worldFromIndex)
+  Camera(const Matrix4& clipFromObject, const Matrix4& objectFromClip,
+    const Matrix4& worldFromObject, double width, double height)
+    : ClipFromObject(clipFromObject)
+    , ObjectFromClip(objectFromClip)
+    , WorldFromObject(worldFromObject)
     , Width(width)
     , Height(height)
   {
@@ -47,16 +48,16 @@ public:
     double origin[3];
     double direction[3];
     double end;
-    MakePixelRays<double>(this->IndexFromClip.data(), this->Width, this->Height, column, row, depth,
-      origin, direction, end);
+    MakePixelRays<double>(this->ObjectFromClip.data(), this->Width, this->Height, column, row,
+      depth, origin, direction, end);
     return { { origin[0], origin[1], origin[2] }, { direction[0], direction[1], direction[2] },
       end };
   }
 
-  /// The depth in [0, 1] of a point in index space.
+  /// The depth in [0, 1] of a point in object space.
   double GetDepth(const Vector3& point) const
   {
-    return GetPixelDepth(this->ClipFromIndex.data(), point.data());
+    return GetPixelDepth(this->ClipFromObject.data(), point.data());
   }
 
   /// The same view by rays that go through other places of their pixels: so many pixels to the
@@ -68,24 +69,24 @@ public:
     Camera shifted = *this;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      shifted.ClipFromIndex[i] -= x * this->ClipFromIndex[12 + i];
-      shifted.ClipFromIndex[4 + i] -= y * this->ClipFromIndex[12 + i];
-      shifted.IndexFromClip[4 * i + 3] +=
-        x * this->IndexFromClip[4 * i] + y * this->IndexFromClip[4 * i + 1];
+      shifted.ClipFromObject[i] -= x * this->ClipFromObject[12 + i];
+      shifted.ClipFromObject[4 + i] -= y * this->ClipFromObject[12 + i];
+      shifted.ObjectFromClip[4 * i + 3] +=
+        x * this->ObjectFromClip[4 * i] + y * this->ObjectFromClip[4 * i + 1];
     }
     return shifted;
   }
 
-  const Matrix4& GetClipFromIndex() const { return this->ClipFromIndex; }
-  const Matrix4& GetIndexFromClip() const { return this->IndexFromClip; }
-  const Matrix4& GetWorldFromIndex() const { return this->WorldFromIndex; }
+  const Matrix4& GetClipFromObject() const { return this->ClipFromObject; }
+  const Matrix4& GetObjectFromClip() const { return this->ObjectFromClip; }
+  const Matrix4& GetWorldFromObject() const { return this->WorldFromObject; }
   double GetWidth() const { return this->Width; }
   double GetHeight() const { return this->Height; }
 
 private:
-  Matrix4 ClipFromIndex;
-  Matrix4 IndexFromClip;
-  Matrix4 WorldFromIndex;
+  Matrix4 ClipFromObject;
+  Matrix4 ObjectFromClip;
+  Matrix4 WorldFromObject;
   double Width = 0.0;
   double Height = 0.0;
 };

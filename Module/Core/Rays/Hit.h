@@ -4,8 +4,9 @@
 #ifndef Hit_h
 #define Hit_h
 
-#include "Image/Samples/UnevenPlanes.h"
 #include "Math/Vector.h"
+
+#include <cstdint>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -14,22 +15,25 @@ namespace vtkIsosurfaceRayTracing
 /// hit is derived from this.
 struct Hit
 {
-  /// On the ray as it was given.
+  /// On the ray as it was given; the same in every object space.
   double T;
-  Index3 Cell;
-  /// Which of the wanted isosurfaces; NoSurface where there is no hit.
+  /// The number of the cell in its field.
+  std::int64_t Cell;
+  /// Which of the requested isosurfaces; NoSurface where there is no hit.
   int Surface;
   /// The point in the cell's own coordinates, [0, 1]^3.
   Vector3 Parametric;
-  /// Whether the ray goes in there: from below the isovalue to at or above it.
+  /// Whether the ray enters the surface there: goes from below the isovalue to at or above it.
   bool Entering;
+  /// Which of the fields of a scene.
+  int Field = 0;
   /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
   /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
   int Jump = 0;
   /// Of a cap, the half-space that it closes: see Visibility. The surface is the one whose inside
   /// it shows.
   int Plane = NoPlane;
-  /// The value there, where no surface but an extreme value is looked for; and of a cap.
+  /// The value of the field, of a projection and of a cap; isosurfaces have their isovalue.
   double Value = 0.0;
 
   static constexpr int NoSurface = -1;
@@ -43,17 +47,6 @@ struct Hit
   bool IsNearUpper(std::size_t axis) const
   {
     return this->Parametric[axis] >= 0.5 && !this->FallsAlong(axis);
-  }
-
-  /// Where it is in the space that rays go through: see Ray::Planes.
-  Vector3 GetPoint(const UnevenPlanes* planes) const
-  {
-    if (planes)
-    {
-      return planes->GetPoint(this->Cell, this->Parametric);
-    }
-    return { this->Cell[0] + this->Parametric[0], this->Cell[1] + this->Parametric[1],
-      this->Cell[2] + this->Parametric[2] };
   }
 };
 

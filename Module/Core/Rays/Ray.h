@@ -4,8 +4,9 @@
 #ifndef Ray_h
 #define Ray_h
 
-#include "Image/Samples/UnevenPlanes.h"
 #include "Math/Vector.h"
+#include "Rays/RayPacket.h"
+#include "Rays/UnevenPlanes.h"
 
 #include <optional>
 
@@ -90,6 +91,43 @@ struct Crossing
 /// any, must outlive the ray.
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
   double tEnd, const Index3& dimensions, const UnevenPlanes* planes = nullptr);
+
+/// Puts a ray at the end of a packet that has room for it.
+inline void AddRay(const std::optional<Ray>& ray, RayPacket& packet)
+{
+  const int place = packet.Count++;
+  if (!ray)
+  {
+    return;
+  }
+  Add(place, packet.Exists);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    packet.Origin[axis][place] = ray->Origin[axis];
+    packet.Direction[axis][place] = ray->Direction[axis];
+    packet.Inverse[axis][place] = ray->Inverse[axis];
+  }
+  packet.Begin[place] = ray->Begin;
+  packet.End[place] = ray->End;
+  packet.Base[place] = ray->Base;
+}
+
+/// A ray of a packet that exists.
+inline Ray GetRay(const RayPacket& packet, int place)
+{
+  Ray ray;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    ray.Origin[axis] = packet.Origin[axis][place];
+    ray.Direction[axis] = packet.Direction[axis][place];
+    ray.Inverse[axis] = packet.Inverse[axis][place];
+    ray.Step[axis] = ray.Direction[axis] > 0.0 ? 1 : (ray.Direction[axis] < 0.0 ? -1 : 0);
+  }
+  ray.Begin = packet.Begin[place];
+  ray.End = packet.End[place];
+  ray.Base = packet.Base[place];
+  return ray;
+}
 
 }
 

@@ -4,10 +4,7 @@
 #ifndef RayPacket_h
 #define RayPacket_h
 
-#include "Rays/Ray.h"
-
 #include <cstdint>
-#include <optional>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -24,9 +21,11 @@ struct RayPacket
   static constexpr int Capacity = 128;
 
   int Count;
-  /// Those that meet the volume at all; the others have no defined values.
+  /// Those that meet the field at all; the others have no defined values.
   RaySet Exists;
-  // As in Ray. The direction is zero along an axis that the ray is parallel to.
+  // Each ray in the object space of a field, from Begin to End counted from its origin, which is at
+  // Base on the ray as it was given. The direction is zero along an axis that the ray is parallel
+  // to; what Inverse is there, the field decides (images: see Ray).
   alignas(64) double Origin[3][Capacity];
   alignas(64) double Direction[3][Capacity];
   alignas(64) double Inverse[3][Capacity];
@@ -58,43 +57,6 @@ inline bool IsEmpty(const RaySet& set)
 inline int CountOf(const RaySet& set)
 {
   return __builtin_popcountll(set.Words[0]) + __builtin_popcountll(set.Words[1]);
-}
-
-/// Puts a ray at the end of a packet that has room for it.
-inline void AddRay(const std::optional<Ray>& ray, RayPacket& packet)
-{
-  const int place = packet.Count++;
-  if (!ray)
-  {
-    return;
-  }
-  Add(place, packet.Exists);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    packet.Origin[axis][place] = ray->Origin[axis];
-    packet.Direction[axis][place] = ray->Direction[axis];
-    packet.Inverse[axis][place] = ray->Inverse[axis];
-  }
-  packet.Begin[place] = ray->Begin;
-  packet.End[place] = ray->End;
-  packet.Base[place] = ray->Base;
-}
-
-/// A ray of a packet that exists.
-inline Ray GetRay(const RayPacket& packet, int place)
-{
-  Ray ray;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    ray.Origin[axis] = packet.Origin[axis][place];
-    ray.Direction[axis] = packet.Direction[axis][place];
-    ray.Inverse[axis] = packet.Inverse[axis][place];
-    ray.Step[axis] = ray.Direction[axis] > 0.0 ? 1 : (ray.Direction[axis] < 0.0 ? -1 : 0);
-  }
-  ray.Begin = packet.Begin[place];
-  ray.End = packet.End[place];
-  ray.Base = packet.Base[place];
-  return ray;
 }
 
 }

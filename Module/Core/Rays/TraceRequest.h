@@ -4,13 +4,8 @@
 #ifndef TraceRequest_h
 #define TraceRequest_h
 
-#include "Image/Samples/UnevenPlanes.h"
-#include "Kernels/InstructionSets.h"
-#include "Kernels/Kernels.h"
 #include "Rays/Visibility.h"
 
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,7 +52,7 @@ enum class NormalMode
   CentralDifferences
 };
 
-/// What to look for along rays, and how.
+/// What to look for along rays. How that is done is said by Execution.
 struct TraceRequest
 {
   TraceRequest() = default;
@@ -72,7 +67,7 @@ struct TraceRequest
   /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
   /// What the surfaces are of. A projection is always of the trilinear one.
-  Interpolant Field = Interpolant::Trilinear;
+  Interpolant Interpolation = Interpolant::Trilinear;
   /// For Interpolant::Trilinear.
   RootSolver Solver = RootSolver::Robust;
   /// For RootSolver::Marmitt.
@@ -82,14 +77,8 @@ struct TraceRequest
   std::optional<Extremum> Projection;
   /// What of the field is visible at all.
   Visibility Visible;
-  /// Where the samples stand; null if at whole numbers. Rays must be made with the same.
-  const UnevenPlanes* Planes = nullptr;
-  /// What packets of rays are traced with, where rays can be traced in packets (see
-  /// PacketTracer.h). With null, each ray is traced by itself, cell by cell; the hits are the same.
-  const Kernels* BeamKernels = &GetBestKernels();
-  /// How much memory bricks and masks of cells may take, in bytes. Where it is not enough, those
-  /// that were not used lately make room, and rays do without: the hits are the same.
-  std::size_t MaximumMemory = std::numeric_limits<std::size_t>::max();
+  /// The gradients that hits are shaded by.
+  NormalMode Normals = NormalMode::CentralDifferences;
 
   bool IsNothing() const { return this->Surfaces.empty() && !this->Projection; }
 };

@@ -67,14 +67,13 @@ struct CroppingRegions
   }
 };
 
-/// Which parts of a volume are seen, in the space that rays go through. A surface that is cut off
-/// hides nothing.
+/// Which parts of a field are visible, in object space. A surface that is cut off hides nothing.
 struct Visibility
 {
   /// Rays are cut to what is in all of them.
   std::vector<HalfSpace> HalfSpaces;
   CroppingRegions Regions;
-  /// One for every cell, not zero where it is not seen; null if all are.
+  /// One for every cell, by its number, not zero where it is not visible; null if all are.
   const unsigned char* HiddenCells = nullptr;
 
   bool HasCaps() const
@@ -83,56 +82,23 @@ struct Visibility
       [](const HalfSpace& half) { return half.IsCapped; });
   }
 
-  /// Whether every hit of a ray that is cut is seen.
+  /// Whether every hit of a ray that is cut is visible.
   bool IsConvex() const
   {
     return this->Regions.Visible == CroppingRegions::All && !this->HiddenCells;
   }
 
-  /// Whether a hit of a ray that is cut is seen, in a volume of so many samples.
-  bool Shows(const Hit& hit, const Index3& dimensions, const UnevenPlanes* planes) const
+  bool IsHidden(std::int64_t cell) const
   {
-    const Index3 cells = { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 };
-    return this->Regions.Contain(hit.GetPoint(planes)) &&
-      !(this->HiddenCells && this->HiddenCells[Offset(hit.Cell, cells)] != 0);
+    return this->HiddenCells && this->HiddenCells[cell] != 0;
+  }
+
+  /// Whether a hit of a ray that is cut is visible, at its point.
+  bool Shows(const Hit& hit, const Vector3& point) const
+  {
+    return this->Regions.Contain(point) && !this->IsHidden(hit.Cell);
   }
 };
-
-/// Calls visit(piece) for the pieces of a ray, in order, that lie in regions that are seen.
-template <typename Visit>
-void ForEachSeenPiece(const Ray& ray, const CroppingRegions& regions, const Visit& visit)
-{
-  if (regions.Visible == CroppingRegions::All)
-  {
-    visit(ray);
-    return;
-  }
-  std::vector<double> cuts = { ray.Begin, ray.End };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (const double plane : regions.Planes[axis])
-    {
-      const double t = (plane - ray.Origin[axis]) / ray.Direction[axis];
-      if (t > ray.Begin && t < ray.End)
-      {
-        cuts.push_back(t);
-      }
-    }
-  }
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 1; i < cuts.size(); ++i)
-  {
-    const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
-    if (regions.Contain(
-          { ray.Coordinate(0, middle), ray.Coordinate(1, middle), ray.Coordinate(2, middle) }))
-    {
-      Ray piece = ray;
-      piece.Begin = cuts[i - 1];
-      piece.End = cuts[i];
-      visit(piece);
-    }
-  }
-}
 
 /// Cuts rays to a half-space. Those that have nothing there do not exist any more.
 inline void CutRays(const HalfSpace& half, RayPacket& rays)

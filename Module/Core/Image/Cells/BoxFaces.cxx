@@ -95,7 +95,7 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& at)
 
 //------------------------------------------------------------------------------
 bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
-  const std::vector<Isosurface>& surfaces, HitCollector& collector)
+  const CellLattice& lattice, const std::vector<Isosurface>& surfaces, HitCollector& collector)
 {
   return VisitFaces(ray, cell,
     [&](const Crossing& crossing, int from, int to)
@@ -107,8 +107,8 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
         return false;
       }
       const auto axis = static_cast<std::size_t>(crossing.Axis);
-      Hit hit{ ray.Base + crossing.T, cell, 0, PointInCell(ray, GetBox(cell, ray.Planes), crossing),
-        before < behind };
+      Hit hit{ ray.Base + crossing.T, lattice.GetNumber(cell), 0,
+        PointInCell(ray, GetBox(cell, ray.Planes), crossing), before < behind };
       hit.Parametric[axis] = 0.5;
       hit.Jump = hit.Entering == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
       const auto count = static_cast<int>(surfaces.size());

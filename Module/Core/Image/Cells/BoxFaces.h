@@ -29,7 +29,7 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& at);
 /// enters them meets the smaller isovalue first, and a ray that leaves them the larger one. Beside
 /// a box of no finite value there is no surface.
 bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
-  const std::vector<Isosurface>& surfaces, HitCollector& collector);
+  const CellLattice& lattice, const std::vector<Isosurface>& surfaces, HitCollector& collector);
 
 /// The direction in which values rise at a hit with a face, of length one.
 Vector3 GetJumpDirection(const Hit& hit);

@@ -4,6 +4,7 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
+#include "Image/Samples/CellLattice.h"
 #include "Math/TrilinearCell.h"
 #include "Rays/CellCrossings.h"
 #include "Rays/Hit.h"
@@ -104,8 +105,8 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
 }
 
 /// A hit at a fraction of the segment of a ray in a cell.
-inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segment, double fraction,
-  int surface, bool entering)
+inline Hit MakeHit(const Ray& ray, const CellLattice& lattice, const Index3& cell,
+  const CellSegment& segment, double fraction, int surface, bool entering)
 {
   Vector3 point;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -113,7 +114,7 @@ inline Hit MakeHit(const Ray& ray, const Index3& cell, const CellSegment& segmen
     point[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], fraction);
   }
   const double t = GetTAt(segment.Begin, segment.End, fraction);
-  return { ray.Base + t, cell, surface, point, entering };
+  return { ray.Base + t, lattice.GetNumber(cell), surface, point, entering };
 }
 
 }

@@ -4,10 +4,10 @@
 #ifndef TricubicCell_h
 #define TricubicCell_h
 
-#include "Image/Samples/UnevenPlanes.h"
 #include "Math/NonicRoots.h"
 #include "Math/TrilinearCell.h"
 #include "Math/Vector.h"
+#include "Rays/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>

@@ -4,13 +4,14 @@
 #ifndef TrilinearGradients_h
 #define TrilinearGradients_h
 
+#include "Image/Samples/CellLattice.h"
 #include "Image/Samples/Unbricked.h"
-#include "Image/Samples/UnevenPlanes.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/Kernels.h"
 #include "Math/TrilinearCell.h"
 #include "Rays/Hit.h"
 #include "Rays/TraceRequest.h"
+#include "Rays/UnevenPlanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,24 +46,25 @@ public:
   {
   }
 
-  /// The planes are null where samples stand at whole numbers. Where there are no central
-  /// differences to take (in flat cells, and beside NaN or infinite samples), it is the gradient of
-  /// the interpolant.
-  Vector3 GetGradient(const Hit& hit, NormalMode mode, const UnevenPlanes* planes) const
+  /// Where there are no central differences to take (in flat cells, and beside NaN or infinite
+  /// samples), it is the gradient of the interpolant.
+  Vector3 GetGradient(const Hit& hit, NormalMode mode, const CellLattice& lattice) const
   {
-    if (mode == NormalMode::CentralDifferences && !(planes && planes->IsFlat(hit.Cell)))
+    const UnevenPlanes* planes = lattice.GetPlanes();
+    const Index3 cell = lattice.GetCell(hit);
+    if (mode == NormalMode::CentralDifferences && !(planes && planes->IsFlat(cell)))
     {
-      const Vector3 gradient = this->InterpolateDifferences(hit, planes);
+      const Vector3 gradient = this->InterpolateDifferences(cell, hit.Parametric, planes);
       if (IsFinite(gradient))
       {
         return gradient;
       }
     }
     Stored<T> corners[8];
-    LoadCorners(this->TheSamples, hit.Cell, corners);
+    LoadCorners(this->TheSamples, cell, corners);
     CellCorners values;
     std::copy(corners, corners + 8, values.begin());
-    return DivideByWidths(InterpolantGradient(values, hit.Parametric), planes, hit.Cell);
+    return DivideByWidths(InterpolantGradient(values, hit.Parametric), planes, cell);
   }
 
   /// Whether all corners of a cell have neighbours on both sides.
@@ -75,15 +77,16 @@ public:
 
   /// Interpolates central differences with a kernel, where planes are even and there are inner
   /// cells. What it makes of hits in other cells does not count.
-  void InterpolateDifferences(const Hit* hits, int count, const Kernels& kernels,
-    double (*gradients)[RayPacket::Capacity]) const
+  void InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
+    const Kernels& kernels, double (*gradients)[RayPacket::Capacity]) const
   {
     InnerCells cells;
     cells.Count = count;
     for (int i = 0; i < count; ++i)
     {
       const Hit& hit = hits[i];
-      cells.First[i] = this->TheSamples.At(this->IsInner(hit.Cell) ? hit.Cell : Index3{ 1, 1, 1 });
+      const Index3& cell = cellsOfHits[i];
+      cells.First[i] = this->TheSamples.At(this->IsInner(cell) ? cell : Index3{ 1, 1, 1 });
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         cells.Parametric[axis][i] = hit.Parametric[axis];
@@ -100,9 +103,9 @@ public:
 
 private:
   /// Central differences at the corners of a cell, interpolated.
-  Vector3 InterpolateDifferences(const Hit& hit, const UnevenPlanes* planes) const
+  Vector3 InterpolateDifferences(
+    const Index3& cell, const Vector3& parametric, const UnevenPlanes* planes) const
   {
-    const Index3& cell = hit.Cell;
     Vector3 gradient;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -113,7 +116,7 @@ private:
           { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis,
           planes);
       }
-      gradient[axis] = Interpolate(differences, hit.Parametric);
+      gradient[axis] = Interpolate(differences, parametric);
     }
     return gradient;
   }

@@ -7,10 +7,14 @@
 #include "Field/HitCollector.h"
 #include "Image/Macrocells/ActiveMacrocells.h"
 #include "Image/Macrocells/BlockTree.h"
+#include "Image/Samples/CellLattice.h"
+#include "Kernels/Kernels.h"
+#include "Rays/Ray.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -23,6 +27,9 @@ namespace vtkIsosurfaceRayTracing
 struct ImageSelection
 {
   TraceRequest Request;
+  CellLattice Lattice;
+  /// See Execution.
+  const Kernels* PacketKernels = nullptr;
   /// Of the surfaces, in the same order.
   std::vector<ScaledIsovalue> Isovalues;
   /// Where rays may hit surfaces.
@@ -31,7 +38,8 @@ struct ImageSelection
   std::optional<BlockTree> Tree;
 
   explicit ImageSelection(const MacrocellLattice& lattice)
-    : Active(lattice)
+    : Lattice({ lattice.Cells[0] + 1, lattice.Cells[1] + 1, lattice.Cells[2] + 1 })
+    , Active(lattice)
   {
   }
 
@@ -43,16 +51,9 @@ struct ImageSelection
     this->Tree = isBlock ? std::make_optional<BlockTree>(this->Active, threads) : std::nullopt;
   }
 
-  const Index3& GetCells() const { return this->Active.GetLattice().Cells; }
-  Index3 GetDimensions() const
-  {
-    const Index3& cells = this->GetCells();
-    return { cells[0] + 1, cells[1] + 1, cells[2] + 1 };
-  }
-
   HitCollector NewCollector(std::vector<Hit>& hits) const
   {
-    return HitCollector(this->Request, this->GetDimensions(), hits);
+    return HitCollector(this->Request, this->Lattice, hits);
   }
 
   double GetOpacity(const Hit& hit) const
@@ -66,11 +67,21 @@ struct ImageSelection
     return this->Request.Surfaces[surface].Opacity >= 1.0 && this->Request.Visible.IsConvex();
   }
 
+  /// Whether a ray ends at the first surface it meets, wherever that is.
+  bool HasOnlyOpaqueSurfaces() const
+  {
+    const std::vector<Isosurface>& surfaces = this->Request.Surfaces;
+    return !this->Request.Projection && this->Request.Visible.IsConvex() &&
+      !this->Request.Visible.HasCaps() &&
+      std::all_of(surfaces.begin(), surfaces.end(),
+        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+  }
+
   /// A ray of a packet that exists.
   Ray TakeRay(const RayPacket& rays, int i) const
   {
     Ray ray = GetRay(rays, i);
-    ray.Planes = this->Request.Planes;
+    ray.Planes = this->Lattice.GetPlanes();
     return ray;
   }
 
@@ -97,7 +108,7 @@ struct ImageSelection
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->Tree && this->Request.BeamKernels && !this->Request.Planes;
+    return isFinite && this->Tree && this->PacketKernels && !this->Lattice.GetPlanes();
   }
 };
 

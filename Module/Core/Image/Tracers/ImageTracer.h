@@ -4,11 +4,13 @@
 #ifndef ImageTracer_h
 #define ImageTracer_h
 
+#include "Field/Departure.h"
 #include "Image/Tracers/ImageSelection.h"
 #include "Kernels/Kernels.h"
 #include "Rays/RayHits.h"
 #include "Rays/TraceRequest.h"
 
+#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -38,6 +40,14 @@ public:
   /// Appends the hits of rays that are cut to what is visible.
   virtual void Trace(RayPacket& rays, RayHits& hits) = 0;
 
+  /// Finds the rays that surfaces stop, which are all opaque and visible. There is a departure for
+  /// each ray. None if there is no other way than by hits.
+  virtual std::optional<StoppedRays> FindStopped(
+    const RayPacket& /*rays*/, const Departure* /*departures*/)
+  {
+    return std::nullopt;
+  }
+
   /// The gradient at a hit, of the field or of the half-space that a cap closes.
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const
   {
@@ -46,23 +56,23 @@ public:
       : this->GetFieldGradient(hit, mode);
   }
 
-  /// The same for up to as many hits as a packet has rays, with kernels where there are some.
-  virtual void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& /*kernels*/,
+  /// The gradients, in the mode of the request, at up to as many hits as a packet has rays, of
+  /// which the cells are given too.
+  virtual void GetGradients(const Hit* hits, const Index3* /*cells*/, int count,
     double (*gradients)[RayPacket::Capacity]) const
   {
     for (int i = 0; i < count; ++i)
     {
-      this->StoreGradient(hits[i], mode, i, gradients);
+      this->StoreGradient(hits[i], i, gradients);
     }
   }
 
 protected:
   virtual Vector3 GetFieldGradient(const Hit& hit, NormalMode mode) const = 0;
 
-  void StoreGradient(
-    const Hit& hit, NormalMode mode, int i, double (*gradients)[RayPacket::Capacity]) const
+  void StoreGradient(const Hit& hit, int i, double (*gradients)[RayPacket::Capacity]) const
   {
-    const Vector3 gradient = this->GetGradient(hit, mode);
+    const Vector3 gradient = this->GetGradient(hit, this->Selection.Request.Normals);
     gradients[0][i] = gradient[0];
     gradients[1][i] = gradient[1];
     gradients[2][i] = gradient[2];

@@ -55,7 +55,8 @@ protected:
             }
             CellCorners values;
             std::copy(corners, corners + 8, values.begin());
-            return AddFaceHits(ray, cell, values, this->Selection.Request.Surfaces, collector);
+            return AddFaceHits(ray, cell, values, this->Selection.Lattice,
+              this->Selection.Request.Surfaces, collector);
           });
       });
   }
@@ -65,8 +66,8 @@ protected:
   void EvaluateCap(const Ray& ray, const EndCell& end, Hit& cap) const override
   {
     Stored<T> corners[8];
-    LoadCorners(this->TheSamples, cap.Cell, corners);
-    const auto value = static_cast<double>(corners[FindBox(ray, cap.Cell, end.At)]);
+    LoadCorners(this->TheSamples, end.Cell, corners);
+    const auto value = static_cast<double>(corners[FindBox(ray, end.Cell, end.At)]);
     if (!std::isfinite(value))
     {
       return;

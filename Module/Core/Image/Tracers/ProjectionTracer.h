@@ -35,14 +35,15 @@ public:
 
   void Trace(RayPacket& rays, RayHits& hits) override
   {
-    Projector<T, Layout, Kind>(this->Hierarchy, this->Bricks, this->Selection.Request)
+    Projector<T, Layout, Kind>(
+      this->Hierarchy, this->Bricks, this->Selection.Lattice, this->Selection.Request.Visible)
       .Project(rays, hits);
   }
 
 protected:
   Vector3 GetFieldGradient(const Hit& hit, NormalMode mode) const override
   {
-    return this->Gradients.GetGradient(hit, mode, this->Selection.Request.Planes);
+    return this->Gradients.GetGradient(hit, mode, this->Selection.Lattice);
   }
 
 private:

@@ -79,7 +79,7 @@ SurfaceTracer::RayCaps SurfaceTracer::CutToCaps(RayPacket& rays, int i) const
 /// planes coincide with it, the ray goes on to what the half-space leaves.
 int SurfaceTracer::GoToPlane(Ray& ray, RayEnd end) const
 {
-  const Index3& cells = this->Selection.GetCells();
+  const Index3& cells = this->Selection.Lattice.GetCells();
   const int plane = FindCappedPlane(ray, end, this->Selection.Request.Visible.HalfSpaces, cells);
   if (plane != Hit::NoPlane)
   {
@@ -97,17 +97,18 @@ std::optional<Hit> SurfaceTracer::FindCap(const Ray& ray, RayEnd end, int plane)
     return std::nullopt;
   }
   CellSegment segment;
-  const EndCell endCell = FindEndCell(ray, end, this->Selection.GetCells());
+  const EndCell endCell = FindEndCell(ray, end, this->Selection.Lattice.GetCells());
   if (!SegmentInCell(ray, endCell.Cell, segment))
   {
     return std::nullopt;
   }
   const bool isEntering = end == RayEnd::Begin;
-  Hit cap = MakeHit(ray, endCell.Cell, segment, isEntering ? 0.0 : 1.0, Hit::NoSurface, isEntering);
+  Hit cap = MakeHit(ray, this->Selection.Lattice, endCell.Cell, segment, isEntering ? 0.0 : 1.0,
+    Hit::NoSurface, isEntering);
   cap.Plane = plane;
   const TraceRequest& request = this->Selection.Request;
   if (request.Visible.IsConvex() ||
-    request.Visible.Shows(cap, this->Selection.GetDimensions(), request.Planes))
+    request.Visible.Shows(cap, this->Selection.Lattice.GetPoint(cap)))
   {
     this->EvaluateCap(ray, endCell, cap);
   }

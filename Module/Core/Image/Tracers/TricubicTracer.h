@@ -45,7 +45,7 @@ public:
     return this->Mask->Has({ cell[0] % edge, cell[1] % edge, cell[2] % edge });
   }
 
-  void FindRoots(const CellSegment& segment, RootSet& roots) const
+  void FindRoots(const CellSegment& segment, bool all, RootSet& roots) const
   {
     roots.Clear();
     for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
@@ -55,7 +55,7 @@ public:
       if (this->Field.Load(this->Cell, this->Selection.Isovalues[i], coefficients))
       {
         AddTricubicRoots(
-          coefficients, segment, static_cast<int>(i), this->Selection.EndsRays(i), roots);
+          coefficients, segment, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
       }
     }
   }
@@ -99,6 +99,13 @@ public:
     return this->Hierarchy.FindActive(isovalues, this->Field.GetEdges().GetOvershoot(), threads);
   }
 
+  std::optional<StoppedRays> FindStopped(
+    const RayPacket& rays, const Departure* departures) override
+  {
+    TricubicCells<T> cells(this->Selection, this->Field, this->Masks);
+    return FindStoppedRays(this->Selection, rays, departures, this->Masks, cells);
+  }
+
 protected:
   void TraceSurfaces(RayPacket& rays, RayHits& hits) override
   {
@@ -113,23 +120,24 @@ protected:
     }
   }
 
-  void EvaluateCap(const Ray& /*ray*/, const EndCell& /*end*/, Hit& cap) const override
+  void EvaluateCap(const Ray& /*ray*/, const EndCell& end, Hit& cap) const override
   {
     const std::optional<double> value =
-      this->Field.GetDifference(cap.Cell, cap.Parametric, { 0.0, 1.0 });
+      this->Field.GetDifference(end.Cell, cap.Parametric, { 0.0, 1.0 });
     if (!value)
     {
       return;
     }
     cap.Value = *value;
-    cap.Surface = this->FindInnermost([this, &cap](const ScaledIsovalue& isovalue)
-      { return *this->Field.GetDifference(cap.Cell, cap.Parametric, isovalue); });
+    cap.Surface = this->FindInnermost([this, &end, &cap](const ScaledIsovalue& isovalue)
+      { return *this->Field.GetDifference(end.Cell, cap.Parametric, isovalue); });
   }
 
   Vector3 GetFieldGradient(const Hit& hit, NormalMode /*mode*/) const override
   {
-    return DivideByWidths(
-      this->Field.GetGradient(hit.Cell, hit.Parametric), this->Selection.Request.Planes, hit.Cell);
+    const CellLattice& lattice = this->Selection.Lattice;
+    const Index3 cell = lattice.GetCell(hit);
+    return DivideByWidths(this->Field.GetGradient(cell, hit.Parametric), lattice.GetPlanes(), cell);
   }
 
 private:

@@ -52,7 +52,7 @@ public:
       IsFinite(this->Corners);
   }
 
-  void FindRoots(const CellSegment& segment, RootSet& roots) const
+  void FindRoots(const CellSegment& segment, bool all, RootSet& roots) const
   {
     CellCorners values;
     std::copy(this->Corners, this->Corners + 8, values.begin());
@@ -61,7 +61,7 @@ public:
     {
       roots.NextSurface();
       AddTrilinearRoots(TakeOff(values, this->Selection.Isovalues[i]), segment,
-        this->Selection.Request, static_cast<int>(i), this->Selection.EndsRays(i), roots);
+        this->Selection.Request, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
     }
   }
 

@@ -5,6 +5,7 @@
 #define TrilinearFirstHits_h
 
 #include "Image/Macrocells/CellMasks.h"
+#include "Image/Tracers/RootTracing.h"
 #include "Image/Tracers/TrilinearCells.h"
 #include "Image/Traversal/PacketTracer.h"
 
@@ -72,16 +73,23 @@ public:
   }
 
   void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
-    Candidates& candidates, RaySet& hits) override
+    Candidates& candidates, RaySet hits[2]) override
   {
-    this->Selection.Request.BeamKernels->ClassifyCells[GetType(areCopied)](cells, axis,
+    this->Selection.PacketKernels->ClassifyCells[GetType(areCopied)](cells, axis,
       this->GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates, hits);
   }
 
   void LoadCorners(bool areCopied, Candidates& candidates) override
   {
-    this->Selection.Request.BeamKernels->LoadCorners[GetType(areCopied)](
+    this->Selection.PacketKernels->LoadCorners[GetType(areCopied)](
       this->GetStrides(areCopied), candidates);
+  }
+
+  void FindStops(
+    int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) override
+  {
+    RootSet roots;
+    FindStopsInCell(ray, GetRay(this->Rays, ray), cell, departure, this->Cells, roots, stopped);
   }
 
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
@@ -94,13 +102,14 @@ public:
       return false;
     }
     RootSet roots;
-    this->Cells.FindRoots(segment, roots);
+    this->Cells.FindRoots(segment, false, roots);
     if (roots.Get().empty())
     {
       return false;
     }
     const Root& root = roots.Get().front();
-    hit = MakeHit(own, cell, segment, root.Fraction, root.Surface, root.Entering);
+    hit = MakeHit(
+      own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering);
     begin = { segment.Begin, segment.BeginAxis };
     return true;
   }

@@ -37,25 +37,40 @@ public:
     return this->Hierarchy.FindActive(isovalues, threads);
   }
 
-  void GetGradients(const Hit* hits, int count, NormalMode mode, const Kernels& kernels,
+  void GetGradients(const Hit* hits, const Index3* cells, int count,
     double (*gradients)[RayPacket::Capacity]) const override
   {
     // Kernels know even spacing only. Where no cell is inner, none is asked for.
-    if (mode != NormalMode::CentralDifferences || this->Selection.Request.Planes ||
-      !this->Gradients.IsInner({ 1, 1, 1 }))
+    const Kernels* kernels = this->Selection.PacketKernels;
+    if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences ||
+      this->Selection.Lattice.GetPlanes() || !this->Gradients.IsInner({ 1, 1, 1 }))
     {
-      SurfaceTracer::GetGradients(hits, count, mode, kernels, gradients);
+      SurfaceTracer::GetGradients(hits, cells, count, gradients);
       return;
     }
-    this->Gradients.InterpolateDifferences(hits, count, kernels, gradients);
+    this->Gradients.InterpolateDifferences(hits, cells, count, *kernels, gradients);
     for (int i = 0; i < count; ++i)
     {
-      if (hits[i].Plane != Hit::NoPlane || !this->Gradients.IsInner(hits[i].Cell) ||
+      if (hits[i].Plane != Hit::NoPlane || !this->Gradients.IsInner(cells[i]) ||
         !TrilinearGradients<T>::IsFinite({ gradients[0][i], gradients[1][i], gradients[2][i] }))
       {
-        this->StoreGradient(hits[i], mode, i, gradients);
+        this->StoreGradient(hits[i], i, gradients);
       }
     }
+  }
+
+  std::optional<StoppedRays> FindStopped(
+    const RayPacket& rays, const Departure* departures) override
+  {
+    if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
+    {
+      PacketTracer tracer(
+        *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
+      TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
+      return tracer.FindStopped(rays, cells, this->Selection.Isovalues[0], departures);
+    }
+    TrilinearCells<Layout> cells(this->Selection, this->Bricks);
+    return FindStoppedRays(this->Selection, rays, departures, this->Masks, cells);
   }
 
 protected:
@@ -77,10 +92,10 @@ protected:
     }
   }
 
-  void EvaluateCap(const Ray& /*ray*/, const EndCell& /*end*/, Hit& cap) const override
+  void EvaluateCap(const Ray& /*ray*/, const EndCell& end, Hit& cap) const override
   {
     Stored<T> corners[8];
-    LoadCorners(this->TheSamples, cap.Cell, corners);
+    LoadCorners(this->TheSamples, end.Cell, corners);
     if (!IsFinite(corners))
     {
       return;
@@ -94,7 +109,7 @@ protected:
 
   Vector3 GetFieldGradient(const Hit& hit, NormalMode mode) const override
   {
-    return this->Gradients.GetGradient(hit, mode, this->Selection.Request.Planes);
+    return this->Gradients.GetGradient(hit, mode, this->Selection.Lattice);
   }
 
 private:
@@ -107,7 +122,8 @@ private:
 
   void TraceFirstHits(RayPacket& rays, RayHits& hits)
   {
-    PacketTracer tracer(*this->Selection.Request.BeamKernels, *this->Selection.Tree);
+    PacketTracer tracer(
+      *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
     TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
     const PacketHits& found = tracer.FindFirstHits(rays, cells, this->Selection.Isovalues[0]);
     hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));

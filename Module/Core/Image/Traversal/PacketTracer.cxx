@@ -74,7 +74,26 @@ bool PacketTracer::MayMeet(
   return meets;
 }
 
+//------------------------------------------------------------------------------
 const PacketHits& PacketTracer::FindFirstHits(
+  const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
+{
+  this->Departures = nullptr;
+  this->TraceSurface(packet, cells, isovalue);
+  return this->Hits;
+}
+
+//------------------------------------------------------------------------------
+const StoppedRays& PacketTracer::FindStopped(const RayPacket& packet, FirstHitCells& cells,
+  const ScaledIsovalue& isovalue, const Departure* departures)
+{
+  this->Departures = departures;
+  this->TraceSurface(packet, cells, isovalue);
+  return this->Stopped;
+}
+
+//------------------------------------------------------------------------------
+void PacketTracer::TraceSurface(
   const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
 {
   this->FirstHitSource = &cells;
@@ -82,13 +101,15 @@ const PacketHits& PacketTracer::FindFirstHits(
   this->CornerSteps = cells.GetCornerSteps();
   this->Queue.Count = 0;
   this->Waiting.Count = 0;
-  this->SurelyHit = {};
+  this->SurelyHit[0] = {};
+  this->SurelyHit[1] = {};
+  this->Stopped = {};
   this->Hits.Found = {};
   this->Trace(packet, cells);
   this->SolveCandidates();
-  return this->Hits;
 }
 
+//------------------------------------------------------------------------------
 void PacketTracer::FollowRays(const RayPacket& packet, FollowedCells& cells)
 {
   this->FollowedSource = &cells;
@@ -200,7 +221,9 @@ void PacketTracer::EndSlice(const Frustum& frustum)
   this->ClassifyPassages(frustum);
   for (int word = 0; word < 2; ++word)
   {
-    this->Going.Words[word] &= ~(this->SurelyHit.Words[word] | this->Hits.Found.Words[word]);
+    this->Going.Words[word] &= ~(this->Departures ? this->Stopped.Stopped.Words[word]
+                                                  : this->SurelyHit[0].Words[word] |
+          this->SurelyHit[1].Words[word] | this->Hits.Found.Words[word]);
   }
 }
 
@@ -287,10 +310,17 @@ void PacketTracer::ClassifyPassages(const Frustum& frustum)
     for (int i = 0; i < next; ++i)
     {
       waiting[left] = waiting[i];
-      left += this->Passed.Hits[waiting[i]] ? 0 : 1;
+      left += this->IsOver(waiting[i]) ? 0 : 1;
     }
   }
   this->ClearPassages();
+}
+
+/// Whether the rest of a passage does not matter.
+bool PacketTracer::IsOver(int passage) const
+{
+  return this->Departures ? Has(this->Stopped.Stopped, this->Passed.Ways[passage].Ray)
+                          : this->Passed.Hits[passage];
 }
 
 void PacketTracer::AddCellsOfSlice(int axis, int passage, int slice)
@@ -341,6 +371,10 @@ void PacketTracer::ClassifyQueue(const Frustum& frustum)
   this->FirstHitSource->ClassifyCells(
     this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
+  if (this->Departures)
+  {
+    this->StopAtSureHits(frustum);
+  }
   if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
   {
     this->SolveCandidates();
@@ -350,6 +384,10 @@ void PacketTracer::ClassifyQueue(const Frustum& frustum)
 
 void PacketTracer::SolveCandidates()
 {
+  if (this->Departures)
+  {
+    this->DropStoppedCandidates();
+  }
   if (this->Waiting.Count == 0)
   {
     return;
@@ -366,26 +404,117 @@ void PacketTracer::SolveCandidates()
     for (std::uint64_t bits = this->Solved.Found[word]; bits != 0; bits &= bits - 1)
     {
       const int i = 64 * word + __builtin_ctzll(bits);
-      this->Keep(this->Waiting.Ray[i], this->GetHit(i),
-        { this->Solved.Begin[i], static_cast<int>(this->Solved.BeginAxis[i]) });
+      if (this->Departures)
+      {
+        this->StopAtCandidate(i);
+      }
+      else
+      {
+        this->Keep(this->Waiting.Ray[i], this->GetHit(i),
+          { this->Solved.Begin[i], static_cast<int>(this->Solved.BeginAxis[i]) });
+      }
     }
     for (std::uint64_t bits = this->Solved.Extreme[word]; bits != 0; bits &= bits - 1)
     {
       const int i = 64 * word + __builtin_ctzll(bits);
-      this->FindFirstHit(this->Waiting.Ray[i],
-        { this->Waiting.Cell[0][i], this->Waiting.Cell[1][i], this->Waiting.Cell[2][i] });
+      if (this->Departures)
+      {
+        this->StopInCell(this->Waiting.Ray[i], this->GetCell(i));
+      }
+      else
+      {
+        this->FindFirstHit(this->Waiting.Ray[i], this->GetCell(i));
+      }
     }
   }
   this->Waiting.Count = 0;
 }
 
-Hit PacketTracer::GetHit(int candidate) const
+//------------------------------------------------------------------------------
+/// Where a ray is stopped for sure, there is nothing to solve.
+void PacketTracer::DropStoppedCandidates()
+{
+  Candidates& waiting = this->Waiting;
+  int count = 0;
+  for (int i = 0; i < waiting.Count; ++i)
+  {
+    const int ray = waiting.Ray[i];
+    for (auto& coordinates : waiting.Cell)
+    {
+      coordinates[count] = coordinates[i];
+    }
+    waiting.Ray[count] = ray;
+    waiting.First[count] = waiting.First[i];
+    count += Has(this->Stopped.Stopped, ray) ? 0 : 1;
+  }
+  waiting.Count = count;
+}
+
+//------------------------------------------------------------------------------
+/// What surely hits the surface does so far from where the ray starts: there the value is zero but
+/// for rounding, and nothing is sure.
+void PacketTracer::StopAtSureHits(const Frustum& frustum)
+{
+  for (const bool rise : { false, true })
+  {
+    const RaySet hits = std::exchange(this->SurelyHit[rise ? 1 : 0], RaySet());
+    const bool entering = rise == frustum.IsUp;
+    for (int word = 0; word < 2; ++word)
+    {
+      std::uint64_t bits = hits.Words[word] & ~this->Stopped.Stopped.Words[word];
+      for (; bits != 0; bits &= bits - 1)
+      {
+        const int ray = 64 * word + __builtin_ctzll(bits);
+        if (!this->Departures[ray].Is(0, entering))
+        {
+          Add(ray, this->Stopped.Stopped);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Takes the first root of a candidate. Where that may be the crossing that the ray starts on,
+/// others may follow.
+void PacketTracer::StopAtCandidate(int candidate)
+{
+  const int ray = this->Waiting.Ray[candidate];
+  const bool entering = (this->Solved.Entering[candidate / 64] >> (candidate % 64) & 1) != 0;
+  if (this->Departures[ray].Is(0, entering))
+  {
+    this->StopInCell(ray, this->GetCell(candidate));
+  }
+  else
+  {
+    const Vector3 direction = { this->Packet->Direction[0][ray], this->Packet->Direction[1][ray],
+      this->Packet->Direction[2][ray] };
+    this->Stopped.AddCrossing(ray, this->Solved.T[candidate], direction);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PacketTracer::StopInCell(int ray, const Index3& cell)
+{
+  if (!Has(this->Stopped.Stopped, ray))
+  {
+    this->FirstHitSource->FindStops(ray, cell, this->Departures[ray], this->Stopped);
+  }
+}
+
+//------------------------------------------------------------------------------
+Index3 PacketTracer::GetCell(int candidate) const
 {
   const Candidates& candidates = this->Waiting;
+  return { candidates.Cell[0][candidate], candidates.Cell[1][candidate],
+    candidates.Cell[2][candidate] };
+}
+
+//------------------------------------------------------------------------------
+Hit PacketTracer::GetHit(int candidate) const
+{
   const Solutions& solved = this->Solved;
-  return { solved.T[candidate],
-    { candidates.Cell[0][candidate], candidates.Cell[1][candidate], candidates.Cell[2][candidate] },
-    0,
+  return { solved.T[candidate], this->Lattice.GetNumber(this->GetCell(candidate)), 0,
     { solved.Parametric[0][candidate], solved.Parametric[1][candidate],
       solved.Parametric[2][candidate] },
     (solved.Entering[candidate / 64] >> (candidate % 64) & 1) != 0 };

@@ -4,7 +4,9 @@
 #ifndef PacketTracer_h
 #define PacketTracer_h
 
+#include "Field/Departure.h"
 #include "Image/Macrocells/BlockMask.h"
+#include "Image/Samples/CellLattice.h"
 #include "Image/Traversal/FrustumTraversal.h"
 #include "Kernels/Kernels.h"
 #include "Rays/Hit.h"
@@ -63,8 +65,11 @@ public:
     virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
     /// Calls the kernels for corners that are kept in rows, or were copied.
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
-      Passages& passages, Candidates& candidates, RaySet& hits) = 0;
+      Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
+    /// Adds what the crossings of the surface in a cell are to a ray of the packet.
+    virtual void FindStops(
+      int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) = 0;
     /// Solves a cell that the kernels do not: the first hit of a ray of the packet in it, and where
     /// the ray comes into the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
@@ -79,9 +84,11 @@ public:
     virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
   };
 
-  PacketTracer(const Kernels& kernels, const BlockTree& tree)
+  /// All must outlive the tracer.
+  PacketTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
     : TheKernels(kernels)
     , Tree(tree)
+    , Lattice(lattice)
   {
   }
 
@@ -94,10 +101,16 @@ public:
   const PacketHits& FindFirstHits(
     const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
 
+  /// Finds the rays of a packet that one surface stops, wherever that is. There is a departure for
+  /// each ray.
+  const StoppedRays& FindStopped(const RayPacket& packet, FirstHitCells& cells,
+    const ScaledIsovalue& isovalue, const Departure* departures);
+
   /// Leads all rays of a packet that exist through the cells that may have hits.
   void FollowRays(const RayPacket& packet, FollowedCells& cells);
 
 private:
+  void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
   void Trace(const RayPacket& packet, Cells& cells);
   void TraceSet(const RaySet& rays, int count);
   void SetStepsInSlice(int axis);
@@ -110,12 +123,19 @@ private:
   void FollowPassages(const Frustum& frustum);
   void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
   void SolveCandidates();
+  void DropStoppedCandidates();
+  Index3 GetCell(int candidate) const;
   void FindFirstHit(int ray, const Index3& cell);
+  void StopAtCandidate(int candidate);
+  void StopInCell(int ray, const Index3& cell);
+  void StopAtSureHits(const Frustum& frustum);
+  bool IsOver(int passage) const;
   Hit GetHit(int candidate) const;
   void Keep(int ray, const Hit& hit, const Crossing& begin);
 
   const Kernels& TheKernels;
   const BlockTree& Tree;
+  const CellLattice& Lattice;
 
   const RayPacket* Packet = nullptr;
   Cells* Source = nullptr;
@@ -126,11 +146,15 @@ private:
   AlignedRays Aligned;
   /// The rays that are still on their way.
   RaySet Going = {};
-  /// The surface whose first hits are wanted; none when rays are followed.
+  /// The surface whose first hits are requested; none when rays are followed.
   std::optional<ScaledIsovalue> Isovalue;
   PacketHits Hits;
-  /// The rays that surely hit something, wherever that turns out to be.
-  RaySet SurelyHit = {};
+  /// Where rays start, if it is only asked whether they are stopped; else null.
+  const Departure* Departures = nullptr;
+  StoppedRays Stopped;
+  /// The rays that surely hit something, wherever that turns out to be: where values fall, and
+  /// where they rise along the axis of the frustum.
+  RaySet SurelyHit[2] = {};
   Passages Passed;
   /// Whether the corners of all passages are kept in rows.
   bool AllInRows = true;

@@ -8,6 +8,7 @@
 #include "Image/Cells/LargestValue.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Traversal/CellTraversal.h"
+#include "Rays/Ray.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
@@ -18,6 +19,42 @@
 
 namespace vtkIsosurfaceRayTracing
 {
+
+/// Calls visit(piece) for the pieces of a ray, in order, that lie in regions that are visible.
+template <typename Visit>
+void ForEachVisiblePiece(const Ray& ray, const CroppingRegions& regions, const Visit& visit)
+{
+  if (regions.Visible == CroppingRegions::All)
+  {
+    visit(ray);
+    return;
+  }
+  std::vector<double> cuts = { ray.Begin, ray.End };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double plane : regions.Planes[axis])
+    {
+      const double t = (plane - ray.Origin[axis]) / ray.Direction[axis];
+      if (t > ray.Begin && t < ray.End)
+      {
+        cuts.push_back(t);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
+    if (regions.Contain(
+          { ray.Coordinate(0, middle), ray.Coordinate(1, middle), ray.Coordinate(2, middle) }))
+    {
+      Ray piece = ray;
+      piece.Begin = cuts[i - 1];
+      piece.End = cuts[i];
+      visit(piece);
+    }
+  }
+}
 
 /// Finds the extreme values of rays: in every cell that may exceed what was found so far, the
 /// largest value of the cubic. What macrocells cannot exceed it are stepped over, on all levels.
@@ -30,12 +67,13 @@ class Projector
 {
 public:
   /// All must outlive the projector, which is for one thread.
-  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const TraceRequest& request)
+  Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const CellLattice& lattice,
+    const Visibility& visible)
     : Hierarchy(hierarchy)
     , Reader(bricks)
-    , Visible(request.Visible)
-    , Planes(request.Planes)
-    , Cells(hierarchy.GetLattice().Cells)
+    , Visible(visible)
+    , Lattice(lattice)
+    , Planes(lattice.GetPlanes())
   {
   }
 
@@ -73,7 +111,7 @@ private:
     this->Best = -std::numeric_limits<double>::infinity();
     Hit hit;
     hit.Surface = Hit::NoSurface;
-    ForEachSeenPiece(ray, this->Visible.Regions,
+    ForEachVisiblePiece(ray, this->Visible.Regions,
       [this, &hit](const Ray& piece)
       {
         this->Guess(piece);
@@ -92,7 +130,7 @@ private:
     if (hit.Surface != Hit::NoSurface)
     {
       hits.Hits.push_back(hit);
-      this->Last = hit.GetPoint(this->Planes);
+      this->Last = this->Lattice.GetPoint(hit);
     }
   }
 
@@ -113,7 +151,7 @@ private:
       const double coordinate = ray.Coordinate(axis, t);
       cell[axis] = this->Planes ? this->Planes->FindCell(axis, coordinate)
                                 : static_cast<int>(std::clamp(std::floor(coordinate), 0.0,
-                                    static_cast<double>(this->Cells[axis] - 1)));
+                                    static_cast<double>(this->Lattice.GetCells()[axis] - 1)));
     }
     Hit hit;
     if (this->Visit(ray, cell, hit))
@@ -135,8 +173,8 @@ private:
     }
     const double largest = Directed(static_cast<double>(outermost));
     CellSegment segment;
-    if (!(largest > this->Best) || !IsFinite(corners) || this->IsHidden(cell) ||
-      !SegmentInCell(ray, cell, segment))
+    if (!(largest > this->Best) || !IsFinite(corners) ||
+      this->Visible.IsHidden(this->Lattice.GetNumber(cell)) || !SegmentInCell(ray, cell, segment))
     {
       return false;
     }
@@ -149,21 +187,16 @@ private:
       return false;
     }
     this->Best = found.Value;
-    hit = MakeHit(ray, cell, segment, found.Fraction, 0, false);
+    hit = MakeHit(ray, this->Lattice, cell, segment, found.Fraction, 0, false);
     hit.Value = Directed(this->Best);
     return true;
-  }
-
-  bool IsHidden(const Index3& cell) const
-  {
-    return this->Visible.HiddenCells && this->Visible.HiddenCells[Offset(cell, this->Cells)] != 0;
   }
 
   const MacrocellHierarchy<T>& Hierarchy;
   typename Layout::Reader Reader;
   const Visibility& Visible;
+  const CellLattice& Lattice;
   const UnevenPlanes* Planes;
-  Index3 Cells;
   /// Only what exceeds this is of interest.
   double Best = 0.0;
   /// Where the ray before had its extreme value.

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Departure_h
+#define Departure_h
+
+#include "Math/Vector.h"
+#include "Rays/Hit.h"
+#include "Rays/RayPacket.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where a secondary ray starts: on a surface, which must not shadow itself.
+struct Departure
+{
+  /// Hit::NoSurface for a ray that starts on no surface of the field.
+  int Surface = Hit::NoSurface;
+  /// Whether the ray leaves towards the inside of the surface.
+  bool Entering = false;
+
+  /// Whether a crossing of a surface may be that which the ray starts on.
+  bool Is(int surface, bool entering) const
+  {
+    return surface == this->Surface && entering == this->Entering;
+  }
+};
+
+/// Which rays of a packet are stopped by crossings other than those that they start on.
+struct StoppedRays
+{
+  RaySet Stopped = {};
+  /// Those with a crossing so near to their start that its rounding matters: only the order of all
+  /// crossings tells what it is.
+  RaySet Unsure = {};
+
+  /// In cells, or other units that objects have a size of about one in.
+  static constexpr double NearStart = 1e-4;
+
+  /// Adds a crossing at t, counted from the start of the ray, that is not the one it starts on.
+  void AddCrossing(int ray, double t, const Vector3& direction)
+  {
+    Add(ray, t * Length(direction) < NearStart ? this->Unsure : this->Stopped);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/TracedField.h"
+
+#include <algorithm>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+//------------------------------------------------------------------------------
+void TracedField::MakeRays(const Camera& view, const PixelRectangle& pixels,
+  const PixelDepths& depths, RayPacket& packet) const
+{
+  packet.Count = 0;
+  packet.Exists = {};
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      const Camera::PixelRay ray = view.GetRay(pixels.X + x, pixels.Y + y, depths.Get(x, y));
+      this->AddRay(ray.Origin, ray.Direction, 0.0, ray.End, packet);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void TracedField::FindTransmittance(
+  RayPacket& packet, const Departure* departures, double* transmittance)
+{
+  std::fill_n(transmittance, packet.Count, 1.0);
+  // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
+  // tells: a first crossing to the side that the ray is on already is none. Where the surface is
+  // opaque, the ray is sent on from there.
+  double step = 1e-13;
+  RayHits found;
+  for (int attempt = 0; attempt < 8 && !IsEmpty(packet.Exists); ++attempt, step *= 16.0)
+  {
+    this->Trace(packet, found);
+    RaySet again = {};
+    for (int i = 0; i < packet.Count; ++i)
+    {
+      std::size_t first = found.First[static_cast<std::size_t>(i)];
+      const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
+      const bool isOwn =
+        first < last && departures[i].Is(found.Hits[first].Surface, found.Hits[first].Entering);
+      if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
+      {
+        const Vector3 direction = { packet.Direction[0][i], packet.Direction[1][i],
+          packet.Direction[2][i] };
+        packet.Begin[i] = found.Hits[first].T - packet.Base[i] + step / Length(direction);
+        if (packet.Begin[i] < packet.End[i])
+        {
+          Add(i, again);
+        }
+        continue;
+      }
+      for (first += isOwn ? 1 : 0; first < last; ++first)
+      {
+        transmittance[i] *= 1.0 - this->GetOpacity(found.Hits[first]);
+      }
+    }
+    packet.Exists = again;
+  }
+}
+
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TracedField_h
+#define TracedField_h
+
+#include "Field/Departure.h"
+#include "Field/Execution.h"
+#include "Math/Vector.h"
+#include "Rays/Camera.h"
+#include "Rays/Hit.h"
+#include "Rays/PixelRectangle.h"
+#include "Rays/RayHits.h"
+#include "Rays/RayPacket.h"
+#include "Rays/TraceRequest.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A box along the axes.
+struct Bounds
+{
+  Vector3 Lower;
+  Vector3 Upper;
+};
+
+/// What a field has built over its data, and keeps of them.
+struct FieldStatistics
+{
+  /// What is built once, over all data (macrocells), in bytes.
+  std::size_t HierarchyMemory = 0;
+  /// What is made on demand while rays are traced (bricks, masks of cells), in bytes.
+  std::size_t CacheMemory = 0;
+  std::size_t NumberOfBricks = 0;
+  std::size_t MaximumNumberOfBricks = 0;
+  /// The time spent making bricks so far, summed over the threads.
+  std::int64_t BrickNanoseconds = 0;
+};
+
+/// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells. All
+/// that is above (pictures, shadows, picking, rays without a picture) knows data by this class
+/// alone.
+///
+/// A field lives in an object space of its own, an affine image of the world in which its
+/// arithmetic is exact (for images, index space). Rays, points, gradients and bounds are in object
+/// space. The T of a hit is that of the ray as it was given, and the same in all affine spaces:
+/// hits of several fields are put in order by T.
+///
+/// Between calls of Select any number of threads may trace. What a ray hits does not depend on the
+/// other rays of its packet, on the threads or the kernels.
+class TracedField
+{
+public:
+  virtual ~TracedField() = default;
+
+  /// The box that all hits are in.
+  virtual Bounds GetBounds() const = 0;
+
+  /// Chooses what to trace from now on, and begins a frame: what the last frame did not use may
+  /// make room in the cache. Rays must be made after it.
+  virtual void Select(
+    const TraceRequest& request, const Execution& execution, const MemoryBudget& budget = {}) = 0;
+
+  /// What was selected.
+  virtual const TraceRequest& GetRequest() const = 0;
+
+  /// Appends the part of a ray in the field (begin <= t <= end) to a packet that has room for it.
+  /// If there is none, or the ray is no ray (not finite, without direction), it does not exist
+  /// there.
+  virtual void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+    RayPacket& packet) const = 0;
+
+  /// Makes a packet of a ray for every pixel of a rectangle of the viewport, row by row. Each ends
+  /// at the depth of its pixel, in [0, 1]; with null, at the far plane.
+  virtual void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
+    RayPacket& packet) const;
+
+  /// Whether rays between lines that pass through one point, or are parallel, may hit anything:
+  /// those whose directions are means of the lines' own. The lines of the packet have an origin and
+  /// a direction, and nothing else.
+  virtual bool MayHitBetween(RayPacket& /*lines*/) const { return true; }
+
+  /// Finds the hits of each ray, in order, up to the first opaque one or to where nothing of the
+  /// ray is left to see. A ray that does not exist has no hits.
+  virtual void Trace(RayPacket& packet, RayHits& hits) = 0;
+
+  /// Finds what part of the light comes through along each ray: the product of what the surfaces on
+  /// its way let through, without the crossing that it starts from. There is a departure for each
+  /// ray. The packet is used up.
+  virtual void FindTransmittance(
+    RayPacket& packet, const Departure* departures, double* transmittance);
+
+  /// The point of a hit.
+  virtual Vector3 GetPoint(const Hit& hit) const = 0;
+
+  /// The point of a hit counted in cells: coordinates that change by about one from a cell to the
+  /// next.
+  virtual Vector3 GetPointInCells(const Hit& hit) const = 0;
+
+  /// The gradient of the field at a hit, or for a cap the normal of its plane; where it is
+  /// infinite, any multiple of its direction.
+  virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
+
+  /// The points of hits, and their gradients in the mode of the request: of up to as many as a
+  /// packet has rays.
+  virtual void GetPointsAndGradients(const Hit* hits, int count,
+    double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const = 0;
+
+  virtual FieldStatistics GetStatistics() const = 0;
+
+  /// The value of a hit: its isovalue, or the extreme value of a projection.
+  double GetValue(const Hit& hit) const
+  {
+    const TraceRequest& request = this->GetRequest();
+    return request.Projection ? hit.Value
+                              : request.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
+  }
+
+  double GetOpacity(const Hit& hit) const
+  {
+    return this->GetRequest().Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+  }
+};
+
+}
+
+#endif

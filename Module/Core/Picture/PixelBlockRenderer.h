@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PixelBlockRenderer_h
+#define PixelBlockRenderer_h
+
+#include "Picture/Compositor.h"
+#include "Picture/RenderTiles.h"
+#include "Picture/Scene.h"
+#include "Picture/Shader.h"
+
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Traces and shades blocks of pixels, as many as a packet has rays, for one thread. First Trace,
+/// then Shade.
+class PixelBlockRenderer
+{
+public:
+  /// There is a shader for each field of the scene. All must outlive the renderer.
+  PixelBlockRenderer(const Scene& scene, const std::vector<Shader>& shaders, Frame& frame);
+
+  /// Finds the hits of the rays through a block of pixels, counted from the rectangle drawn.
+  void Trace(const PixelRectangle& block);
+
+  /// Writes the pixels of the block that was traced last.
+  void Shade();
+
+private:
+  /// The rays through the block and their hits, of one field.
+  struct TracedPacket
+  {
+    RayPacket Packet;
+    RayHits Hits;
+  };
+
+  bool MayHit(const SceneField& field, RayPacket& corners) const;
+  void EndAtOpaqueHits(std::size_t field, RayPacket& packet) const;
+  void WriteBackground();
+  void WriteOpaque();
+  void WriteFragments();
+  void WriteHits();
+  std::size_t GetOffset(int x, int y) const;
+
+  const Scene& TheScene;
+  const std::vector<Shader>& Shaders;
+  Frame& Picture;
+  PixelRectangle Block;
+  std::unique_ptr<TracedPacket[]> Traced;
+  std::vector<Fragments> FragmentsOfFields;
+  Fragments Merged;
+};
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PixelRectangle_h
+#define PixelRectangle_h
+
+#include <cstddef>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A rectangle of pixels, counted from the lower left of the viewport.
+struct PixelRectangle
+{
+  int X = 0;
+  int Y = 0;
+  int Width = 0;
+  int Height = 0;
+};
+
+/// The depths, in [0, 1] as in the depth buffer, of a rectangle of pixels.
+struct PixelDepths
+{
+  /// Of the pixel at the lower left; null for the far plane everywhere.
+  const float* First = nullptr;
+  /// From one row to the next.
+  std::ptrdiff_t Stride = 0;
+
+  double Get(int x, int y) const
+  {
+    return this->First ? static_cast<double>(this->First[y * this->Stride + x]) : 1.0;
+  }
+};
+
+}
+
+#endif

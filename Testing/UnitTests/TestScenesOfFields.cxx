@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Several fields in one picture, each in an object space of its own: their hits are put in order by
+// T, they hide each other and cast shadows on each other.
+
+#include "Image/ImageField.h"
+#include "Math/Matrix.h"
+#include "Matrices.h"
+#include "Picture/CastRays.h"
+#include "Picture/RenderTiles.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr int Edge = 25;
+constexpr int Width = 61;
+constexpr int Height = 47;
+
+/// An image and where it stands in the world.
+struct PlacedImage
+{
+  template <typename Function>
+  PlacedImage(const Function& function, const Matrix4& worldFromObject)
+    : Volume(TestVolume<float>::Of({ Edge, Edge, Edge }, function))
+    , Field(ImageField::New(this->Volume.View(), {}, 1))
+    , WorldFromObject(worldFromObject)
+  {
+  }
+
+  void Select(double opacity)
+  {
+    TraceRequest request;
+    request.Surfaces = { { 0.0, opacity } };
+    this->Field->Select(request, {});
+  }
+
+  TestVolume<float> Volume;
+  std::unique_ptr<ImageField> Field;
+  Matrix4 WorldFromObject;
+};
+
+/// Two spheres of about 8 about (0, 0, 0) and (5, 1, 3) in the world, on different lattices.
+struct TwoSpheres
+{
+  TwoSpheres()
+    : A(AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 }, Translation({ -12.0, -12.0, -12.0 }))
+    , B(AnalyticFields::Sphere{ { 12.3, 11.9, 12.1 }, 10.0 },
+        Multiply(Translation({ 5.0, 1.0, 3.0 }),
+          Multiply(Rotation(0.7, 0.4),
+            Multiply(Scaling({ 0.8, 0.8, 0.8 }), Translation({ -12.3, -11.9, -12.1 })))))
+  {
+  }
+
+  PlacedImage A;
+  PlacedImage B;
+};
+
+SceneField Show(const PlacedImage& image, const Vector3& color)
+{
+  SceneField field;
+  field.Field = image.Field.get();
+  const Matrix4 clipFromObject = Multiply(Perspective(10.0, 100.0, 0.6),
+    Multiply(Invert(Translation({ 1.0, 2.0, 40.0 })), image.WorldFromObject));
+  field.View = Camera(clipFromObject, Invert(clipFromObject), image.WorldFromObject, Width, Height);
+  field.Colors = { color };
+  field.Surface.Shade = false;
+  return field;
+}
+
+Frame Render(const std::vector<SceneField>& fields, const Scene& settings = {})
+{
+  Scene scene = settings;
+  scene.Fields = fields;
+  scene.Pixels = { 0, 0, Width, Height };
+  scene.KeepHits = true;
+  Frame frame;
+  FrameTimes times;
+  EXPECT_TRUE(RenderTiles(scene, {}, frame, times, [](double) { return true; }));
+  return frame;
+}
+
+/// The T of the hits of the ray through each pixel.
+std::vector<std::vector<double>> FindHits(const SceneField& field)
+{
+  std::vector<CastRay> rays;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const Camera::PixelRay ray = field.View.GetRay(x, y, 1.0);
+      rays.push_back({ ray.Origin, ray.Direction, 0.0, ray.End });
+    }
+  }
+  const RayHits hits = CastRays(*field.Field, rays, 1);
+  std::vector<std::vector<double>> ts(rays.size());
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
+  {
+    for (std::size_t i = hits.First[ray]; i < hits.First[ray + 1]; ++i)
+    {
+      ts[ray].push_back(hits.Hits[i].T);
+    }
+  }
+  return ts;
+}
+
+constexpr Vector3 Red = { 1.0, 0.1, 0.0 };
+constexpr Vector3 Green = { 0.0, 0.9, 0.2 };
+
+//------------------------------------------------------------------------------
+TEST(ScenesOfFields, AFieldWithoutHitsChangesNoBit)
+{
+  TwoSpheres spheres;
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    spheres.A.Select(opacity);
+    TraceRequest nothing;
+    nothing.Surfaces = { { 1e6, 1.0 } };
+    spheres.B.Field->Select(nothing, {});
+    SceneField shown = Show(spheres.A, Red);
+    shown.Surface.Shade = true;
+    Scene lit;
+    lit.Lights = { Light() };
+    const Frame alone = Render({ shown }, lit);
+    const Frame together = Render({ shown, Show(spheres.B, Green) }, lit);
+    const Frame swapped = Render({ Show(spheres.B, Green), shown }, lit);
+    const auto covered = std::count_if(alone.Hits.begin(), alone.Hits.end(),
+      [](const Hit& hit) { return hit.Surface != Hit::NoSurface; });
+    EXPECT_GT(covered, 100);
+    EXPECT_EQ(alone.Colors, together.Colors);
+    EXPECT_EQ(alone.Depths, together.Depths);
+    EXPECT_EQ(alone.Colors, swapped.Colors);
+    EXPECT_EQ(alone.Depths, swapped.Depths);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ScenesOfFields, OpaqueFieldsHideEachOther)
+{
+  TwoSpheres spheres;
+  spheres.A.Select(1.0);
+  spheres.B.Select(1.0);
+  const SceneField a = Show(spheres.A, Red);
+  const SceneField b = Show(spheres.B, Green);
+  const Frame ofA = Render({ a });
+  const Frame ofB = Render({ b });
+  for (const bool isSwapped : { false, true })
+  {
+    const Frame both = isSwapped ? Render({ b, a }) : Render({ a, b });
+    int nearer[2] = { 0, 0 };
+    for (std::size_t pixel = 0; pixel < both.Depths.size(); ++pixel)
+    {
+      const bool isB = ofB.Depths[pixel] < ofA.Depths[pixel];
+      const Frame& expected = isB ? ofB : ofA;
+      ASSERT_EQ(both.Depths[pixel], expected.Depths[pixel]);
+      ASSERT_TRUE(std::equal(
+        &both.Colors[4 * pixel], &both.Colors[4 * pixel] + 4, &expected.Colors[4 * pixel]));
+      ASSERT_EQ(both.Hits[pixel].Surface, expected.Hits[pixel].Surface);
+      if (both.Hits[pixel].Surface != Hit::NoSurface)
+      {
+        ASSERT_EQ(both.Hits[pixel].Field, isB != isSwapped ? 1 : 0);
+        ++nearer[isB ? 1 : 0];
+      }
+    }
+    EXPECT_GT(nearer[0], 50);
+    EXPECT_GT(nearer[1], 50);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ScenesOfFields, TranslucentFieldsAreCompositedInOrderAlongTheRay)
+{
+  TwoSpheres spheres;
+  spheres.A.Select(0.5);
+  spheres.B.Select(0.3);
+  const SceneField a = Show(spheres.A, Red);
+  const SceneField b = Show(spheres.B, Green);
+  const Frame both = Render({ a, b });
+  const std::vector<std::vector<double>> hitsOfA = FindHits(a);
+  const std::vector<std::vector<double>> hitsOfB = FindHits(b);
+  int interleaved = 0;
+  for (std::size_t pixel = 0; pixel < hitsOfA.size(); ++pixel)
+  {
+    struct Layer
+    {
+      double T;
+      Vector3 Color;
+      double Opacity;
+    };
+    std::vector<Layer> layers;
+    for (const double t : hitsOfA[pixel])
+    {
+      layers.push_back({ t, Red, 0.5 });
+    }
+    for (const double t : hitsOfB[pixel])
+    {
+      layers.push_back({ t, Green, 0.3 });
+    }
+    std::sort(
+      layers.begin(), layers.end(), [](const Layer& x, const Layer& y) { return x.T > y.T; });
+    interleaved += layers.size() == 4 && layers[0].Opacity != layers[1].Opacity &&
+        layers[1].Opacity != layers[2].Opacity
+      ? 1
+      : 0;
+    Vector3 expected = { 0.0, 0.0, 0.0 };
+    for (const Layer& layer : layers)
+    {
+      expected = layer.Color * layer.Opacity + expected * (1.0 - layer.Opacity);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      ASSERT_NEAR(both.Colors[4 * pixel + k], 255.0 * expected[k], 0.5 + 1e-6);
+    }
+  }
+  EXPECT_GT(interleaved, 20);
+}
+
+//------------------------------------------------------------------------------
+/// A floor, and a sphere above it on another lattice, under a light from straight above.
+TEST(ScenesOfFields, AFieldCastsItsShadowOnAnother)
+{
+  PlacedImage floor([](const AnalyticFields::Point& p) { return 8.0 - p[1]; },
+    Translation({ -12.0, -20.0, -12.0 })); // y = -12 in the world, inside below
+  PlacedImage sphere(AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 },
+    Multiply(Scaling({ 0.5, 0.5, 0.5 }), Translation({ -12.0, -12.0, -12.0 }))); // radius 4
+  floor.Select(1.0);
+  sphere.Select(1.0);
+  SceneField shownFloor = Show(floor, Red);
+  shownFloor.Surface = { true, 0.0, 1.0, 0.0, 1.0 };
+  SceneField shownSphere = Show(sphere, Green);
+  shownSphere.Surface = shownFloor.Surface;
+  Scene lit;
+  lit.Lights = { Light() };
+  lit.Lights[0].Direction = { 0.0, 1.0, 0.0 };
+  lit.Shadows = true;
+  const Frame frame = Render({ shownFloor, shownSphere }, lit);
+  int dark = 0;
+  int bright = 0;
+  for (std::size_t pixel = 0; pixel < frame.Hits.size(); ++pixel)
+  {
+    const Hit& hit = frame.Hits[pixel];
+    if (hit.Surface == Hit::NoSurface || hit.Field != 0)
+    {
+      continue;
+    }
+    const Vector3 point = TransformPoint(floor.WorldFromObject, floor.Field->GetPoint(hit));
+    const double fromAxis = std::hypot(point[0], point[2]);
+    if (std::abs(fromAxis - 4.0) > 0.1)
+    {
+      ASSERT_EQ(frame.Colors[4 * pixel], fromAxis < 4.0 ? 0 : 255) << fromAxis;
+      ++(fromAxis < 4.0 ? dark : bright);
+    }
+  }
+  EXPECT_GT(dark, 20);
+  EXPECT_GT(bright, 50);
+}
+
+}
+}

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What comes through along secondary rays, found from any crossing, beside what the hits in order
+// say: the method of TracedField.
+
+#include "AllKernels.h"
+#include "Noise.h"
+#include "RandomNumbers.h"
+#include "TestRequest.h"
+#include "TestVolume.h"
+#include "TraceLine.h"
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr Index3 Size = { 37, 29, 33 };
+
+double Smooth(const AnalyticFields::Point& p)
+{
+  return std::sin(0.6 * p[0]) + std::cos(0.5 * p[1]) + std::sin(0.4 * p[2] + 0.3 * p[0]);
+}
+
+/// Rays that start on surfaces, and what they start on.
+struct OutgoingRays
+{
+  RayPacket Packet;
+  Departure Departures[RayPacket::Capacity];
+};
+
+OutgoingRays MakeOutgoingRays(RandomNumbers& random, ImageField& field, bool areCoherent)
+{
+  OutgoingRays rays;
+  rays.Packet.Count = 0;
+  rays.Packet.Exists = {};
+  const Vector3 common = random.Direction();
+  while (rays.Packet.Count < RayPacket::Capacity)
+  {
+    const Vector3 target = random.PointInVolume(Size);
+    const Vector3 way = random.Direction();
+    const std::vector<Hit> hits = Trace(field, { target - way * 60.0, way });
+    if (hits.empty())
+    {
+      continue;
+    }
+    const Hit& hit = hits.front();
+    const Vector3 direction = areCoherent ? common + random.Direction() * 0.05
+                                          : random.Direction() * random.Uniform(0.5, 2);
+    const Vector3 gradient = field.GetGradient(hit, NormalMode::InterpolantGradient);
+    rays.Departures[rays.Packet.Count] = { hit.Surface, Dot(gradient, direction) > 0.0 };
+    const double end = random.Integer(0, 1) ? Infinity : random.Uniform(0.5, 30.0);
+    field.AddRay(field.GetPoint(hit), direction, 0.0, end, rays.Packet);
+  }
+  return rays;
+}
+
+class Transmittance : public WithKernels
+{
+protected:
+  /// Compares both methods for some packets of rays.
+  void Check(ImageField& field, std::uint64_t seed)
+  {
+    RandomNumbers random(seed);
+    int dark = 0;
+    int bright = 0;
+    for (int run = 0; run < 12; ++run)
+    {
+      const OutgoingRays rays = MakeOutgoingRays(random, field, run % 2 == 0);
+      double actual[RayPacket::Capacity];
+      double expected[RayPacket::Capacity];
+      RayPacket packet = rays.Packet;
+      field.FindTransmittance(packet, rays.Departures, actual);
+      packet = rays.Packet;
+      field.TracedField::FindTransmittance(packet, rays.Departures, expected);
+      for (int i = 0; i < rays.Packet.Count; ++i)
+      {
+        ASSERT_EQ(actual[i], expected[i]) << "ray " << i << " of packet " << run;
+        ++(expected[i] < 0.5 ? dark : bright);
+      }
+    }
+    std::cout << "[ tried    ] " << dark << " rays that are stopped, " << bright << " others\n";
+    EXPECT_GT(dark, 100);
+    EXPECT_GT(bright, 100);
+  }
+
+  TestRequest NewRequest(const std::vector<Isosurface>& surfaces) const
+  {
+    TestRequest request(surfaces);
+    request.PacketKernels = &this->TheKernels;
+    return request;
+  }
+};
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfOneOpaqueSurface)
+{
+  const auto volume = TestVolume<float>::Of(Size, Smooth);
+  for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::Unbricked })
+  {
+    ImageSettings settings;
+    settings.Layout = layout;
+    const auto field = NewTraced(volume, this->NewRequest({ { 0.3, 1.0 } }), settings);
+    this->Check(*field, 11);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfOneOpaqueSurfaceOfNoise)
+{
+  const auto volume = Noise<std::uint8_t>(Size, 5);
+  const auto field = NewTraced(volume, this->NewRequest({ { 112.5, 1.0 } }));
+  this->Check(*field, 12);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfSeveralOpaqueSurfaces)
+{
+  const auto volume = TestVolume<std::int16_t>::Of(
+    Size, [](const AnalyticFields::Point& p) { return 100.0 * Smooth(p); });
+  const auto field =
+    NewTraced(volume, this->NewRequest({ { -180.0, 1.0 }, { 40.0, 1.0 }, { 150.5, 1.0 } }));
+  this->Check(*field, 13);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfTranslucentSurfacesAndPlanes)
+{
+  const auto volume = TestVolume<float>::Of(Size, Smooth);
+  TestRequest request = this->NewRequest({ { -1.0, 0.4 }, { 0.3, 1.0 } });
+  request.Visible.HalfSpaces = { { { 1.0, 0.2, 0.1 }, -9.0 } };
+  this->Check(*NewTraced(volume, request), 14);
+  request.Surfaces = { { 0.3, 1.0 } };
+  this->Check(*NewTraced(volume, request), 15);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfOtherInterpolants)
+{
+  const auto volume = TestVolume<float>::Of(Size, Smooth);
+  TestRequest request = this->NewRequest({ { 0.3, 1.0 } });
+  request.Interpolation = Interpolant::Tricubic;
+  this->Check(*NewTraced(volume, request), 16);
+  request.Interpolation = Interpolant::Nearest;
+  this->Check(*NewTraced(volume, request), 17);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfUnevenSpacing)
+{
+  std::array<std::vector<double>, 3> places;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = Size[axis] - 1;
+    for (int plane = 0; plane <= last; ++plane)
+    {
+      const double share = static_cast<double>(plane) / last;
+      places[axis].push_back(last * share * (0.5 + 0.5 * share));
+    }
+  }
+  const UnevenPlanes planes(places);
+  const auto volume = TestVolume<float>::Of(Size, Smooth);
+  TestRequest request = this->NewRequest({ { 0.3, 1.0 } });
+  request.Planes = &planes;
+  this->Check(*NewTraced(volume, request), 18);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Transmittance, AllKernels(), NameOfKernels);
+
+}
+}
