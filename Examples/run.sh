@@ -28,7 +28,7 @@ Utilities/install-dependencies.sh invesalius-examples
 
 build=$PWD/build/examples
 
-# The python3 found first may be another than Debian's, which alone knows Debian's VTK.
+# Only Debian's Python has the modules of Debian's VTK; another python3 may come before it in PATH.
 cmake -G Ninja -S . -B "$build/library" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_INSTALL_PREFIX="$build/prefix" -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build "$build/library" --target install
@@ -41,7 +41,7 @@ cmake --build "$build/RayTraceIsosurface"
   /usr/share/doc/invesalius-examples/examples/Cranium.inv3 "$build/data"
 
 example=("$build/RayTraceIsosurface/RayTraceIsosurface" --input "$build/data/cranium.mhd"
-  --isovalue 300 --skin -300) # Hounsfield units: bone, and skin, which is well above air
+  --isovalue 300 --skin -300) # Hounsfield units: bone, and skin, well above air
 if [[ $interactive == yes ]]; then
   exec "${example[@]}" --interactive
 fi

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How far a surface is from the isosurface of the trilinear interpolant.
+// Measures the distance of a surface from the isosurface of the trilinear interpolant.
 
 #ifndef vtkIsosurfaceComparisonErrors_h
 #define vtkIsosurfaceComparisonErrors_h
@@ -33,21 +33,21 @@ struct SurfaceErrors
 
 /// Measures points of a surface that have normals, of any length and sign (0 for none).
 ///
-/// The distance is that along the gradient of the trilinear interpolant at the point, to the
-/// nearest place where a ray crosses the isosurface; or that to the nearest crossing of an edge of
-/// the cell, if that is nearer (near a saddle the gradient leads astray). So it is never smaller
-/// than the true one. Returns early, with the rest NaN, if it is told to stop.
+/// The distance is measured along the gradient of the trilinear interpolant at the point, to the
+/// nearest crossing of the isosurface; or to the nearest crossing of an edge of the cell, if that
+/// is nearer (near a saddle the gradient does not point at the surface). It is never smaller than
+/// the true distance. Returns early, with the rest NaN, if it is told to stop.
 SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, double isovalue,
   vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted);
 
-/// The triangles whose vertices are all finite: beside samples that are not, VTK makes others. The
-/// vertices keep their numbers; those that are not finite are moved to a place that is, and no
-/// triangle has them.
+/// The triangles whose vertices are all finite: near samples that are not, VTK generates others.
+/// The vertices keep their ids; those that are not finite are moved to a finite point, and no
+/// triangle uses them.
 vtkSmartPointer<vtkPolyData> FiniteTriangles(vtkPolyData* mesh, const double place[3]);
 
-/// The mesh with each triangle cut in three at its centroid: its vertices are on edges of cells,
-/// where linear interpolation is exact, so that the error is inside. First come the points of the
-/// mesh, then a centroid for each triangle.
+/// The mesh with each triangle split into three at its centroid: the vertices are on edges of
+/// cells, where linear interpolation is exact, so that the error is inside. First come the points
+/// of the mesh, then a centroid for each triangle.
 vtkSmartPointer<vtkPolyData> CutAtCentroids(vtkPolyData* mesh);
 
 /// For the points of CutAtCentroids(mesh): the normal of the triangle for a centroid, else 0.

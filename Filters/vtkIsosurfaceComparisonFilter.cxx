@@ -61,32 +61,33 @@ const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
   }
   if (scalars->GetNumberOfComponents() != 1)
   {
-    return "The scalars have several components and VTK's contour filters take one: extract it "
-           "with vtkImageExtractComponents.";
+    return "The scalars have several components, but VTK's contour filters need one: extract it "
+           "with "
+           "vtkImageExtractComponents.";
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    return "The number of scalars is not the number of points: the array must hold one value for "
-           "every point of the image; vtkCellDataToPointData makes such an array from cell data.";
+    return "The number of scalars is not the number of points: the array must have one value for "
+           "every point of the image. vtkCellDataToPointData converts cell data.";
   }
   if (scalars->GetDataType() == VTK_BIT)
   {
-    return "The scalars are bits, of which VTK's contour filters make nothing: vtkImageCast makes "
-           "numbers of them.";
+    return "The scalars are bits, which VTK's contour filters do not support: convert them with "
+           "vtkImageCast.";
   }
   const double* matrix = image->GetIndexToPhysicalMatrix()->GetData();
   const bool isFinite =
     std::all_of(matrix, matrix + 16, [](double element) { return std::isfinite(element); });
   if (!isFinite || image->GetIndexToPhysicalMatrix()->Determinant() == 0.0)
   {
-    return "The origin, spacing and direction of the image leave it without a finite volume: they "
-           "must be finite, the spacing not 0 and the direction matrix of full rank.";
+    return "The image has no finite volume: its origin, spacing and direction matrix must be "
+           "finite, the spacing not 0 and the matrix of full rank.";
   }
   return nullptr;
 }
 
 //------------------------------------------------------------------------------
-// The geometry of the image with just the scalars that are to be contoured.
+// The geometry of the image with only the scalars to contour.
 vtkSmartPointer<vtkImageData> ImageOfScalars(vtkImageData* image, vtkDataArray* scalars)
 {
   auto result = vtkSmartPointer<vtkImageData>::New();
@@ -96,7 +97,7 @@ vtkSmartPointer<vtkImageData> ImageOfScalars(vtkImageData* image, vtkDataArray* 
 }
 
 //------------------------------------------------------------------------------
-// What the values take. vtkPolyData::GetActualMemorySize counts in kibibytes and spare capacity.
+// The size of the values. vtkPolyData::GetActualMemorySize includes spare capacity, in kibibytes.
 vtkIdType BytesOf(vtkDataArray* array)
 {
   return array ? array->GetNumberOfValues() * array->GetDataTypeSize() : 0;
@@ -366,8 +367,8 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
     if (left > 0)
     {
       row.AddNote(std::to_string(left) +
-        " triangles have vertices that are not finite, beside samples that are not: they have no "
-        "accuracy.");
+        " triangles have vertices that are not finite, near samples that are not: their accuracy "
+        "is not measured.");
     }
     const vtkSmartPointer<vtkPolyData> cut = CutAtCentroids(mesh);
     const SurfaceErrors errors = MeasureErrors(this->Image, this->Reference, row.Isovalue,
@@ -562,7 +563,7 @@ int vtkIsosurfaceComparisonFilter::RequestInformation(vtkInformation* vtkNotUsed
 int vtkIsosurfaceComparisonFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  // The whole volume, whatever part of the picture is asked for.
+  // The whole volume, whatever part of an output is requested.
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
     info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
@@ -602,8 +603,8 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
   choose(this->SpanSpace, vtkIsosurfaceComparison::SpanSpace);
   if (this->GetNumberOfContours() == 0 || (methods.empty() && !this->RayTracing))
   {
-    vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue and switch a "
-                    "method on, as with FlyingEdgesOn.");
+    vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue, and switch on "
+                    "a method, for example with FlyingEdgesOn.");
     return 1;
   }
 

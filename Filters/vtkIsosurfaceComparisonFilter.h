@@ -4,85 +4,87 @@
  * @class   vtkIsosurfaceComparisonFilter
  * @brief   compare ray traced isosurfaces with extracted ones: time, memory, accuracy
  *
- * Takes a vtkImageData, comes by its isosurfaces in several ways, and tells what each costs and how
- * far it is from the isosurface of the trilinear interpolant, which is what
+ * Computes the isosurfaces of a vtkImageData by several methods, and reports the cost of each
+ * method and its distance from the isosurface of the trilinear interpolant, which
  * vtkIsosurfaceRayTraceMapper traces.
  *
- * Output 0 is a vtkTable with a row for every isovalue and method, the methods of an isovalue one
- * after the other. Times are seconds of wall-clock time, each the median of all repeats. What was
- * not measured is NaN.
+ * Output 0 is a vtkTable with a row for every isovalue and method; the rows of an isovalue are
+ * consecutive. Times are wall-clock times in seconds, each the median of all repeats. Values that
+ * were not measured are NaN.
  *
  * | column                 | meaning                                                             |
  * |------------------------|---------------------------------------------------------------------|
- * | Method                 | the class that did it                                               |
+ * | Method                 | the name of the class                                               |
  * | Isovalue               |                                                                     |
- * | BuildTime              | preparing what serves all isovalues: span space, macrocells         |
- * | ExtractionTime         | from there to the triangles, without normals                        |
+ * | BuildTime              | building what serves all isovalues: span space, macrocells          |
+ * | ExtractionTime         | extracting the triangles after that, without normals                |
  * | FirstPictureTime       | from the image in memory to a picture in an open window             |
  * | NextPictureTime        | the next picture, from another side                                 |
- * | NewIsovaluePictureTime | the first picture of another isovalue, 1/1000 of the range away     |
+ * | NewIsovaluePictureTime | the first picture of an isovalue 1/1000 of the range away           |
  * | Triangles, Points      | of the mesh                                                         |
- * | Bytes                  | what is kept: coordinates and triangles; macrocells and bricks      |
- * | PeakBytes              | how far the memory of the process rises, see below                  |
+ * | Bytes                  | memory kept: coordinates and triangles; macrocells and bricks       |
+ * | PeakBytes              | peak growth of the memory of the process, see below                 |
  * | MedianDistanceInCells, P99DistanceInCells, MaximumDistanceInCells | of the surface from the  |
  * |                        | isosurface of the interpolant, see below                            |
  * | MedianDistance, P99Distance, MaximumDistance | the same in units of the world                |
  * | MedianNormalError, P99NormalError, MaximumNormalError | angles between the normals of         |
  * |                        | triangles and those of the isosurface, in degrees, 0 to 90          |
- * | LostPoints             | points measured from which no isosurface was found                  |
+ * | LostPoints             | measured points from which no isosurface was found                  |
  * | CoveredPixels          | pixels that show the isosurface                                     |
- * | DifferentPixels        | pixels that show the isosurface and not the mesh, or the mesh alone |
- * | AmbiguousCells         | cells whose signs do not tell how the surface runs, see below       |
- * | TopologyDifferences    | those of them which the mesh parts otherwise than the isosurface    |
- * | Note                   | what stands in the way of a measurement                             |
+ * | DifferentPixels        | pixels that show either the isosurface or the mesh, but not both    |
+ * | AmbiguousCells         | cells whose signs do not determine the topology, see below          |
+ * | TopologyDifferences    | ambiguous cells in which the topology of the mesh is different      |
+ * | Note                   | why something could not be measured                                 |
  *
- * *Pictures.* Those of triangles are shaded with the normals the filters compute, ours with the
- * defaults of the mapper. They need an OpenGL window; where none can be had the times are NaN and
- * the note says why. Who draws the triangles, a GPU or a CPU, decides their times.
+ * *Pictures* of triangles are shaded with the normals that the filters compute, ray traced ones
+ * with the defaults of the mapper. They need an OpenGL window; without one the times are NaN and
+ * the note says why. The times of triangles depend on whether a GPU or a CPU draws them.
  *
  * *Distances* are measured at the centroids of the triangles: the vertices are on edges of cells,
- * where linear interpolation is exact, and would only flatter the mesh. A distance is that along
- * the gradient of the interpolant, found by casting a ray, or that to the nearest crossing of an
- * edge of the cell, if that is nearer: never smaller than the true one. For
- * vtkIsosurfaceRayTraceMapper the points are the hits of the picture, with the gradient as normal.
+ * where linear interpolation is exact, and would make the mesh look more accurate than it is. A
+ * distance is measured along the gradient of the interpolant, by casting a ray, or to the nearest
+ * crossing of an edge of the cell, if that is nearer; it is never smaller than the true distance.
+ * For vtkIsosurfaceRayTraceMapper the points are the hits of the picture, with the gradient as
+ * normal.
  *
- * *Pixels* are told by casting the rays of the picture at the isosurface and at the triangles, in
- * double and without OpenGL.
+ * *Pixels* are compared by casting the rays of the picture at the isosurface and at the triangles,
+ * in double precision and without OpenGL.
  *
- * *Ambiguous cells* have corners inside, or outside, that no edges join. The mesh differs there if
- * two corners can be joined by a path that does not cross it and not by one that does not cross the
- * isosurface, or the other way round. Cells with a corner at the isovalue are left out. For
- * vtkIsosurfaceRayTraceMapper the isosurface would be compared with itself: DifferentPixels,
- * AmbiguousCells and TopologyDifferences are NaN.
+ * *Ambiguous cells* have inside corners, or outside corners, that are not all connected by edges
+ * between them. The topology is different if two corners can be connected by a path that does not
+ * cross the mesh, but by none that does not cross the isosurface, or the reverse. Cells with a
+ * corner at the isovalue are left out. For vtkIsosurfaceRayTraceMapper the isosurface would be
+ * compared with itself: DifferentPixels, AmbiguousCells and TopologyDifferences are NaN.
  *
- * *PeakBytes* is the growth of the memory in RAM during build and extraction, or a picture; Linux
- * only (VmHWM of /proc). It holds whatever the process did meanwhile: measure in a quiet process.
- * Memory of the graphics driver is in no column.
+ * *PeakBytes* is the growth of resident memory during build and extraction, or during a picture, on
+ * Linux only (VmHWM of /proc). It includes everything the process does meanwhile: measure in a
+ * process that does nothing else. Memory of the graphics driver is in no column.
  *
- * Output 1 is the mesh of the row chosen with SetOutputRow, each triangle cut in three at its
+ * Output 1 is the mesh of the row selected with SetOutputRow, each triangle split into three at its
  * centroid, with the point data DistanceInCells (the active scalars) and Distance. For
- * vtkIsosurfaceRayTraceMapper, it is the hits as vertices.
+ * vtkIsosurfaceRayTraceMapper it contains the hits as vertices.
  *
- * Output 2 is a picture of the same row, rows of pixels from the bottom, with the point data
- * DepthDifference (the active scalars: how far the mesh is behind the isosurface along the ray, in
- * the world; NaN where one is missing) and Coverage (0: neither is there, 1: both, 2: the
+ * Output 2 is an image of the same row, the bottom row of pixels first, with the point data
+ * DepthDifference (the active scalars: the distance of the mesh behind the isosurface along the
+ * ray, in world units; NaN where one is missing) and Coverage (0: neither, 1: both, 2: the
  * isosurface alone, 3: the mesh alone).
  *
- * Triangles with vertices that are not finite, as VTK makes them beside samples that are not, are
- * counted, have no accuracy, and are not in output 1; the note says how many.
+ * Triangles with vertices that are not finite, which VTK generates near samples that are not
+ * finite, are counted, but have no accuracy and are not in output 1; the note says how many there
+ * are.
  *
- * An isovalue that the data does not reach has rows with no triangles, and a note. Point scalars of
- * one component are needed: the active ones, or those chosen with SetInputArrayToProcess. Without
- * them, or if the data has no cells, there is an error, and rows that say so; without isovalues
- * or methods, a warning and a table without rows.
+ * An isovalue outside the range of the scalars has rows without triangles, and a note. The filter
+ * needs point scalars with one component: the active ones, or those selected with
+ * SetInputArrayToProcess. Without them, or if the image has no cells, the filter reports an error,
+ * and the rows have a note; without isovalues or methods, it reports a warning and the table has no
+ * rows.
  *
- * Progress is reported after every measurement, never inside one, so that observers are not
- * measured. That is also where AbortExecute is looked at; an aborted table holds the rows that were
- * finished.
+ * Progress is reported after every measurement, never during one, so that the time of observers is
+ * not measured. AbortExecute is checked there too; after an abort the table has the finished rows.
  *
  * The near-optimal extraction in span space is that of Y. Livnat, H.-W. Shen, C. R. Johnson: A Near
- * Optimal Isosurface Extraction Algorithm Using the Span Space. IEEE TVCG 2(1), 1996, as VTK has
- * it.
+ * Optimal Isosurface Extraction Algorithm Using the Span Space. IEEE TVCG 2(1), 1996, as
+ * implemented in VTK.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkFlyingEdges3D vtkMarchingCubes vtkSynchronizedTemplates3D
  * vtkContourFilter vtkSpanSpace vtkContourValues
@@ -157,7 +159,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkContourFilter is measured, as it is out of the box. Default: true.
+   * Set/Get whether vtkContourFilter is measured, with its default settings. Default: true.
    */
   vtkSetMacro(ContourFilter, bool);
   vtkGetMacro(ContourFilter, bool);
@@ -166,8 +168,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkContourFilter with a vtkSpanSpace is measured. It takes isovalues only that
-   * are truly between the smallest and the largest scalar; for others the note says so.
+   * Set/Get whether vtkContourFilter with a vtkSpanSpace is measured. It supports only isovalues
+   * strictly between the smallest and the largest scalar; for others the note says so.
    * Default: true.
    */
   vtkSetMacro(SpanSpace, bool);
@@ -205,8 +207,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many times every time is taken. The first one also pays for waking threads and
-   * touching memory; an odd number of three or more keeps that out of the median.
+   * Set/Get the number of measurements of each time. The first one includes starting threads and
+   * touching memory; with an odd number of three or more, the median does not.
    * Range: 1 to 1000. Default: 3.
    */
   vtkSetClampMacro(NumberOfRepeats, int, 1, 1000);
@@ -215,8 +217,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the camera of the pictures. Its clipping planes are moved to include the whole volume.
-   * Default: none, which stands for that of LookAt.
+   * Set/Get the camera of the pictures. Its clipping range is reset to include the whole volume.
+   * Default: none, for which the camera of LookAt is used.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -233,26 +235,26 @@ public:
 
   ///@{
   /**
-   * Set/Get the row of the table to which outputs 1 and 2 belong. There is nothing in them if there
-   * is no such row. Range: 0 to VTK_INT_MAX. Default: 0.
+   * Set/Get the row of the table to which outputs 1 and 2 belong. They are empty if there is no
+   * such row. Range: 0 to VTK_INT_MAX. Default: 0.
    */
   vtkSetClampMacro(OutputRow, int, 0, VTK_INT_MAX);
   vtkGetMacro(OutputRow, int);
   ///@}
 
   /**
-   * Makes a camera look at the middle of an image, from the front, the left and above if y points
-   * to the viewer and z up, so that the picture is well filled.
+   * Makes a camera look at the centre of an image, from the front, the left and above if y points
+   * to the viewer and z up, so that the image fills most of the picture.
    */
   static void LookAt(vtkImageData* image, vtkCamera* camera);
 
   /**
-   * Why pictures cannot be drawn here, and what to do about it; empty if they can.
+   * Returns why pictures cannot be rendered on this machine, and the remedy; empty if they can.
    */
   static std::string WhyNoPictures();
 
   /**
-   * The isovalues and the camera are part of the state of the filter.
+   * Returns the modification time, including that of the isovalues and the camera.
    */
   vtkMTimeType GetMTime() override;
 

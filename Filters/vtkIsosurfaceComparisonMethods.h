@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The ways to an isosurface that vtkIsosurfaceComparisonFilter compares: VTK's extraction filters
-// behind one interface, and the isosurface as our mapper traces it.
+// The methods that vtkIsosurfaceComparisonFilter compares: VTK's extraction filters behind one
+// interface, and the isosurface as vtkIsosurfaceRayTraceMapper traces it.
 
 #ifndef vtkIsosurfaceComparisonMethods_h
 #define vtkIsosurfaceComparisonMethods_h
@@ -22,7 +22,7 @@ class vtkVolume;
 namespace vtkIsosurfaceComparison
 {
 
-/// A filter of VTK that makes triangles of the active scalars of an image.
+/// A filter of VTK that extracts triangles from the active scalars of an image.
 class Extraction
 {
 public:
@@ -30,13 +30,13 @@ public:
 
   virtual vtkPolyDataAlgorithm* GetFilter() = 0;
   virtual void SetIsovalue(double isovalue) = 0;
-  /// Builds what does not depend on the isovalue, and says how many seconds that took. Most filters
-  /// have nothing of that kind.
+  /// Builds what does not depend on the isovalue, and returns the time in seconds. Most filters
+  /// have nothing to build.
   virtual double Build() { return 0.0; }
 };
 
-/// A kind of extraction. Set up, it has neither built nor extracted anything; it makes normals for
-/// shading if asked to.
+/// A kind of extraction. A new filter has neither built nor extracted anything; it computes normals
+/// for shading if requested.
 struct ExtractionMethod
 {
   const char* Name;
@@ -49,11 +49,11 @@ extern const ExtractionMethod FlyingEdges;
 extern const ExtractionMethod MarchingCubes;
 extern const ExtractionMethod SynchronizedTemplates;
 extern const ExtractionMethod ContourFilter;
-/// vtkContourFilter with a vtkSpanSpace. It asks its scalar tree for images only if they are
-/// vtkUniformGrid, so that is what it gets: the same image, by another name.
+/// vtkContourFilter with a vtkSpanSpace. It uses its scalar tree only for vtkUniformGrid, so the
+/// image is passed as one.
 extern const ExtractionMethod SpanSpace;
 
-/// The isosurface of the trilinear interpolant: a volume with our mapper.
+/// The isosurface of the trilinear interpolant: a volume with vtkIsosurfaceRayTraceMapper.
 class TracedIsosurface
 {
 public:
@@ -63,7 +63,7 @@ public:
   TracedIsosurface& operator=(const TracedIsosurface&) = delete;
 
   void SetIsovalue(double isovalue);
-  /// Builds what does not depend on the isovalue, and says how many seconds that took.
+  /// Builds what does not depend on the isovalue, and returns the time in seconds.
   double Build();
 
   vtkNew<vtkIsosurfaceRayTraceMapper> Mapper;

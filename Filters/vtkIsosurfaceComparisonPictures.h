@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long a person who sits before a render window waits for a picture.
+// Measures the times of pictures in a render window.
 
 #ifndef vtkIsosurfaceComparisonPictures_h
 #define vtkIsosurfaceComparisonPictures_h
@@ -25,24 +25,24 @@ namespace vtkIsosurfaceComparison
 struct ExtractionMethod;
 struct Row;
 
-/// Why no picture can be drawn, and what to do about it; empty if one can.
+/// Returns why pictures cannot be rendered, and the remedy; empty if they can.
 std::string WhyNoPictures();
 
-/// Something to look at whose isovalue can be changed.
+/// A prop that shows an isosurface, whose isovalue can be changed.
 class Drawing
 {
 public:
   virtual ~Drawing() = default;
   virtual vtkProp* GetProp() = 0;
   virtual void SetIsovalue(double isovalue) = 0;
-  /// What a first picture needs and the window does not ask for by itself.
+  /// Computes what the first picture needs and rendering does not update by itself.
   virtual void Prepare() {}
 };
 
 std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkImageData* image);
 std::unique_ptr<Drawing> NewTracedIsosurface(vtkImageData* image);
 
-/// A window off the screen, ready to draw.
+/// An off-screen window, initialized.
 class PictureWindow
 {
 public:
@@ -51,7 +51,7 @@ public:
   PictureWindow(const PictureWindow&) = delete;
   PictureWindow& operator=(const PictureWindow&) = delete;
 
-  /// Fills in the times of a row: the medians of so many repeats, each with a new drawing.
+  /// Fills in the times of a row: the medians of a number of repeats, each with a new drawing.
   /// Returns early if it is told to stop.
   void Measure(const std::function<std::unique_ptr<Drawing>()>& newDrawing, double isovalue,
     double otherIsovalue, int repeats, const std::function<bool()>& isAborted, Row& row);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of a picture, cast at the isosurface and at triangles. Needs no OpenGL, and tells both
-// surfaces to all digits of a double.
+// The rays of a picture, cast at the isosurface and at triangles, in double precision and without
+// OpenGL.
 
 #ifndef vtkIsosurfaceComparisonRays_h
 #define vtkIsosurfaceComparisonRays_h
@@ -22,13 +22,13 @@ namespace vtkIsosurfaceComparison
 
 class TracedIsosurface;
 
-/// A camera that looks at the middle of an image from the left, the front and above, with z up.
+/// A camera that looks at the centre of an image from the left, the front and above, with z up.
 void LookAt(vtkImageData* image, vtkCamera* camera);
 
-/// Moves the clipping planes of a camera so that they cut nothing off the image that is before it.
+/// Resets the clipping range of a camera to include all of the image in front of it.
 void IncludeWhole(vtkImageData* image, vtkCamera* camera);
 
-/// A ray through the middle of each pixel, rows from the bottom, from the near clipping plane
+/// A ray through the centre of each pixel, rows from the bottom, from the near clipping plane
 /// (T = 0) to the far one (T = 1).
 class PictureRays
 {
@@ -45,7 +45,7 @@ public:
   /// The hits of an isosurface as points with normals. Returns whether rays could be cast.
   bool FindHits(TracedIsosurface& isosurface, vtkPolyData* hits) const;
 
-  /// Does the work of a picture, and throws the hits away, so that they take little memory.
+  /// Casts the rays of a picture and discards the hits, which saves memory.
   void CastInPortions(TracedIsosurface& isosurface) const;
 
   /// The distance from the near clipping plane to the far one along each ray, in the world.
@@ -58,7 +58,7 @@ private:
   vtkNew<vtkDoubleArray> Directions;
 };
 
-/// What DepthDifference and Coverage of the output of the filter are made of.
+/// The data of DepthDifference and Coverage in the output of the filter.
 enum Coverage : unsigned char
 {
   Neither = 0,
@@ -71,7 +71,7 @@ enum Coverage : unsigned char
 void WriteDifference(const PictureRays& rays, const std::vector<double>& isosurface,
   const std::vector<double>& mesh, vtkImageData* image);
 
-/// How many pixels show one and not the other.
+/// The number of pixels that show one and not the other.
 double CountDifferentPixels(const std::vector<double>& isosurface, const std::vector<double>& mesh);
 double CountCoveredPixels(const std::vector<double>& isosurface);
 

@@ -16,7 +16,7 @@ class vtkTable;
 namespace vtkIsosurfaceComparison
 {
 
-/// What was not measured, or cannot be.
+/// The value of what was not measured, or cannot be.
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 struct Row
@@ -52,13 +52,13 @@ struct Row
   double AmbiguousCells = NotMeasured;
   double TopologyDifferences = NotMeasured;
 
-  /// What stands in the way of a measurement, sentence after sentence.
+  /// Why something could not be measured, in sentences.
   std::string Note;
 
   void AddNote(const std::string& sentence);
 };
 
-/// The columns are there even when no row is.
+/// Has all columns even if there are no rows.
 void AddColumns(vtkTable* table);
 void AddRow(vtkTable* table, const Row& row);
 

@@ -56,7 +56,7 @@ MemoryPeak::MemoryPeak()
   malloc_trim(0);
 #endif
   std::ofstream reset("/proc/self/clear_refs");
-  reset << "5" << std::flush; // VmHWM begins anew.
+  reset << "5" << std::flush; // Resets VmHWM.
   this->Before = reset ? ReadStatus("VmRSS") : NotMeasured;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What it takes: time and memory.
+// Measures time and memory.
 
 #ifndef vtkIsosurfaceComparisonTime_h
 #define vtkIsosurfaceComparisonTime_h
@@ -12,7 +12,7 @@
 namespace vtkIsosurfaceComparison
 {
 
-/// Seconds of wall-clock time since it was made.
+/// The wall-clock time since its construction.
 class Stopwatch
 {
 public:
@@ -26,16 +26,16 @@ private:
   Clock::time_point Start = Clock::now();
 };
 
-/// NaN of no values.
+/// NaN if there are no values.
 double Median(std::vector<double> values);
 
-/// How far the memory of the process that is in RAM rises above what it was when this was made.
+/// The peak growth of the resident memory of the process since construction.
 class MemoryPeak
 {
 public:
   MemoryPeak();
 
-  /// Bytes; NaN where the system does not tell (it is Linux that does).
+  /// In bytes; NaN on systems other than Linux.
   double GetBytes() const;
 
 private:

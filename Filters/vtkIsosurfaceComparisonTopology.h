@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whether a mesh joins in a cell what the trilinear interpolant joins.
+// Compares the topology of a mesh with that of the trilinear interpolant, cell by cell.
 
 #ifndef vtkIsosurfaceComparisonTopology_h
 #define vtkIsosurfaceComparisonTopology_h
@@ -16,17 +16,17 @@ namespace vtkIsosurfaceComparison
 
 struct TopologyCount
 {
-  /// The cells whose corners inside are not all joined by edges inside, or those outside by edges
-  /// outside: their signs alone do not tell how the surface runs.
+  /// The cells whose inside corners are not all connected by edges between inside corners, or whose
+  /// outside corners by edges between outside ones: their signs do not determine the topology.
   vtkIdType AmbiguousCells = 0;
-  /// Those of them in which the mesh parts the eight corners otherwise than the isosurface does:
-  /// two corners are together if a path inside the cell joins them without crossing the surface.
+  /// Ambiguous cells in which the mesh connects other corners than the isosurface: two corners are
+  /// connected if there is a path between them inside the cell that does not cross the surface.
   vtkIdType Differences = 0;
 };
 
-/// Cells with a corner that is exactly at the isovalue, or is not a number, are left out: there the
-/// triangles touch corners, and to which edge they belong cannot be told. The mesh is of triangles
-/// whose vertices are on the edges of cells.
+/// Cells with a corner that is exactly at the isovalue, or is not a number, are left out: triangles
+/// that touch a corner cannot be assigned to an edge. The vertices of the triangles must be on
+/// edges of cells.
 TopologyCount CompareTopology(vtkImageData* image, double isovalue, vtkPolyData* mesh);
 
 }

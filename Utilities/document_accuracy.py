@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Put what vtkIsosurfaceSpeedAgainstError measured into Documentation/accuracy.md.
+"""Write the results of vtkIsosurfaceSpeedAgainstError into Documentation/accuracy.md.
 
     xvfb-run -a document_accuracy.py report/fields report/cranium report/brain
 
-takes the folders of its results and replaces what is between the two lines of the page that name
-this program, and the pictures Documentation/images/accuracy-*.png. What the page says around them
-must be read again by a human."""
+takes the folders of its results and replaces the part of the page between the two comments that name
+this program, and the pictures Documentation/images/accuracy-*.png. Check afterwards that the text
+around it still holds."""
 
 import re
 
@@ -23,18 +23,18 @@ from document_parts import (
 )
 from error_image import write_error_image
 
-# The inputs that the page has details of, by the beginnings of their names, and their pictures.
+# The inputs with details in the page, by the beginnings of their names, and their pictures.
 DETAILED = {
     "cranium": ("speed-error", "errors", "frame-misjudged", "heat"),
     "ch2better": (),
     "gyroid": ("heat",),
     "near tangent": (),
 }
-# Other parameters of the same methods, which the page goes without.
+# Other parameters of the same methods, which the page leaves out.
 LEFT_OUT = (
     r"Marmitt, N = [246]|Sampler.* (2\.0|1\.0|0\.25|0\.125) cells|Triangles of marching cubes"
 )
-# What is too small for a double, and for a logarithmic axis.
+# The smallest error on logarithmic axes, below the precision of a double.
 SMALLEST_ERROR = 1e-17
 
 
@@ -47,7 +47,7 @@ def find(results, name):
 
 
 def price_table(inputs):
-    """What the default solver costs, and how many times that others do."""
+    """The time of the default solver, and the ratios of others to it."""
     compared = {
         "rays": ("nanosecondsPerRay", ("Robust", "Single precision", "Marmitt, N = 3")),
         "pictures": ("millisecondsPerFrame", ("Robust", "Marmitt, N = 3")),
@@ -106,7 +106,7 @@ def write_speed_plot(measured, path):
 
 
 def write_misjudged_plot(measured, path):
-    # Less than one ray is none at all, which a logarithmic axis does not have.
+    # 0.3 rays stand for none, which a logarithmic axis cannot show.
     curves = curves_of(
         measured["pictures"],
         "millisecondsPerFrame",
@@ -174,7 +174,7 @@ def describe(reports, images):
         yield f"- {folder.name}: {said['machine']}; OpenGL by {said['OpenGL']}; load of the machine "
         yield f"before: {said['load of the machine before']}\n"
     inputs = [measured for report in reports.values() for measured in report["inputs"]]
-    yield f"\nThe price of the default solver:\n\n{price_table(inputs)}"
+    yield f"\nThe cost of the default solver:\n\n{price_table(inputs)}"
     for beginning, pictures in DETAILED.items():
         for measured in inputs:
             if measured["name"].startswith(beginning):

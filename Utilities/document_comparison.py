@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Put what vtkIsosurfaceCompare measured into Documentation/comparison.md.
+"""Write the results of vtkIsosurfaceCompare into Documentation/comparison.md.
 
     document_comparison.py table.json report/report.html
 
-replaces what is between the two lines of the page that name this program, and the plots
-Documentation/images/comparison-*.png. What the page says around them must be read again by a human.
+replaces the part of the page between the two comments that name this program, and the plots
+Documentation/images/comparison-*.png. Check afterwards that the text around it still holds.
 """
 
 import base64
@@ -23,7 +23,7 @@ from document_parts import (
 # The beginning of the caption in the report, the file, the caption in the page.
 PLOTS = (
     ("The times of the table", "comparison-times.png", "Seconds for a picture"),
-    ("Below a curve rays", "comparison-crossover.png", "Up to how many pictures rays win"),
+    ("Below a curve rays", "comparison-crossover.png", "Up to how many pictures rays need less time"),
 )
 
 
@@ -59,12 +59,12 @@ def describe(measured):
     yield f"    {measured['command']}\n\n{measured['machine']}; repeats: {measured['repeats']}.\n\n"
     times = ["Build", "Extraction", "FirstPicture", "NextPicture", "NewIsovaluePicture"]
     yield markdown_table(
-        ["ms", "build", "extract", "first picture", "next picture", "new isovalue"],
+        ["ms", "build", "extraction", "first picture", "next picture", "new isovalue"],
         rows_of(measured, [(f"{name}Time", 1e3) for name in times]),
     )
     yield markdown_table(
-        ["", "triangles", "kept, MB", "rise of RAM, MB", "cells off: median", "99 %", "max"]
-        + ["normals off, degrees: median", "pixels that differ", "ambiguous cells", "of other topology"],
+        ["", "triangles", "memory, MB", "peak growth, MB", "distance, cells: median", "99 %", "max"]
+        + ["normal error, degrees: median", "different pixels", "ambiguous cells", "different topology"],
         rows_of(
             measured,
             [("Triangles", 1), ("Bytes", 1e-6), ("PeakBytes", 1e-6)]
@@ -75,7 +75,7 @@ def describe(measured):
     )
     yield markdown_table(
         ["samples", "triangles, ms: new isovalue", "next picture", "rays, ms: new isovalue"]
-        + ["next picture", "less time here", "if triangles were drawn in no time"],
+        + ["next picture", "faster here", "if drawing triangles took no time"],
         crossover_rows(measured),
     )
     for _, file_name, caption in PLOTS:

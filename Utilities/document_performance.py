@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Put what vtkIsosurfaceBenchmark measured into Documentation/performance.md.
+"""Write the results of vtkIsosurfaceBenchmark into Documentation/performance.md.
 
     document_performance.py cranium.json large.json growth.json
 
-replaces what stands below the commands of the page that write files of these names. What the page
-says around it must be read again by a human."""
+replaces the text below the commands of the page that write files of these names. Check afterwards
+that the text around it still holds."""
 
 import re
 import sys
@@ -20,7 +20,7 @@ from document_parts import (
     read_json,
 )
 
-# What it takes to measure each of the goals.
+# What is required to measure each of the goals.
 NEEDS = {
     1: "the baseline embree",
     2: "the baseline polygons",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compare ways to an isosurface: compare_isosurfaces.py VOLUME.mhd ISOVALUE"""
+"""Compare ray traced and extracted isosurfaces: compare_isosurfaces.py VOLUME.mhd ISOVALUE"""
 
 import sys
 
@@ -29,4 +29,4 @@ lines = [
 widths = [max(map(len, texts)) for texts in zip(*lines)]
 for line in lines:
     print("  ".join(f"{text:>{width}}" for text, width in zip(line, widths)).rstrip())
-# Output 1 is the mesh with its distance from the isosurface, output 2 the picture of the difference.
+# Output 1 is the mesh with its distance from the isosurface, output 2 the image of the difference.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make pictures of what the mapper can do, without a window: gallery.py VOLUME.mhd ISOVALUE FOLDER"""
+"""Make pictures of the mapper's features, without a window: gallery.py VOLUME.mhd ISOVALUE FOLDER"""
 
 import os
 import sys
@@ -22,7 +22,7 @@ from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
 
 class Picture:
-    """A volume with one ivory isosurface, a camera that sees it from a corner, and a lamp."""
+    """A volume with one ivory isosurface, a camera that sees it from a corner, and a light."""
 
     def __init__(self, image, isovalue):
         self.mapper = vtkIsosurfaceRayTraceMapper()
@@ -41,11 +41,11 @@ class Picture:
             center[0] - 0.5 * length, center[1] + 1.1 * length, center[2] + 0.35 * length)
         self.camera.SetViewUp(0.0, 0.0, 1.0)
         self.camera.SetClippingRange(0.3 * length, 3.0 * length)
-        lamp = vtkLight()
-        lamp.SetLightTypeToCameraLight()
-        lamp.SetPosition(0.5, 1.0, 1.0)
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(0.5, 1.0, 1.0)
         self.lights = vtkLightCollection()
-        self.lights.AddItem(lamp)
+        self.lights.AddItem(light)
 
     def add_surface(self, isovalue, color, opacity):
         values = self.surface.GetIsoSurfaceValues()
@@ -92,7 +92,7 @@ def clipped(picture, image, isovalue):
 
 
 def capped(picture, image, isovalue):
-    """The skin cut open, with the slice of the CT where it is cut."""
+    """The skin cut open, with a slice of the CT on the clipping plane."""
     low, high = image.GetScalarRange()
     skin = 0.5 * (low + isovalue)
     picture.add_surface(skin, (0.9, 0.65, 0.5), 1.0)
@@ -148,7 +148,7 @@ def projected(picture, image, isovalue):
 
 
 def least(picture, image, isovalue):
-    """The smallest values within the middle of the volume."""
+    """The smallest values inside the middle of the volume."""
     bounds = image.GetBounds()
     picture.mapper.SetCroppingRegionPlanes(
         *[bounds[2 * axis] + part * (bounds[2 * axis + 1] - bounds[2 * axis])
@@ -180,7 +180,7 @@ def steepness(picture, image, isovalue):
 
 
 def cells(picture, image, isovalue):
-    """A cell for every sample; a wedge of them is blank."""
+    """A cell for every sample; a wedge of them is blanked."""
     grid = vtkUniformGrid()
     size = image.GetDimensions()
     grid.SetDimensions([count + 1 for count in size])
@@ -197,7 +197,7 @@ def cells(picture, image, isovalue):
 
 
 def rectilinear(picture, image, isovalue):
-    """Fewer and fewer slices towards the top, and the planes stand where the slices are."""
+    """Fewer and fewer slices towards the top, with coordinates where the slices are."""
     size, samples = image.GetDimensions(), image.GetPointData().GetScalars()
     slices = [z for z in range(size[2]) if z < size[2] // 2 or z % (8 * z // size[2] - 2) == 0]
     if slices[-1] != size[2] - 1:
@@ -221,7 +221,7 @@ def rectilinear(picture, image, isovalue):
 
 
 def blocks(picture, image, isovalue):
-    """Eight blocks that share the points between them, of which one is missing."""
+    """Eight blocks that share the points between them; one is missing."""
     extent = image.GetExtent()
     halves = [((extent[2 * axis], sum(extent[2 * axis:2 * axis + 2]) // 2),
                (sum(extent[2 * axis:2 * axis + 2]) // 2, extent[2 * axis + 1]))

@@ -6,10 +6,9 @@
     invesalius_to_metaimage.py /usr/share/doc/invesalius-examples/examples/Cranium.inv3 data
 
 writes data/matrix.dat (the samples, as they are in the project) and data/cranium.mhd (a text header
-that points at them). Debian's package invesalius-examples has the project; Python alone is needed.
+that refers to them). Debian's package invesalius-examples has the project. Needs Python only.
 
-A project tells neither where the volume is nor how it is turned. In Cranium the face looks along +y
-and z is up.
+A project has no origin and no orientation. In Cranium the face looks along +y and z is up.
 """
 
 import argparse
@@ -37,15 +36,15 @@ ElementDataFile = {data_file}
 
 
 class ProjectError(Exception):
-    """The file is not a project that this program understands."""
+    """The file is not a project that this program can read."""
 
 
 def find_file(archive, name):
-    """The regular file of that name, in whichever folder of the archive it lies."""
+    """The regular file with this name, in any folder of the archive."""
     for member in archive:
         if member.isfile() and PurePosixPath(member.name).name == name:
             return member
-    raise ProjectError(f"there is no {name} in it")
+    raise ProjectError(f"it contains no {name}")
 
 
 def read_description(archive):
@@ -60,14 +59,14 @@ def read_description(archive):
     except Exception as error:  # a broken property list breaks in many ways
         raise ProjectError(f"its main.plist does not describe a volume ({error!r})") from error
     if sample_type != "int16":
-        raise ProjectError(f"its samples are {sample_type}, only int16 is understood")
+        raise ProjectError(f"its samples are {sample_type}, only int16 is supported")
     if len(shape) != 3 or min(shape) < 1 or len(spacing) != 3 or not min(spacing) > 0:
         raise ProjectError(f"its shape {shape} and spacing {spacing} are not those of a volume")
     return file_name, shape, spacing
 
 
 def write_whole(path, write):
-    """Write a file under another name first, so that a half-written one is never found."""
+    """Write under another name first, so that the file is complete or absent."""
     part = path.with_name(path.name + ".part")
     try:
         with open(part, "wb") as stream:
@@ -88,7 +87,7 @@ def convert(project, folder):
         if samples.size != expected:
             raise ProjectError(f"{file_name} has {samples.size} bytes, {shape} needs {expected}")
         folder.mkdir(parents=True, exist_ok=True)
-        # Names in the archive are never used as paths: what is written goes where we say.
+        # Names in the archive are never used as paths, so that nothing is written elsewhere.
         write_whole(data_path, lambda out: shutil.copyfileobj(archive.extractfile(samples), out))
     header = HEADER.format(
         dimensions=" ".join(str(n) for n in reversed(shape)),

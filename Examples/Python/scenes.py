@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make pictures of isosurfaces in scenes of VTK: scenes.py VOLUME.mhd ISOVALUE FOLDER"""
+"""Draw isosurfaces in scenes of VTK: scenes.py VOLUME.mhd ISOVALUE FOLDER"""
 
 import os
 import sys
@@ -29,7 +29,7 @@ from vtkIsosurfaceRayTracing import (
 
 
 class Scene:
-    """A window that shows an ivory isosurface, as opaque geometry, from a corner."""
+    """A window that shows an ivory isosurface as opaque geometry, seen from a corner."""
 
     def __init__(self, image, isovalue, size):
         self.image = image
@@ -135,8 +135,8 @@ def at_rest(scene):
         scene.window.Render()
 
 
-def hurried(scene):
-    """A ray for every 4 x 4 pixels, as while somebody turns a large volume."""
+def coarse(scene):
+    """A ray for every 4 x 4 pixels, as while interacting with a large volume."""
     scene.volume.GetMapper().AutoAdjustSampleDistancesOff()
     scene.volume.GetMapper().SetImageSampleDistance(4.0)
 
@@ -148,7 +148,7 @@ def smooth_edges(scene):
 
 
 def picked(scene):
-    """An arrow at each point that is picked, out of the surface."""
+    """An arrow at each picked point, along the normal of the surface."""
     scene.window.Render()
     points, normals = vtkPoints(), vtkDoubleArray()
     normals.SetNumberOfComponents(3)
@@ -185,7 +185,7 @@ SCENES = (
     anaglyph,
     smart_mapper,
     at_rest,
-    hurried,
+    coarse,
     smooth_edges,
     picked,
 )

@@ -30,7 +30,7 @@ namespace Compare
 namespace
 {
 
-/// The smallest and the largest of a coordinate of all curves.
+/// The smallest and the largest value of a coordinate over all curves.
 struct Range
 {
   double Low = std::numeric_limits<double>::max();
@@ -46,7 +46,7 @@ struct Range
 /// Adds a plot; widens the ranges by its points.
 void AddCurve(vtkChartXY* chart, const Curve& curve, std::size_t number, Range ranges[2])
 {
-  // Told apart on white, by those who do not see all colours too (M. Okabe, K. Ito 2008).
+  // Distinct on white, for colour-blind readers too (M. Okabe, K. Ito 2008).
   constexpr unsigned char colors[][3] = { { 0, 114, 178 }, { 213, 94, 0 }, { 0, 158, 115 },
     { 204, 121, 167 }, { 230, 159, 0 }, { 86, 180, 233 }, { 0, 0, 0 } };
   vtkNew<vtkDoubleArray> coordinates[2];
@@ -91,7 +91,7 @@ void SetAxis(vtkAxis* axis, const std::string& title, const Range& range)
   const double low = std::floor(std::log10(range.Low) + 1e-6);
   const double high = std::max(low + 1.0, std::ceil(std::log10(range.High) - 1e-6));
   axis->SetUnscaledRange(std::pow(10.0, low), std::pow(10.0, high));
-  // VTK labels more of them than there is room for.
+  // VTK places more labels than there is room for.
   vtkNew<vtkDoubleArray> ticks;
   vtkNew<vtkStringArray> labels;
   for (double decade = low; decade <= high; ++decade)

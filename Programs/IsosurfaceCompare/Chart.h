@@ -11,7 +11,7 @@
 namespace Compare
 {
 
-/// A line through points, in order.
+/// A polyline through points.
 struct Curve
 {
   std::string Name;
@@ -20,8 +20,8 @@ struct Curve
   bool HasMarkers = true;
 };
 
-/// Draws curves on logarithmic axes, as a PNG in base 64. What is not positive and finite is left
-/// out; empty if nothing remains. Needs a display.
+/// Draws curves on logarithmic axes, as a PNG in base 64. Points that are not positive and finite
+/// are left out; returns an empty string if none remain. Needs a display.
 std::string DrawChart(const std::string& title, const std::string& xTitle,
   const std::string& yTitle, const std::vector<Curve>& curves);
 

@@ -19,12 +19,12 @@ class vtkTable;
 namespace Compare
 {
 
-/// What was compared, and what came out: what all files are written from.
+/// The input and the results of a comparison, from which all files are written.
 struct Comparison
 {
   std::string Command;
   std::string Input;
-  /// The processor and its threads, VTK, how much else it had to do.
+  /// The processor and its threads, VTK, the load average.
   std::string Machine;
   int Repeats;
   vtkSmartPointer<vtkImageData> Volume;
@@ -35,7 +35,7 @@ struct Comparison
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkImageData> Difference;
 
-  /// Of the first isovalue; measured for a report alone.
+  /// For the first isovalue; measured only for a report.
   std::vector<Crossover> Crossovers;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From how many pictures of an isovalue on it pays to extract triangles.
+// The number of pictures of an isovalue from which on extracting triangles takes less time.
 
 #ifndef Crossover_h
 #define Crossover_h
@@ -15,8 +15,7 @@ class vtkImageData;
 namespace Compare
 {
 
-/// What a way to an isosurface costs, in seconds: the first picture of an isovalue, and each
-/// further one.
+/// The cost of a method in seconds: of the first picture of an isovalue, and of each further one.
 struct Costs
 {
   double First;
@@ -25,20 +24,20 @@ struct Costs
   double GetTotal(double pictures) const { return this->First + (pictures - 1.0) * this->Next; }
 };
 
-/// Who needs less time for a number of pictures of an isovalue.
+/// Whether rays or triangles need less time for a number of pictures of an isovalue.
 struct Verdict
 {
   enum Kinds
   {
-    /// Rays up to so many pictures, triangles beyond.
+    /// Rays up to this number of pictures, triangles beyond.
     RaysUpTo,
-    /// The other way round.
+    /// The reverse.
     TrianglesUpTo,
     AlwaysRays,
     AlwaysTriangles
   };
   Kinds Kind;
-  /// Where both need the same, not rounded; NaN for Always.
+  /// The number for which both need the same time, not rounded; NaN for Always.
   double Pictures;
 };
 
@@ -47,7 +46,7 @@ Verdict Judge(const Costs& triangles, const Costs& rays);
 /// "rays up to 12 pictures, triangles beyond"
 std::string Describe(const Verdict& verdict);
 
-/// The times of a volume of so many samples.
+/// The costs for a volume of a given size.
 struct Crossover
 {
   int Dimensions[3];
@@ -55,14 +54,14 @@ struct Crossover
   Costs Triangles;
   Costs Rays;
 
-  /// As the triangles would be if drawing them took no time.
+  /// The cost of triangles if drawing them took no time.
   Costs GetFreeTriangles() const { return { this->Triangles.First - this->Triangles.Next, 0.0 }; }
 };
 
-/// Measures vtkFlyingEdges3D against vtkIsosurfaceRayTraceMapper for a volume as it is, and shrunk
-/// to an eighth and enlarged to twice its size along each axis by steps of the root of 2, as far as
-/// that leaves 8 samples along each axis and not more than 1e8 in all. From the smallest on. Tells
-/// stderr where it is. Needs a display.
+/// Measures vtkFlyingEdges3D and vtkIsosurfaceRayTraceMapper for a volume resampled to an eighth up
+/// to twice its size along each axis, by factors of the square root of 2, the smallest first. Sizes
+/// with fewer than 8 samples along an axis or more than 1e8 in all are left out. Reports progress
+/// on stderr. Needs a display.
 std::vector<Crossover> MeasureCrossover(
   vtkImageData* volume, double isovalue, int repeats, vtkCamera* camera);
 

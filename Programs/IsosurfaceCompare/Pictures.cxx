@@ -42,7 +42,7 @@ namespace
 constexpr int Pixels = 512;
 constexpr std::array<double, 3> Bone = { 0.96, 0.90, 0.80 };
 
-/// Shows props as the camera sees them.
+/// Renders props with a camera.
 class Studio
 {
 public:
@@ -112,7 +112,7 @@ std::string DrawRayTraced(vtkImageData* volume, double isovalue, vtkCamera* came
 //------------------------------------------------------------------------------
 std::string DrawErrors(vtkPolyData* mesh, vtkIdType vertices, vtkCamera* camera)
 {
-  // Blended over a triangle, the colours of its vertices would hide that of its centroid.
+  // Interpolated over a triangle, the colours of its vertices would hide that of its centroid.
   vtkNew<vtkDoubleArray> distances;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
   {
@@ -122,7 +122,7 @@ std::string DrawErrors(vtkPolyData* mesh, vtkIdType vertices, vtkCamera* camera)
   vtkNew<vtkPolyData> coloured;
   coloured->CopyStructure(mesh);
   coloured->GetCellData()->SetScalars(distances);
-  // The darker and redder the farther.
+  // Darker and redder with distance.
   vtkNew<vtkColorTransferFunction> ramp;
   ramp->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
   ramp->AddRGBPoint(1.0, 1.0, 0.85, 0.45);

@@ -22,17 +22,17 @@ namespace Compare
 std::string DrawTriangles(vtkImageData* volume, double isovalue, vtkCamera* camera);
 std::string DrawRayTraced(vtkImageData* volume, double isovalue, vtkCamera* camera);
 
-/// Triangles of the output 1 of vtkIsosurfaceComparisonFilter, of so many vertices before it cut
-/// them, each in the colour of the distance at its centroid: logarithmically, from a thousandth of
-/// a cell to one.
+/// The triangles of output 1 of vtkIsosurfaceComparisonFilter, each coloured by the distance at its
+/// centroid, logarithmically from a thousandth of a cell to one cell. The number of vertices is
+/// that of the mesh before the filter split its triangles.
 std::string DrawErrors(vtkPolyData* mesh, vtkIdType vertices, vtkCamera* camera);
 
-/// The output 2 of vtkIsosurfaceComparisonFilter: grey where both surfaces are at the same depth,
-/// red where the mesh is behind the isosurface and blue where it is before it, fully so at one
-/// unit; yellow where one of them is missing.
+/// Output 2 of vtkIsosurfaceComparisonFilter: grey where both surfaces are at the same depth, red
+/// where the mesh is behind the isosurface and blue where it is in front, saturated at one unit;
+/// yellow where one of them is missing.
 std::string DrawDifference(vtkImageData* difference, double unit);
 
-/// What draws here, in the words of OpenGL.
+/// The name of the OpenGL renderer.
 std::string GetOpenGLRenderer();
 
 }

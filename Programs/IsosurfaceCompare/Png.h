@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pictures as they are put into a page: PNG files that were never written.
+// Encodes pictures as PNG, to be embedded in a page.
 
 #ifndef Png_h
 #define Png_h
@@ -17,7 +17,7 @@ namespace Compare
 /// The bytes of a PNG file, in base 64.
 std::string EncodePng(vtkImageData* image);
 
-/// Renders a window and encodes what it shows.
+/// Renders a window and encodes its picture.
 std::string EncodePng(vtkRenderWindow* window);
 
 }

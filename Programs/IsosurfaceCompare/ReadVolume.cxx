@@ -23,7 +23,7 @@ namespace
 
 using vtksys::SystemTools;
 
-/// Many readers say that something is wrong and read on; half a volume is none.
+/// Many readers report an error and read on; an incomplete volume is not accepted.
 void CountError(vtkObject*, unsigned long, void* count, void* text)
 {
   ++*static_cast<int*>(count);
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& fileName)
   observer->SetCallback(CountError);
   observer->SetClientData(&errors);
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  // It would repeat with many words that the reader failed.
+  // It would only repeat that the reader failed.
   vtkNew<vtkCallbackCommand> silence;
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->SetFileName(fileName.c_str());
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
   {
     return Read(vtkSmartPointer<vtkXMLImageDataReader>::New().Get(), fileName);
   }
-  // The factory does not know it.
+  // The factory does not have this reader.
   if (SystemTools::StringEndsWith(name, ".nii") || SystemTools::StringEndsWith(name, ".nii.gz"))
   {
     return Read(vtkSmartPointer<vtkNIFTIImageReader>::New().Get(), fileName);

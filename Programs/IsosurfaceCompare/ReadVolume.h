@@ -13,8 +13,8 @@ class vtkImageData;
 namespace Compare
 {
 
-/// The image in a file, by the reader of VTK that its name or its beginning asks for. Throws
-/// std::runtime_error if there is none or it finds nothing.
+/// The image in a file, read by the reader of VTK for its extension or its first bytes. Throws
+/// std::runtime_error if there is no such reader or it finds no image.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName);
 
 }

@@ -73,7 +73,7 @@ std::string Escape(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-/// Three digits, or none of a large number; a dash for what was not measured.
+/// Three significant digits, large numbers rounded to integers; a dash for NaN, not measured.
 std::string Format(double value)
 {
   if (std::isnan(value))
@@ -93,7 +93,7 @@ std::string Format(double value)
 }
 
 //------------------------------------------------------------------------------
-/// A column as the report shows it: its values times a factor.
+/// A column of the report: the values of the table times a factor.
 struct Column
 {
   const char* Title;
@@ -151,18 +151,19 @@ void WriteNotes(std::ostream& out, vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-/// The row of the first isovalue with the fewest seconds, among ray traced or extracted ones; -1 if
-/// nothing was measured.
+/// The fastest row of the first isovalue, among ray traced or extracted ones; -1 if nothing was
+/// measured.
 vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
 {
   vtkIdType fastest = -1;
   double least = std::numeric_limits<double>::max();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const bool isAsked = isRayTraced ==
+    const bool isRequested = isRayTraced ==
       (table->GetValueByName(row, "Method").ToString() == "vtkIsosurfaceRayTraceMapper");
     const double seconds = table->GetValueByName(row, "NewIsovaluePictureTime").ToDouble();
-    if (isAsked && table->GetValueByName(row, "Isovalue") == table->GetValueByName(0, "Isovalue") &&
+    if (isRequested &&
+      table->GetValueByName(row, "Isovalue") == table->GetValueByName(0, "Isovalue") &&
       seconds < least)
     {
       fastest = row;
@@ -173,7 +174,7 @@ vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
 }
 
 //------------------------------------------------------------------------------
-/// What most people want to know, for the first isovalue.
+/// The most important results, for the first isovalue.
 void WriteSummary(std::ostream& out, vtkTable* table)
 {
   const vtkIdType rays = FindFastest(table, true);
@@ -186,19 +187,20 @@ void WriteSummary(std::ostream& out, vtkTable* table)
   { return Format(factor * table->GetValueByName(row, column).ToDouble()); };
   const double milli = 1e3;
   const double mega = 1e-6;
-  out << "<h2>In short</h2>\n<p>A new isovalue is seen after "
-      << get(rays, "NewIsovaluePictureTime", milli) << " ms when it is ray traced, and after "
+  out << "<h2>Summary</h2>\n<p>The time from a new isovalue to the first complete frame is "
+      << get(rays, "NewIsovaluePictureTime", milli) << " ms with ray tracing and "
       << get(mesh, "NewIsovaluePictureTime", milli) << " ms with "
       << Escape(table->GetValueByName(mesh, "Method").ToString())
-      << ", the fastest extraction here; the next picture of it takes "
+      << ", the fastest extraction here; the next frame takes "
       << get(rays, "NextPictureTime", milli) << " ms and " << get(mesh, "NextPictureTime", milli)
-      << " ms. What is kept takes " << get(rays, "Bytes", mega) << " MB and "
+      << " ms. The memory kept is " << get(rays, "Bytes", mega) << " MB and "
       << get(mesh, "Bytes", mega) << " MB. Half of the triangles are farther than "
       << get(mesh, "MedianDistanceInCells")
       << " cells from the isosurface of the interpolant, one in a hundred farther than "
       << get(mesh, "P99DistanceInCells") << "; in " << get(mesh, "TopologyDifferences") << " of "
-      << get(mesh, "AmbiguousCells") << " ambiguous cells they join what it parts, or part what it "
-      << "joins; " << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
+      << get(mesh, "AmbiguousCells")
+      << " ambiguous cells they connect corners that it separates, or "
+      << "the reverse; " << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
       << " pixels differ.</p>\n";
 }
 
@@ -209,20 +211,21 @@ void WriteTables(std::ostream& out, vtkTable* table)
   const double mega = 1e-6;
   out << "<h2>Time</h2>\n";
   WriteTable(out, table,
-    { { "build, ms", "BuildTime", milli }, { "extract, ms", "ExtractionTime", milli },
+    { { "build, ms", "BuildTime", milli }, { "extraction, ms", "ExtractionTime", milli },
       { "first picture, ms", "FirstPictureTime", milli },
       { "next picture, ms", "NextPictureTime", milli },
       { "new isovalue, ms", "NewIsovaluePictureTime", milli } });
-  out << "<p class=\"small\">Build: what serves all isovalues. Extract: the triangles, without "
-         "normals. First picture: from the image in memory to a picture in an open window, all "
-         "of the above included. Next picture: from another side. New isovalue: its first "
-         "picture, a thousandth of the range of the scalars away from the last. Medians of the "
-         "repeats.</p>\n<h2>Memory</h2>\n";
+  out << "<p class=\"small\">Build: the structures that serve all isovalues. Extraction: the "
+         "triangles, "
+         "without normals. First picture: from the image in memory to a picture in an open window, "
+         "build and extraction included. Next picture: from another side. New isovalue: from an "
+         "isovalue that differs by a thousandth of the range of the scalars to its first picture. "
+         "All are medians of the repeats.</p>\n<h2>Memory</h2>\n";
   WriteTable(out, table,
-    { { "triangles", "Triangles", 1.0 }, { "points", "Points", 1.0 }, { "kept, MB", "Bytes", mega },
-      { "rise of RAM, MB", "PeakBytes", mega } });
-  out << "<p class=\"small\">Kept: coordinates and triangles, or macrocells and bricks. Rise of "
-         "RAM: by how much the process grows meanwhile, as Linux counts it.</p>\n"
+    { { "triangles", "Triangles", 1.0 }, { "points", "Points", 1.0 },
+      { "memory, MB", "Bytes", mega }, { "peak growth, MB", "PeakBytes", mega } });
+  out << "<p class=\"small\">Memory: coordinates and triangles, or macrocells and bricks. Peak "
+         "growth: of the memory of the process meanwhile, as reported by Linux.</p>\n"
          "<h2>Accuracy</h2>\n";
   WriteTable(out, table,
     { { "distance, cells:<br>median", "MedianDistanceInCells", 1.0 },
@@ -231,21 +234,20 @@ void WriteTables(std::ostream& out, vtkTable* table)
       { "max", "MaximumDistance", 1.0 }, { "normal, degrees:<br>median", "MedianNormalError", 1.0 },
       { "99 %", "P99NormalError", 1.0 }, { "max", "MaximumNormalError", 1.0 } });
   WriteTable(out, table,
-    { { "lost points", "LostPoints", 1.0 }, { "pixels covered", "CoveredPixels", 1.0 },
-      { "pixels that differ", "DifferentPixels", 1.0 },
-      { "ambiguous cells", "AmbiguousCells", 1.0 },
-      { "of other topology", "TopologyDifferences", 1.0 } });
+    { { "lost points", "LostPoints", 1.0 }, { "covered pixels", "CoveredPixels", 1.0 },
+      { "different pixels", "DifferentPixels", 1.0 }, { "ambiguous cells", "AmbiguousCells", 1.0 },
+      { "different topology", "TopologyDifferences", 1.0 } });
   out << "<p class=\"small\">Distance from the isosurface of the trilinear interpolant, at the "
-         "centroids of the triangles (at the hits of the picture for ray tracing). Normals of "
-         "triangles against those of the isosurface. Lost: points from which no isosurface was "
-         "found. Pixels that differ show one surface and not "
-         "the other. Of other topology: ambiguous cells in which the mesh joins corners that the "
-         "isosurface parts, or the other way round.</p>\n";
+         "centroids of the triangles (at the hits of the picture for ray tracing). Angles between "
+         "the normals of the triangles and those of the isosurface. Lost points: points from which "
+         "no isosurface was found. Different pixels show one surface and not the other. Different "
+         "topology: ambiguous cells in which the mesh connects corners that the isosurface "
+         "separates, or the reverse.</p>\n";
   WriteNotes(out, table);
 }
 
 //------------------------------------------------------------------------------
-/// A power of ten at a time, in quarters.
+/// From 1 to 1000 pictures, four points for each power of ten.
 std::vector<std::array<double, 2>> SampleTotals(const Costs& costs)
 {
   std::vector<std::array<double, 2>> points;
@@ -271,7 +273,8 @@ std::string DrawTotals(vtkTable* table)
         { table->GetValueByName(row, "Method").ToString(), SampleTotals(costs), false, false });
     }
   }
-  return DrawChart("Seconds for so many pictures of a new isovalue", "pictures", "seconds", curves);
+  return DrawChart(
+    "Time for a number of pictures of a new isovalue", "pictures", "seconds", curves);
 }
 
 //------------------------------------------------------------------------------
@@ -293,14 +296,14 @@ std::string DrawCosts(const std::vector<Crossover>& crossovers)
 }
 
 //------------------------------------------------------------------------------
-/// What stands in the plot for no pictures, and for any number of them.
+/// The values that stand for no pictures, and for any number of them, in the plot.
 constexpr double NoPictures = 0.5;
 constexpr double ManyPictures = 1000.0;
 
 std::string DrawCrossover(const std::vector<Crossover>& crossovers)
 {
   Curve measured = { "triangles as drawn here", {} };
-  Curve free = { "triangles drawn in no time", {}, true };
+  Curve free = { "triangles, drawing takes no time", {}, true };
   for (const Crossover& crossover : crossovers)
   {
     const auto add = [&crossover](Curve& curve, const Costs& triangles)
@@ -324,11 +327,13 @@ std::string DrawCrossover(const std::vector<Crossover>& crossovers)
 //------------------------------------------------------------------------------
 void WriteCrossover(std::ostream& out, const std::vector<Crossover>& crossovers)
 {
-  out << "<h2>Who wins</h2>\n<p>Extraction pays if many pictures follow. For the first isovalue, "
-         "vtkFlyingEdges3D against vtkIsosurfaceRayTraceMapper, the volume shrunk and enlarged:"
-         "</p>\n<table>\n<tr><th>samples</th><th>triangles: new isovalue, ms</th><th>next "
-         "picture, ms</th><th>rays: new isovalue, ms</th><th>next picture, ms</th><th>less time "
-         "here</th><th>if triangles were drawn in no time</th></tr>\n";
+  out
+    << "<h2>Rays or triangles</h2>\n<p>Extraction takes less time if enough pictures follow. For "
+       "the "
+       "first isovalue, vtkFlyingEdges3D and vtkIsosurfaceRayTraceMapper, with the volume "
+       "resampled:</p>\n<table>\n<tr><th>samples</th><th>triangles: new isovalue, ms</th><th>next "
+       "picture, ms</th><th>rays: new isovalue, ms</th><th>next picture, ms</th><th>faster "
+       "here</th><th>if drawing triangles took no time</th></tr>\n";
   for (const Crossover& crossover : crossovers)
   {
     const int* size = crossover.Dimensions;
@@ -343,18 +348,19 @@ void WriteCrossover(std::ostream& out, const std::vector<Crossover>& crossovers)
   }
   out
     << "</table>\n<p class=\"small\">Triangles were drawn by " << Escape(GetOpenGLRenderer())
-    << ". The last column is the bound for a fast graphics card: extraction and normals are paid, "
-       "drawing is not.</p>\n";
+    << ". The last column is the limit for a fast graphics card: it counts extraction and normals, "
+       "but not drawing.</p>\n";
   WriteFigure(out, DrawCosts(crossovers), "The times of the table", true);
   WriteFigure(out, DrawCrossover(crossovers),
-    "Below a curve rays need less time, above it triangles do. At 0.5 triangles win for any number "
-    "of pictures, at 1000 rays do.",
+    "Below a curve rays need less time, above it triangles do. 0.5: triangles need less time for "
+    "any "
+    "number of pictures; 1000: rays do.",
     true);
 }
 
 //------------------------------------------------------------------------------
-/// The share of points of the mesh that are farther from the isosurface. The vertices are left out:
-/// they are the points that triangles meet in, and come first.
+/// The fraction of the points of the mesh that are farther from the isosurface than a distance. The
+/// vertices of the triangles, which come first, are left out; the centroids count.
 std::string DrawDistances(const Comparison& comparison)
 {
   vtkDataArray* distances = comparison.Mesh->GetPointData()->GetScalars();
@@ -372,13 +378,13 @@ std::string DrawDistances(const Comparison& comparison)
   Curve curve = { comparison.Table->GetValueByName(0, "Method").ToString(), {}, false, false };
   for (int i = 0; i <= 200 && !sorted.empty(); ++i)
   {
-    const double share = std::pow(10.0, -4.0 * i / 200.0);
+    const double fraction = std::pow(10.0, -4.0 * i / 200.0);
     const auto last = static_cast<double>(sorted.size() - 1);
     curve.Points.push_back(
-      { std::max(1e-6, sorted[static_cast<std::size_t>((1.0 - share) * last)]), share });
+      { std::max(1e-6, sorted[static_cast<std::size_t>((1.0 - fraction) * last)]), fraction });
   }
-  return DrawChart("How much of the surface is farther from the isosurface", "distance, cells",
-    "share of the points", { curve });
+  return DrawChart("Fraction of the surface farther from the isosurface", "distance, cells",
+    "fraction of the points", { curve });
 }
 
 //------------------------------------------------------------------------------
@@ -404,7 +410,7 @@ void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw
     WriteFigure(
       out, DrawTriangles(volume, isovalue, comparison.Camera), "Triangles of flying edges");
     WriteFigure(out, DrawRayTraced(volume, isovalue, comparison.Camera), "Ray traced");
-    WriteFigure(out, DrawTriangles(volume, isovalue, close), "The middle of it, ten times larger");
+    WriteFigure(out, DrawTriangles(volume, isovalue, close), "The centre, magnified ten times");
     WriteFigure(out, DrawRayTraced(volume, isovalue, close), "The same, ray traced");
   }
   const std::string method = table->GetValueByName(0, "Method").ToString();
@@ -413,14 +419,15 @@ void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw
   {
     WriteFigure(out, DrawDifference(comparison.Difference, GetCellSize(volume)),
       "Where the surface of " + method +
-        " is behind (red) or before (blue) the isosurface along the ray, fully coloured at one "
-        "cell; yellow where only one of the two is there");
+        " is behind (red) or in front of (blue) the isosurface along the ray, saturated at one "
+        "cell; yellow where only one of the two is present");
   }
   if (canDraw && comparison.Mesh->GetNumberOfPolys() > 0)
   {
     WriteFigure(out, DrawErrors(comparison.Mesh, vertices, comparison.Camera),
       "The distance of " + method + " from the isosurface");
-    WriteFigure(out, DrawDistances(comparison), "The same, as shares of the triangles", true);
+    WriteFigure(
+      out, DrawDistances(comparison), "The same, as a distribution over the triangles", true);
   }
 }
 
@@ -431,7 +438,7 @@ std::string WriteReport(const Comparison& comparison, const std::string& folder)
 {
   if (!vtksys::SystemTools::MakeDirectory(folder))
   {
-    throw std::runtime_error("the folder " + folder + " cannot be made");
+    throw std::runtime_error("the folder " + folder + " cannot be created");
   }
   const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
   const int* size = comparison.Volume->GetDimensions();
@@ -452,7 +459,7 @@ std::string WriteReport(const Comparison& comparison, const std::string& folder)
   if (whyNot.empty() && comparison.Table->GetNumberOfRows() > 0)
   {
     WriteFigure(out, DrawTotals(comparison.Table),
-      "The time from a new isovalue to so many pictures of it, at the first isovalue", true);
+      "The time from a new isovalue to a number of pictures of it, for the first isovalue", true);
   }
   if (!comparison.Crossovers.empty())
   {

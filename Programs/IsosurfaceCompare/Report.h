@@ -11,9 +11,9 @@ namespace Compare
 
 struct Comparison;
 
-/// Writes report.html into a folder, which is made if it is not there: one file that needs no
-/// other, with tables, plots and pictures. Where nothing can be drawn it says so and has the rest.
-/// Returns its name. Throws std::runtime_error if it cannot be written.
+/// Writes report.html into a folder, which is created if it does not exist: a self-contained file
+/// with tables, plots and pictures. Without a display it says so and has no plots. Returns its
+/// name. Throws std::runtime_error if it cannot be written.
 std::string WriteReport(const Comparison& comparison, const std::string& folder);
 
 }

@@ -11,7 +11,7 @@ namespace Compare
 
 struct Comparison;
 
-/// Write the table, with what was not measured as nan in CSV and null in JSON. Throw
+/// Write the table; values that were not measured are nan in CSV and null in JSON. Throw
 /// std::runtime_error if the file cannot be written.
 void WriteCsv(const Comparison& comparison, const std::string& fileName);
 void WriteJson(const Comparison& comparison, const std::string& fileName);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkIsosurfaceComparisonFilter for the command line: see --help.
+// Runs vtkIsosurfaceComparisonFilter from the command line: see --help.
 
 #include "Comparison.h"
 #include "ReadVolume.h"
@@ -83,7 +83,7 @@ double ToNumber(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-/// Stops the parser at an argument that it does not know.
+/// Stops the parser at an unknown argument.
 int KeepUnknown(const char* argument, void* unknown)
 {
   *static_cast<std::string*>(unknown) = argument;
@@ -91,10 +91,10 @@ int KeepUnknown(const char* argument, void* unknown)
 }
 
 //------------------------------------------------------------------------------
-/// Throws std::runtime_error if they are of no use; shows the help if it is asked for.
+/// Throws std::runtime_error if they are invalid; prints the help if it is requested.
 Arguments ParseArguments(int argc, char* argv[])
 {
-  std::string methods = "Which methods, one or several of:";
+  std::string methods = "One or more of the methods";
   for (const MethodSwitch& method : Methods)
   {
     methods += std::string(" ") + method.Name;
@@ -113,23 +113,23 @@ Arguments ParseArguments(int argc, char* argv[])
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
   parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &isovalues,
-    "One or several isovalues, separated by blanks.");
+    "One or more isovalues, separated by spaces.");
   parser.AddArgument("--methods", Parser::MULTI_ARGUMENT, &arguments.Methods, methods.c_str());
   parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &repeats,
-    "How often times are taken, 1 to 1000; the median counts. Default: 3.");
+    "The number of measurements of each time, 1 to 1000; the median is reported. Default: 3.");
   parser.AddArgument(
-    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "The file to write the table to, as JSON.");
+    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "Write the table to this file, as JSON.");
   parser.AddArgument(
-    "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "The file to write the table to, as CSV.");
+    "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "Write the table to this file, as CSV.");
   parser.AddArgument("--report", Parser::SPACE_ARGUMENT, &arguments.Report,
-    "The folder to write report.html to: tables, plots and pictures in one file.");
+    "Write report.html to this folder: tables, plots and pictures in one file.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool isParsed = parser.Parse() != 0;
   if (arguments.Help)
   {
-    std::printf("Compares ways to an isosurface: time, memory, accuracy. Usage:\n\n"
+    std::printf("Compares ray traced and extracted isosurfaces: time, memory, accuracy. Usage:\n\n"
                 "  vtkIsosurfaceCompare --input FILE --isovalue VALUE... [options]\n\n"
-                "Times of pictures, and the plots of a report, need a display: xvfb-run gives "
+                "Times of pictures, and the plots of a report, need a display; xvfb-run provides "
                 "one.\n%s",
       parser.GetHelp());
     return arguments;
@@ -138,7 +138,7 @@ Arguments ParseArguments(int argc, char* argv[])
   if (!isParsed)
   {
     throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
-                                             : "what is " + unknown + "? See --help");
+                                             : "unknown option " + unknown + "; see --help");
   }
   if (arguments.Input.empty() || isovalues.empty())
   {
@@ -185,8 +185,8 @@ std::string DescribeMachine()
   load << std::setprecision(2) << system.GetLoadAverage();
   return std::string(system.GetModelName()) + ", " +
     std::to_string(std::thread::hardware_concurrency()) + " threads, VTK " +
-    vtkVersion::GetVTKVersion() + " with " + vtkSMPTools::GetBackend() + ", load " + load.str() +
-    " at the beginning";
+    vtkVersion::GetVTKVersion() + " with " + vtkSMPTools::GetBackend() + ", load average " +
+    load.str() + " at the start";
 }
 
 //------------------------------------------------------------------------------
@@ -237,11 +237,11 @@ Comparison Run(const Arguments& arguments, const std::string& command)
 }
 
 //------------------------------------------------------------------------------
-/// The columns that most people ask for.
+/// The most important columns.
 void Print(vtkTable* table)
 {
   std::printf("%-28s %10s %11s %11s %11s %11s %11s\n", "method", "isovalue", "extract, s",
-    "picture, s", "triangles", "99 %, cells", "pixels off");
+    "picture, s", "triangles", "99 %, cells", "diff pixels");
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const auto get = [table, row](const char* column)

@@ -15,7 +15,7 @@ namespace Benchmark
 {
 
 /// Samples an analytic field on the cube from -1 to 1, as 16-bit numbers whose isovalue is 0. It
-/// makes what is asked for and no more, so a volume larger than memory can be had slab by slab.
+/// computes the requested extent only, so a volume larger than memory can be made slab by slab.
 class AnalyticFieldSource : public vtkImageAlgorithm
 {
 public:

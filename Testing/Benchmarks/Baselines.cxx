@@ -174,7 +174,7 @@ std::unique_ptr<IsosurfaceRenderer> NewFixedPoint(
   const double* spacing = image->GetSpacing();
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->SetNumberOfThreads(threads);
-  // A sample for every cell and a ray for every pixel: what a picture like ours asks for.
+  // A sample for every cell and a ray for every pixel: the sampling of our pictures.
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(static_cast<float>(
     sampleDistance > 0.0 ? sampleDistance : *std::min_element(spacing, spacing + 3)));
@@ -237,9 +237,9 @@ public:
   }
 
 private:
-  /// VTK 9.1 takes the place in the texture for the place in the volume; but in the texture samples
-  /// stand in the middles of texels, so that all is (n - 1) / n as far from the middle: up to half
-  /// a cell off. Undone here.
+  /// VTK 9.1 takes the position in the texture for the position in the volume; but in the texture
+  /// samples are at the centres of texels, so that all distances from the middle are scaled by (n -
+  /// 1) / n: up to half a cell off. Corrected here.
   double GetDistance(double depth, const Triple& direction)
   {
     const auto [nearest, farthest] = this->Window.GetClippingRange();

@@ -34,10 +34,10 @@ Input MakeGyroid(int n);
 Input MakeRandom(int n);
 Input MakeNearTangent(int n);
 Input MakePlateaus(int n);
-/// The volume in a file, by the reader of VTK that its name asks for. Throws std::runtime_error.
+/// The volume in a file, by the reader of VTK for its extension. Throws std::runtime_error.
 Input ReadInput(const std::string& fileName, double isovalue);
 
-/// The rays through the middles of pixels of square pictures. Everybody is asked about the same.
+/// The rays through the centres of pixels of square pictures. All methods trace the same.
 struct Rays
 {
   std::vector<View> Views;
@@ -61,9 +61,9 @@ struct Rays
   }
 };
 
-/// About as many rays as asked for, of pictures from eight places round the volume.
+/// About as many rays as requested, of pictures from eight viewpoints around the volume.
 Rays MakeRays(const Input& input, int count, int size);
-/// All rays of a picture from one place.
+/// All rays of a picture from one viewpoint.
 Rays MakePicture(const Input& input, int size);
 
 }

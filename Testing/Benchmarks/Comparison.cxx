@@ -119,8 +119,8 @@ void Comparison::MeasureMemory()
   const auto exist = static_cast<double>(mapper->GetNumberOfBricks());
   const auto all = static_cast<double>(mapper->GetMaximumNumberOfBricks());
   this->Out.Tables.push_back({ this->GetTableName("memory"), this->GetTitle("memory"),
-    "After the pictures of the orbit. Peak: of the whole program up to here, the volume and how it "
-    "was read included.",
+    "After the pictures of the orbit. Peak: of the whole program so far, including the volume and "
+    "reading it.",
     { "what", "MiB", "% of the data" },
     { { "data", data / Mebi, 100.0 },
       { "macrocells", macrocells / Mebi, 100.0 * macrocells / data },
@@ -266,9 +266,9 @@ void Comparison::ReportPictures(const std::vector<Run>& runs)
   Table table{ this->GetTableName("pictures"),
     this->GetTitle("pictures from " + std::to_string(this->Settings.Views) + " sides, " +
       this->Settings.GetPictureSize()),
-    "Trace: making the rays and finding their first hits. Frame: all of it, up to the finished "
-    "picture in the window. The ratio is that of the traces where both have one. Rays: per pixel "
-    "of the picture. In brackets: of all sides and turns. Pixels hit: in the last picture.",
+    "Trace: generating the rays and finding their first hits. Frame: everything up to the finished "
+    "picture in the window. Ratios are those of the traces if both methods have one. There is one "
+    "ray per pixel. In brackets: over all views and repeats. Pixels hit: in the last picture.",
     { "method", "threads", "trace, ms", "trace, ns per ray", "frame, ms", "times this mapper's",
       "pixels hit, %" },
     {} };

@@ -94,7 +94,7 @@ void MeasureColdStart(const Setup& setup, double isovalue, Report& report)
     read.Add(ReadOnce(setup));
   }
   report.Tables.push_back({ "cold start " + ToText(isovalue),
-    "Isovalue " + ToText(isovalue) + ": from nothing built to the first picture",
+    "Isovalue " + ToText(isovalue) + ": cold start to the first picture",
     "On " + std::to_string(setup.GetMostThreads()) + " threads. One read: the sum of all samples.",
     { "what", "ms" },
     { { "first picture", cold * 1e3 }, { "of it, macrocells", macrocells * 1e3 },
@@ -123,7 +123,7 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
   Samples ratio;
   for (const View& view : setup.GetOrbit())
   {
-    surface.Draw(view, setup.GetMostThreads()); // Makes the bricks.
+    surface.Draw(view, setup.GetMostThreads()); // Builds the bricks.
   }
   for (int repeat = 0; repeat < setup.Repeats; ++repeat)
   {
@@ -141,7 +141,7 @@ void MeasureWholeFrame(const Setup& setup, double isovalue, Report& report)
   report.Tables.push_back({ "whole frame " + ToText(isovalue),
     "Isovalue " + ToText(isovalue) + ": the whole frame, 1024 x 1024 pixels",
     "On " + std::to_string(setup.GetMostThreads()) +
-      " threads. What the mapper's times leave of the frame is VTK's and OpenGL's.",
+      " threads. The rest of the frame is the time of VTK and OpenGL.",
     { "what", "ms" },
     { { "frame", whole }, { "trace", trace }, { "shading", shade }, { "display", display } } });
   report.Goals.push_back(
@@ -164,9 +164,9 @@ void MeasureScaling(const Setup& setup, double isovalue, Report& report)
       std::to_string(surface.GetMapper()->GetTileSize()[0]) + " x " +
       std::to_string(surface.GetMapper()->GetTileSize()[1]) + " of a picture of " +
       setup.GetPictureSize() +
-      ", each traced by itself on one thread with CastRays (the fastest of three, less a call "
-      "without rays), handed out in order to threads that share no caches and no bandwidth. Parker "
-      "et al. measured 91 % and 80 % on 128 processors.",
+      ", each traced alone on one thread with CastRays (the fastest of three, minus a call without "
+      "rays), assigned in order to threads that share no caches and no bandwidth. Parker et "
+      "al. measured 91 % and 80 % on 128 processors.",
     { "threads", "efficiency, %" }, {} };
   for (const int threads : { 16, 64, 128 })
   {

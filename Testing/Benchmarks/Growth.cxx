@@ -118,8 +118,7 @@ void MeasureGrowth(const Setup& setup, int largest, Report& report)
   report.Tables.push_back(table);
   report.Tables.push_back({ "growth fits", "Growth: powers of n",
     "The exponent of the power that fits best, and the n from which on, by these powers, "
-    "extraction "
-    "alone takes longer.",
+    "extraction alone takes longer.",
     { "what", "exponent", "crossing" },
     { { "trace", tracing.Exponent, Cross(tracing, extracting) },
       { "cold start", starting.Exponent, Cross(starting, extracting) },

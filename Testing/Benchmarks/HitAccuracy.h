@@ -33,7 +33,7 @@ struct HitAccuracy
   /// Rays whose hit is more than a twentieth of a cell off: another sheet, or another root.
   int Wrong = 0;
   /// The distance along the ray to the exact hit, in cells, over the rays hit by both, in ascending
-  /// order. Empty where places are not known.
+  /// order. Empty where positions are not known.
   std::vector<double> Errors;
 
   /// What so large a share of the errors does not exceed; NaN where there are none.

@@ -32,7 +32,7 @@ struct FrameTimes
   /// Of the picture, finished or not.
   double GetSeconds() const { return std::isnan(this->Whole) ? this->Trace : this->Whole; }
 
-  /// By which renderers are compared: what both have.
+  /// The time by which renderers are compared: what both have.
   double GetCommon(const FrameTimes& other) const
   {
     return std::isnan(this->Trace) || std::isnan(other.Trace) ? this->Whole : this->Trace;
@@ -58,9 +58,9 @@ public:
   virtual std::vector<std::pair<std::string, double>> GetDetails() const { return {}; }
   /// The share of the pixels of the last picture that show the surface.
   virtual double GetHitShare() { return NotMeasured; }
-  /// How far from the eye the surface is in every pixel of the last picture, in rows from the
-  /// bottom. HitAtUnknownDistance, where it is seen but not how far it is. Empty if there is no
-  /// picture.
+  /// The distance of the surface from the eye in every pixel of the last picture, in rows from the
+  /// bottom. HitAtUnknownDistance, where it is visible but its distance is not known. Empty if
+  /// there is no picture.
   virtual std::vector<double> GetDistances() { return {}; }
 };
 

@@ -80,8 +80,8 @@ void MakeTable1(const Setup& setup, Report& report)
     "Frames per second: the slowest and the fastest of the pictures of the orbit and of table "
     "III, " +
       setup.GetPictureSize() + ", on " + std::to_string(setup.GetMostThreads()) +
-      " threads. The mapper's times do not tell traversal from intersection. The paper's abstract "
-      "has 10 frames per second for the Visible Woman.",
+      " threads. The mapper does not measure traversal and intersection separately. The paper's "
+      "abstract has 10 frames per second for the Visible Woman.",
     { "isovalue", "traversal and intersection, %", "shading, %", "display and VTK, %",
       "frames per second" },
     {} };
@@ -239,7 +239,7 @@ std::string DescribeVariants(const Setup& setup)
 {
   return "Isovalue " + ToText(setup.Isovalues.back()) + ", " + setup.GetPictureSize() +
     " from two sides, on " + std::to_string(setup.GetMostThreads()) +
-    " threads. Cold: from nothing built to the first picture.";
+    " threads. Cold: time of the first picture, with nothing built before.";
 }
 
 //------------------------------------------------------------------------------
@@ -331,7 +331,7 @@ void MakeExtractionTable(const Setup& setup, Report& report)
   filter->Update();
   Table table{ "extraction",
     "Parker et al. 1998, table IV; Ma and Parker 2001, table 1: extraction of triangles",
-    "What explicit extraction costs, which this mapper does not do; median of " +
+    "The cost of extracting triangles, which this mapper does not need; median of " +
       std::to_string(filter->GetNumberOfRepeats()) +
       ". The build is that of a span space (Livnat, Shen, Johnson 1996), as in the paper of 2001.",
     { "isovalue", "filter", "triangles", "build, s", "s", "MiB" }, {} };

@@ -177,21 +177,21 @@ double MeasureSolver(const std::vector<CellProblem>& problems, const Solve& solv
 double Evaluate(const Input& input, const Oracle::Line& line, double t)
 {
   CellCorners corners;
-  Vector3 place;
+  Vector3 parametric;
   Index3 cell;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double last = input.Field.Dimensions[axis] - 1;
     const double x = std::clamp(line.Origin[axis] + t * line.Direction[axis], 0.0, last);
     cell[axis] = std::min(static_cast<int>(x), input.Field.Dimensions[axis] - 2);
-    place[axis] = x - cell[axis];
+    parametric[axis] = x - cell[axis];
   }
   for (int corner = 0; corner < 8; ++corner)
   {
     corners[static_cast<std::size_t>(corner)] =
       input.Field.At(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2));
   }
-  return Interpolate(corners, place) - input.Isovalue;
+  return Interpolate(corners, parametric) - input.Isovalue;
 }
 
 /// Samples at steps along the line; where two in turn differ in sign, the second is the hit (as in

@@ -13,8 +13,8 @@ class vtkImageData;
 namespace Benchmark
 {
 
-/// The volume in a file (or in a folder of DICOM slices), by the reader of VTK that its name or its
-/// beginning asks for. It has three dimensions and point scalars. Throws std::runtime_error.
+/// The volume in a file (or in a folder of DICOM slices), by the reader of VTK for its extension or
+/// its first bytes. It has three dimensions and point scalars. Throws std::runtime_error.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName);
 
 }

@@ -90,7 +90,7 @@ class TestSpeedAgainstError(ProgramTest):
             result = find(measured["pictures"], method, parameter)
             self.check(result, measured["numberOfRays"], percent, error)
             self.assertGreater(result["millisecondsPerFrame"]["median"], 0, method)
-        # Does VTK's depth image still give places in the texture (Baselines.cxx)?
+        # Does VTK's depth image still give positions in the texture (Baselines.cxx)?
         error = find(measured["pictures"], "VTK's GPU mode", "0.25 cells")["medianError"]
         self.assertTrue(0.05 < error < 0.2, f"The GPU mode is {error} cells off.")
 

@@ -34,7 +34,7 @@ public:
   ~TracedIsosurface() override;
 
   std::string GetName() const override { return "this mapper"; }
-  /// The mapper has drawn another isovalue before, from the same place.
+  /// The mapper has drawn another isovalue before, from the same viewpoint.
   double ChangeIsovalue(double isovalue, const View& view) override;
   FrameTimes Draw(const View& view, int threads) override;
   bool HasThreads() const override { return true; }

@@ -30,7 +30,7 @@ struct View
   void Apply(vtkCamera* camera) const;
 };
 
-/// Places round the volume, a little above it: view k of n is from the angle 2 pi k / n, at
+/// Viewpoints around the volume, a little above it: view k of n is from the angle 2 pi k / n, at
 /// (sin, -cos, 0.3); the volume fills the picture.
 std::vector<View> MakeOrbit(const Bounds& bounds, int views);
 

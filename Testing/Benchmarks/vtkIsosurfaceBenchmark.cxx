@@ -59,15 +59,15 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices.");
   parser.AddArgument("--isovalue", Parser::SPACE_ARGUMENT, &arguments.Isovalues,
-    "An isovalue; may be given several times.");
+    "An isovalue; the option may be repeated.");
   parser.AddArgument("--size", Parser::SPACE_ARGUMENT, &arguments.Size,
     "The edge of the pictures in pixels. Default: 512.");
-  parser.AddArgument("--views", Parser::SPACE_ARGUMENT, &arguments.Views,
-    "From how many sides pictures are taken. Default: 8.");
+  parser.AddArgument(
+    "--views", Parser::SPACE_ARGUMENT, &arguments.Views, "The number of views. Default: 8.");
   parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
-    "How often times are taken, where that does not take too long. Default: 5.");
+    "The number of measurements of each time, fewer of slow ones. Default: 5.");
   parser.AddArgument("--threads", Parser::SPACE_ARGUMENT, &arguments.Threads,
-    "Numbers of threads, such as 1,2. Default: 1 and all of the machine.");
+    "Numbers of threads, such as 1,2. Default: 1 and all that the machine has.");
   parser.AddArgument("--baselines", Parser::SPACE_ARGUMENT, &arguments.Baselines,
     "Some of flying-edges,marching-cubes,polygons,embree,fixed-point,gpu, or none. Default: all.");
   parser.AddBooleanArgument("--goals", &arguments.Goals,
@@ -75,7 +75,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddBooleanArgument("--papers", &arguments.Papers,
     "Make the tables of the papers of 1998 and 2001 too, with other hierarchies and bricks.");
   parser.AddArgument("--growth", Parser::SPACE_ARGUMENT, &arguments.Growth,
-    "Measure growth with the edge of the volume too, from 64 to this; needs no --input.");
+    "Measure the growth with the edge of the volume too, from 64 to this; needs no --input.");
   parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
     "The file for the results. Default: benchmark.json.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");

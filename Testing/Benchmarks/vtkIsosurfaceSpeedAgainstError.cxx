@@ -56,15 +56,15 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   Parser parser;
   parser.Initialize(argc, argv);
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
-    "A volume: .vti, .nii, .mhd or any other image that VTK reads. Default: fields made here.");
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads. Default: analytic fields.");
   parser.AddArgument("--isovalue", Parser::SPACE_ARGUMENT, &arguments.Isovalue,
     "The isovalue of the volume in the file.");
   parser.AddArgument(
     "--size", Parser::SPACE_ARGUMENT, &arguments.Size, "The edge of the fields. Default: 64.");
-  parser.AddArgument(
-    "--rays", Parser::SPACE_ARGUMENT, &arguments.Rays, "About how many rays. Default: 20000.");
+  parser.AddArgument("--rays", Parser::SPACE_ARGUMENT, &arguments.Rays,
+    "The approximate number of rays. Default: 20000.");
   parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &arguments.Repeats,
-    "How often times are taken. Default: 5.");
+    "The number of measurements of each time. Default: 5.");
   parser.AddArgument("--pixels", Parser::SPACE_ARGUMENT, &arguments.Pixels,
     "The edge of the pictures. Default: 256.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
@@ -267,7 +267,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
 {
   if (!vtksys::SystemTools::MakeDirectory(arguments.Output))
   {
-    throw std::runtime_error("the folder " + arguments.Output + " cannot be made");
+    throw std::runtime_error("the folder " + arguments.Output + " cannot be created");
   }
   // A display may close itself when it has no window: this one stays.
   const auto window =

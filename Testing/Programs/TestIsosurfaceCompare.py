@@ -147,7 +147,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(page.open_tags, [])
         self.assertIn("vtkFlyingEdges3D", page.texts)
         self.assertNotIn("vtkMarchingCubes", page.texts)
-        self.assertTrue(any("A new isovalue is seen after" in text for text in page.texts))
+        self.assertTrue(any("from a new isovalue to the first complete frame" in text for text in page.texts))
         crossovers = json.loads((self.folder / "report.json").read_text())["crossovers"]
         self.assertIn([20, 20, 20], [crossover["dimensions"] for crossover in crossovers])
         for crossover in crossovers:
@@ -248,7 +248,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
             (("--input", self.ball), "--isovalue are needed"),
             (("--isovalue", 60, "--input"), "lacks its value"),
             (("--input", self.ball, "--isovalue", "bone"), "bone is not a number"),
-            (("--inptu", self.ball, "--isovalue", 60), "what is --inptu"),
+            (("--inptu", self.ball, "--isovalue", 60), "unknown option --inptu"),
             (("--input", self.ball, "--isovalue", 60, "--repeats", 0), "from 1 to 1000"),
             (("--input", self.ball, "--isovalue", 1, "--methods", "magic"), "no method magic"),
             (

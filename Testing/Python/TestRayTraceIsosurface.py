@@ -96,7 +96,7 @@ class TestRayTraceIsosurface(unittest.TestCase):
             (("--input", os.path.join(self.folder, "absent.mhd")), "There is no file"),
             (("--input", __file__), "is not a volume"),
             (("--input", self.volume, "--size", "64", "--output", "/dev/null/folder"),
-             "cannot be made"),
+             "cannot be created"),
         ):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)

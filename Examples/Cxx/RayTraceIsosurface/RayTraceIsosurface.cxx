@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ray traces an isosurface of a volume read from a file: writes pictures of it and tells how long
-// that took, or opens a window (--interactive). RayTraceIsosurface --help lists the options.
+// Ray traces an isosurface of a volume read from a file: writes pictures of it and prints times and
+// memory, or opens a window (--interactive). RayTraceIsosurface --help lists the options.
 
 #include "vtkIsosurfaceComparisonFilter.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
@@ -73,7 +73,7 @@ struct Arguments
 };
 
 //------------------------------------------------------------------------------
-// False, after showing the options, if there is nothing to do.
+// Returns false after printing the help, if it was requested or the options are invalid.
 bool ParseArguments(int argc, char* argv[], Arguments& arguments)
 {
   using Parser = vtksys::CommandLineArguments;
@@ -82,17 +82,17 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
     "The volume: .vti, .nii, .mhd or any other image that VTK reads.");
   parser.AddArgument("--isovalue", Parser::SPACE_ARGUMENT, &arguments.Isovalue,
-    "The opaque surface. Default: the middle of the range of the data.");
+    "The isovalue of the opaque surface. Default: the middle of the range of the data.");
   parser.AddArgument("--skin", Parser::SPACE_ARGUMENT, &arguments.Skin,
-    "A translucent surface around it. Default: none.");
+    "The isovalue of a translucent surface around it. Default: none.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The folder of the pictures. Default: the current one.");
   parser.AddArgument("--size", Parser::SPACE_ARGUMENT, &arguments.Size,
     "Width and height of the pictures in pixels. Default: 800.");
   parser.AddArgument("--threads", Parser::SPACE_ARGUMENT, &arguments.Threads,
-    "The number of threads. Default: 0, all there are.");
+    "The number of threads. Default: 0, all of the machine.");
   parser.AddBooleanArgument(
-    "--interactive", &arguments.Interactive, "Open a window, write no pictures.");
+    "--interactive", &arguments.Interactive, "Open a window instead of writing pictures.");
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
 
   const bool parsed = parser.Parse() != 0;
@@ -106,7 +106,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
-// The reader that the name of the file asks for, or nullptr.
+// The reader for the extension of the file name, or nullptr.
 vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
 {
   const std::string name = vtksys::SystemTools::LowerCase(fileName);
@@ -134,7 +134,7 @@ vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-// The volume in the file, or nullptr with a word on why.
+// The volume in the file; nullptr after an error message.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
 {
   if (!vtksys::SystemTools::FileExists(fileName, true))
@@ -159,7 +159,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-// The isovalues with their colours: an opaque surface, and a skin around it if there is one.
+// Sets the isovalues and their colours: an opaque surface, and a skin around it if one is given.
 void SetSurfaces(vtkVolumeProperty* property, double isovalue, double skin)
 {
   vtkContourValues* isovalues = property->GetIsoSurfaceValues();
@@ -194,8 +194,8 @@ struct Scene
 };
 
 //------------------------------------------------------------------------------
-// Look at the side of +y, from a little to one side and above, with z up: at the face of a head
-// whose rows of samples run from its back to its front.
+// Looks at the +y side, slightly from one side and from above, with z up. That is the face of a
+// head whose y axis runs from back to front.
 void PlaceCamera(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -292,7 +292,7 @@ std::string CountOfBricks(vtkIsosurfaceRayTraceMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-// The first frame makes what the next ones use.
+// The first frame builds what the next ones use.
 void ReportRayTracing(Scene& scene, double isovalue)
 {
   vtkIsosurfaceRayTraceMapper* mapper = scene.Mapper;
@@ -303,7 +303,7 @@ void ReportRayTracing(Scene& scene, double isovalue)
 
   SetSurfaces(scene.Volume->GetProperty(), isovalue, NotGiven);
   scene.Volume->VisibilityOff();
-  scene.Window->Render(); // opens the window, which is not ours to measure
+  scene.Window->Render(); // opens the window, which is not part of the measurement
   scene.Volume->VisibilityOn();
   const double firstFrame = SecondsOfRender(scene.Window);
   PrintRow("first frame", firstFrame, memory());
@@ -376,7 +376,7 @@ void PrintComparison(vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-// What extraction of triangles needs for the same picture, and what ray tracing does.
+// Compares ray tracing with extraction of triangles for the same picture.
 void ReportComparison(vtkImageData* volume, double isovalue, const Scene& scene)
 {
   vtkNew<vtkIsosurfaceComparisonFilter> comparison;
@@ -412,8 +412,7 @@ bool WritePicture(vtkRenderWindow* window, const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-// A cone of polygons through the middle of the volume: what is in front of what is decided for
-// every pixel.
+// A cone of polygons through the centre of the volume: the depth test is made for every pixel.
 vtkSmartPointer<vtkActor> NewPiercingCone(vtkVolume* volume)
 {
   vtkNew<vtkConeSource> cone;
@@ -437,7 +436,7 @@ bool WritePictures(Scene& scene, double isovalue, const Arguments& arguments)
 {
   if (!vtksys::SystemTools::MakeDirectory(arguments.Output))
   {
-    std::fprintf(stderr, "The folder %s cannot be made.\n", arguments.Output.c_str());
+    std::fprintf(stderr, "The folder %s cannot be created.\n", arguments.Output.c_str());
     return false;
   }
   const std::string folder = arguments.Output + "/";
@@ -569,9 +568,9 @@ void InteractiveView::OnRenderStart()
 //------------------------------------------------------------------------------
 void InteractiveView::Start()
 {
-  std::printf("Drag to rotate, with Shift to move, with Ctrl to roll; the wheel zooms.\n"
-              "Up and Down change the isovalue, and so does the slider.\n"
-              "r shows all of it again, q ends.\n");
+  std::printf("Drag to rotate, with Shift to pan, with Ctrl to roll; the wheel zooms.\n"
+              "The slider and the keys Up and Down change the isovalue.\n"
+              "r resets the camera, q quits.\n");
   this->Interactor->Initialize();
   this->SliderWidget->EnabledOn();
   this->TheScene.Window->Render();
