@@ -1,7 +1,7 @@
 # The library, in the directory scope of vtk.module: by itself and inside a VTK tree alike.
 
 set(core_sources
-  Rays/Ray.cxx
+  Image/Lattice/Ray.cxx
   Kernels/InstructionSets.cxx
   Field/TracedField.cxx
   Image/Cells/BoxFaces.cxx
@@ -13,7 +13,9 @@ set(core_sources
   Image/ImageField.cxx
   Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/Caps.cxx
+  Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
+  Image/Traversal/RayFollower.cxx
   Picture/CastRays.cxx
   Picture/PixelBlockRenderer.cxx
   Picture/RenderTiles.cxx

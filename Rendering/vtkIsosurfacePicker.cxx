@@ -67,7 +67,7 @@ double vtkIsosurfacePicker::IntersectWithLine(const double p1[3], const double p
   const double t = this->Superclass::IntersectWithLine(p1, p2, tol, path, prop, mapper);
   if (t < before && std::isfinite(this->Isovalue) && this->Mapper == mapper)
   {
-    // To the coordinates of the data and back again they would not be the same bits.
+    // A round trip through the coordinates of the data would change the last bits.
     std::copy_n(this->SurfacePosition, 3, this->PickPosition);
     std::copy_n(this->SurfaceNormal, 3, this->PickNormal);
   }
@@ -133,15 +133,15 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
   std::copy_n(normal, 3, this->SurfaceNormal);
   std::copy_n(inData, 3, this->MapperPosition);
   this->Transform->GetLinearInverse()->TransformNormal(normal, this->MapperNormal);
-  // From the cell of the grid to the place among the points of its extent.
+  // From the cell of the grid to an index in its extent.
   const int* extent = grid->GetInformation()->Get(vtkDataObject::DATA_EXTENT());
   const auto dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const vtkIdType columns = dimensions[0] - 1;
   const vtkIdType rows = dimensions[1] - 1;
-  const double place[3] = { extent[0] + cell % columns + parametric[0],
+  const double index[3] = { extent[0] + cell % columns + parametric[0],
     extent[2] + cell / columns % rows + parametric[1],
     extent[4] + cell / columns / rows + parametric[2] };
-  this->SetImageDataPickInfo(place, extent);
+  this->SetImageDataPickInfo(index, extent);
   this->CellId = cell;
   std::copy_n(parametric, 3, this->PCoords);
   return t;

@@ -4,16 +4,16 @@
  * @class   vtkIsosurfacePicker
  * @brief   pick the isosurface that a vtkIsosurfaceRayTraceMapper draws
  *
- * VTK's own pickers take a volume for a cloud, and pick where its opacity passes a threshold. This
- * one picks the isosurface: what Pick gives for a pixel of the window is, to the last bit, what the
- * mapper draws there. Pick3DRay and Pick3DPoint give what vtkIsosurfaceRayTraceMapper's
- * IntersectWithLine does. Clipping planes, cropping, the matrix of the volume and the choice of
- * scalars count as they do in the picture.
+ * VTK's own pickers treat a volume as a cloud, and pick where its opacity passes a threshold. This
+ * one picks the isosurface: Pick returns for a pixel of the window, to the last bit, what the
+ * mapper draws there. Pick3DRay and Pick3DPoint return what IntersectWithLine of
+ * vtkIsosurfaceRayTraceMapper does. Clipping planes, cropping, the matrix of the volume and the
+ * choice of scalars are respected as in the picture.
  *
- * GetPickPosition and GetPickNormal are those of the surface (the normal on the side of smaller
- * values, by the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its
- * plane), GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image, and GetIsovalue says
- * which surface it is. Other props are picked as by vtkVolumePicker; of all, the nearest is taken.
+ * GetPickPosition and GetPickNormal are those of the surface (the normal towards smaller values, by
+ * the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its plane),
+ * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image, and GetIsovalue is that of
+ * the surface. Other props are picked as by vtkVolumePicker; of all, the nearest is picked.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkVolumePicker vtkCellPicker
  */
@@ -35,14 +35,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Get the isovalue of the surface that was picked; NaN if it was none.
+   * Get the isovalue of the surface that was picked; NaN if no surface was.
    */
   vtkGetMacro(Isovalue, double);
 
   using vtkVolumePicker::Pick;
 
   /**
-   * Picks at a pixel of the window, counted from the lower left. Returns 1 if there was something.
+   * Picks at a pixel of the window, counted from the lower left. Returns 1 if something was picked.
    */
   int Pick(double selectionX, double selectionY, double selectionZ, vtkRenderer* renderer) override;
 
@@ -62,10 +62,10 @@ private:
   void operator=(const vtkIsosurfacePicker&) = delete;
 
   double Isovalue;
-  /// Of the surface found last, in the world.
+  /// Of the last surface found, in world coordinates.
   double SurfacePosition[3];
   double SurfaceNormal[3];
-  /// The pixel that is asked for, if it is one.
+  /// The pixel to pick at; none for Pick3DRay and Pick3DPoint.
   bool IsPixel = false;
   int Pixel[2];
 };

@@ -27,8 +27,8 @@ void Append(const Range& range, std::vector<double>& numbers)
   numbers.insert(numbers.end(), range.begin(), range.end());
 }
 
-/// Whether two cameras show the same to within much less than a pixel. vtkWindowToImageFilter takes
-/// the sine of the view angle and the angle of that sine, which is not the same to the last bits.
+/// Whether two cameras are the same to within much less than a pixel. vtkWindowToImageFilter takes
+/// the sine of the view angle and the angle of that sine, which differ in the last bits.
 bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
 {
   constexpr double tolerance = 1e-7;
@@ -125,7 +125,7 @@ void vtkIsosurfaceRayTraceAccumulation::SetFrame(int number, vtkirt::Scene& scen
     return;
   }
   // M. Roberts: The Unreasonable Effectiveness of Quasirandom Sequences, 2018. The first of its
-  // points is the centre of the pixel; the others, each with the one opposite, pull to no side.
+  // points is the centre of the pixel; the others, each with its opposite, are balanced.
   const int pair = (number + 1) / 2;
   const double side = number % 2 == 0 ? -1.0 : 1.0;
   const double x = 0.7548776662466927 * pair;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The mean of the frames of a scene that does not change, whose rays go through other places of the
-// pixels in every frame.
+// The mean of the frames of a scene that does not change. In every frame the rays go through other
+// points of the pixels.
 
 #ifndef vtkIsosurfaceRayTraceAccumulation_h
 #define vtkIsosurfaceRayTraceAccumulation_h
@@ -23,12 +23,12 @@ class vtkObject;
 class vtkIsosurfaceRayTraceAccumulation
 {
 public:
-  /// The most frames whose sums can be kept.
+  /// The maximum number of frames whose sums do not overflow.
   static constexpr int MaximumNumberOfFrames = 256;
 
-  /// All that a picture is made from. What the ray tracer has as numbers is compared by them: VTK
-  /// gives cameras and lights new times in every frame of a stereo window. What is behind pointers
-  /// goes by its time.
+  /// Everything that a picture depends on. What the ray tracer has as numbers is compared by value:
+  /// VTK gives cameras and lights new modification times in every frame of a stereo window. What is
+  /// behind pointers is compared by modification time.
   struct Key
   {
     Key() = default;
@@ -44,17 +44,16 @@ public:
     std::vector<float> Depths;
   };
 
-  /// How many frames there are of what the key says.
+  /// The number of frames for the key.
   int GetNumberOfFrames(const Key& key) const { return this->Of == key ? this->Frames : 0; }
 
-  /// Turns a scene into that of a frame, by its number from 0: the first one stays as it is.
+  /// Turns a scene into that of a frame, by its number from 0: the first one is unchanged.
   static void SetFrame(int number, vtkIsosurfaceRayTracing::Scene& scene);
 
-  /// Adds a complete frame. If there is none of what the key says, those that are there are
-  /// dropped.
+  /// Adds a complete frame. If the frames so far have another key, they are dropped.
   void Add(const Key& key, const vtkIsosurfaceRayTracing::Frame& frame);
 
-  /// Gives a frame the mean of the colours and the depths of the first one.
+  /// Replaces the colours of a frame by their mean, and the depths by those of the first one.
   void GetMean(vtkIsosurfaceRayTracing::Frame& frame) const;
 
 private:

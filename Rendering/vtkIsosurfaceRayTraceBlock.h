@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A block of composite data, as a part of the grid that its blocks make together.
+// A block of composite data, as a part of the grid that its blocks form together.
 
 #ifndef vtkIsosurfaceRayTraceBlock_h
 #define vtkIsosurfaceRayTraceBlock_h
@@ -31,35 +31,35 @@ struct vtkIsosurfaceRayTraceBlock
     return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
   }
 
-  /// Whether a place is one of a grid of some size.
-  static bool Contains(const Index3& size, const Index3& place)
+  /// Whether an index is one of a grid of some size.
+  static bool Contains(const Index3& size, const Index3& index)
   {
-    return place[0] >= 0 && place[1] >= 0 && place[2] >= 0 && place[0] < size[0] &&
-      place[1] < size[1] && place[2] < size[2];
+    return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < size[0] &&
+      index[1] < size[1] && index[2] < size[2];
   }
 
-  /// Bits of ghost arrays. Those of points and cells that are duplicates are the same.
+  /// Bits of ghost arrays. The bit for duplicates is the same for points and cells.
   static constexpr int Blanked =
     vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   static constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
 
   vtkSmartPointer<vtkDataSet> Data;
   unsigned int FlatIndex;
-  /// How many points and cells the blocks before it have.
+  /// The numbers of points and cells of the blocks before it.
   vtkIdType FirstPoint;
   vtkIdType FirstCell;
-  /// Its scalars; and what to colour by, which may be null.
+  /// Its scalars; and the array to colour by, which may be null.
   vtkDataArray* Scalars;
   vtkDataArray* Colors;
-  /// The place of its first point among those of the grid.
+  /// The index of its first point in the grid.
   Index3 First;
 
-  /// The number of points and cells along each axis.
+  /// The numbers of points and cells along each axis.
   Index3 GetPoints() const;
   Index3 GetCells() const;
 
-  /// Whether a cell, by its place in the block, is there and shown: it has none of some bits in the
-  /// ghost array, and no hidden corner.
+  /// Whether a cell, given its index in the block, exists and is shown: none of some bits is set in
+  /// the ghost array, and no corner is hidden.
   bool Shows(const Index3& cell, int hiding) const;
 
   /// The number of a cell or a point of the grid in the block.

@@ -19,8 +19,8 @@ namespace
 
 using Block = vtkIsosurfaceRayTraceBlock;
 
-/// Sets the samples beside known ones so that the central difference at the border of what is known
-/// is the one-sided difference, as at the border of a volume.
+/// Extrapolates the samples beside known ones, so that the central difference at the border of the
+/// known samples is the one-sided difference, as at the border of a volume.
 void Extrapolate(const vtkirt::Index3& size, const std::vector<bool>& known, vtkDataArray* samples)
 {
   const double low = samples->GetDataTypeMin();
@@ -32,15 +32,15 @@ void Extrapolate(const vtkirt::Index3& size, const std::vector<bool>& known, vtk
       continue;
     }
     const auto number = static_cast<int64_t>(i);
-    const vtkirt::Index3 place = { static_cast<int>(number % size[0]),
+    const vtkirt::Index3 point = { static_cast<int>(number % size[0]),
       static_cast<int>(number / size[0] % size[1]), static_cast<int>(number / size[0] / size[1]) };
     std::vector<std::array<vtkIdType, 2>> neighbours;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       for (const int side : { -1, 1 })
       {
-        vtkirt::Index3 next = place;
-        vtkirt::Index3 afterNext = place;
+        vtkirt::Index3 next = point;
+        vtkirt::Index3 afterNext = point;
         next[axis] += side;
         afterNext[axis] += 2 * side;
         if (Block::Contains(size, afterNext) && known[vtkirt::Offset(next, size)] &&
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkDataArray> vtkIsosurfaceRayTraceBlockJoin::JoinArrays(
   joined->SetNumberOfTuples(static_cast<vtkIdType>(vtkirt::Count(size)));
   joined->Fill(0.0);
   std::vector<bool> known(vtkirt::Count(size), false);
-  // Samples of another block first: where the block itself is there, its own count.
+  // Duplicates first: the samples of the blocks that own them replace them.
   for (const bool onlyOwn : { false, true })
   {
     for (const Block& block : this->Blocks)
@@ -140,7 +140,7 @@ void vtkIsosurfaceRayTraceBlockJoin::CopySamples(const Block& block, vtkDataArra
     {
       const auto source = static_cast<vtkIdType>(vtkirt::Offset({ 0, y, z }, size));
       const std::size_t target = vtkirt::Offset(Block::Add(block.First, { 0, y, z }), whole);
-      // Runs of samples that are taken.
+      // Runs of samples that are copied.
       for (vtkIdType begin = 0; begin < size[0];)
       {
         vtkIdType end = begin;
@@ -164,7 +164,8 @@ void vtkIsosurfaceRayTraceBlockJoin::CopySamples(const Block& block, vtkDataArra
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceBlockJoin::HideMissingCells(vtkImageData* image) const
 {
-  // A cell that is a duplicate in a block may be that of another block; as a sample, both are one.
+  // A cell that is a duplicate in a block may be that of another block; as samples, both are the
+  // same.
   const int hiding = Block::Blanked | (this->OfCells ? 0 : Block::Duplicate);
   std::vector<bool> isShown(vtkirt::Count(this->Cells), false);
   for (const Block& block : this->Blocks)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The samples of blocks that lie on one lattice, put together as those of one image.
+// The samples of blocks that lie on one lattice, joined to those of one image.
 
 #ifndef vtkIsosurfaceRayTraceBlockJoin_h
 #define vtkIsosurfaceRayTraceBlockJoin_h

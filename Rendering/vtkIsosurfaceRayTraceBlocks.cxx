@@ -40,12 +40,12 @@ std::string NameBlock(const Block& block)
   return "Block " + std::to_string(block.FlatIndex) + " of the composite input";
 }
 
-/// Where a block lies on the lattice of an image: the index of its first point. Returns false if it
-/// lies on another.
-bool FindPlace(vtkImageData* lattice, vtkImageData* block, vtkirt::Index3& first)
+/// The index of a block's first point on the lattice of an image. Returns false if the block lies
+/// on another lattice.
+bool FindFirstPoint(vtkImageData* lattice, vtkImageData* block, vtkirt::Index3& first)
 {
-  // If four corners are where they should be, all points are. A thousandth of a cell is less than
-  // one would see, and more than the rounding of coordinates that were written as text.
+  // If four corners are on lattice points, all points are. A thousandth of a cell is less than is
+  // visible, and more than the rounding of coordinates that were written as text.
   constexpr double slack = 1e-3;
   const int* extent = block->GetExtent();
   for (int corner = 0; corner < 4; ++corner)
@@ -59,13 +59,13 @@ bool FindPlace(vtkImageData* lattice, vtkImageData* block, vtkirt::Index3& first
       index = Block::Add(index, offset);
     }
     vtkirt::Vector3 point;
-    vtkirt::Vector3 place;
+    vtkirt::Vector3 position;
     block->TransformIndexToPhysicalPoint(index.data(), point.data());
-    lattice->TransformPhysicalPointToContinuousIndex(point.data(), place.data());
+    lattice->TransformPhysicalPointToContinuousIndex(point.data(), position.data());
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double whole = std::round(place[axis]);
-      if (!(std::abs(place[axis] - whole) <= slack) || !(std::abs(whole) < 0x1p30))
+      const double whole = std::round(position[axis]);
+      if (!(std::abs(position[axis] - whole) <= slack) || !(std::abs(whole) < 0x1p30))
       {
         return false;
       }
@@ -93,7 +93,7 @@ std::string vtkIsosurfaceRayTraceBlocks::Update(vtkCompositeDataSet* input, cons
     this->Times.clear();
     return problem;
   }
-  // New blocks may have the addresses of old ones: their times tell them apart.
+  // New blocks may have the addresses of old ones: modification times tell them apart.
   std::vector<vtkMTimeType> times;
   for (const Block& block : this->Blocks)
   {
@@ -132,7 +132,7 @@ std::string vtkIsosurfaceRayTraceBlocks::Update(vtkCompositeDataSet* input, cons
 /// Finds the blocks that have a volume and the scalars.
 std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, const Choice& choice)
 {
-  // The places are kept: they are found again only if something has changed.
+  // The indices are kept: they are found again only if something has changed.
   std::vector<Block> blocks;
   this->NumberOfPoints = 0;
   this->NumberOfCells = 0;
@@ -174,8 +174,7 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
     {
       return NameBlock(block) +
         " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
-        "point, "
-        "or for every cell, with the same number of components.";
+        "point, or for every cell, with the same number of components.";
     }
     if (!choice.ColorArrayName.empty())
     {
@@ -185,7 +184,7 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
   }
   if (blocks.empty())
   {
-    return "The composite input has no block with a volume and scalars of the kind asked for. Give "
+    return "The composite input has no block with a volume and scalars of the requested kind. Give "
            "blocks of vtkImageData with scalars, or name an array with SelectScalarArray().";
   }
   for (std::size_t i = 0; i < std::min(blocks.size(), this->Blocks.size()); ++i)
@@ -197,7 +196,7 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
 }
 
 //------------------------------------------------------------------------------
-/// Finds where the blocks lie on the lattice of the first.
+/// Finds the indices of the blocks on the lattice of the first.
 std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
 {
   auto* lattice = vtkImageData::SafeDownCast(this->Blocks[0].Data);
@@ -207,13 +206,12 @@ std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
   for (Block& block : this->Blocks)
   {
     auto* image = vtkImageData::SafeDownCast(block.Data);
-    if (!lattice || !image || !FindPlace(lattice, image, block.First))
+    if (!lattice || !image || !FindFirstPoint(lattice, image, block.First))
     {
       return NameBlock(block) +
-        " does not lie on the lattice of the blocks before it: its spacing or direction is "
-        "another, "
-        "or its origin is not a whole number of cells from theirs. Give each lattice a mapper and "
-        "a volume of its own.";
+        " does not lie on the lattice of the blocks before it: its spacing or direction differs, "
+        "or its origin is not a whole number of cells from theirs. Use a mapper and a volume for "
+        "each lattice.";
     }
     const vtkirt::Index3 points = block.GetPoints();
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -228,8 +226,8 @@ std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
   if (box > 0x1p20 && box > 64.0 * samples)
   {
     return "The blocks of the composite input lie so far apart that the box around them has more "
-           "than 64 times their samples, which would be in memory. Give those that lie together a "
-           "mapper and a volume of their own.";
+           "than 64 times their samples, all of which would be held in memory. Use a mapper and a "
+           "volume for each cluster of blocks.";
   }
   for (Block& block : this->Blocks)
   {
@@ -273,7 +271,7 @@ void vtkIsosurfaceRayTraceBlocks::Join()
 const vtkIsosurfaceRayTraceBlock& vtkIsosurfaceRayTraceBlocks::FindOwner(
   const vtkirt::Index3& cell) const
 {
-  // The one that shows it; of cells that are duplicates everywhere, any.
+  // The block that shows it; for cells that are duplicates everywhere, any.
   for (const int hiding : { Block::Blanked | Block::Duplicate, Block::Blanked })
   {
     for (const Block& block : this->Blocks)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The blocks of composite data, put together as the one grid that they are pieces of.
+// The blocks of composite data, joined to the one grid that they are pieces of.
 
 #ifndef vtkIsosurfaceRayTraceBlocks_h
 #define vtkIsosurfaceRayTraceBlocks_h
@@ -20,17 +20,16 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCompositeDataSet;
 
-/// Blocks lie on one lattice if their samples stand at the same places, or at whole numbers of
-/// cells from each other; they may overlap. The grid they make has the samples of all, so that
-/// neither the surface nor its normals know where a block ends; cells that no block has are hidden
-/// in it. It costs a copy of the samples over the box of the blocks. A block that is alone is the
-/// grid itself.
+/// Blocks lie on one lattice if their samples coincide, or are whole numbers of cells apart; they
+/// may overlap. The grid that they form has the samples of all, so that neither the surface nor its
+/// normals show where a block ends; cells that no block has are hidden in it. It costs a copy of
+/// the samples over the box of the blocks. A single block is the grid itself.
 class vtkIsosurfaceRayTraceBlocks
 {
 public:
   using Block = vtkIsosurfaceRayTraceBlock;
 
-  /// What is taken from the blocks, by the words of vtkAbstractMapper.
+  /// What is taken from the blocks, by the names of vtkAbstractMapper.
   struct Choice
   {
     int ScalarMode;
@@ -41,27 +40,27 @@ public:
     std::string ColorArrayName;
   };
 
-  /// Puts the blocks together, unless they are the same as before. Returns what stands in the way;
-  /// empty if nothing does.
+  /// Joins the blocks, unless they are the same as before. Returns the problem, if there is one;
+  /// else empty.
   std::string Update(vtkCompositeDataSet* input, const Choice& choice);
 
-  /// What the blocks make: an image, or a block that is alone.
+  /// The grid of the blocks: an image, or a single block.
   vtkDataSet* GetGrid() const { return this->Grid; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
   bool AreOfCells() const { return this->OfCells; }
 
-  /// How many points and cells all blocks have.
+  /// The numbers of points and cells of all blocks.
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 
   /// The number of a cell of the grid, counted through all blocks: in the block that shows it.
   vtkIdType GetCellId(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
-  /// The number of a corner of that cell: the point has the cell's place, or one more.
+  /// The number of a corner of that cell: the index of the point is that of the cell, or one more.
   vtkIdType GetPointId(const vtkIsosurfaceRayTracing::Index3& cell,
     const vtkIsosurfaceRayTracing::Index3& point) const;
 
-  /// The block that has a cell, by its number through all blocks; null if there is none.
+  /// The block that has a cell, given its number through all blocks; null if there is none.
   const Block* FindBlock(vtkIdType cellId) const;
 
 private:
@@ -71,7 +70,7 @@ private:
   const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
   std::vector<Block> Blocks;
-  /// The times of the blocks and of their arrays, of which the grid was made.
+  /// The modification times of the blocks and of their arrays, of which the grid was made.
   std::vector<vtkMTimeType> Times;
   /// The number of points along each axis.
   vtkIsosurfaceRayTracing::Index3 Dimensions = {};

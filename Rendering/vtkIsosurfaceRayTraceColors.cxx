@@ -40,19 +40,19 @@ vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(vtkImageData* image, vt
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Vector3 vtkIsosurfaceRayTraceColors::GetPlace(const vtkirt::Hit& hit) const
+vtkirt::Vector3 vtkIsosurfaceRayTraceColors::GetIndex(const vtkirt::Hit& hit) const
 {
-  vtkirt::Vector3 place;
+  vtkirt::Vector3 index;
   if (!this->Image)
   {
-    const vtkirt::Index3 cell = this->Source.FindStructuredCell(hit, place);
-    return { cell[0] + place[0], cell[1] + place[1], cell[2] + place[2] };
+    const vtkirt::Index3 cell = this->Source.FindStructuredCell(hit, index);
+    return { cell[0] + index[0], cell[1] + index[1], cell[2] + index[2] };
   }
   const vtkirt::Vector3 point = vtkirt::TransformPoint(
     this->Source.GetGeometry().GetPhysicalFromObject(), this->Source.GetField()->GetPoint(hit));
-  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), place.data());
+  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index.data());
   const int* extent = this->Image->GetExtent();
-  return { place[0] - extent[0], place[1] - extent[2], place[2] - extent[4] };
+  return { index[0] - extent[0], index[1] - extent[2], index[2] - extent[4] };
 }
 
 //------------------------------------------------------------------------------
@@ -64,11 +64,11 @@ double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int com
   double weights[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // Beside the image its border goes on.
+    // Border values extend beyond the image.
     const int dimension = this->Dimensions[axis];
-    const double place = std::clamp(index[axis], 0.0, static_cast<double>(dimension - 1));
-    const int first = std::min(static_cast<int>(place), std::max(0, dimension - 2));
-    weights[axis] = place - first;
+    const double coordinate = std::clamp(index[axis], 0.0, static_cast<double>(dimension - 1));
+    const int first = std::min(static_cast<int>(coordinate), std::max(0, dimension - 2));
+    weights[axis] = coordinate - first;
     corner += first * stride;
     steps[axis] = dimension > 1 ? stride : 0;
     stride *= dimension;
@@ -84,7 +84,7 @@ double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int com
       weight *= isUpper ? weights[axis] : 1.0 - weights[axis];
       point += isUpper ? steps[axis] : 0;
     }
-    // What counts for nothing may be no number.
+    // Values without weight may be NaN.
     sum += weight > 0.0 ? weight * this->Array->GetComponent(point, component) : 0.0;
   }
   return sum;
@@ -93,16 +93,16 @@ double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int com
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceColors::Get(const vtkirt::Hit& hit) const
 {
-  const vtkirt::Vector3 place = this->GetPlace(hit);
+  const vtkirt::Vector3 index = this->GetIndex(hit);
   if (!this->IsDirect)
   {
     return vtkIsosurfaceRayTraceScene::GetColor(
-      this->Property, this->Component, this->Sample(place, 0));
+      this->Property, this->Component, this->Sample(index, 0));
   }
   vtkirt::Vector3 color;
   for (int channel = 0; channel < 3; ++channel)
   {
-    color[static_cast<std::size_t>(channel)] = this->Sample(place, channel) / 255.0;
+    color[static_cast<std::size_t>(channel)] = this->Sample(index, channel) / 255.0;
   }
   return color;
 }

@@ -23,20 +23,21 @@ class vtkVolumeProperty;
 class vtkIsosurfaceRayTraceColors : public vtkIsosurfaceRayTracing::HitColors
 {
 public:
-  /// The array of a name, or the point scalars of the grid if it is empty; null if there is none.
+  /// The array of a name, or the point scalars of the grid if the name is empty; null if there is
+  /// none.
   static vtkDataArray* FindArray(vtkDataSet* grid, const std::string& name);
 
-  /// The array is of an image of its own; with null, of the grid that is traced. A component of the
-  /// property turns values into colours, unless the array has colours of 8 bits.
+  /// The array belongs to an image of its own; with null, to the grid that is traced. A component
+  /// of the property maps values to colours, unless the array has colours of 8 bits.
   vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
     const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component);
 
   vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const override;
 
 private:
-  /// The place of a hit among the points of the array, in indices counted from the first point.
-  vtkIsosurfaceRayTracing::Vector3 GetPlace(const vtkIsosurfaceRayTracing::Hit& hit) const;
-  double Sample(const vtkIsosurfaceRayTracing::Vector3& place, int component) const;
+  /// The position of a hit in the lattice of the array, in indices counted from the first point.
+  vtkIsosurfaceRayTracing::Vector3 GetIndex(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  double Sample(const vtkIsosurfaceRayTracing::Vector3& index, int component) const;
 
   vtkImageData* Image;
   vtkDataArray* Array;

@@ -25,8 +25,8 @@ unsigned int Reverse(unsigned int regions, std::size_t axis)
   unsigned int reversed = 0;
   for (int region = 0; region < 27; ++region)
   {
-    const int place = region / strides[axis] % 3;
-    const int other = region + (2 - 2 * place) * strides[axis];
+    const int interval = region / strides[axis] % 3;
+    const int other = region + (2 - 2 * interval) * strides[axis];
     reversed |= (regions >> region & 1U) << other;
   }
   return reversed;
@@ -73,7 +73,7 @@ void Apply(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceGeometry& geometr
     visibility.Regions = { between, regions };
     return;
   }
-  // A box is cut out of the rays, which is faster than to look at every hit.
+  // Rays are cut to a box, which is faster than testing every hit.
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     vtkirt::Vector3 normal = { 0.0, 0.0, 0.0 };

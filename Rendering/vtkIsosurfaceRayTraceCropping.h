@@ -20,10 +20,10 @@ class vtkVolumeMapper;
 namespace vtkIsosurfaceRayTraceCropping
 {
 
-/// What is wrong with the cropping of a mapper; empty if nothing is.
+/// The problem with the cropping of a mapper; empty if there is none.
 std::string FindProblem(vtkVolumeMapper* mapper);
 
-/// Takes from what is visible of a grid what cropping does not leave, if it is on.
+/// Removes what cropping cuts away from the visible parts of a grid, if cropping is on.
 void Apply(vtkVolumeMapper* mapper, const vtkIsosurfaceRayTraceGeometry& geometry,
   vtkIsosurfaceRayTracing::Visibility& visibility);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The core's enumerators for those of VTK and of vtkIsosurfaceRayTraceMapper.
+// Converts enumerators of VTK and of vtkIsosurfaceRayTraceMapper to those of the core.
 
 #ifndef vtkIsosurfaceRayTraceEnumerators_h
 #define vtkIsosurfaceRayTraceEnumerators_h

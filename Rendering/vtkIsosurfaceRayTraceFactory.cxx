@@ -25,7 +25,7 @@ public:
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override
   {
-    // vtkSmartVolumeMapper gives nothing of itself but the volume.
+    // vtkSmartVolumeMapper passes nothing of itself but the volume.
     vtkAbstractVolumeMapper* mapper = volume->GetMapper();
     this->Mapper->ShallowCopy(mapper);
     if (auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper))

@@ -4,15 +4,15 @@
  * @class   vtkIsosurfaceRayTraceFactory
  * @brief   have vtkSmartVolumeMapper ray trace isosurfaces in its OSPRay mode
  *
- * An application that has vtkSmartVolumeMapper, and lets its user ask it for OSPRay, gets this
- * mapper's isosurfaces without a change: once the factory is switched on, a vtkSmartVolumeMapper of
- * which SetRequestedRenderModeToOSPRay() was called hands every frame to a
- * vtkIsosurfaceRayTraceMapper with its inputs, scalars, VectorMode, blend mode, cropping and
- * clipping planes. Other blend modes than that of isosurfaces are an error, as of the mapper.
+ * An application that uses vtkSmartVolumeMapper, and lets its user select OSPRay, gets the
+ * isosurfaces of vtkIsosurfaceRayTraceMapper without a change: once the factory is switched on, a
+ * vtkSmartVolumeMapper on which SetRequestedRenderModeToOSPRay() was called renders every frame by
+ * a vtkIsosurfaceRayTraceMapper with its inputs, scalars, VectorMode, blend mode, cropping and
+ * clipping planes. Blend modes that vtkIsosurfaceRayTraceMapper does not support are an error.
  *
- * The factory overrides vtkOSPRayVolumeInterface. What a vtkSmartVolumeMapper has made in its first
- * frame in the OSPRay mode, it keeps: switch the factory on before. In a VTK that has OSPRay it
- * takes the place of OSPRay for volumes without an OSPRay render pass.
+ * The factory overrides vtkOSPRayVolumeInterface. A vtkSmartVolumeMapper keeps the object that it
+ * created in its first frame in the OSPRay mode: switch the factory on before. In a VTK built with
+ * OSPRay, it replaces OSPRay for volumes without an OSPRay render pass.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkSmartVolumeMapper vtkObjectFactory
  */
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Switch the factory on and off, for the whole process. To do either again changes nothing.
-   * Default: off.
+   * Switch the factory on and off, for the whole process. Repeated calls have no effect. Default:
+   * off.
    */
   static void SwitchOn();
   static void SwitchOff();

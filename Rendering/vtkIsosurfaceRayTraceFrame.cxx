@@ -57,7 +57,7 @@ Pass* FindPass(vtkVolume* volume)
   return nullptr;
 }
 
-/// Whether a frame in stereo has shown another eye already.
+/// Whether a frame in stereo has drawn another eye already.
 bool IsSecondEye(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -71,7 +71,7 @@ vtkirt::PixelRectangle GetViewport(vtkOpenGLRenderWindow* window)
   return { viewport[0], viewport[1], viewport[2], viewport[3] };
 }
 
-/// Whether the window may show something already that hides surfaces. Render passes do not say.
+/// Whether the window may already have something that hides surfaces. Render passes do not tell.
 bool MayShowOthers(vtkRenderer* renderer)
 {
   return renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
@@ -91,7 +91,7 @@ std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVo
   }
   if (FindPass<vtkDualDepthPeelingPass>(volume))
   {
-    return "The renderer peels volumes, which isosurfaces cannot be. Call "
+    return "The renderer peels volumes, which isosurfaces do not support. Call "
            "UseDepthPeelingForVolumesOff() of the renderer, or, if every isosurface is "
            "opaque, put the mapper in a vtkIsosurfaceVolume.";
   }
@@ -192,7 +192,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   const vtkirt::FrameTimes& times = this->Picture.Times;
   if (!drawing.Selector && times.Trace > 0.0)
   {
-    // What was built is built; what remains grows with the number of rays.
+    // Macrocells and bricks are built; the remaining time grows with the number of rays.
     const auto distance = static_cast<double>(settings.ImageSampleDistance);
     this->SecondsOfFullFrame =
       (times.Trace + times.Shade) * distance * distance + this->DisplayTime;
@@ -217,7 +217,7 @@ void vtkIsosurfaceRayTraceFrame::SetScene(const vtkIsosurfaceRayTraceSettings& s
 }
 
 //------------------------------------------------------------------------------
-/// Gives the scene the depth of what the window shows already, for every ray.
+/// Sets the depth of what is drawn already, for every ray of the scene.
 void vtkIsosurfaceRayTraceFrame::ReadDepths(const Drawing& drawing)
 {
   vtkirt::Scene& scene = this->Picture.Scene;
@@ -237,14 +237,14 @@ void vtkIsosurfaceRayTraceFrame::ReadDepths(const Drawing& drawing)
 }
 
 //------------------------------------------------------------------------------
-/// Traces the frame; with ProgressiveAccumulation, one more of the same scene, or none if there are
-/// enough, and makes the picture their mean.
+/// Traces the frame. With ProgressiveAccumulation, traces one more frame of the same scene, or none
+/// if there are enough, and makes the picture their mean.
 bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
   const std::function<bool(double)>& keepGoing)
 {
   vtkirt::Scene& scene = this->Picture.Scene;
-  // Ids and points have no mean, and a coarse picture is soon replaced.
+  // Ids and points cannot be averaged, and a coarse picture is soon replaced.
   if (!settings.ProgressiveAccumulation || scene.KeepHits || drawing.Sampling.Pixels != 1)
   {
     return this->Trace(drawing, keepGoing);
@@ -271,7 +271,7 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
 }
 
 //------------------------------------------------------------------------------
-/// Makes the picture. If hits are kept, it has a pixel for every ray.
+/// Renders the picture. If hits are kept, it has a pixel for every ray.
 bool vtkIsosurfaceRayTraceFrame::Trace(
   const Drawing& drawing, const std::function<bool(double)>& keepGoing)
 {
@@ -290,7 +290,7 @@ bool vtkIsosurfaceRayTraceFrame::Trace(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceFrame::IsOpaque(const Drawing& drawing) const
 {
-  // A mean is not opaque where a surface ends.
+  // A mean is not opaque at the edge of a surface.
   const vtkirt::TraceRequest& request = this->Picture.Scene.Fields.front().Field->GetRequest();
   return !request.Projection && vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces) &&
     drawing.Sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1;
@@ -330,7 +330,7 @@ void vtkIsosurfaceRayTraceFrame::DisplayIds(
 }
 
 //------------------------------------------------------------------------------
-/// Also tells the render pass where the surfaces are, if they have depth.
+/// Also passes points and normals to the render pass, if surfaces have depth.
 void vtkIsosurfaceRayTraceFrame::DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing)
 {

@@ -31,30 +31,30 @@ class vtkWindow;
 class vtkIsosurfaceRayTraceFrame
 {
 public:
-  /// What is drawn, and where.
+  /// What is drawn, and where to.
   struct Target
   {
     vtkRenderer* Renderer;
     vtkVolume* Volume;
-    /// While nothing is set in it, the settings are the same.
+    /// The settings are the same as long as it is not modified.
     vtkAbstractMapper* Mapper;
   };
 
   /// Why a renderer cannot draw a volume; empty if it can.
   static std::string FindProblem(vtkRenderer* renderer, vtkVolume* volume);
 
-  /// The distance between rays, in pixels: with AutoAdjustSampleDistances, so that the frame takes
-  /// the time allocated to it, by the time of the last one.
+  /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen by the time
+  /// of the last frame, so that the frame takes the time allocated to it.
   float ChooseSampleDistance(
     const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const;
 
-  /// Draws a frame, or the ids of a hardware selection. Returns false if keepGoing, which is told
-  /// the fraction done, stopped it.
+  /// Draws a frame, or the ids of a hardware selection. Returns false if keepGoing, called with the
+  /// fraction done, stopped it.
   bool Render(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target,
     const std::function<bool(double)>& keepGoing);
 
-  /// Of the last frame. The time of the display is that of reading depths, uploading and drawing.
+  /// Of the last frame. The display time is that of reading depths, uploading and drawing.
   const vtkIsosurfaceRayTracing::FrameTimes& GetTimes() const { return this->Picture.Times; }
   double GetDisplayTime() const { return this->DisplayTime; }
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
@@ -68,8 +68,7 @@ private:
     Drawing(const vtkIsosurfaceRayTraceSettings& settings, const Target& target);
 
     vtkOpenGLRenderWindow* Window;
-    /// In a render pass, of a framebuffer that may begin elsewhere than the window and have another
-    /// size.
+    /// In a render pass, of a framebuffer whose origin and size may differ from the window's.
     vtkIsosurfaceRayTracing::PixelRectangle Viewport;
     /// At most one of them.
     vtkHardwareSelector* Selector;

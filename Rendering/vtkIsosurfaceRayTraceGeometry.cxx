@@ -21,7 +21,7 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 namespace
 {
 
-using Places = std::vector<double>;
+using AxisCoordinates = std::vector<double>;
 
 vtkDataArray* GetCoordinateArray(vtkRectilinearGrid* grid, std::size_t axis)
 {
@@ -29,56 +29,58 @@ vtkDataArray* GetCoordinateArray(vtkRectilinearGrid* grid, std::size_t axis)
                    : (axis == 1 ? grid->GetYCoordinates() : grid->GetZCoordinates());
 }
 
-Places GetCoordinates(vtkRectilinearGrid* grid, std::size_t axis)
+AxisCoordinates GetCoordinates(vtkRectilinearGrid* grid, std::size_t axis)
 {
   vtkDataArray* array = GetCoordinateArray(grid, axis);
-  Places places;
+  AxisCoordinates coordinates;
   for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
-    places.push_back(array->GetComponent(i, 0));
+    coordinates.push_back(array->GetComponent(i, 0));
   }
-  return places;
+  return coordinates;
 }
 
-/// What is wrong with the coordinates of an axis; empty if nothing is.
-std::string FindProblemOfAxis(const Places& places, int points, char name)
+/// The problem with the coordinates of an axis; empty if there is none.
+std::string FindProblemOfAxis(const AxisCoordinates& coordinates, int points, char name)
 {
   std::ostringstream problem;
-  if (places.size() != static_cast<std::size_t>(points))
+  if (coordinates.size() != static_cast<std::size_t>(points))
   {
-    problem << "The rectilinear grid has " << places.size() << " " << name << " coordinates for "
-            << points << " points along " << name << ". Give one for each.";
+    problem << "The rectilinear grid has " << coordinates.size() << " " << name
+            << " coordinates for " << points << " points along " << name << ". Give one for each.";
     return problem.str();
   }
-  const double length = places.back() - places.front();
-  if (!std::all_of(places.begin(), places.end(), [](double v) { return std::isfinite(v); }) ||
+  const double length = coordinates.back() - coordinates.front();
+  if (!std::all_of(
+        coordinates.begin(), coordinates.end(), [](double v) { return std::isfinite(v); }) ||
     !std::isfinite(length) || !(std::abs(length) >= std::numeric_limits<double>::min() * points))
   {
-    problem << "The " << name << " coordinates of the rectilinear grid leave it without a finite "
-            << "volume: they must be finite numbers, and the last must not be the first.";
+    problem << "The " << name << " coordinates of the rectilinear grid do not enclose a finite "
+            << "volume: they must be finite numbers, and the last must differ from the first.";
     return problem.str();
   }
-  for (std::size_t i = 1; i < places.size(); ++i)
+  for (std::size_t i = 1; i < coordinates.size(); ++i)
   {
-    if ((places[i] - places[i - 1]) * std::copysign(1.0, length) < 0.0)
+    if ((coordinates[i] - coordinates[i - 1]) * std::copysign(1.0, length) < 0.0)
     {
       problem << "The " << name
-              << " coordinates of the rectilinear grid are not in order: " << places[i - 1]
-              << " (number " << i - 1 << ") is followed by " << places[i]
-              << ". Let them rise, or fall, throughout.";
+              << " coordinates of the rectilinear grid are not in order: " << coordinates[i - 1]
+              << " (number " << i - 1 << ") is followed by " << coordinates[i]
+              << ". They must ascend or descend throughout.";
       return problem.str();
     }
   }
   return "";
 }
 
-/// The matrix of an image, with the place of the sample that is counted 0.
+/// The matrix of an image, with the position of the sample that is counted 0.
 vtkirt::Matrix4 GetPhysicalFromObject(const double origin[3], const double spacing[3],
   const double direction[9], const vtkirt::Vector3& firstSample)
 {
   vtkirt::Matrix4 matrix;
   vtkImageData::ComputeIndexToPhysicalMatrix(origin, spacing, direction, matrix.data());
-  // The place of the first sample is computed first: an extent far from zero costs no digits.
+  // The position of the first sample is computed first: no digits are lost in an extent far from
+  // zero.
   const vtkirt::Vector3 first = vtkirt::TransformPoint(matrix, firstSample);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -87,26 +89,26 @@ vtkirt::Matrix4 GetPhysicalFromObject(const double origin[3], const double spaci
   return matrix;
 }
 
-/// Moves places to where the first stands at 0 and the last, number n, at n. Returns whether all of
-/// them stand at whole numbers then, but for the rounding of the coordinates.
-bool Normalize(Places& places)
+/// Maps coordinates so that the first is 0 and the last, number n, is n. Returns whether all of
+/// them are whole numbers then, to within the rounding of the coordinates.
+bool Normalize(AxisCoordinates& coordinates)
 {
-  const double first = places.front();
-  const auto last = static_cast<double>(places.size() - 1);
-  const double spacing = (places.back() - first) / last;
+  const double first = coordinates.front();
+  const auto last = static_cast<double>(coordinates.size() - 1);
+  const double spacing = (coordinates.back() - first) / last;
   const double slack = 4.0 * std::numeric_limits<double>::epsilon() *
-    (std::max(std::abs(first), std::abs(places.back())) / std::abs(spacing) + last);
+    (std::max(std::abs(first), std::abs(coordinates.back())) / std::abs(spacing) + last);
   bool isEven = true;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
   {
-    places[i] = std::min((places[i] - first) / spacing, last);
-    isEven = isEven && std::abs(places[i] - static_cast<double>(i)) <= slack;
+    coordinates[i] = std::min((coordinates[i] - first) / spacing, last);
+    isEven = isEven && std::abs(coordinates[i] - static_cast<double>(i)) <= slack;
   }
-  for (std::size_t i = 0; isEven && i < places.size(); ++i)
+  for (std::size_t i = 0; isEven && i < coordinates.size(); ++i)
   {
-    places[i] = static_cast<double>(i);
+    coordinates[i] = static_cast<double>(i);
   }
-  places.back() = last;
+  coordinates.back() = last;
   return isEven;
 }
 
@@ -183,22 +185,24 @@ void vtkIsosurfaceRayTraceGeometry::SetImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceGeometry::SetRectilinear(vtkRectilinearGrid* grid)
 {
-  std::array<Places, 3> samples;
+  std::array<AxisCoordinates, 3> samples;
   bool isEven = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    Places& places = samples[axis];
-    places = GetCoordinates(grid, axis);
-    this->Coordinates[axis] = places;
+    AxisCoordinates& coordinates = samples[axis];
+    coordinates = GetCoordinates(grid, axis);
+    this->Coordinates[axis] = coordinates;
     if (this->AtCenters)
     {
-      std::transform(places.begin() + 1, places.end(), places.begin(), places.begin(),
+      std::transform(coordinates.begin() + 1, coordinates.end(), coordinates.begin(),
+        coordinates.begin(),
         [](double upper, double lower) { return lower + 0.5 * (upper - lower); });
-      places.pop_back();
+      coordinates.pop_back();
     }
-    this->Origin[axis] = places.front();
-    this->Spacing[axis] = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
-    isEven = Normalize(places) && isEven;
+    this->Origin[axis] = coordinates.front();
+    this->Spacing[axis] =
+      (coordinates.back() - coordinates.front()) / static_cast<double>(coordinates.size() - 1);
+    isEven = Normalize(coordinates) && isEven;
   }
   this->Direction = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   this->PhysicalFromObject = ::GetPhysicalFromObject(
@@ -222,9 +226,9 @@ bool vtkIsosurfaceRayTraceGeometry::HasSamePoints(const vtkIsosurfaceRayTraceGeo
 }
 
 //------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceGeometry::GetIndex(std::size_t axis, double place) const
+double vtkIsosurfaceRayTraceGeometry::GetIndex(std::size_t axis, double coordinate) const
 {
-  return (place - this->Origin[axis]) / this->Spacing[axis] - this->FirstIndex[axis] -
+  return (coordinate - this->Origin[axis]) / this->Spacing[axis] - this->FirstIndex[axis] -
     this->FirstSample;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where the samples of an image or a rectilinear grid stand, without the volume's own matrix.
+// The coordinates of the samples of an image or a rectilinear grid, without the volume's own
+// matrix.
 
 #ifndef vtkIsosurfaceRayTraceGeometry_h
 #define vtkIsosurfaceRayTraceGeometry_h
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Rays/UnevenPlanes.h"
+#include "Image/Lattice/UnevenPlanes.h"
 
 #include <array>    // for std::array
 #include <optional> // for std::optional
@@ -27,35 +28,35 @@ public:
   /// The number of points along each axis; 0 if the data are neither image nor rectilinear grid.
   static vtkIsosurfaceRayTracing::Index3 GetDimensions(vtkDataSet* grid);
 
-  /// What makes the geometry unusable; empty if nothing does. There must be two samples or more
-  /// along each axis. (So for all that follows.)
+  /// The problem with the geometry; empty if there is none. There must be two samples or more along
+  /// each axis. (All functions below require it.)
   static std::string FindProblem(vtkDataSet* grid);
 
   vtkIsosurfaceRayTraceGeometry() = default;
   /// Samples are the points of the grid, or the centres of its cells.
   vtkIsosurfaceRayTraceGeometry(vtkDataSet* grid, bool atCenters);
 
-  /// Whether the points stand at the same places.
+  /// Whether the points have the same coordinates.
   bool HasSamePoints(const vtkIsosurfaceRayTraceGeometry& other) const;
 
-  /// From the object space of the field to the coordinates of the grid. The first sample stands at
-  /// 0 there, and the spacing is 1; in the mean if it is uneven.
+  /// From the object space of the field to the coordinates of the grid. The first sample is at 0
+  /// there, and the spacing is 1; its mean, if it is uneven.
   const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const
   {
     return this->PhysicalFromObject;
   }
 
-  /// Where uneven samples stand in that space; null if at whole numbers.
+  /// The planes of uneven samples in that space; null if they are at whole numbers.
   const vtkIsosurfaceRayTracing::UnevenPlanes* GetPlanes() const
   {
     return this->Planes ? &*this->Planes : nullptr;
   }
 
-  /// Where a place on an axis of the grid (for an image: origin + spacing * index) is in that
-  /// space.
-  double GetIndex(std::size_t axis, double place) const;
+  /// The position in that space of a coordinate on an axis of the grid (for an image: origin +
+  /// spacing * index).
+  double GetIndex(std::size_t axis, double coordinate) const;
 
-  /// What of the way from one sample at a cell's centre to the next lies in the cell of the first.
+  /// The part of the segment from one cell's centre to the next that lies in the first cell.
   double GetShareOfFirst(std::size_t axis, int sample) const
   {
     return this->Coordinates[axis].empty() ? 0.5 : this->ComputeShareOfFirst(axis, sample);

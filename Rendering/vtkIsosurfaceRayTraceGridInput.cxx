@@ -93,9 +93,10 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(
   const int count = this->Scalars.Scalars ? this->Scalars.Scalars->GetNumberOfComponents() : 1;
   if (count > VTK_MAX_VRCOMP)
   {
-    return "The scalars have " + std::to_string(count) + " components, of which " +
+    return "The scalars have " + std::to_string(count) +
+      " components. vtkVolumeProperty::SetComponentWeight selects one of at most " +
       std::to_string(VTK_MAX_VRCOMP) +
-      " at most can be chosen from by vtkVolumeProperty::SetComponentWeight. Call "
+      ". Call "
       "SetVectorModeToComponent() and SetVectorComponent(), or SetVectorModeToMagnitude().";
   }
   this->PropertyComponent = vtkIsosurfaceRayTraceScene::ChooseComponent(property, count);

@@ -22,7 +22,7 @@ class vtkVolumeMapper;
 class vtkIsosurfaceRayTraceGridInput final : public vtkIsosurfaceRayTraceInput
 {
 public:
-  /// What is taken from the inputs of a mapper, besides what all volume mappers know.
+  /// What is taken from the inputs of a mapper, besides the settings of all volume mappers.
   struct Choice
   {
     /// A component of the scalars, or their magnitude (vtkIsosurfaceRayTraceSource::Selection);
@@ -35,7 +35,7 @@ public:
   /// why they cannot be traced; empty if they can.
   std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
 
-  /// Makes what was selected ready for rays. Returns whether macrocells had to be built.
+  /// Builds what tracing the selection needs. Returns whether macrocells had to be built.
   bool Update(
     vtkVolumeMapper* mapper, const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
@@ -67,14 +67,14 @@ private:
   std::string SelectComponent(std::optional<int> component, vtkVolumeProperty* property);
   std::string SelectColors(vtkImageData* image, const std::string& name);
 
-  /// Whether the grid is what the blocks of composite data make.
+  /// Whether the grid is formed by the blocks of composite data.
   bool IsComposite = false;
   vtkIsosurfaceRayTraceBlocks Blocks;
   vtkDataSet* Grid = nullptr;
   vtkIsosurfaceRayTraceSource::Selection Scalars;
   int PropertyComponent = 0;
-  /// What surfaces are coloured by. The array is null if by their isovalues, the image if the array
-  /// is one of the grid.
+  /// The colours of the surfaces. The array is null if they are coloured by isovalue, the image if
+  /// the array belongs to the grid.
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
 

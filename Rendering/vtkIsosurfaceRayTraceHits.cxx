@@ -24,7 +24,7 @@ vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector
   const vtkirt::Matrix4& worldFromObject = this->Request.WorldFromObject;
   vtkirt::Matrix4 objectFromWorld;
   vtkMatrix4x4::Invert(worldFromObject.data(), objectFromWorld.data());
-  // Differences first: a volume far from the origin of the world loses nothing.
+  // Differences first: no digits are lost in a volume far from the origin of the world.
   const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
   std::vector<vtkirt::CastRay> rays(origins.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -88,7 +88,7 @@ void vtkIsosurfaceRayTraceHits::GetGeometry(const std::vector<vtkirt::Hit>& hits
     const vtkirt::Vector3 position = vtkirt::TransformPoint(viewFromWorld, this->GetPosition(hit));
     vtkirt::Vector3 normal =
       vtkirt::Normalized(vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit)));
-    // As of polygons: towards the viewer, whose side is that of positive z.
+    // As for polygons: towards the viewer, on the side of positive z.
     normal = normal[2] < 0.0 ? normal * -1.0 : normal;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {

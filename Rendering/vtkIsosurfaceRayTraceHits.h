@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finds hits of rays, and what users are told of a hit.
+// Finds hits of rays, and their properties in VTK's terms.
 
 #ifndef vtkIsosurfaceRayTraceHits_h
 #define vtkIsosurfaceRayTraceHits_h
@@ -26,9 +26,9 @@ public:
     vtkIdType CellId;
     /// In the cell.
     vtkIsosurfaceRayTracing::Vector3 Parametric;
-    /// In the world.
+    /// In world coordinates.
     vtkIsosurfaceRayTracing::Vector3 Position;
-    /// In the world, towards smaller values, of length one.
+    /// In world coordinates, towards smaller values, of length one.
     vtkIsosurfaceRayTracing::Vector3 Normal;
     /// The isovalue of the surface, or the value of a projection.
     double Value;
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// The hits of rays given in the world, up to tEnd times their direction.
+  /// The hits of rays given in world coordinates, up to tEnd times their direction.
   vtkIsosurfaceRayTracing::RayHits Cast(
     const std::vector<vtkIsosurfaceRayTracing::Vector3>& origins,
     const std::vector<vtkIsosurfaceRayTracing::Vector3>& directions, double tEnd,
@@ -48,8 +48,8 @@ public:
 
   Description Describe(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
-  /// The positions and normals of hits in coordinates of the view, three numbers for every hit;
-  /// zeros where there is none.
+  /// The positions and normals of hits in view coordinates, three numbers for every hit; zeros
+  /// where there is none.
   void GetGeometry(const std::vector<vtkIsosurfaceRayTracing::Hit>& hits, vtkCamera* camera,
     int threads, std::vector<float>& positions, std::vector<float>& normals) const;
 

@@ -19,7 +19,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-// Numbers that OpenGL fixes. The header that declares them is GLEW's in some versions of VTK and
+// Values of OpenGL constants. The header that declares them is GLEW's in some versions of VTK and
 // GLAD's in others.
 constexpr unsigned int GLOne = 1;
 constexpr unsigned int GLOneMinusSourceAlpha = 0x0303;
@@ -51,7 +51,7 @@ void main()
 }
 )";
 
-// By the names that a vtkOpenGLRenderPass looks for in the shaders of polygons.
+// The names that a vtkOpenGLRenderPass looks for in the shaders of polygons.
 const char* const GeometryDeclaration = R"(uniform sampler2D positions;
 uniform sampler2D normals;
 )";
@@ -61,7 +61,7 @@ const char* const GeometryImplementation = R"(
   //VTK::Light::Impl
 )";
 
-/// The fragment shader that a render pass makes of ours.
+/// The fragment shader that a render pass makes from ours.
 std::string MakeGeometryShader(const vtkIsosurfaceRayTraceImageDisplay::Geometry& geometry)
 {
   std::string vertexShader;
@@ -113,7 +113,7 @@ void vtkIsosurfaceRayTraceImageDisplay::ReadDepths(
   window->GetState()->GetCurrentDrawFramebufferState(framebuffer, buffer);
   if (framebuffer == window->GetRenderFramebuffer()->GetFBOIndex())
   {
-    // The window knows what to do when it has several samples for a pixel.
+    // The window resolves several samples per pixel.
     window->GetZbufferData(x, y, x + width - 1, y + height - 1, depths);
     return;
   }
@@ -170,7 +170,7 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(
   }
   else
   {
-    // What is translucent leaves no depth, or it would hide what is drawn behind it later.
+    // Translucent pixels write no depth, or they would hide what is drawn behind them later.
     this->Draw(window, true, false);
     this->Draw(window, false, true);
   }
@@ -235,7 +235,7 @@ bool vtkIsosurfaceRayTraceImageDisplay::MakeReady(vtkOpenGLRenderWindow* window,
   {
     window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   }
-  return quad->Program != nullptr; // If not, VTK has said why.
+  return quad->Program != nullptr; // If not, VTK has reported why.
 }
 
 //------------------------------------------------------------------------------

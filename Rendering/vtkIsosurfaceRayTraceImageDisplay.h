@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Draws a picture with a depth for every pixel into what an OpenGL render window draws to now: the
-// window, or the framebuffer of a render pass.
+// Draws a picture with a depth for every pixel into the current framebuffer of an OpenGL render
+// window: that of the window, or of a render pass.
 
 #ifndef vtkIsosurfaceRayTraceImageDisplay_h
 #define vtkIsosurfaceRayTraceImageDisplay_h
@@ -27,8 +27,8 @@ class vtkWindow;
 class vtkIsosurfaceRayTraceImageDisplay
 {
 public:
-  /// A picture and its place in the framebuffer, in pixels from the lower left. It may have fewer
-  /// columns and rows than that place.
+  /// A picture and its rectangle in the framebuffer, in pixels from the lower left. It may have
+  /// fewer columns and rows than the rectangle.
   struct Image
   {
     int X;
@@ -39,14 +39,14 @@ public:
     int Rows;
     /// Red, green, blue and opacity of every pixel, the colours multiplied by the opacity.
     const std::uint8_t* Colors;
-    /// The depth of what is opaque, in [0, 1]; greater than 1 where nothing is.
+    /// The depth of opaque pixels, in [0, 1]; greater than 1 elsewhere.
     const float* Depths;
     /// Whether every pixel is either opaque or empty.
     bool Opaque;
   };
 
-  /// What a render pass that uses the geometry needs besides: for every pixel the point and
-  /// the normal of the surface, in coordinates of the view.
+  /// What a render pass that uses the geometry needs as well: for every pixel the point and the
+  /// normal of the surface, in view coordinates.
   struct Geometry
   {
     vtkOpenGLRenderPass* Pass;
@@ -60,15 +60,15 @@ public:
   vtkIsosurfaceRayTraceImageDisplay(const vtkIsosurfaceRayTraceImageDisplay&) = delete;
   void operator=(const vtkIsosurfaceRayTraceImageDisplay&) = delete;
 
-  /// Where drawing goes, in pixels of the framebuffer: x, y, width and height.
+  /// The viewport of the framebuffer, in pixels: x, y, width and height.
   static std::array<int, 4> GetViewport(vtkOpenGLRenderWindow* window);
 
-  /// Reads the depths of what is drawn, in a rectangle of the framebuffer.
+  /// Reads the depth buffer in a rectangle of the framebuffer.
   static void ReadDepths(
     vtkOpenGLRenderWindow* window, int x, int y, int width, int height, float* depths);
 
-  /// Blends the colours over what the framebuffer shows, and writes the depths where they are
-  /// nearer. The geometry may be null; with it, the picture must be opaque.
+  /// Blends the colours over the framebuffer, and writes the depths where they are nearer. The
+  /// geometry may be null; with it, the picture must be opaque.
   void Display(vtkOpenGLRenderWindow* window, const Image& image, const Geometry* geometry);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -76,7 +76,7 @@ public:
 private:
   void Draw(vtkOpenGLRenderWindow* window, bool drawColors, bool drawDepths);
   void DrawGeometry(vtkOpenGLRenderWindow* window, const Image& image, const Geometry& geometry);
-  /// Makes the quad, or the shaders of it current. Returns whether it can be drawn.
+  /// Makes the quad, or makes its shaders current. Returns whether it can be drawn.
   static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
     std::unique_ptr<vtkOpenGLQuadHelper>& quad);
   /// Draws a quad that is ready, with the textures of colours and depths.

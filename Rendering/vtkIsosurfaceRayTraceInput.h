@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The data that a mapper traces. Requests, frames, hits and selections know them by this alone.
+// The data that a mapper traces: the interface that requests, frames, hits and selections use.
 
 #ifndef vtkIsosurfaceRayTraceInput_h
 #define vtkIsosurfaceRayTraceInput_h
@@ -30,10 +30,10 @@ public:
   /// From the object space of the field to the coordinates of the data.
   virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const = 0;
 
-  /// Requests nothing yet, but has what the data say: what of them is visible.
+  /// A request without surfaces yet, with what the data determine: what of them is visible.
   virtual vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const = 0;
 
-  /// The component of the volume property that says what the surfaces look like.
+  /// The component of the volume property that gives the colours of the surfaces.
   virtual int GetPropertyComponent() const = 0;
 
   /// The colours of an array, by the transfer function of the property; null if surfaces are
@@ -48,7 +48,7 @@ public:
   virtual vtkIdType GetNumberOfCells() const = 0;
   virtual vtkIdType GetNumberOfPoints() const = 0;
 
-  /// A picture of the input stays the same while they do. Some may be null.
+  /// The objects that a picture of the input depends on. Some may be null.
   virtual std::vector<vtkObject*> GetObjects() const = 0;
 };
 

@@ -5,10 +5,10 @@
  * @brief   ray trace isosurfaces straight from image data, on the CPU
  *
  * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
- * extracting a polygon. Every ray is intersected with the trilinear interpolant of the data: inside
- * a cell that is a cubic along the ray, and its first root is the hit. (Or samples are boxes, and
- * faces between them are hit; or the interpolant is tricubic: see InterpolationMode.) A new
- * isovalue, colour or camera costs a frame and nothing else.
+ * extracting polygons. Every ray is intersected with the trilinear interpolant of the data: inside
+ * a cell that is a cubic along the ray, and its first root is the hit. (Samples may also be boxes,
+ * whose faces are hit, or the interpolant tricubic: see InterpolationMode.) A new isovalue, colour
+ * or camera costs a frame and nothing else.
  *
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
@@ -18,16 +18,16 @@
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
  * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
- * shows the largest (smallest) value of the same interpolant along all of it that is seen, exact to
+ * shows the largest (smallest) value of the same interpolant along its visible part, exact to
  * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
- * do: not lit, not multiplied by any length, and without a depth in the window. Where several
- * places have that value, the first one counts. Everything below that is not about light or about
- * surfaces' colours holds alike.
+ * do: not lit, not scaled by any length, and without a depth in the window. Where several points
+ * have that value, the first one counts. Everything below that does not concern lights or the
+ * colours of surfaces applies as well.
  *
- * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are honoured, with every
- * light of the renderer; so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
- * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. Put the
- * mapper in a vtkIsosurfaceVolume, and so does translucent geometry.
+ * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are used, with every light of
+ * the renderer, and so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
+ * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. In a
+ * vtkIsosurfaceVolume, translucent geometry is composited correctly with it as well.
  *
  * The mapper keeps a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for
@@ -36,45 +36,45 @@
  *
  * All scalar types are read without loss, with one exception: 64-bit integers are compared as
  * double, so values beyond 2^53 are rounded to the nearest double. A cell with a NaN or infinite
- * corner is empty. Of several components one is taken, or their magnitude: see VectorMode. Which
- * array is traced is set by ScalarMode and SelectScalarArray. The scalars of cells are samples at
- * the centres of the cells, so that their surfaces end half a cell inside the border. Nothing is
- * drawn in cells that are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are
- * duplicates of those of another piece.
+ * corner is empty. Of several components one is used, or their magnitude: see VectorMode.
+ * ScalarMode and SelectScalarArray set the array. Cell scalars are samples at the centres of the
+ * cells, so that their surfaces end half a cell inside the border. Nothing is drawn in cells that
+ * are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are duplicates of those
+ * of another piece.
  *
- * The coordinates of a vtkRectilinearGrid may be of any type, rise or fall, and repeat: where they
- * repeat and the values differ, the surface is a wall, as in vtkRectilinearSynchronizedTemplates.
- * What is said of images holds for these grids; where their planes are evenly spaced to within the
- * rounding of double precision, they are traced as images are, else cell by cell, at ten times
- * the time. Smooth normals are interpolated from the slopes of parabolas through neighbouring
- * samples, which is exact for quadrics, however uneven the spacing.
+ * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
+ * repeat: where they repeat and the values differ, the surface is a wall, as in
+ * vtkRectilinearSynchronizedTemplates. Everything else is as for images. Where their planes are
+ * evenly spaced to within the rounding of double precision, they are traced as images are;
+ * otherwise cell by cell, in ten times the time. Smooth normals are interpolated from the slopes of
+ * parabolas through neighbouring samples, which is exact for quadrics, however uneven the spacing.
  *
  * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
  * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection). Blocks of vtkImageData that
- * lie on one lattice, however nested, with or without layers of ghosts, are drawn as the one image
- * that they are pieces of: the surface and its normals have no seams, and translucent surfaces come
- * in the order of each ray. That takes a copy of their samples over the box around all of them, and
- * 2 bytes for every cell where blocks are missing; nothing is drawn there. Blocks that are empty
- * or do not have the scalars are passed over. A vtkRectilinearGrid must be the only block. Blocks
- * of another lattice are an error: give each lattice a mapper and a vtkVolume; opaque surfaces are
- * then exact by depth, translucent ones are drawn in the order of the volumes. Cells and points are
- * numbered through all blocks: see FindBlock.
+ * lie on one lattice, however nested, with or without layers of ghosts, are drawn as the image that
+ * they are pieces of: the surface and its normals have no seams, and translucent surfaces are
+ * composited in the order of each ray. That takes a copy of their samples over the box around all
+ * of them, and 2 bytes for every cell where blocks are missing; nothing is drawn there. Blocks that
+ * are empty or do not have the scalars are ignored. A vtkRectilinearGrid must be the only block.
+ * Blocks of another lattice are an error: use a mapper and a vtkVolume for each lattice; opaque
+ * surfaces are then exact by depth, translucent ones are drawn in the order of the volumes. Cells
+ * and points are numbered through all blocks: see FindBlock.
  *
- * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane stands
- * across an axis of the image, at origin + spacing * index (for a rectilinear grid, at that
- * coordinate); it belongs to the region in the middle.
- * There may be any number of clipping planes. Pictures, IntersectWithLine and CastRays are cut
- * alike. Where planes cut solids open, they may be closed again: see CapClippingPlanes.
+ * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane is
+ * perpendicular to an axis of the image, at origin + spacing * index (for a rectilinear grid, at
+ * that coordinate); it belongs to the region in the middle. There may be any number of clipping
+ * planes. Pictures, IntersectWithLine and CastRays are cut alike. The cuts may be closed: see
+ * CapClippingPlanes.
  *
- * The threads are OpenMP's, because tiles differ so much in cost that they must be handed out one
- * at a time (`schedule(dynamic)`), which vtkSMPTools does not promise. The picture is the same, bit
+ * The threads are OpenMP's, because tiles differ so much in cost that they must be scheduled one at
+ * a time (`schedule(dynamic)`), which vtkSMPTools does not guarantee. The picture is the same, bit
  * for bit, for any number of threads, any layout and any hierarchy.
  *
  * The colour of a surface may come from another array or another image (ColorArrayName), and
- * surfaces may cast shadows (Shadows) and keep ambient light from each other (AmbientOcclusion).
+ * surfaces may cast shadows (Shadows) and occlude ambient light (AmbientOcclusion).
  *
- * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Of
- * points, it selects those of the rays that the picture is made of, by ImageSampleDistance.)
+ * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Points
+ * are selected by the rays of the picture, whose number depends on ImageSampleDistance.)
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
@@ -122,7 +122,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What is between the samples.
+   * How values are interpolated between the samples.
    */
   enum InterpolationModes
   {
@@ -139,28 +139,28 @@ public:
 
   ///@{
   /**
-   * Set/Get what is between the samples. With NEAREST the samples are shown as they are, for
-   * example labels; a hit lies exactly in the plane of a face, whose normal is that of both
-   * NormalModes, and is found without a RootSolver. A face between samples that several isovalues
-   * separate is hit once for each of them. Nothing is drawn beside a sample that is NaN or
-   * infinite, nor at the border of the volume. The boxes of cell scalars are the cells (of a
+   * Set/Get how values are interpolated between the samples. With NEAREST the samples are shown as
+   * they are, for example labels; a hit lies exactly in the plane of a face, whose normal is used
+   * in both NormalModes, and is found without a RootSolver. A face between samples that several
+   * isovalues separate is hit once for each of them. Nothing is drawn beside a sample that is NaN
+   * or infinite, nor at the border of the volume. The boxes of cell scalars are the cells (of a
    * rectilinear grid with uneven spacing, they end half way between the centres); those at the
-   * border are drawn from their centres on. Of the two points beside a face, the one selected is
-   * inside, and so is the cell of cell scalars. A face between points lies in the middle of four
+   * border are drawn from their centres on. Of the two points beside a face, the one inside is
+   * selected, and so is the cell of cell scalars. A face between points lies in the middle of four
    * cells, and is hidden in those that are blanked. Intensity projections and the colours of
-   * ColorArrayName stay trilinear.
+   * ColorArrayName remain trilinear.
    *
-   * With CUBIC the surface is smooth, and so is its normal: that of both NormalModes is the exact
-   * gradient of the interpolant. Between samples the values may go beyond them, by up to 61/128 of
-   * the range of the 4^3 around: thin things keep more of their shape, and beside sharp edges there
-   * are ripples. It equals what vtkImageReslice makes with cubic interpolation, but at the border
-   * of the volume: there samples go on in a straight line (VTK repeats the last one, which bends
-   * the surface). With uneven spacing the slope at a sample is that of the parabola through it and
-   * its neighbours. A cell is empty if one of the 4^3 samples is NaN or infinite; blanked samples
-   * count for the cells beside them. All crossings along a ray are found without a RootSolver, but
-   * pairs nearer to each other than 2^-40 of the way through a cell may be missed. Frames take
-   * several times as long as trilinear ones. Intensity projections are an error; the colours of
-   * ColorArrayName stay trilinear.
+   * With CUBIC the surface is smooth, and so is its normal: in both NormalModes it is the exact
+   * gradient of the interpolant. Between samples the values may overshoot them, by up to 61/128 of
+   * the range of the 4^3 around: thin structures keep more of their shape, and beside sharp edges
+   * there are ripples. The result equals that of vtkImageReslice with cubic interpolation, except
+   * at the border of the volume: there samples are extrapolated linearly (VTK repeats the last one,
+   * which bends the surface). With uneven spacing the slope at a sample is that of the parabola
+   * through it and its neighbours. A cell is empty if one of the 4^3 samples is NaN or infinite;
+   * blanked samples count for the cells beside them. All crossings along a ray are found without a
+   * RootSolver, but pairs nearer to each other than 2^-40 of the segment in a cell may be missed.
+   * Frames take several times as long as trilinear ones. Intensity projections are an error; the
+   * colours of ColorArrayName remain trilinear.
    *
    * vtkVolumeProperty::GetInterpolationType() is ignored: its default is nearest, with which other
    * mappers of VTK draw smooth isosurfaces. Default: TRILINEAR.
@@ -195,7 +195,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the solver. Default: ROBUST.
+   * Set/Get the root solver for TRILINEAR. Default: ROBUST.
    */
   vtkSetClampMacro(RootSolver, int, ROBUST, LINEAR);
   vtkGetMacro(RootSolver, int);
@@ -214,7 +214,7 @@ public:
   ///@}
 
   /**
-   * Where the normal of the surface comes from.
+   * How the normal of the surface is computed.
    */
   enum NormalModes
   {
@@ -227,7 +227,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where the normal comes from. It changes the shading, never the place of the surface.
+   * Set/Get where the normal comes from. It changes the shading, never the position of the surface.
    * Default: CENTRAL_DIFFERENCES.
    */
   vtkSetClampMacro(NormalMode, int, INTERPOLANT_GRADIENT, CENTRAL_DIFFERENCES);
@@ -237,22 +237,22 @@ public:
   ///@}
 
   /**
-   * Which of several components is traced.
+   * Which of several components is used.
    */
   enum VectorModes
   {
-    /// The one with the largest vtkVolumeProperty::GetComponentWeight() (the first of equals), out
-    /// of at most four.
+    /// The component with the largest vtkVolumeProperty::GetComponentWeight() (the first of
+    /// equals), of at most four.
     DISABLED = -1,
-    /// The length of the vector, of which a copy is made.
+    /// The magnitude of the vector, of which a copy is made.
     MAGNITUDE = 0,
-    /// VectorComponent.
+    /// The component set by VectorComponent.
     COMPONENT = 1
   };
 
   ///@{
   /**
-   * Set/Get which of several components is traced, by the names of vtkSmartVolumeMapper. With
+   * Set/Get which of several components is used, by the names of vtkSmartVolumeMapper. With
    * MAGNITUDE and COMPONENT the transfer functions are those of component 0 of the property.
    * Default: DISABLED.
    */
@@ -265,8 +265,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the component for COMPONENT, from 0; one that the scalars do not have is an error.
-   * Default: 0.
+   * Set/Get the component for COMPONENT; one that the scalars do not have is an error. Range: from
+   * 0. Default: 0.
    */
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
@@ -274,13 +274,13 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of a point array that colours the surfaces, in place of their isovalues: its
-   * value at a hit, interpolated trilinearly, is looked up in the colour transfer function of the
-   * property; an array of unsigned char with three or four components is a colour itself. It is an
-   * array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if there is
-   * one: an image of any resolution in the same coordinates, whose border goes on outside of it. An
-   * empty name takes the point scalars of the second input; without a second input, it colours by
-   * isovalue. Opacity is always that of the isovalue. Default: empty.
+   * Set/Get the name of a point array that colours the surfaces instead of their isovalues: its
+   * value at a hit, interpolated trilinearly, is mapped through the colour transfer function of the
+   * property; an array of unsigned char with three or four components holds the colours themselves.
+   * It is an array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if
+   * there is one: an image of any resolution in the same coordinates, whose border values extend
+   * beyond it. An empty name takes the point scalars of the second input; without a second input,
+   * surfaces are coloured by isovalue. Opacity is always that of the isovalue. Default: empty.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
@@ -288,29 +288,30 @@ public:
 
   /**
    * Set the second input (SetInputConnection(1, port) connects one): an image to colour the
-   * surfaces by, of any resolution, in the same coordinates. Outside of it its border goes on. Null
-   * takes it away. Default: none.
+   * surfaces by, of any resolution, in the same coordinates. Its border values extend beyond it.
+   * Null removes it. Default: none.
    */
   void SetColorInputData(vtkImageData* image);
 
   ///@{
   /**
-   * Set/Get whether clipping planes are closed where they cut through the inside of a surface,
-   * where values are at or above its isovalue. Such a cap is a surface like any other: it hides,
-   * casts shadows, is picked, and is seen from behind. It shows the data: its colour is that of the
+   * Set/Get whether clipping planes are capped where they cut through the inside of a surface,
+   * where values are at or above its isovalue. A cap is a surface like any other: it hides, casts
+   * shadows, is picked, and is visible from behind. It shows the data: its colour is that of the
    * value in the plane, by the colour transfer function of the property (or by ColorArrayName), and
-   * its normal is that of the plane, towards what is cut off. Everything else is that of the
-   * isosurface whose inside it shows, that of the largest isovalue of several: the opacity, and the
-   * isovalue that is told of it. So a plane through bone in translucent skin shows the skin's
-   * section translucent and that of the bone opaque.
+   * its normal is that of the plane, towards the clipped side. Everything else is that of the
+   * isosurface whose inside it shows, the one of the largest isovalue of several: the opacity, and
+   * the isovalue that is reported. So a plane through bone in translucent skin shows the section of
+   * the skin translucent and that of the bone opaque.
    *
    * A cap ends exactly where the isosurface meets the plane, without a gap, with the solver ROBUST
-   * (and NEAREST, which shows the boxes of samples in the plane). Of several planes each is closed
-   * as far as the others leave it. A plane in a face of the volume, to within a millionth of a
-   * cell, closes the surface at this face, where it is open otherwise; six planes make a closed
-   * box. A plane that lies, as exactly, between cells or between the boxes of samples shows those
-   * that it leaves. There is no cap in cells that are blanked or have values that are not finite,
-   * nor at cropping planes. Intensity projections have none. Default: off, which costs nothing.
+   * (and NEAREST, which shows the boxes of samples in the plane). Of several planes each is capped
+   * within what the others leave. A plane in a face of the volume, to within a millionth of a cell,
+   * closes the surface at this face, where it is open otherwise; six planes make a closed box. A
+   * plane that lies, to the same tolerance, between cells or between the boxes of samples shows
+   * those on the side that it leaves. There is no cap in cells that are blanked or have values that
+   * are not finite, nor at cropping planes, nor in intensity projections. Default: off, which costs
+   * nothing.
    *
    * @sa vtkClipClosedSurface
    */
@@ -322,9 +323,9 @@ public:
   ///@{
   /**
    * Set/Get whether the surfaces cast shadows on each other and on themselves, from every light
-   * that is on. A translucent surface lets through one minus its opacity. Other props neither cast
-   * nor receive these shadows. Shading must be on (vtkVolumeProperty::ShadeOn). Default: off, which
-   * costs nothing.
+   * that is switched on. A translucent surface transmits one minus its opacity. Other props neither
+   * cast nor receive these shadows. Shading must be on (vtkVolumeProperty::ShadeOn). Default: off,
+   * which costs nothing.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -335,11 +336,10 @@ public:
   /**
    * Set/Get whether surfaces occlude ambient light from each other and from themselves: the ambient
    * term of the shading, and no other, is multiplied by the part of the hemisphere above a hit that
-   * is not occluded, on the side that is seen. A translucent surface lets through one minus its
-   * opacity. Parts that are cut off occlude nothing. Shading must be on
-   * (vtkVolumeProperty::ShadeOn), and the ambient light strong enough for it to be visible:
-   * vtkVolumeProperty::SetAmbient(0.5); the default of 0.1 is not. Default: off, which costs
-   * nothing.
+   * is not occluded, on the visible side. A translucent surface transmits one minus its opacity.
+   * Clipped or cropped parts occlude nothing. Shading must be on (vtkVolumeProperty::ShadeOn), and
+   * the ambient light strong enough for it to be visible: vtkVolumeProperty::SetAmbient(0.5); the
+   * default of 0.1 is not. Default: off, which costs nothing.
    */
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
@@ -348,10 +348,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of rays that are traced for it from each hit, in directions distributed by
-   * the cosine to the normal. The directions differ from hit to hit, and are the same in every
-   * picture: few rays give noise. (In the further frames of ProgressiveAccumulation they are
-   * others.) Range: 1 to 4096. Default: 32.
+   * Set/Get the number of ambient occlusion rays from each hit, in directions distributed by the
+   * cosine to the normal. The directions differ from hit to hit, and are the same in every picture:
+   * few rays give noise. (The further frames of ProgressiveAccumulation have other directions.)
+   * Range: 1 to 4096. Default: 32.
    */
   vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
   vtkGetMacro(NumberOfAmbientOcclusionRays, int);
@@ -359,32 +359,32 @@ public:
 
   ///@{
   /**
-   * Set/Get the length of these rays, in units of the world; what is farther away occludes
-   * nothing. 0 sets no limit. Range: from 0. Default: 0.
+   * Set/Get the length of the ambient occlusion rays, in world coordinates; what is farther away
+   * occludes nothing. 0 sets no limit. Range: from 0. Default: 0.
    */
   vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
   ///@}
 
   /**
-   * How the samples lie in memory while rays read them.
+   * How the samples are laid out in memory while rays read them.
    */
   enum BrickLayouts
   {
-    /// The array of the input, as it is: no memory, poor locality.
+    /// The array of the input, without a copy: no memory, poor locality.
     NO_BRICKS = 0,
     /// Every brick holds BrickSize^3 cells with all their corners: one sample is repeated on three
     /// sides, and the eight corners of a cell always lie in one brick.
     APRON_BRICKS = 1,
-    /// The layout of Parker et al.: bricks of BrickSize^3 samples, gathered in groups of
-    /// BrickGroupSize^3 bricks; the address of a sample is Fx[x] + Fy[y] + Fz[z].
+    /// The layout of Parker et al.: bricks of BrickSize^3 samples, in groups of BrickGroupSize^3
+    /// bricks; the address of a sample is Fx[x] + Fy[y] + Fz[z].
     TWO_LEVEL_BRICKS = 2
   };
 
   ///@{
   /**
-   * Set/Get the layout of the samples. It changes speed and memory, never the picture.
-   * Default: APRON_BRICKS.
+   * Set/Get the layout of the samples. It affects speed and memory, never the picture. Default:
+   * APRON_BRICKS.
    */
   vtkSetClampMacro(BrickLayout, int, NO_BRICKS, TWO_LEVEL_BRICKS);
   vtkGetMacro(BrickLayout, int);
@@ -395,8 +395,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the edge of a brick: cells for APRON_BRICKS, samples for TWO_LEVEL_BRICKS (the n of
-   * the paper, which had 4 for 16-bit data). Range: 2 to 64. Default: 8.
+   * Set/Get the edge of a brick: in cells for APRON_BRICKS, in samples for TWO_LEVEL_BRICKS (the n
+   * of the paper, which used 4 for 16-bit data). Range: 2 to 64. Default: 8.
    */
   vtkSetClampMacro(BrickSize, int, 2, 64);
   vtkGetMacro(BrickSize, int);
@@ -425,10 +425,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the limit of the memory of bricks and of what is kept with them, in MiB; 0 sets
-   * no limit. When it is reached, rays read the array of the input instead, and the next frame
-   * first frees the bricks that the last one did not use. The picture is always the same. It holds
-   * for APRON_BRICKS, the default layout. Range: 0 to 2^30. Default: 0.
+   * Set/Get the limit of the memory of bricks and of the masks kept with them, in MiB; 0 sets no
+   * limit. When it is reached, rays read the array of the input instead, and the next frame first
+   * frees the bricks that the last one did not use. The picture is always the same. The limit
+   * applies to APRON_BRICKS, the default layout. Range: 0 to 2^30. Default: 0.
    */
   vtkSetClampMacro(MaximumBrickMemory, int, 0, 1 << 30);
   vtkGetMacro(MaximumBrickMemory, int);
@@ -436,10 +436,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the branching of a level: the edge of its macrocells, counted in macrocells of the
-   * level below. Level 0 is the finest; its macrocells are made of cells. A level that does not
-   * exist is an error. Range: 2 to 64. Default: 8 on every level, so with two levels macrocells of
-   * 8^3 and 64^3 cells.
+   * Set/Get the branching of a level: the edge of its macrocells, in macrocells of the level below.
+   * Level 0 is the finest; its macrocells consist of cells. A level that does not exist is an
+   * error. Range: 2 to 64. Default: 8 on every level, so with two levels macrocells of 8^3 and 64^3
+   * cells.
    */
   void SetMacrocellBranching(int level, int branching);
   int GetMacrocellBranching(int level);
@@ -447,10 +447,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the size in pixels of the tiles of the image that threads take one after the other.
-   * Range: 1 to 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which
-   * traverse the volume the faster the closer their rays are together; smaller tiles keep many
-   * threads busy to the end. (Parker et al. took 32 x 4.)
+   * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
+   * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
+   * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
+   * (Parker et al. used 32 x 4.)
    */
   void SetTileSize(int width, int height);
   void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }
@@ -471,11 +471,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance between neighbouring rays, in pixels; in a frame with
-   * AutoAdjustSampleDistances, what was chosen. From 1 it is rounded to a whole number, of pixels
-   * that share a ray; below 1 it is rounded to one over a whole number, and each pixel is the mean
-   * of so many rays squared: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100.
-   * Default: 1.
+   * Set/Get the distance between neighbouring rays, in pixels; after a frame with
+   * AutoAdjustSampleDistances, the distance that was chosen. Values from 1 are rounded to a whole
+   * number of pixels that share a ray; values below 1 are rounded to 1/n, and each pixel is the
+   * mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100. Default:
+   * 1.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
   vtkGetMacro(ImageSampleDistance, float);
@@ -483,7 +483,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the bounds of what AutoAdjustSampleDistances chooses. Ranges: 0.1 to 100. Defaults: 1
+   * Set/Get the range from which AutoAdjustSampleDistances chooses. Ranges: 0.1 to 100. Defaults: 1
    * and 10.
    */
   vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1F, 100.0F);
@@ -495,20 +495,20 @@ public:
   ///@{
   /**
    * Set/Get whether the picture is refined while nothing changes: each Render() of an unchanged
-   * scene traces one more frame, by rays through other places of the pixels and, with
-   * AmbientOcclusion, by other rays from the hits, and shows the mean of all so far. Edges become
-   * smooth, grain goes away. The first frame is the very picture that there is without; its depth
-   * stays. Whatever changes the picture (camera, lights, property, settings, inputs, size, the
-   * depth of what is in front) starts it again; a frame that is aborted
+   * scene traces one more frame, by rays through other points of the pixels and, with
+   * AmbientOcclusion, in other directions from the hits, and shows the mean of all frames so far.
+   * Edges become smooth, noise vanishes. The first frame is the same picture as without
+   * accumulation; its depth is kept. Whatever changes the picture (camera, lights, property,
+   * settings, inputs, size, the depth of what is in front) restarts it; a frame that is aborted
    * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. In stereo each eye has its own mean.
    *
-   * The application has to call Render(), for example from a timer of the interactor, as long as
+   * The application must call Render(), for example from a timer of the interactor, as long as
    * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
    *
    * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
-   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage are as without, and leave the
-   * mean as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth
-   * is read. Default: off, which costs nothing.
+   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage do not use the mean, and leave it
+   * as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is
+   * read. Default: off, which costs nothing.
    */
   vtkSetMacro(ProgressiveAccumulation, bool);
   vtkGetMacro(ProgressiveAccumulation, bool);
@@ -517,22 +517,22 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of frames after which nothing more is traced: the mean is only
-   * displayed, and TraceTime is 0. Range: 1 to 256. Default: 16.
+   * Set/Get the number of frames after which tracing stops: the mean is only displayed, and
+   * TraceTime is 0. Range: 1 to 256. Default: 16.
    */
   vtkSetClampMacro(MaximumNumberOfAccumulatedFrames, int, 1, 256);
   vtkGetMacro(MaximumNumberOfAccumulatedFrames, int);
   ///@}
 
   /**
-   * The number of frames whose mean the last Render() showed; 0 if its picture is not one to
-   * accumulate. After a frame that was aborted: the number of those before it.
+   * Get the number of frames whose mean the last Render() showed; 0 if its picture is not
+   * accumulated. After a frame that was aborted: the number before it.
    */
   vtkGetMacro(NumberOfAccumulatedFrames, int);
 
   ///@{
   /**
-   * Set/Get the number of threads; 0 takes what OpenMP gives (OMP_NUM_THREADS, or all cores).
+   * Set/Get the number of threads; 0 uses the default of OpenMP (OMP_NUM_THREADS, or all cores).
    * Range: 0 to 1024. Default: 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
@@ -541,11 +541,11 @@ public:
 
   ///@{
   /**
-   * The times of the last frame, in seconds of wall-clock time: building the macrocells, making
-   * bricks, tracing, shading, and displaying (reading the depth of the scene, uploading and drawing
-   * the image). What did not happen in the frame is 0. Bricks, tracing and shading are interleaved
-   * on all threads: the wall-clock time of the three together is divided in proportion to the time
-   * the threads spent in each.
+   * Get the times of the last frame, in seconds of wall-clock time: building the macrocells,
+   * building bricks, tracing, shading, and displaying (reading the depth of the scene, uploading
+   * and drawing the image). The time of a step that the frame did not need is 0. Bricks, tracing
+   * and shading are interleaved on all threads: the wall-clock time of the three together is
+   * divided in proportion to the time the threads spent in each.
    */
   vtkGetMacro(MacrocellBuildTime, double);
   vtkGetMacro(BrickBuildTime, double);
@@ -556,7 +556,7 @@ public:
 
   ///@{
   /**
-   * The memory held now, in bytes: the macrocells of all levels, and the bricks.
+   * Get the memory in use, in bytes: of the macrocells of all levels, and of the bricks.
    */
   vtkIdType GetMacrocellMemory();
   vtkIdType GetBrickMemory();
@@ -564,70 +564,73 @@ public:
 
   ///@{
   /**
-   * The number of bricks that exist now, and the number there would be if all existed.
+   * Get the number of bricks in memory, and the number of all bricks that there may be.
    */
   vtkIdType GetNumberOfBricks();
   vtkIdType GetMaximumNumberOfBricks();
   ///@}
 
   /**
-   * Returns whether there are isosurfaces to draw of a volume, and each of them is opaque: its
-   * property has an opacity of at least one at every isovalue that it does not hide. What cannot be
-   * drawn is not opaque; Render says why.
+   * Returns whether a volume has isosurfaces to draw, and each of them is opaque: the property has
+   * an opacity of at least one at every isovalue that it does not hide. False if the volume cannot
+   * be drawn; Render reports why.
    *
    * @sa vtkIsosurfaceVolume
    */
   bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
 
   /**
-   * Finds the first isosurface that a line from p1 to p2 (world coordinates) meets, as the picture
-   * of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs no window
-   * and no OpenGL. Returns 1 if there is a hit, else 0 and nothing is changed.
+   * Finds the first isosurface that the line from p1 to p2 (world coordinates) meets, as the
+   * picture of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs
+   * neither a window nor OpenGL. Returns 1 if there is a hit; otherwise returns 0 and changes
+   * nothing.
    *
-   * t is the fraction of the way from p1 to p2, x the point in the world, pcoords the point in the
-   * cell, cellId the cell of the input, isovalue that of the surface, normal its normal of length
-   * one in the world, by NormalMode, on the side of smaller values.
+   * t is the parametric position on the line, from 0 at p1 to 1 at p2; x the point in world
+   * coordinates; pcoords its parametric coordinates in the cell; cellId the cell of the input;
+   * isovalue that of the surface; normal its unit normal in world coordinates, by NormalMode,
+   * towards smaller values.
    *
-   * Of a projection (maximum or minimum intensity) the one hit is the place of the extreme value,
+   * For a projection (maximum or minimum intensity) the one hit is the point of the extreme value,
    * whatever its opacity; isovalue is that value, and normal that of its isosurface.
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
 
   /**
-   * Finds the block of composite input that has a cell by its number through all blocks, as all
-   * that tells a cell of composite input gives it, and its number in the block. The flat index is
-   * that of vtkCompositeDataIterator. For other input the block is the input itself, and the flat
-   * index 0.
+   * Finds the block of a composite input that has a cell, given the number of the cell through all
+   * blocks (the cell id that this class reports), and the number of the cell in the block. The flat
+   * index is that of vtkCompositeDataIterator. For other input the block is the input itself, and
+   * the flat index 0.
    */
   vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
 
   ///@{
   /**
-   * The bounds of the input, of composite input those of all blocks.
+   * Get the bounds of the input; of composite input, those of all blocks.
    */
   using vtkVolumeMapper::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
   ///@}
 
   /**
-   * Casts rays, given by origins and directions in the world, on all threads, as IntersectWithLine
-   * does: a ray has the hits of which its pixel would be composed, the last one opaque. The
-   * directions have three components, one tuple for each origin; their length is the unit of T.
+   * Casts rays, given by origins and directions in world coordinates, on all threads, as
+   * IntersectWithLine does: a ray has all the hits that contribute to a pixel, up to the first
+   * opaque one. The directions have three components, one tuple for each origin; their length is
+   * the unit of T.
    *
    * The output has a point for every hit, by ray and from front to back, and as point data RayId, T
    * (in units of the direction), CellId, ParametricCoordinates (3), Isovalue and Normals (3).
-   * Returns whether rays were cast; if not, the error says why.
+   * Returns whether rays were cast; if not, an error reports why.
    */
   bool CastRays(
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
 
   /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
-   * the lower left: the nearest isosurface, to the very bits that are drawn (in stereo, that a
-   * window without it would show, as for all pickers of VTK). Other props are ignored. Needs no
-   * window to have been drawn. Returns 1 if there is a surface (or, of a projection, a value with
-   * any opacity), else 0 and nothing is changed. What is found is described as by
+   * the lower left: the nearest isosurface, bit for bit as it is drawn (in stereo, as a window
+   * without stereo would show it, as for all pickers of VTK). Other props are ignored. The window
+   * need not have been rendered. Returns 1 if there is a surface (or, for a projection, a value
+   * with any opacity); otherwise returns 0 and changes nothing. The results are those of
    * IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
@@ -637,29 +640,29 @@ public:
 
   /**
    * Makes a picture without a window and without OpenGL: the same, pixel for pixel, as in a window
-   * of that size, of which the camera is that of the only renderer. The clipping range of the
-   * camera is taken as it is (vtkCamera::SetClippingRange). Headlights and lights of the camera
-   * follow it; without lights (null) there is one headlight, as in a new renderer.
+   * of that size with a single renderer of that camera. The clipping range of the camera is used as
+   * it is (vtkCamera::SetClippingRange). Headlights and lights of the camera follow it; without
+   * lights (null) there is one headlight, as in a new renderer.
    *
    * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
    * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth
    * (that of the nearest opaque surface in the depth buffer, from 0 to 1; 1 where there is none).
-   * Then, of the nearest surface, translucent or not: Normals (3, as IntersectWithLine has them),
-   * Position (3, in the world), CellId and IsovalueId (the number of the isovalue in
-   * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN and -1.
-   * Of a projection, Depth and all others are those of the place of the extreme value, whatever its
-   * opacity, and instead of IsovalueId there is Value (double; NaN where there is none).
-   * Returns whether there is a picture; if not, the error says why.
+   * Further arrays describe the nearest surface, translucent or not: Normals (3, as of
+   * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
+   * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
+   * and -1. For a projection, Depth and all others are those of the point of the extreme value,
+   * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
+   * none). Returns whether there is a picture; if not, an error reports why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);
 
   /**
-   * Takes the inputs and all settings of another mapper, of which inputs and clipping planes are
-   * shared. Of a volume mapper of another class it takes those that all volume mappers have.
+   * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.
+   * From a volume mapper of another class it copies those that all volume mappers have.
    *
-   * (vtkVolume::ShallowCopy makes another volume of the same mapper. Give the copy one of its own
-   * to change it by itself.)
+   * (vtkVolume::ShallowCopy makes another volume with the same mapper. Give the copy a mapper of
+   * its own to change it independently.)
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
@@ -685,7 +688,7 @@ private:
   vtkIsosurfaceRayTraceMapper(const vtkIsosurfaceRayTraceMapper&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
 
-  /// Whether there can be a level; if not, reports it.
+  /// Whether there can be a level; if not, reports an error.
   bool HasMacrocellLevel(int level);
   template <typename Visitor>
   static void VisitSettings(const Visitor& visit);
@@ -693,13 +696,13 @@ private:
   void SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times);
   void UpdateInputs();
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
-  /// Chooses what to trace. Returns why it cannot be traced; empty if it can.
+  /// Selects what to trace. Returns why it cannot be traced; empty if it can.
   std::string SelectInput(vtkVolumeProperty* property);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
-  /// Updates the input, and says what to trace of it for a volume. Returns null, and reports why,
-  /// if it cannot be traced.
+  /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
+  /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(vtkVolume* volume);
 
   int InterpolationMode = TRILINEAR;

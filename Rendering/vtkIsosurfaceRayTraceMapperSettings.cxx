@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The settings of the mapper: how they are set, copied, printed and given to what traces.
+// The settings of the mapper: how they are set, copied, printed and passed on.
 
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
@@ -65,8 +65,8 @@ void Write(ostream& os, int enumerator, const char* const* names)
 }
 
 //------------------------------------------------------------------------------
-/// Calls visit(name, pointer to member) for every setting, and with names of the enumerators if it
-/// has some.
+/// Calls visit(name, pointer to member) for every setting, and with the names of the enumerators if
+/// it has some.
 template <typename Visitor>
 void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
 {

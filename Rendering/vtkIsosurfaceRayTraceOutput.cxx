@@ -80,7 +80,7 @@ private:
   vtkNew<vtkDoubleArray> Normals;
 };
 
-/// The output of RenderToImage; at first, of a picture without hits.
+/// The output of RenderToImage; initially that of a picture without hits.
 class PixelArrays
 {
 public:
@@ -174,8 +174,8 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       const auto to = static_cast<vtkIdType>(
         vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
       const Description description = traced.Describe(hit);
-      // A projection hides nothing in a window, and so has no depth there; but each value has its
-      // place.
+      // A projection hides nothing in a window, and so has no depth there; but each value has a
+      // position.
       const float depth =
         isProjection ? picture.GetDepth(hit) : std::min(picture.Frame.Depths[from], 1.0F);
       arrays.Set(to, &picture.Frame.Colors[4 * from], depth, description);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene, all that it refers to, and the picture of it. Needs no window.
+// A scene, all that it refers to, and its picture. Needs no window.
 
 #ifndef vtkIsosurfaceRayTracePicture_h
 #define vtkIsosurfaceRayTracePicture_h
@@ -23,7 +23,7 @@ struct vtkIsosurfaceRayTraceSettings;
 class vtkIsosurfaceRayTracePicture
 {
 public:
-  /// What is seen of the world. The size is in rays.
+  /// The view of the world. The size is in rays.
   struct View
   {
     vtkIsosurfaceRayTracing::Matrix4 ClipFromWorld;
@@ -38,14 +38,14 @@ public:
   /// Adds the lights of a renderer.
   void AddLights(vtkRenderer* renderer);
 
-  /// Makes the picture. Returns false if keepGoing, which is told the fraction done, stopped it.
+  /// Renders the picture. Returns false if keepGoing, called with the fraction done, stopped it.
   bool Trace(const std::function<bool(double)>& keepGoing);
 
-  /// Whether the picture, which must have kept its hits, shows anything at a pixel. A value may
-  /// have no opacity.
+  /// Whether the picture, which must have kept its hits, shows anything at a pixel. A value of a
+  /// projection may have no opacity.
   bool IsVisible(std::size_t pixel) const;
 
-  /// Of a hit of the picture: where it is, as in the depth buffer, but not cut to [0, 1].
+  /// The depth of a hit of the picture, as in the depth buffer, but not clamped to [0, 1].
   float GetDepth(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
   vtkIsosurfaceRayTracing::Scene Scene;

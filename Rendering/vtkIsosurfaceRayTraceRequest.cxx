@@ -28,7 +28,7 @@ vtkirt::HalfSpace ToObjectSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFro
   vtkirt::Vector3 origin;
   plane->GetNormal(normal.data());
   plane->GetOrigin(origin.data());
-  // Differences first: a volume far from the origin of the world loses nothing.
+  // Differences first: no digits are lost in a volume far from the origin of the world.
   const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
   return { vtkirt::TransposeTransformDirection(worldFromObject, normal),
     vtkirt::Dot(normal, first - origin) };
@@ -42,13 +42,13 @@ std::string vtkIsosurfaceRayTraceRequest::FindProblem(
 {
   if (blendMode != vtkVolumeMapper::ISOSURFACE_BLEND && !settings.Projection)
   {
-    return "The blend mode is one that this mapper does not have. Call SetBlendModeToIsoSurface(), "
+    return "This mapper does not support the blend mode. Call SetBlendModeToIsoSurface(), "
            "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "
            "volume mapper.";
   }
   if (settings.Projection && settings.InterpolationMode == vtkirt::Interpolant::Tricubic)
   {
-    return "Intensity projections are those of the trilinear interpolant. Call "
+    return "Intensity projections require the trilinear interpolant. Call "
            "SetInterpolationModeToTrilinear(), or SetBlendModeToIsoSurface().";
   }
   return "";

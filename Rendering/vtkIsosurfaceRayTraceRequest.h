@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is traced of an input for a volume, and what it looks like.
+// What is traced of an input for a volume, and how it is coloured.
 
 #ifndef vtkIsosurfaceRayTraceRequest_h
 #define vtkIsosurfaceRayTraceRequest_h
@@ -20,14 +20,14 @@ class vtkVolume;
 class vtkVolumeProperty;
 struct vtkIsosurfaceRayTraceSettings;
 
-/// Made for every call that traces, from the volume as it is then.
+/// Made in every call that traces, from the current state of the volume.
 struct vtkIsosurfaceRayTraceRequest
 {
   /// Why a blend mode of vtkVolumeMapper cannot be drawn; empty if it can.
   static std::string FindProblem(int blendMode, const vtkIsosurfaceRayTraceSettings& settings);
 
   /// Selects what the field of the input traces from now on. The input must be up to date, and
-  /// outlive the request. There may be no clipping planes.
+  /// outlive the request. The clipping planes may be null.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
 

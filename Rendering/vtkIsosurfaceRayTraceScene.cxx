@@ -172,7 +172,7 @@ vtkirt::Matrix4 GetWorldFromObject(vtkVolume* volume, const vtkirt::Matrix4& phy
 //------------------------------------------------------------------------------
 vtkirt::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspect)
 {
-  // This one leaves stereo out.
+  // This one ignores stereo.
   const double* matrix =
     camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData();
   vtkirt::Matrix4 clipFromWorld;
@@ -228,7 +228,7 @@ vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Bou
     high[0] = std::max(high[0], x);
     high[1] = std::max(high[1], y);
   }
-  // One more pixel than needed, whatever rounding does.
+  // One more pixel than needed, for rounding.
   const int left = static_cast<int>(std::clamp(std::floor(low[0]) - 1.0, 0.0, width));
   const int bottom = static_cast<int>(std::clamp(std::floor(low[1]) - 1.0, 0.0, height));
   const int right = static_cast<int>(std::clamp(std::ceil(high[0]) + 1.0, 0.0, width));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Conversions of what VTK says of a scene to the types of the ray tracer.
+// Converts VTK's description of a scene to the types of the ray tracer.
 
 #ifndef vtkIsosurfaceRayTraceScene_h
 #define vtkIsosurfaceRayTraceScene_h
@@ -25,20 +25,20 @@ namespace vtkIsosurfaceRayTraceScene
 /// The component whose isosurfaces are drawn, as in VTK's own isosurface blend mode.
 int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents);
 
-/// The isovalues of the property whose surfaces can be seen at all, in ascending order.
+/// The isovalues of the property whose surfaces are visible at all, in ascending order.
 std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
   vtkVolumeProperty* property, int component);
 
 bool AreOpaque(const std::vector<vtkIsosurfaceRayTracing::Isosurface>& surfaces);
 
-/// The number of an isovalue among those of the property; -1 if it is not there.
+/// The number of an isovalue among those of the property; -1 if it is not one of them.
 int FindIsovalue(vtkVolumeProperty* property, double isovalue);
 
 vtkIsosurfaceRayTracing::Vector3 GetColor(
   vtkVolumeProperty* property, int component, double isovalue);
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
 
-/// Adds the lights that are on. If asked to, headlights and lights of the camera follow it, as a
+/// Adds the lights that are on. On request, headlights and lights of the camera follow it, as a
 /// renderer makes them do before it draws.
 void AddLights(vtkLightCollection* lights, vtkCamera* camera, bool areFollowing,
   vtkIsosurfaceRayTracing::Scene& scene);
@@ -46,8 +46,7 @@ void AddLights(vtkLightCollection* lights, vtkCamera* camera, bool areFollowing,
 vtkIsosurfaceRayTracing::Matrix4 GetWorldFromObject(
   vtkVolume* volume, const vtkIsosurfaceRayTracing::Matrix4& physicalFromObject);
 
-/// What a camera shows of the world, for both eyes together, in a picture of an aspect (width over
-/// height).
+/// The view of a camera, for both eyes together, in a picture of an aspect (width over height).
 vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorld(vtkCamera* camera, double aspect);
 
 /// The same for the eye that the window of the camera draws now, in stereo.

@@ -43,7 +43,7 @@ void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& pict
     std::uint8_t* color = &frame.Colors[4 * pixel];
     const bool isVisible = picture.IsVisible(pixel);
     std::fill_n(color, 4, std::uint8_t{ 0 });
-    frame.Depths[pixel] = vtkirt::Frame::NoSurface;
+    frame.Depths[pixel] = vtkirt::PixelWithoutDepth;
     if (!isVisible)
     {
       continue;
@@ -78,7 +78,7 @@ vtkIdType vtkIsosurfaceRayTraceSelection::GetId(const vtkirt::Hit& hit) const
     default:
       break;
   }
-  // The other passes ask for the same id of all of the volume, as a colour.
+  // The other passes request the same id for the whole volume, as a colour.
   const float* color = this->Selector->GetPropColorValue();
   const auto byte = [color](int channel)
   { return static_cast<vtkIdType>(std::lround(255.0F * color[channel])); };

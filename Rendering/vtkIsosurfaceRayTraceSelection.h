@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Answers a hardware selector, which asks for ids instead of colours.
+// Renders ids instead of colours for a hardware selector.
 
 #ifndef vtkIsosurfaceRayTraceSelection_h
 #define vtkIsosurfaceRayTraceSelection_h
@@ -20,15 +20,15 @@ class vtkIsosurfaceRayTracePicture;
 class vtkIsosurfaceRayTraceSelection
 {
 public:
-  /// Begins the prop; the destructor ends it. What is drawn meanwhile are its ids.
+  /// Begins the prop; the destructor ends it. In between, its ids are drawn.
   vtkIsosurfaceRayTraceSelection(
     vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInput& input);
   ~vtkIsosurfaceRayTraceSelection();
   vtkIsosurfaceRayTraceSelection(const vtkIsosurfaceRayTraceSelection&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSelection&) = delete;
 
-  /// Turns a picture of the input, which must have kept its hits, into that of the ids that the
-  /// selector asks for.
+  /// Replaces a picture of the input, which must have kept its hits, by one of the ids that the
+  /// selector requests.
   void WriteIds(vtkIsosurfaceRayTracePicture& picture) const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a mapper that traces isosurfaces can be set to, whatever kind of data it traces.
+// The settings of a mapper that traces isosurfaces, whatever kind of data it traces.
 
 #ifndef vtkIsosurfaceRayTraceSettings_h
 #define vtkIsosurfaceRayTraceSettings_h
@@ -16,11 +16,11 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// By the names of vtkIsosurfaceRayTraceMapper, whose documentation says what they do. The mapper
-/// fills it in every call.
+/// Named as in vtkIsosurfaceRayTraceMapper, which documents them. The mapper fills it in every
+/// call.
 struct vtkIsosurfaceRayTraceSettings
 {
-  /// None draws surfaces.
+  /// None: surfaces are drawn.
   std::optional<vtkIsosurfaceRayTracing::Extremum> Projection;
   vtkIsosurfaceRayTracing::Interpolant InterpolationMode =
     vtkIsosurfaceRayTracing::Interpolant::Trilinear;
@@ -30,7 +30,7 @@ struct vtkIsosurfaceRayTraceSettings
     vtkIsosurfaceRayTracing::NormalMode::CentralDifferences;
   bool CapClippingPlanes = false;
   bool Shadows = false;
-  /// 0 is without ambient occlusion.
+  /// 0: no ambient occlusion.
   int NumberOfAmbientOcclusionRays = 0;
   double AmbientOcclusionRadius = std::numeric_limits<double>::infinity();
 

@@ -36,7 +36,7 @@ constexpr vtkirt::ScalarType IntegerType()
   }
 }
 
-/// The ray tracer's name for a scalar type of VTK; none for what is not a number.
+/// The ray tracer's scalar type for a scalar type of VTK; none for types that are not numbers.
 std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
 {
   switch (vtkType)
@@ -74,7 +74,7 @@ std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
   }
 }
 
-/// The lengths of vectors. Those of small numbers fit single precision as well as any.
+/// The magnitudes of vectors. For small types, single precision holds them as well.
 vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
 {
   const bool isSingle = vectors->GetDataType() == VTK_FLOAT || vectors->GetDataTypeSize() <= 2;
@@ -101,9 +101,9 @@ bool HasFlagAtCorner(
 {
   for (int corner = 0; corner < 8; ++corner)
   {
-    const vtkirt::Index3 place = { first[0] + (corner & 1), first[1] + (corner >> 1 & 1),
+    const vtkirt::Index3 index = { first[0] + (corner & 1), first[1] + (corner >> 1 & 1),
       first[2] + (corner >> 2) };
-    if ((flags->GetValue(static_cast<vtkIdType>(vtkirt::Offset(place, size))) & bits) != 0)
+    if ((flags->GetValue(static_cast<vtkIdType>(vtkirt::Offset(index, size))) & bits) != 0)
     {
       return true;
     }
@@ -114,7 +114,7 @@ bool HasFlagAtCorner(
 }
 
 //------------------------------------------------------------------------------
-/// What a volume was built from, and how. While it is the same, so is the volume.
+/// What a field was built from, and how. While it is the same, so is the field.
 struct vtkIsosurfaceRayTraceSource::Key
 {
   vtkDataArray* Array;
@@ -150,7 +150,7 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(vtkDataSet* grid, const Sel
   if (!scalars)
   {
     problem
-      << "The input has no scalars of the kind asked for. Add scalars to its points or cells, "
+      << "The input has no scalars of the requested kind. Add scalars to its points or cells, "
          "or name an array with SetScalarModeToUsePointFieldData() (or "
          "SetScalarModeToUseCellFieldData()) and SelectScalarArray().";
   }
@@ -169,7 +169,7 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(vtkDataSet* grid, const Sel
   else if (scalars->GetDataType() != VTK_BIT && !FindScalarType(scalars->GetDataType()))
   {
     problem << "The scalars are of type " << scalars->GetDataTypeAsString()
-            << ", which is no number.";
+            << ", which is not numeric.";
   }
   else if (selection.Component >= scalars->GetNumberOfComponents())
   {
@@ -227,9 +227,9 @@ bool vtkIsosurfaceRayTraceSource::Update(
     dimension -= selection.AreOfCells ? 1 : 0;
   }
 
-  // Whoever writes into the scalars often calls Modified() of the grid, not of the array. So a
-  // change of the grid counts as one of the scalars, unless its geometry has changed, which
-  // explains it.
+  // After writing into the scalars, applications often call Modified() of the grid, not of the
+  // array. So a change of the grid counts as one of the scalars, unless its geometry has changed,
+  // which explains it.
   vtkIsosurfaceRayTraceGeometry geometry(grid, selection.AreOfCells);
   const bool isNewer = grid->GetMTime() != this->GridTime;
   const bool gridChanged = isNewer && geometry.HasSamePoints(this->Geometry);
@@ -323,13 +323,13 @@ vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredCell(
   for (std::size_t axis = 0; this->Built->AreOfCells && axis < 3; ++axis)
   {
     // From the centre of one cell to that of the next.
-    const double place = parametric[axis];
+    const double coordinate = parametric[axis];
     const double border = this->Geometry.GetShareOfFirst(axis, cell[axis]);
-    const bool isBeyond = place > border || (place == border && !hit.FallsAlong(axis));
+    const bool isBeyond = coordinate > border || (coordinate == border && !hit.FallsAlong(axis));
     const bool isInNext = isBeyond && border < 1.0;
     cell[axis] += isInNext ? 1 : 0;
     parametric[axis] =
-      isInNext ? 0.5 * (place - border) / (1.0 - border) : 0.5 + 0.5 * place / border;
+      isInNext ? 0.5 * (coordinate - border) / (1.0 - border) : 0.5 + 0.5 * coordinate / border;
   }
   return cell;
 }
@@ -348,7 +348,7 @@ vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hi
   vtkirt::Index3 point = this->Field->GetLattice().GetCell(hit);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // Between the centres of two cells it is the one between these.
+    // Between the centres of two cells it is the point between these.
     const bool isNext = this->Built->AreOfCells || hit.IsNearUpper(axis);
     point[axis] += isNext ? 1 : 0;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The field that a mapper traces: made of the scalars of an image or a rectilinear grid, and kept
+// The field that a mapper traces: made from the scalars of an image or a rectilinear grid, and kept
 // while they are the same.
 
 #ifndef vtkIsosurfaceRayTraceSource_h
@@ -31,7 +31,7 @@ public:
   {
     vtkDataArray* Scalars = nullptr;
     bool AreOfCells = false;
-    /// Magnitude takes the length of the vector instead of a component.
+    /// Magnitude selects the length of the vector instead of a component.
     int Component = 0;
 
     static constexpr int Magnitude = -1;
@@ -42,18 +42,18 @@ public:
   vtkIsosurfaceRayTraceSource(const vtkIsosurfaceRayTraceSource&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSource&) = delete;
 
-  /// What stands in the way of tracing; empty if nothing does.
+  /// The problem with the input; empty if there is none.
   static std::string FindProblem(vtkDataSet* grid, const Selection& selection);
 
-  /// Makes sure that the field is that of the input, which must have no problem. Returns whether
-  /// it had to be built.
+  /// Builds the field of the input, which must have no problem, unless it is up to date. Returns
+  /// whether it had to be built.
   bool Update(vtkDataSet* grid, const Selection& selection,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
   /// Null before the first update.
   vtkIsosurfaceRayTracing::ImageField* GetField() const { return this->Field.get(); }
 
-  /// Where the samples stand.
+  /// The coordinates of the samples.
   const vtkIsosurfaceRayTraceGeometry& GetGeometry() const { return this->Geometry; }
 
   /// The number of points of the grid along each axis.
@@ -63,10 +63,10 @@ public:
   }
 
   /// One for every cell of the field, not zero where it is blanked or belongs to another piece;
-  /// null if all are to be seen.
+  /// null if all are visible.
   const unsigned char* GetHiddenCells() const;
 
-  /// The cell of the grid that a hit is in, and the point in its coordinates.
+  /// The cell of the grid that a hit is in, and its parametric coordinates.
   vtkIsosurfaceRayTracing::Index3 FindStructuredCell(
     const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
   vtkIdType FindCell(

@@ -19,7 +19,8 @@ vtkIsosurfaceRayTraceValueColors::vtkIsosurfaceRayTraceValueColors(
   : Property(property)
   , Component(component)
 {
-  // A property makes functions that it does not have when they are first asked for: not on threads.
+  // A property creates missing functions when they are first used, which must not happen on
+  // threads.
   this->Get(0.0);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The colours and opacities of values, as a volume property has them.
+// The colours and opacities of values by a volume property.
 
 #ifndef vtkIsosurfaceRayTraceValueColors_h
 #define vtkIsosurfaceRayTraceValueColors_h

@@ -27,7 +27,7 @@ vtkTypeBool vtkIsosurfaceVolume::HasOpaqueGeometry()
 //------------------------------------------------------------------------------
 int vtkIsosurfaceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  // What draws a volume does not depend on when it is called.
+  // vtkVolume draws in this method, which may be called at any time of a frame.
   return this->HasOpaqueGeometry() ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
 }
 

@@ -4,19 +4,19 @@
  * @class   vtkIsosurfaceVolume
  * @brief   a volume whose isosurfaces are opaque geometry when they are opaque
  *
- * VTK draws volumes last: translucent polygons, and render passes that look at the depth of opaque
- * geometry (vtkSSAOPass, vtkEDLShading, shadow maps), come before and do not know of them. This one
- * draws its isosurfaces together with the opaque geometry when every one that its
- * vtkIsosurfaceRayTraceMapper draws is opaque: then translucent polygons lie before or behind them
- * as their depth says, with or without depth peeling. When a surface is translucent, or the mapper
- * is another one, it is a vtkVolume like any other.
+ * VTK draws volumes last: translucent polygons, and render passes that read the depth of opaque
+ * geometry (vtkSSAOPass, vtkEDLShading, shadow maps), come before and miss them. This volume draws
+ * its isosurfaces together with the opaque geometry if all that its vtkIsosurfaceRayTraceMapper
+ * draws are opaque: then translucent polygons are in front of or behind them by depth, with or
+ * without depth peeling. If a surface is translucent, or the mapper is of another class, it behaves
+ * as a vtkVolume.
  *
- * Each frame asks the mapper (vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces); there is nothing
- * to set.
+ * The mapper is queried in each frame (vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces); there
+ * is nothing to set.
  *
  * Smooth edges (vtkIsosurfaceRayTraceMapper::SetImageSampleDistance below 1,
- * ProgressiveAccumulation) are mixed with what is drawn already. VTK draws props in the order in
- * which they were added: add this volume after the polygons that it is seen before.
+ * ProgressiveAccumulation) are blended with what is drawn already. VTK draws props in the order in
+ * which they were added: add this volume after the polygons that are behind it.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkVolume
  */

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tells which includes break the order of the folders (the table in CONTRIBUTING.md)."""
+"""Lists the includes that break the order of the folders (the table in CONTRIBUTING.md)."""
 
 import re
 import sys
@@ -16,10 +16,12 @@ CORE_FOLDERS = [f"{CORE}/{folder}" for folder in (
     "Rays",
     "Kernels",
     "Field",
+    "Image/Lattice",
     "Image/Samples",
     "Image/Macrocells",
     "Image/Cells",
     "Image/Traversal",
+    "Image/Tracers",
     "Image",
     "Unstructured",
     "Picture",

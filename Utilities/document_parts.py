@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the programs document_*.py share: tables in Markdown, plots as PNG, parts of pages."""
+"""Shared by the programs document_*.py: tables in Markdown, plots as PNG, parts of pages."""
 
 import argparse
 import json
@@ -17,7 +17,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
 
-# Colours that are told apart on white, also by readers name do not see all colours.
+# Colours that are distinct on white, for colour-blind readers too.
 COLORS = (
     (0, 0, 0), (230, 25, 75), (0, 130, 200), (245, 130, 48), (60, 180, 75), (145, 30, 180),
     (70, 200, 220), (128, 128, 0), (170, 110, 40), (128, 128, 128), (240, 50, 230), (0, 0, 128),
@@ -50,7 +50,7 @@ def read_json(path):
 
 
 def replace_part(page, program, text):
-    """Replaces what stands between the two lines of the page that name the program."""
+    """Replaces the text between the two comments of the page that name the program."""
     begin = f"<!-- Utilities/{program} writes from here -->\n"
     end = "<!-- to here -->\n"
     head, rest = page.read_text(encoding="utf-8").split(begin)
@@ -59,7 +59,7 @@ def replace_part(page, program, text):
 
 
 def format_number(value, digits=3):
-    """So many digits, and all before the point; nothing for None."""
+    """A number of significant digits, at least all before the point; empty for None."""
     if value is None:
         return ""
     return f"{value:.0f}" if abs(value) >= 10**digits else f"{value:.{digits}g}"
@@ -81,20 +81,20 @@ def markdown_table(titles, rows):
 
 
 def environment_list(environment):
-    """What must be known of a measurement, as a list."""
+    """The circumstances of a measurement, as a list."""
     said = {**environment, "command": f"`{environment['command']}`"}
     lines = [f"- {name}: {said[name]}\n" for name in ENVIRONMENT if name in said]
     return "".join(lines + [f"- absent: {name}\n" for name in environment.get("absent", [])]) + "\n"
 
 
 def decades(values):
-    """A power of ten below all and one above all."""
+    """The powers of ten below and above all values."""
     logarithms = [math.log10(value) for value in values]
     return 10.0 ** math.floor(min(logarithms) - 0.05), 10.0 ** math.ceil(max(logarithms) + 0.05)
 
 
 def write_picture(window, path):
-    """What a window shows, as PNG."""
+    """Writes the picture of a window, as PNG."""
     window.Render()
     pixels = vtkWindowToImageFilter()
     pixels.SetInput(window)

@@ -73,7 +73,7 @@ def with_settings(**settings):
     return lambda picture, image, isovalue: apply_settings(picture.mapper, settings)
 
 
-# The data: other samples, or the same in another place.
+# The data: other samples, or the same at another position.
 
 
 def turned(picture, image, isovalue):
@@ -284,7 +284,7 @@ def cropped_to(region):
     return crop
 
 
-# From where it is seen, and in which light.
+# Cameras and lights.
 
 
 def from_afar(picture, image, isovalue):

@@ -67,24 +67,24 @@ def make_ways():
 QUICK_WAYS = ("robust", "robust-translucent", "nearest", "cubic", "maximum", "cap")
 
 
-def make_rays(dice, dimensions, count):
+def make_rays(generator, dimensions, count):
     """Origins and directions in the lattice of whole numbers: at random; and aimed exactly at
     vertices, edges and faces of cells, from afar, from within and from a vertex; slanting, along
     axes, in planes of the lattice and along diagonals; and all that a little beside."""
     longest = 2.0 * max(dimensions)
     for i in range(count):
-        target = [dice.uniform(-0.2, size - 0.8) for size in dimensions]
-        for axis in dice.sample(range(3), dice.choice((0, 1, 2, 3, 3))):
-            target[axis] = float(dice.randrange(dimensions[axis]))
-        if dice.random() < 0.1:
-            target = [math.nextafter(value, dice.choice((-1e9, 1e9))) for value in target]
-        direction = dice.choice((
-            [dice.gauss(0.0, 1.0) for axis in range(3)],
-            [float(dice.randint(-2, 2)) for axis in range(3)],
-            [dice.choice((0.0, -0.0, 1e-300, 1e-17, 1e-9, 1.0, -1.0)) for axis in range(3)]))
+        target = [generator.uniform(-0.2, size - 0.8) for size in dimensions]
+        for axis in generator.sample(range(3), generator.choice((0, 1, 2, 3, 3))):
+            target[axis] = float(generator.randrange(dimensions[axis]))
+        if generator.random() < 0.1:
+            target = [math.nextafter(value, generator.choice((-1e9, 1e9))) for value in target]
+        direction = generator.choice((
+            [generator.gauss(0.0, 1.0) for axis in range(3)],
+            [float(generator.randint(-2, 2)) for axis in range(3)],
+            [generator.choice((0.0, -0.0, 1e-300, 1e-17, 1e-9, 1.0, -1.0)) for axis in range(3)]))
         if not any(abs(component) >= 1.0 for component in direction):
-            direction[dice.randrange(3)] = dice.choice((-1.0, 1.0))
-        length = dice.choice((0.0, 0.5, longest, longest, 1024.0))
+            direction[generator.randrange(3)] = generator.choice((-1.0, 1.0))
+        length = generator.choice((0.0, 0.5, longest, longest, 1024.0))
         yield [a - length * b for a, b in zip(target, direction)], direction
 
 

@@ -83,7 +83,7 @@ def sample(dimensions, function):
 def make_volumes():
     """Data sets and isovalues by name. The dimensions are such that blocks of eight cells are cut
     off at the border, and in the long ones such that there are several blocks of 64."""
-    dice = random.Random(1)
+    generator = random.Random(1)
     size = (13, 11, 10)
     count = size[0] * size[1] * size[2]
     volumes = {}
@@ -92,29 +92,29 @@ def make_volumes():
         volumes[name] = (make_image(dimensions, make_array(scalar_type, values)), isovalue)
 
     def noise(dimensions=size):
-        return sample(dimensions, lambda x, y, z: dice.uniform(-1.0, 1.0))
+        return sample(dimensions, lambda x, y, z: generator.uniform(-1.0, 1.0))
 
     for name, (scalar_type, low, high) in INTEGER_RANGES.items():
-        values = [dice.randint(low, high) for i in range(count)]
+        values = [generator.randint(low, high) for i in range(count)]
         add(name, values, 0.5 * (low + high + 1), scalar_type)
     add("float", noise(), 0.1, VTK_FLOAT)
     add("double", noise(), 0.1)
-    add("few-values", [dice.randint(0, 3) for i in range(count)], 2.0, VTK_UNSIGNED_CHAR)
-    add("isovalue-at-points", [dice.choice((-1.0, 0.0, 0.0, 1.0)) for i in range(count)], 0.0)
-    add("isovalue-at-points-float", [dice.choice((-1.0, 0.0, -0.0, 1.0)) for i in range(count)],
+    add("few-values", [generator.randint(0, 3) for i in range(count)], 2.0, VTK_UNSIGNED_CHAR)
+    add("isovalue-at-points", [generator.choice((-1.0, 0.0, 0.0, 1.0)) for i in range(count)], 0.0)
+    add("isovalue-at-points-float", [generator.choice((-1.0, 0.0, -0.0, 1.0)) for i in range(count)],
         0.0, VTK_FLOAT)
     add("plateau-below", [min(value, 0.0) for value in noise()], 0.0)
     add("plateau-above", [max(value, 0.0) for value in noise()], 0.0, VTK_FLOAT)
     for name, hole in (("nan", math.nan), ("infinity", math.inf), ("minus-infinity", -math.inf)):
         for scalar_type, type_name in ((VTK_FLOAT, "float"), (VTK_DOUBLE, "double")):
-            values = [hole if dice.random() < 0.04 else value for value in noise()]
+            values = [hole if generator.random() < 0.04 else value for value in noise()]
             add(f"{name}-{type_name}", values, 0.1, scalar_type)
     for scale in (5e-324, 1e-320, 1e-300, 1e-160, 1e160, 1e300, 1.7e308):
         add(f"scaled-by-{scale}", [scale * value for value in noise()], 0.1 * scale)
     for scale in (1e-44, 1e-38, 3e38):
         add(f"scaled-by-{scale}-float", [scale * value for value in noise()], 0.1 * scale, VTK_FLOAT)
-    add("all-magnitudes", [value * 10.0**dice.uniform(-300.0, 300.0) for value in noise()], 0.0)
-    add("near-isovalue", [1.0 + 2.0**-52 * dice.randint(-3, 3) for i in range(count)], 1.0)
+    add("all-magnitudes", [value * 10.0**generator.uniform(-300.0, 300.0) for value in noise()], 0.0)
+    add("near-isovalue", [1.0 + 2.0**-52 * generator.randint(-3, 3) for i in range(count)], 1.0)
     add("large-offset", [1e15 + value for value in noise()], 1e15)
     add("checkerboard", sample(size, lambda x, y, z: (-1.0)**(x + y + z)), 0.0)
     add("checkerboard-off", sample(size, lambda x, y, z: (-1.0)**(x + y + z)), 1e-9)
@@ -135,7 +135,7 @@ def make_volumes():
 
 
 def add_placed(volumes, noise):
-    """Noise in other places than the lattice of whole numbers, and on uneven planes."""
+    """Noise with other origins and spacings, and on uneven planes."""
     size = (13, 11, 10)
     for name, spacing, origin in (
             ("negative-spacing", (-1.0, 0.7, -1.3), (3.0, -2.0, 1.0)),

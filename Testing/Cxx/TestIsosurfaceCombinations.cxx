@@ -45,8 +45,8 @@ struct ShadowScene : Scene
   }
 };
 
-/// What is left by cropping is what there is when the samples are cut instead: the same surfaces,
-/// seen through each other, with shadows of each other and of nothing that is cut.
+/// What cropping leaves equals the picture of cut samples: the same surfaces, visible through each
+/// other, with shadows of each other and of nothing that is cut.
 void CheckCroppingWithShadows(Checks& check)
 {
   const auto image = NewCube(41,
@@ -117,7 +117,7 @@ void CheckPickingWithDirections(Checks& check)
   constexpr double Radius = 0.7;
   const auto image = NewTurnedBall(center, Radius);
   Scene scene(image);
-  // VTK's own pickers ask for opacity.
+  // VTK's own pickers require opacity.
   scene.Property()->GetScalarOpacity()->AddPoint(-1e-3, 0.0);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   camera->SetFocalPoint(center.data());
@@ -147,13 +147,13 @@ void CheckPickingWithDirections(Checks& check)
       vtkMath::Normalize(normal);
       check.Near(vtkMath::Dot(normal, picker->GetPickNormal()), 1.0, 2e-3, "its normal, outwards");
 
-      // (vtkVoxel::EvaluatePosition knows nothing of directions.)
+      // (vtkVoxel::EvaluatePosition ignores directions.)
       double index[3];
       image->TransformPhysicalPointToContinuousIndex(position, index);
       for (int axis = 0; axis < 3; ++axis)
       {
         check.Near(picker->GetCellIJK()[axis] + picker->GetPCoords()[axis], index[axis], 1e-9,
-          "the place in the cell that was picked");
+          "the position in the cell that was picked");
       }
       int ijk[3];
       picker->GetCellIJK(ijk);
@@ -187,7 +187,7 @@ void CheckCellPicker(Checks& check)
   }
 }
 
-/// For people to look at: cropped, clipped, shadowed, and pierced by a translucent screen.
+/// A picture for people: cropped, clipped, shadowed, and pierced by a translucent screen.
 void Furnish(ShadowScene& scene)
 {
   scene.SetSurface(0.0, { 0.9, 0.8, 0.7 }, 1.0);

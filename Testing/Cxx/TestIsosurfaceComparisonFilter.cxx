@@ -249,7 +249,7 @@ void TestPipeline()
   comparison->Update();
   CheckRow(comparison->GetOutput(), 0, "vtkFlyingEdges3D", 200.0);
 
-  // Downstream, whatever part of the picture is asked for, the whole volume is compared.
+  // Whatever part of the picture is requested downstream, the whole volume is compared.
   vtkNew<vtkImageCast> cast;
   cast->SetInputConnection(comparison->GetOutputPort(2));
   cast->UpdateWholeExtent();

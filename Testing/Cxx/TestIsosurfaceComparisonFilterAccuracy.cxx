@@ -338,7 +338,7 @@ void TestTopology(Checks& checks)
   int ambiguous = 0;
   int different = 0;
   int tunnels = 0;
-  int untold = 0;
+  int undecided = 0;
   for (int round = 0; round < 150; ++round)
   {
     Corners corners;
@@ -365,7 +365,7 @@ void TestTopology(Checks& checks)
     const auto triangles = Flood(12, notParted);
     if (isosurface != Flood(23, sameSign) || triangles != Flood(9, notParted))
     {
-      ++untold; // A neck too narrow for a lattice.
+      ++undecided; // A neck too narrow for a lattice.
       continue;
     }
     // Two regions are inside and outside: of 64 pairs all that have the same sign are together.
@@ -384,10 +384,10 @@ void TestTopology(Checks& checks)
     tunnels += round % 2 == 1 && isosurface != alongEdges ? 1 : 0;
   }
   std::cout << ambiguous << " ambiguous cells, " << different << " differ, " << tunnels
-            << " tunnels, " << untold << " untold\n";
+            << " tunnels, " << undecided << " undecided\n";
   checks.That(different > 20 && ambiguous - different > 20, "cells of both kinds were tried");
   checks.That(tunnels > 10, "tunnels were tried");
-  checks.That(untold < 30, "most cells were told by brute force");
+  checks.That(undecided < 30, "most cells were decided by brute force");
 }
 
 //------------------------------------------------------------------------------

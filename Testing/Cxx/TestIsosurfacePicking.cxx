@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is picked and selected, and what a picture without a window says of its pixels, is what a
-// window shows.
+// What is picked and selected, and the properties of the pixels of a picture without a window,
+// equal what a window shows.
 
 #include "Checks.h"
 #include "DepthPicture.h"
@@ -37,7 +37,7 @@ namespace
 constexpr int Size = 120;
 constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
-/// What RenderToImage says.
+/// The properties from RenderToImage.
 struct Image
 {
   vtkNew<vtkImageData> Output;
@@ -137,8 +137,8 @@ void CheckPictures(Checks& check)
     "it has a headlight");
 }
 
-/// Every pixel of a window, picked: the position is that of the picture to the last bit, and what
-/// is said of it fits together.
+/// Every pixel of a window, picked: the position is that of the picture to the last bit, and the
+/// other properties are consistent.
 void CheckPicker(Checks& check)
 {
   const auto image = NewBall(33, 0.8);
@@ -179,17 +179,17 @@ void CheckPicker(Checks& check)
       picker->GetMapper() == scene.Mapper.Get() && picker->GetDataSet() == image &&
       picker->GetProp3D() == scene.Volume.Get();
     wrong += isSame ? 0 : 1;
-    // Cell, coordinates and structured place lead back to the position.
+    // Cell, coordinates and structured index lead back to the position.
     double bounds[6];
     image->GetCellBounds(picker->GetCellId(), bounds);
     double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-    const int* place = picker->GetCellIJK();
+    const int* index = picker->GetCellIJK();
     for (int axis = 0; axis < 3; ++axis)
     {
       const double* pcoords = picker->GetPCoords();
       point[axis] = bounds[2 * axis] + pcoords[axis] * (bounds[2 * axis + 1] - bounds[2 * axis]);
       const double structured =
-        image->GetOrigin()[axis] + image->GetSpacing()[axis] * (place[axis] + pcoords[axis]);
+        image->GetOrigin()[axis] + image->GetSpacing()[axis] * (index[axis] + pcoords[axis]);
       worst = std::max(worst, std::abs(structured - point[axis]));
     }
     scene.Volume->GetMatrix()->MultiplyPoint(point, point);
@@ -199,14 +199,14 @@ void CheckPicker(Checks& check)
   check.Equal(wrong, 0, "the number of pixels picked wrong");
   check.Near(worst, 0.0, 1e-12, "cell and coordinates of what is picked");
 
-  // A ray of one's own is one of IntersectWithLine.
+  // A ray of the caller's is one of IntersectWithLine.
   double from[3] = { 1.5, -3.0, 0.3 };
   double towards[4] = { 0.0, 0.0, 0.0, 0.0 };
   check.That(
     picker->Pick3DRay(from, towards, scene.Renderer) == 0 || std::isfinite(picker->GetIsovalue()),
     "a ray in space picks the isosurface or nothing");
 
-  // What stands before the surface is picked before it.
+  // What is in front of the surface is picked instead.
   const auto actor = NewSphere(0.2, { 0.5, -1.5, 0.4 });
   scene.Renderer->AddActor(actor);
   scene.Window->Render();
@@ -242,7 +242,7 @@ std::set<vtkIdType> GetCells(Scene& scene)
   return ids;
 }
 
-/// The points of an image that are nearest to what is seen.
+/// The points of an image that are nearest to what is visible.
 std::set<vtkIdType> GetNearestPoints(Scene& scene, vtkImageData* image)
 {
   Image picture;
@@ -271,9 +271,9 @@ void CheckSelector(Checks& check)
   Furnish(scene);
   const Picture before = RenderAndCapture(scene.Window);
   const std::set<vtkIdType> expected = GetCells(scene);
-  check.That(expected.size() > 100, "hundreds of cells are seen");
-  check.That(
-    Select(scene.Renderer, scene.Volume, Cells) == expected, "the cells selected are those seen");
+  check.That(expected.size() > 100, "hundreds of cells are visible");
+  check.That(Select(scene.Renderer, scene.Volume, Cells) == expected,
+    "the cells selected are those visible");
   const std::set<vtkIdType> points =
     Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
   check.That(points == GetNearestPoints(scene, image), "the points selected are nearest to hits");

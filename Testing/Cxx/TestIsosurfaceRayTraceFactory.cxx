@@ -107,7 +107,7 @@ vtkSmartPointer<vtkSmartVolumeMapper> NewSmartMapper(vtkImageData* image)
 void CheckPictures(Checks& check)
 {
   const auto image = NewImage();
-  std::vector<Picture> seen;
+  std::vector<Picture> pictures;
   for (const Setting& setting : GetSettings())
   {
     Scene scene(image);
@@ -125,11 +125,11 @@ void CheckPictures(Checks& check)
     scene.Volume->ReleaseGraphicsResources(scene.Window);
     check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
       "the difference after release with " + setting.Name);
-    for (const Picture& other : seen)
+    for (const Picture& other : pictures)
     {
       check.That(GetDifference(expected, other, 2) > 0.02, setting.Name + " is another picture");
     }
-    seen.push_back(expected);
+    pictures.push_back(expected);
   }
 }
 

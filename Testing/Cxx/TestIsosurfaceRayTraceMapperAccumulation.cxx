@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The picture of a scene that rests becomes better with every frame, and begins anew with whatever
-// changes it.
+// The picture of a scene at rest improves with every frame, and is restarted by whatever changes
+// it.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -93,8 +93,8 @@ void CheckEdges(Checks& check, vtkImageData* image)
   }
 }
 
-/// Surfaces that are seen through each other, before and behind polygons, become those of many
-/// rays.
+/// Surfaces that are visible through each other, in front of and behind polygons, become those of
+/// many rays.
 void CheckTranslucent(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -120,7 +120,7 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
   check.That(before > 1.0, "edges of translucent surfaces: " + std::to_string(before));
   check.That(after < 0.35 * before, "they become smooth: " + std::to_string(after / before));
 
-  // They are no opaque geometry, and each frame is drawn once.
+  // They are not opaque geometry, and each frame is drawn once.
   vtkNew<vtkIsosurfaceVolume> volume;
   volume->ShallowCopy(scene.Volume);
   scene.Renderer->RemoveViewProp(scene.Volume);
@@ -132,7 +132,7 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
   check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 16, "the number of its frames");
 }
 
-/// A pixel that several rays share by itself goes on becoming better too.
+/// A pixel that shares its ray with others improves as well.
 void CheckSupersampled(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -180,7 +180,7 @@ struct Change
   std::function<void()> Make;
 };
 
-/// Whatever changes the picture begins anew: what is shown is what a scene without shows.
+/// Whatever changes the picture restarts it: it equals the picture without accumulation.
 void CheckRestarts(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -208,7 +208,7 @@ void CheckRestarts(Checks& check, vtkImageData* image)
     { "the material", [&] { property->SetSpecular(0.7); } },
     { "the opacity", [&] { property->GetScalarOpacity()->AddPoint(0.05, 0.5); } },
     { "the colour of the light", [&] { light->SetColor(1.0, 0.5, 0.5); } },
-    { "the place of the light",
+    { "the position of the light",
       [&]
       {
         light->SetLightTypeToSceneLight();
@@ -216,7 +216,7 @@ void CheckRestarts(Checks& check, vtkImageData* image)
       } },
     { "two-sided lighting", [&] { scene.Renderer->SetTwoSidedLighting(0); } },
     { "a setting of the mapper", [&] { scene.Mapper->SetNormalModeToInterpolantGradient(); } },
-    { "the place of the volume", [&] { scene.Volume->SetPosition(0.1, 0.0, 0.0); } },
+    { "the position of the volume", [&] { scene.Volume->SetPosition(0.1, 0.0, 0.0); } },
     { "a clipping plane", [&] { plane->SetOrigin(0.0, 0.0, -0.2); } },
     { "the actor in front", [&] { front->SetPosition(-0.3, 0.1, 0.0); } },
     { "the samples",
@@ -249,7 +249,8 @@ void CheckRestarts(Checks& check, vtkImageData* image)
   }
 }
 
-/// The samples of a block, and the coordinates of a grid, are no part of the time of the input.
+/// The samples of a block, and the coordinates of a grid, do not affect the modification time of
+/// the input.
 void CheckInputs(Checks& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -257,14 +258,14 @@ void CheckInputs(Checks& check)
   blocks->SetBlock(0, image);
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(33, 33, 33);
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> coordinates;
   for (int i = 0; i < 33; ++i)
   {
-    places->InsertNextValue(i / 16.0 - 1.0);
+    coordinates->InsertNextValue(i / 16.0 - 1.0);
   }
-  grid->SetXCoordinates(places);
-  grid->SetYCoordinates(places);
-  grid->SetZCoordinates(places);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
   grid->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
   const auto checkChange = [&check](Scene& scene, const std::function<void()>& change)
   {
@@ -280,8 +281,8 @@ void CheckInputs(Checks& check)
   checkChange(uneven,
     [&]
     {
-      places->SetValue(10, places->GetValue(10) + 0.03);
-      places->Modified();
+      coordinates->SetValue(10, coordinates->GetValue(10) + 0.03);
+      coordinates->Modified();
     });
   Scene composite(blocks);
   checkChange(composite,
@@ -292,7 +293,7 @@ void CheckInputs(Checks& check)
     });
 }
 
-/// What is no frame of the scene at rest leaves the mean as it is.
+/// Frames of other kinds leave the mean as it is.
 void CheckIntact(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -370,7 +371,8 @@ void CheckHurry(Checks& check, vtkImageData* image)
   check.Equal(scene.Mapper->GetTraceTime(), 0.0, "the time of tracing");
   scene.Window->SetDesiredUpdateRate(100000.0);
   scene.Window->Render();
-  check.Equal(scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance in a hurry after rest");
+  check.Equal(
+    scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance while interacting after rest");
 }
 
 /// A picture that is taken of the window is the mean.
@@ -422,7 +424,7 @@ void CheckThreads(Checks& check, vtkImageData* image)
   check.Equal(GetDifference(pictures[0], pictures[1], 0), 0.0, "the difference by threads");
 }
 
-/// A ball before a wall, lit by the sky alone, with few rays.
+/// A ball in front of a wall, lit by ambient light alone, with few rays.
 void SetSky(Scene& scene)
 {
   scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 1.0);
@@ -433,8 +435,8 @@ void SetSky(Scene& scene)
   scene.Mapper->SetNumberOfAmbientOcclusionRays(4);
 }
 
-/// The grain of few rays goes away: its variance falls with the number of frames. Nowhere else than
-/// in the grain do the pictures differ much, since edges are smooth in all.
+/// The noise of few rays vanishes: its variance falls with the number of frames. Elsewhere the
+/// pictures differ little, since edges are smooth in all.
 void CheckGrain(Checks& check, int argc, char* argv[])
 {
   const auto image = NewCube(65,

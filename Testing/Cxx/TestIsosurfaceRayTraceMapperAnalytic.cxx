@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every pixel against the answer: a plane, which trilinear interpolation reproduces, and a ball, of
-// which the error falls with the square of the spacing.
+// Every pixel against the exact result: a plane, which trilinear interpolation reproduces, and a
+// ball, whose error falls with the square of the spacing.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -77,7 +77,7 @@ void CheckPlane(Checks& check, bool parallel)
   }
   std::cout << "plane: " << hits << " pixels, off by up to " << worst << "\n";
   check.That(hits > 3000, "the plane covers thousands of pixels");
-  // What 24 bits of depth can tell.
+  // The resolution of 24 bits of depth.
   check.Near(worst, 0.0, parallel ? 1e-6 : 2e-6, "the distance of a pixel to the plane");
 }
 

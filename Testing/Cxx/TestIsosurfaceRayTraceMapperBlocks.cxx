@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A volume in blocks has the very picture of the whole volume.
+// A volume in blocks has exactly the picture of the whole volume.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -111,18 +111,18 @@ std::vector<vtkSmartPointer<vtkImageData>> Cut(vtkImageData* whole, int ghosts =
     const auto block = NewPart(whole, points);
     if (ghosts > 0)
     {
-      // What is a copy is spoilt: it must not count where the original is.
+      // Duplicates get wrong values: they must not count where the original is.
       vtkUnsignedCharArray* ofPoints = block->AllocatePointGhostArray();
       vtkUnsignedCharArray* ofCells = block->AllocateCellGhostArray();
       const int* size = block->GetDimensions();
       for (vtkIdType k = 0; k < block->GetNumberOfPoints(); ++k)
       {
-        const std::array<vtkIdType, 3> place = { k % size[0], k / size[0] % size[1],
+        const std::array<vtkIdType, 3> index = { k % size[0], k / size[0] % size[1],
           k / size[0] / size[1] };
         bool isGhost = false;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          const vtkIdType at = points[2 * axis] + place[axis];
+          const vtkIdType at = points[2 * axis] + index[axis];
           isGhost = isGhost || at < own[2 * axis] || at > own[2 * axis + 1];
         }
         if (isGhost)
@@ -133,12 +133,12 @@ std::vector<vtkSmartPointer<vtkImageData>> Cut(vtkImageData* whole, int ghosts =
       }
       for (vtkIdType k = 0; k < block->GetNumberOfCells(); ++k)
       {
-        const std::array<vtkIdType, 3> place = { k % (size[0] - 1),
+        const std::array<vtkIdType, 3> index = { k % (size[0] - 1),
           k / (size[0] - 1) % (size[1] - 1), k / (size[0] - 1) / (size[1] - 1) };
         bool isGhost = false;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          const vtkIdType at = points[2 * axis] + place[axis];
+          const vtkIdType at = points[2 * axis] + index[axis];
           isGhost = isGhost || at < own[2 * axis] || at >= own[2 * axis + 1];
         }
         if (isGhost)
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> NewMultiBlock(
   return composite;
 }
 
-/// With a camera that is the same whatever is there.
+/// With a camera that does not depend on the data.
 struct Look : Scene
 {
   explicit Look(vtkDataObject* data)
@@ -203,7 +203,7 @@ void CheckComposites(Checks& check)
   const auto multi = NewMultiBlock(blocks);
   check.Equal(GetDifference(Draw(multi), expected, 0), 0.0, "the difference of blocks");
 
-  // Nested, in another order, with blocks that are not there, empty or without the array.
+  // Nested, in another order, with blocks that are null, empty or without the array.
   vtkNew<vtkMultiBlockDataSet> inner;
   inner->SetBlock(0, blocks[7]);
   inner->SetBlock(3, blocks[2]);
@@ -233,7 +233,7 @@ void CheckComposites(Checks& check)
   const Picture half = Draw(parts);
   check.That(GetDifference(half, expected, 8) > 0.1, "five parts are not eight");
 
-  // Every look of them.
+  // Every kind of picture of them.
   const std::vector<std::function<void(Scene&)>> looks = {
     [](Scene& scene) { scene.Mapper->SetNormalModeToInterpolantGradient(); },
     [](Scene& scene)
@@ -282,7 +282,7 @@ void CheckComposites(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// Blocks may be told apart by their origins, and lie in a turned lattice.
+/// Blocks may differ by their origins, and lie in a rotated lattice.
 void CheckOrigins(Checks& check)
 {
   for (const bool isTurned : { false, true })
@@ -306,7 +306,7 @@ void CheckOrigins(Checks& check)
     std::swap(blocks[0], blocks[5]);
     const Picture picture =
       Draw(NewMultiBlock(blocks), [](Scene& scene) { scene.LookFrom(1.0, -2.0, 0.8); });
-    // The places of points have their roundings.
+    // The coordinates of points are rounded.
     check.That(GetDifference(picture, expected, 1) < 1e-3, "blocks with origins of their own");
   }
 }
@@ -376,9 +376,9 @@ void CheckMissingBlocks(Checks& check)
   }
   check.That(count > 500, "hundreds of hits in two blocks");
   check.Equal(hits->GetNumberOfPoints(), count, "the number of hits in two blocks");
-  check.Near(worst, 0.0, 1e-12, "the worst place of a hit in two blocks");
+  check.Near(worst, 0.0, 1e-12, "the worst position of a hit in two blocks");
   std::cout << otherNormals << " of " << count << " normals differ\n";
-  // Samples beside both blocks can continue neither of them wholly.
+  // Samples beside both blocks cannot extrapolate both of them exactly.
   check.That(otherNormals < count / 20, "normals are the same but at the edge of two blocks");
 }
 
@@ -430,22 +430,22 @@ void CheckPicking(Checks& check)
   }
   check.Equal(wrong, 0, "the number of pixels picked wrong");
   check.That(flatIndices.size() > 4, "several blocks are picked");
-  check.Near(worst, 0.0, 1e-12, "the worst place of what is picked");
+  check.Near(worst, 0.0, 1e-12, "the worst position of what is picked");
 
-  std::set<vtkIdType> seen;
+  std::set<vtkIdType> visible;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    seen.insert(
+    visible.insert(
       static_cast<vtkIdType>(picture->GetPointData()->GetArray("CellId")->GetComponent(i, 0)));
   }
-  seen.erase(-1);
+  visible.erase(-1);
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
     const std::set<vtkIdType> ids = Select(scene.Renderer, scene.Volume, association);
     if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
-      check.That(ids == seen, "the cells selected are those seen");
+      check.That(ids == visible, "the cells selected are those visible");
       continue;
     }
     int far = 0;
@@ -516,7 +516,7 @@ void CheckColoredPicking(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// Blocks are put together when they change, and only then.
+/// Blocks are joined when they change, and only then.
 void CheckChanges(Checks& check)
 {
   const auto blocks = Cut(NewWhole());
@@ -531,10 +531,10 @@ void CheckChanges(Checks& check)
   scalars->Fill(-9.0);
   scalars->Modified();
   const Picture after = RenderAndCapture(scene.Window);
-  check.That(GetDifference(before, after, 8) > 0.01, "a changed block is seen");
+  check.That(GetDifference(before, after, 8) > 0.01, "a changed block is visible");
   composite->SetBlock(5, nullptr);
   check.That(GetDifference(RenderAndCapture(scene.Window), after, 8) > 0.01,
-    "a block that was taken away is seen no more");
+    "a removed block is no longer visible");
 
   // Blocks of different types: all values are kept.
   const auto typed = Cut(NewWhole());
@@ -612,18 +612,18 @@ void CheckErrors(Checks& check)
     "the difference of one block");
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(Samples, Samples, Samples);
-  vtkNew<vtkDoubleArray> places[3];
+  vtkNew<vtkDoubleArray> coordinates[3];
   for (int i = 0; i < Samples; ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      places[axis]->InsertNextValue(
+      coordinates[axis]->InsertNextValue(
         2.0 / (Samples - 1) * (i + FirstIndex[static_cast<std::size_t>(axis)]) - 1.0);
     }
   }
-  grid->SetXCoordinates(places[0]);
-  grid->SetYCoordinates(places[1]);
-  grid->SetZCoordinates(places[2]);
+  grid->SetXCoordinates(coordinates[0]);
+  grid->SetYCoordinates(coordinates[1]);
+  grid->SetZCoordinates(coordinates[2]);
   grid->GetPointData()->SetScalars(whole->GetPointData()->GetScalars());
   vtkNew<vtkMultiBlockDataSet> one;
   one->SetBlock(2, grid);

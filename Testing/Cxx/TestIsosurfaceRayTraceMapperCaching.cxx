@@ -57,7 +57,7 @@ void CheckMemory(Checks& check, Scene& scene)
     "the memory of bricks and masks");
 }
 
-/// Bricks are made where rays go: the near side of the ball first, the far side when seen.
+/// Bricks are made where rays go: the near side of the ball first, the far side when it is visible.
 void CheckBricksOnDemand(Checks& check, Scene& scene)
 {
   scene.Mapper->Modified();
@@ -111,8 +111,8 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
   const auto other = NewBall(65, 0.5);
   const auto large = NewBall(70, 0.5);
   const std::vector<Change> rebuilding = {
-    { "the scalars, of which the array was told", [=]() { scalars->Modified(); } },
-    { "the scalars, of which the image was told", [=]() { image->Modified(); } },
+    { "the scalars, with Modified() of the array", [=]() { scalars->Modified(); } },
+    { "the scalars, with Modified() of the image", [=]() { image->Modified(); } },
     { "the scalars and the spacing at once",
       [=]()
       {
@@ -135,13 +135,13 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
     check.That(HasBuilt(scene), "macrocells are rebuilt for " + change.Name);
   }
 
-  // An isovalue out of reach needs no brick at all.
+  // An isovalue out of range needs no brick at all.
   Scene beyond(other);
   beyond.SetSurface(1e6, { 1.0, 1.0, 1.0 }, 1.0);
   beyond.Window->Render();
   check.Equal(beyond.Mapper->GetNumberOfBricks(), vtkIdType{ 0 }, "bricks of no surface");
 
-  // The values in place are seen after a word about it.
+  // Values that are changed in memory are visible after Modified().
   const Picture before = RenderAndCapture(beyond.Window);
   other->GetPointData()->GetScalars()->Fill(0.0);
   for (vtkIdType i = 0; i < other->GetNumberOfPoints() / 2; ++i)

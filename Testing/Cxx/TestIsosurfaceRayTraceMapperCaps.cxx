@@ -121,9 +121,9 @@ std::vector<Pixel> Render(Scene& scene, vtkLightCollection* lights = nullptr)
   return GetPixels(scene.RenderToImage(lights));
 }
 
-bool IsOn(vtkPlane* plane, const Point& place)
+bool IsOn(vtkPlane* plane, const Point& point)
 {
-  Point copy = place;
+  Point copy = point;
   return std::abs(plane->EvaluateFunction(copy.data())) < 1e-9;
 }
 
@@ -139,7 +139,7 @@ double Radius(const Point& p)
   return std::hypot(p[0], p[1], p[2]);
 }
 
-/// The disc in which a plane cuts a ball: place, normal, depth, colour and light.
+/// The disc in which a plane cuts a ball: position, normal, depth, colour and light.
 void CheckDisc(Checks& check)
 {
   constexpr double radius = 0.8;
@@ -150,7 +150,7 @@ void CheckDisc(Checks& check)
   const Picture open = RenderAndCapture(scene.Window);
   scene.Mapper->AddClippingPlane(plane);
   const Picture cut = RenderAndCapture(scene.Window);
-  check.That(!scene.Mapper->GetCapClippingPlanes(), "there are no caps unless asked for");
+  check.That(!scene.Mapper->GetCapClippingPlanes(), "there are no caps by default");
   Cap(scene, {});
   UseRamp(scene, 0.0, radius);
   scene.Property()->SetAmbient(0.2);
@@ -203,7 +203,7 @@ void CheckDisc(Checks& check)
     Point toEye;
     vtkMath::Subtract(eye, pixel.Position.data(), toEye.data());
     const bool isTurnedAway = vtkMath::Dot(pixel.Normal, toEye) < -0.05 * Radius(toEye);
-    check.That(!isTurnedAway, "only the outside is seen");
+    check.That(!isTurnedAway, "only the outside is visible");
   }
 
   scene.Mapper->CapClippingPlanesOff();
@@ -241,14 +241,14 @@ void CheckAgreement(Checks& check)
     scene.Renderer->GetActiveCamera()->GetPosition()[2] };
   int caps[2] = { 0, 0 };
   int wrongColors = 0;
-  int asked = 0;
+  int compared = 0;
   for (const Pixel& pixel : GetPixels(picture))
   {
-    const std::size_t place = static_cast<std::size_t>(3 * (pixel.X + Size * pixel.Y));
+    const std::size_t offset = static_cast<std::size_t>(3 * (pixel.X + Size * pixel.Y));
     for (std::size_t channel = 0; channel < 3; ++channel)
     {
       wrongColors +=
-        std::abs(pixel.Color[channel] - static_cast<double>(drawn[place + channel])) > 1.0 ? 1 : 0;
+        std::abs(pixel.Color[channel] - static_cast<double>(drawn[offset + channel])) > 1.0 ? 1 : 0;
     }
     const bool isOnFirst = IsOn(planes[0], pixel.Position);
     const bool isOnSecond = IsOn(planes[1], pixel.Position);
@@ -257,9 +257,10 @@ void CheckAgreement(Checks& check)
     for (vtkPlane* plane : planes)
     {
       Point copy = pixel.Position;
-      check.That(plane->EvaluateFunction(copy.data()) > -1e-9, "what is seen is what both leave");
+      check.That(
+        plane->EvaluateFunction(copy.data()) > -1e-9, "what is visible is what both leave");
     }
-    if ((!isOnFirst && !isOnSecond) || ++asked % 97 != 0)
+    if ((!isOnFirst && !isOnSecond) || ++compared % 97 != 0)
     {
       continue;
     }
@@ -270,7 +271,7 @@ void CheckAgreement(Checks& check)
     check.Equal(picker->GetIsovalue(), 0.0, "the isovalue picked");
     for (int axis = 0; axis < 3; ++axis)
     {
-      check.Equal(picker->GetPickPosition()[axis], pixel.Position[axis], "the place picked");
+      check.Equal(picker->GetPickPosition()[axis], pixel.Position[axis], "the position picked");
       check.Equal(picker->GetPickNormal()[axis], pixel.Normal[axis], "the normal picked");
     }
     double bounds[6];
@@ -279,7 +280,7 @@ void CheckAgreement(Checks& check)
     {
       const double width = bounds[2 * axis + 1] - bounds[2 * axis];
       check.Near(bounds[2 * axis] + width * picker->GetPCoords()[axis], pixel.Position[axis], 1e-12,
-        "the place in the cell picked");
+        "the position in the cell picked");
     }
     double t;
     double x[3];
@@ -307,12 +308,12 @@ void CheckAgreement(Checks& check)
       "the cell of a cap is selected");
   }
   check.That(caps[0] > 1000 && caps[1] > 300, "both planes have caps");
-  check.That(asked > 20 * 97, "picks were compared");
+  check.That(compared > 20 * 97, "picks were compared");
   check.Equal(wrongColors, 0, "the number of colours that differ in the window");
 }
 
-/// A volume that is turned, stretched and moved, in a box of planes around it and cut by another:
-/// what is at or above the isovalue is closed. Every ray from without goes out as often as in.
+/// A volume that is rotated, stretched and moved, in a box of planes around it and cut by another:
+/// what is at or above the isovalue is closed. Every ray from outside leaves as often as it enters.
 void CheckClosedBox(Checks& check)
 {
   auto image = NewCube(25, Gyroid);
@@ -430,7 +431,7 @@ void CheckFullBox(Checks& check)
       caps[i] += vtkMath::Dot(pixel.Normal.data(), planes[i]->GetNormal()) < -0.999 ? 1 : 0;
     }
   }
-  check.That(rows.size() > 100, "the box is seen");
+  check.That(rows.size() > 100, "the box is visible");
   for (const auto& [y, row] : rows)
   {
     check.Equal(row.Count, row.Last - row.First + 1, "the number of pixels of the box in a row");
@@ -440,7 +441,7 @@ void CheckFullBox(Checks& check)
   {
     faces += count > 500 ? 1 : 0;
   }
-  check.Equal(faces, 3, "the number of faces that are seen");
+  check.Equal(faces, 3, "the number of faces that are visible");
 }
 
 /// The pictures of VTK's filters: vtkClipClosedSurface, and vtkCutter for the colours.
@@ -539,8 +540,8 @@ void CheckOtherColors(Checks& check)
   for (const Pixel& pixel : Render(scene))
   {
     caps += IsOn(plane, pixel.Position) ? 1 : 0;
-    check.Near(pixel.Color[0], 127.5 + 127.0 * pixel.Position[0], 1.5, "the red of a place");
-    check.Near(pixel.Color[1], 127.5 + 127.0 * pixel.Position[1], 1.5, "the green of a place");
+    check.Near(pixel.Color[0], 127.5 + 127.0 * pixel.Position[0], 1.5, "the red of a position");
+    check.Near(pixel.Color[1], 127.5 + 127.0 * pixel.Position[1], 1.5, "the green of a position");
   }
   check.That(caps > 3000, "caps have the colours of an array");
 }
@@ -585,7 +586,7 @@ void CheckTranslucent(Checks& check)
   check.That(skins > 500 && bones > 500, "both have sections");
 }
 
-/// Caps have nothing above them that could take light away; but they keep it out.
+/// Nothing above caps occludes them; but they occlude what is below.
 void CheckLight(Checks& check)
 {
   Scene scene(NewBall(41, 0.9), Size, Size);
@@ -645,7 +646,7 @@ void CheckLight(Checks& check)
   check.That(countLit(false) > 5000, "ambient light comes in without a cap");
   check.Equal(countLit(true), 0, "the number of pixels to which ambient light comes through a cap");
 
-  // The cap itself, from within: away from the light outside, and lit by one that is within.
+  // The cap itself, from inside: unlit by the light outside, and lit by one inside.
   camera->SetPosition(0.1, 0.6, 0.1);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   scene.Mapper->AmbientOcclusionOff();
@@ -658,7 +659,7 @@ void CheckLight(Checks& check)
     behind += IsOn(plane, pixel.Position) && pixel.Color[0] > 20.0 ? 1 : 0;
     check.That(pixel.Normal[1] < 0.0 || !IsOn(plane, pixel.Position), "the normal points out");
   }
-  check.That(behind > 3000, "a cap is seen from behind");
+  check.That(behind > 3000, "a cap is visible from behind");
 }
 
 /// Cropping leaves a cap where it leaves a surface, and has none of its own.
@@ -687,7 +688,7 @@ void CheckCropping(Checks& check)
       const int z = p[2] < -0.3 ? 0 : (p[2] > 0.45 ? 2 : 1);
       return (flags >> (x + 3 + 9 * z) & 1) != 0;
     };
-    for (const auto& [place, pixel] : whole)
+    for (const auto& [index, pixel] : whole)
     {
       expected += IsOn(plane, pixel.Position) && isLeft(pixel.Position) ? 1 : 0;
     }
@@ -695,7 +696,7 @@ void CheckCropping(Checks& check)
     {
       const bool isCap = IsOn(plane, pixel.Position);
       caps += isCap ? 1 : 0;
-      check.That(isLeft(pixel.Position), "what is seen is in a region that is left");
+      check.That(isLeft(pixel.Position), "what is visible is in a region that is left");
       check.That(isCap || std::abs(Radius(pixel.Position) - 0.8) < 0.01, "cropping has no caps");
     }
     check.That(expected > 500, "cropping leaves some of a cap");
@@ -770,7 +771,7 @@ void CheckInputs(Checks& check)
   toCells->Update();
   render(toCells->GetOutput(), leave);
 
-  // Cells that are blanked, and those with a value that is none, have no cap.
+  // Cells that are blanked, and those with a value that is NaN, have no cap.
   vtkNew<vtkImageData> holed;
   holed->DeepCopy(image);
   vtkNew<vtkUnsignedCharArray> ghosts;

@@ -66,8 +66,7 @@ void MakeRays(const double direction[3], vtkPoints* origins, vtkDoubleArray* dir
   }
 }
 
-/// A plane is met where it is, with its normal, by every solver; what the columns say fits
-/// together.
+/// A plane is hit at its position, with its normal, by every solver; the columns are consistent.
 void CheckPlane(Checks& check)
 {
   const AnalyticFields::Plane plane = { { 0.48, -0.6, 0.64 }, 0.1 };
@@ -104,7 +103,7 @@ void CheckPlane(Checks& check)
           std::max(worstT, std::abs(origins->GetPoint(ray)[axis] + t * direction[axis] - p[axis]));
       }
     }
-    // The closed form as published takes a rounding for the coefficient of a cubic.
+    // The closed form as published divides by a cubic coefficient that is only rounding.
     if (solver != vtkIsosurfaceRayTraceMapper::ANALYTIC)
     {
       check.Near(worst, 0.0, 1e-14, "the distance to the plane");
@@ -132,15 +131,15 @@ void CheckOrder(Checks& check)
   bench.Mapper->CastRays(bench.Volume, origins, directions, hits);
   const int rays[] = { 0, 0, 2, 2 };
   const double isovalues[] = { 0.0, 0.2, 0.0, 0.0 };
-  const double places[] = { -0.5, -0.3, -0.3, 0.3 };
+  const double positions[] = { -0.5, -0.3, -0.3, 0.3 };
   check.Equal(hits->GetNumberOfPoints(), vtkIdType{ 4 }, "the number of hits");
   for (vtkIdType i = 0; i < std::min<vtkIdType>(4, hits->GetNumberOfPoints()); ++i)
   {
     vtkPointData* data = hits->GetPointData();
     check.Equal(static_cast<int>(data->GetArray("RayId")->GetTuple1(i)), rays[i], "the ray");
     check.Equal(data->GetArray("Isovalue")->GetTuple1(i), isovalues[i], "the isovalue");
-    check.Near(hits->GetPoint(i)[0], places[i], 5e-3, "the place of the hit");
-    check.Near(data->GetArray("T")->GetTuple1(i), 0.5 * (4.0 + places[i]), 2e-3, "its T");
+    check.Near(hits->GetPoint(i)[0], positions[i], 5e-3, "the position of the hit");
+    check.Near(data->GetArray("T")->GetTuple1(i), 0.5 * (4.0 + positions[i]), 2e-3, "its T");
   }
 }
 
@@ -177,10 +176,10 @@ void CheckLines(Checks& check)
   image->GetCellBounds(cell, bounds);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double place =
+    const double coordinate =
       bounds[2 * axis] + pcoords[axis] * (bounds[2 * axis + 1] - bounds[2 * axis]);
     const double position[3] = { 10.0, 20.0, 30.0 };
-    check.Near(position[axis] + 2.0 * place, x[axis], 1e-12, "cell and coordinates");
+    check.Near(position[axis] + 2.0 * coordinate, x[axis], 1e-12, "cell and coordinates");
   }
   const double before[3] = { 10.0, 15.0, 30.3 };
   check.Equal(bench.Mapper->IntersectWithLine(
@@ -247,7 +246,7 @@ void CheckErrors(Checks& check)
   check.That(!bench.Mapper->CastRays(bench.Volume, origins, directions, hits),
     "rays without directions are not cast");
   check.Equal(errors->Count, 1, "the number of errors");
-  check.That(errors->Text.find("3 components") != std::string::npos, "it says what is wanted");
+  check.That(errors->Text.find("3 components") != std::string::npos, "it says what is required");
   directions->SetNumberOfComponents(3);
   directions->InsertNextTuple3(0.0, 0.0, 0.0);
   check.That(bench.Mapper->CastRays(bench.Volume, origins, directions, hits), "a ray is cast");

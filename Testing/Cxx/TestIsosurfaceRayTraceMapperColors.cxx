@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Surfaces coloured by another array, of the input or of another image: every pixel has the colour
-// of its place.
+// of its position.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkDataArray> NewHeights(vtkImageData* image, int type, int comp
   return heights;
 }
 
-/// Compares the colours of all pixels with those of their places.
+/// Compares the colours of all pixels with those of their positions.
 void Compare(Checks& check, Scene& scene, const std::string& name, double tolerance)
 {
   vtkNew<vtkImageData> picture;
@@ -66,9 +66,9 @@ void Compare(Checks& check, Scene& scene, const std::string& name, double tolera
       continue;
     }
     ++hits;
-    AnalyticFields::Point place;
-    positions->GetTuple(i, place.data());
-    const double height = Height(place);
+    AnalyticFields::Point position;
+    positions->GetTuple(i, position.data());
+    const double height = Height(position);
     worst = std::max(worst, std::abs(colors->GetComponent(i, 0) - 255.0 * height));
     worst = std::max(worst, std::abs(colors->GetComponent(i, 1) - 255.0 * (1.0 - height)));
   }
@@ -113,7 +113,7 @@ void CheckSameImage(Checks& check)
   }
 }
 
-/// A coarser, larger image, turned: what counts is the place.
+/// A coarser, larger image, rotated: only the position counts.
 void CheckOtherImage(Checks& check)
 {
   const auto other = vtkSmartPointer<vtkImageData>::New();

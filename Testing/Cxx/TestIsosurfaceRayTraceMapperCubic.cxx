@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The tricubic interpolant: along every ray the hits are where the field of vtkImageInterpolator
-// crosses the isovalues; what is said of a pixel is that of the surface it shows; and surfaces and
-// normals are nearer to the fields that were sampled than those of the trilinear interpolant.
+// crosses the isovalues; the properties of a pixel are those of the surface it shows; and surfaces
+// and normals are nearer to the fields that were sampled than those of the trilinear interpolant.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -58,7 +58,7 @@ double Torus(const Point& p)
   return 0.22 - std::hypot(std::hypot(p[0], p[1]) - 0.55, p[2]);
 }
 
-/// The cubic field of an image, from VTK, which rounds places to 2^-16 of a cell.
+/// The cubic field of an image, from VTK, which rounds positions to 2^-16 of a cell.
 class CubicField
 {
 public:
@@ -96,7 +96,7 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/// The image with one more sample on every side, where the outermost go on in a straight line.
+/// The image with one more sample on every side, extrapolated linearly.
 vtkSmartPointer<vtkImageData> NewPadded(vtkImageData* image)
 {
   const int* dimensions = image->GetDimensions();
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkImageData> NewPadded(vtkImageData* image)
       for (int x = -1; x <= dimensions[0]; ++x)
       {
         // Along each axis the sample is a + (a - b), or a itself.
-        const int place[3] = { x, y, z };
+        const int index[3] = { x, y, z };
         double value = 0.0;
         for (int corner = 0; corner < 8; ++corner)
         {
@@ -121,11 +121,11 @@ vtkSmartPointer<vtkImageData> NewPadded(vtkImageData* image)
           for (int axis = 0; axis < 3; ++axis)
           {
             const int last = dimensions[axis] - 1;
-            const int nearest = std::clamp(place[axis], 0, last);
-            const bool isOutside = nearest != place[axis];
+            const int nearest = std::clamp(index[axis], 0, last);
+            const bool isOutside = nearest != index[axis];
             const bool isSecond = (corner >> axis & 1) != 0;
             weight *= isOutside ? (isSecond ? -1.0 : 2.0) : (isSecond ? 0.0 : 1.0);
-            sample[axis] = isSecond && isOutside ? nearest + nearest - place[axis] : nearest;
+            sample[axis] = isSecond && isOutside ? nearest + nearest - index[axis] : nearest;
           }
           value += weight * image->GetScalarComponentAsDouble(sample[0], sample[1], sample[2], 0);
         }
@@ -137,7 +137,7 @@ vtkSmartPointer<vtkImageData> NewPadded(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-/// Hits of rays through noise, against the field at many places of each ray.
+/// Hits of rays through noise, against the field at many points of each ray.
 void CheckRays(Checks& check)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
@@ -164,7 +164,7 @@ void CheckRays(Checks& check)
   constexpr int rays = 300;
   for (int i = 0; i < rays; ++i)
   {
-    // From without to without. Some through places where cells meet.
+    // From outside to outside. Some through points where cells meet.
     Point from = { uniform(-1.5, 1.5), uniform(-1.5, 1.5), -1.5 };
     Point to = { uniform(-1.0, 1.0), uniform(-1.0, 1.0), 1.5 };
     if (i % 3 == 0)
@@ -196,7 +196,7 @@ void CheckRays(Checks& check)
       found[static_cast<std::size_t>(get("RayId")->GetTuple1(i))][surface].push_back(
         get("T")->GetTuple1(i));
     }
-    int places = 0;
+    int points = 0;
     int wrong = 0;
     for (vtkIdType ray = 0; ray < rays; ++ray)
     {
@@ -223,22 +223,23 @@ void CheckRays(Checks& check)
           const bool startsInside = first >= isovalues[i];
           if (std::abs(value - isovalues[i]) > 2e-4)
           {
-            ++places;
+            ++points;
             wrong += (value >= isovalues[i]) != (startsInside == (before % 2 == 0)) ? 1 : 0;
           }
         }
       }
     }
     std::cout << (isCubic ? "Cubic" : "Trilinear") << ": " << hits->GetNumberOfPoints()
-              << " hits; at " << wrong << " of " << places
-              << " places a ray is not on the side of vtkImageInterpolator's field\n";
-    check.That(places > 1000000 && hits->GetNumberOfPoints() > 1000, "there is much to compare");
+              << " hits; at " << wrong << " of " << points
+              << " points a ray is not on the side of vtkImageInterpolator's field\n";
+    check.That(points > 1000000 && hits->GetNumberOfPoints() > 1000, "there is much to compare");
     check.That(isCubic ? wrong == 0 : wrong > 10000, "the hits are those of VTK's cubic field");
   }
 }
 
 //------------------------------------------------------------------------------
-/// Places on the isosurface of VTK's field, normals across it, the same by every way to ask.
+/// Points on the isosurface of VTK's field, normals perpendicular to it, the same from every
+/// interface.
 void CheckPixels(Checks& check)
 {
   const auto image = NewCube(14, Ripples);
@@ -251,27 +252,27 @@ void CheckPixels(Checks& check)
   int shown = 0;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); i += 3)
   {
-    Point place;
+    Point position;
     Point normal;
-    get("Position")->GetTuple(i, place.data());
+    get("Position")->GetTuple(i, position.data());
     get("Normals")->GetTuple(i, normal.data());
     const auto x = static_cast<double>(i % Size);
     const auto y = static_cast<double>(i / Size);
     const bool isPicked = picker->Pick(x, y, 0.0, scene.Renderer) != 0;
-    check.Equal(isPicked, !std::isnan(place[0]), "whether a pixel is picked");
+    check.Equal(isPicked, !std::isnan(position[0]), "whether a pixel is picked");
     if (!isPicked)
     {
       continue;
     }
     ++shown;
-    check.Near(field(place), 0.0, 2e-5, "the field at the place");
-    const Point gradient = field.GetGradient(place);
+    check.Near(field(position), 0.0, 2e-5, "the field at the position");
+    const Point gradient = field.GetGradient(position);
     const double length = std::hypot(gradient[0], gradient[1], gradient[2]);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       check.Near(normal[axis], -gradient[axis] / length, 5e-3, "the normal");
     }
-    check.That(std::equal(place.begin(), place.end(), picker->GetPickPosition()) &&
+    check.That(std::equal(position.begin(), position.end(), picker->GetPickPosition()) &&
         std::equal(normal.begin(), normal.end(), picker->GetPickNormal()),
       "the pick is the pixel");
     check.Equal(static_cast<double>(picker->GetCellId()), get("CellId")->GetTuple1(i), "the cell");
@@ -281,14 +282,14 @@ void CheckPixels(Checks& check)
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       check.Near(bounds[2 * axis] + pcoords[axis] * (bounds[2 * axis + 1] - bounds[2 * axis]),
-        place[axis], 1e-12, "the place in the cell");
+        position[axis], 1e-12, "the position in the cell");
     }
     Point inside;
     Point outside;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      inside[axis] = place[axis] - 1e-3 * normal[axis];
-      outside[axis] = place[axis] + 1e-3 * normal[axis];
+      inside[axis] = position[axis] - 1e-3 * normal[axis];
+      outside[axis] = position[axis] + 1e-3 * normal[axis];
     }
     double t;
     double point[3];
@@ -298,11 +299,11 @@ void CheckPixels(Checks& check)
     vtkIdType cell;
     check.Equal(scene.Mapper->IntersectWithLine(scene.Volume, outside.data(), inside.data(), t,
                   point, own, cell, isovalue, lineNormal),
-      1, "whether a line through the place meets the surface");
+      1, "whether a line through the position meets the surface");
     check.Near(t, 0.5, 1e-9, "the middle of the line");
     check.Equal(isovalue, 0.0, "the isovalue");
   }
-  check.That(shown > 3000, "the surface is seen");
+  check.That(shown > 3000, "the surface is visible");
 }
 
 //------------------------------------------------------------------------------
@@ -345,8 +346,8 @@ Errors GetErrors(const Field& field, int samples, double isovalue, int mode)
     const double cosine =
       -(gradient[0] * normal[0] + gradient[1] * normal[1] + gradient[2] * normal[2]) / length;
     const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / vtkMath::Pi();
-    const double place = (field(p) - isovalue) / length * 0.5 * (samples - 1);
-    errors.Crossing += place * place;
+    const double distance = (field(p) - isovalue) / length * 0.5 * (samples - 1);
+    errors.Crossing += distance * distance;
     errors.Normal += angle * angle;
     ++errors.Pixels;
   }
@@ -363,7 +364,7 @@ void CheckErrors(Checks& check)
     Field Function;
     int Samples;
     double Isovalue;
-    /// How much nearer the place must be.
+    /// How much nearer the position must be.
     double Factor;
   };
   const std::vector<Case> cases = {
@@ -378,18 +379,18 @@ void CheckErrors(Checks& check)
       GetErrors(one.Function, one.Samples, one.Isovalue, vtkIsosurfaceRayTraceMapper::TRILINEAR);
     const Errors cubic =
       GetErrors(one.Function, one.Samples, one.Isovalue, vtkIsosurfaceRayTraceMapper::CUBIC);
-    std::cout << one.Name << ", " << one.Samples << "^3: place " << trilinear.Crossing << " -> "
+    std::cout << one.Name << ", " << one.Samples << "^3: position " << trilinear.Crossing << " -> "
               << cubic.Crossing << " cells, normal " << trilinear.Normal << " -> " << cubic.Normal
               << " degrees (" << cubic.Pixels << " pixels)\n";
-    check.That(cubic.Pixels > 3000, one.Name + " is seen");
-    check.That(
-      one.Factor * cubic.Crossing < trilinear.Crossing, "the place of " + one.Name + " is better");
+    check.That(cubic.Pixels > 3000, one.Name + " is visible");
+    check.That(one.Factor * cubic.Crossing < trilinear.Crossing,
+      "the position of " + one.Name + " is better");
     check.That(cubic.Normal < trilinear.Normal, "the normal of " + one.Name + " is better");
   }
 }
 
 //------------------------------------------------------------------------------
-/// A smooth surface is not in its own way; another one keeps the light from it.
+/// A smooth surface does not occlude itself; another one occludes its light.
 void CheckShadows(Checks& check)
 {
   const Field torusAndBall = [](const Point& p)
@@ -434,7 +435,7 @@ void CheckUnevenSpacing(Checks& check)
       check.Near(normal[axis], p[axis] / radius, 1e-9, "the normal with uneven spacing");
     }
   }
-  check.That(shown > 3000, "the ball is seen");
+  check.That(shown > 3000, "the ball is visible");
 }
 
 //------------------------------------------------------------------------------

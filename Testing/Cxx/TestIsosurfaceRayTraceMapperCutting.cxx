@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Clipping planes, cropping regions and blanked cells: what is left is what is left of all hits
-// when those that are cut off are taken away, along every ray.
+// Clipping planes, cropping regions and blanked cells: the hits are those of the whole volume
+// without those that are cut off, along every ray.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -105,8 +105,8 @@ private:
   std::optional<RandomRays> Rays;
 };
 
-/// Compares the hits of a volume that is cut with those left of the whole one. Of every ray the
-/// first is left if surfaces are opaque. Rays on the edge of the cut are not asked.
+/// Compares the hits of a volume that is cut with the remaining ones of the whole volume. Of every
+/// ray the first remains if surfaces are opaque. Rays on the edge of the cut are ignored.
 void Compare(Checks& check, const std::vector<Hit>& actual, const std::vector<Hit>& whole,
   bool isOpaque, const Margin& margin, const std::string& name)
 {
@@ -155,9 +155,9 @@ void CheckCut(Checks& check, const std::vector<Hit>& whole,
   }
 }
 
-double Evaluate(vtkPlane* plane, Point place)
+double Evaluate(vtkPlane* plane, Point point)
 {
-  return plane->EvaluateFunction(place.data());
+  return plane->EvaluateFunction(point.data());
 }
 
 void CheckClipping(Checks& check)
@@ -247,13 +247,13 @@ void CheckCropping(Checks& check)
         imageFromWorld->MultiplyPoint(point, point);
         double index[3];
         image->TransformPhysicalPointToContinuousIndex(point, index);
-        Point place;
+        Point position;
         for (int axis = 0; axis < 3; ++axis)
         {
-          place[static_cast<std::size_t>(axis)] =
+          position[static_cast<std::size_t>(axis)] =
             image->GetOrigin()[axis] + image->GetSpacing()[axis] * index[axis];
         }
-        return GetCroppingMargin(place, planes, flag);
+        return GetCroppingMargin(position, planes, flag);
       },
       "cropping " + std::to_string(flag));
   }
@@ -306,7 +306,7 @@ void CheckBlanking(Checks& check)
     "hidden points besides");
 }
 
-/// An onion with a corner cropped off and a slice clipped off, to be looked at.
+/// An onion with a corner cropped off and a slice clipped off: a picture for people.
 void MakePicture(Scene& scene)
 {
   scene.SetSurface(0.0, { 0.9, 0.75, 0.5 }, 1.0);

@@ -48,7 +48,7 @@ void CheckOrders(Checks& check, Scene& scene)
     "the difference of a second frame");
 }
 
-/// Every pixel shows what is nearer, as depths drawn apart say.
+/// Every pixel shows what is nearer, by the depths of both drawn separately.
 void CheckNearest(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -67,7 +67,7 @@ void CheckNearest(Checks& check, vtkImageData* image)
   const Picture both = RenderAndCapture(scene.Window);
   const DepthPicture nearest(scene.Window, scene.Renderer);
   int wrong = 0;
-  int seen[2] = { 0, 0 };
+  int visible[2] = { 0, 0 };
   for (int y = 0; y < ball.GetHeight(); ++y)
   {
     for (int x = 0; x < ball.GetWidth(); ++x)
@@ -78,7 +78,7 @@ void CheckNearest(Checks& check, vtkImageData* image)
         continue; // Both empty, or too near to call.
       }
       const bool isBall = difference < 0.0;
-      ++seen[isBall ? 0 : 1];
+      ++visible[isBall ? 0 : 1];
       const std::size_t pixel = static_cast<std::size_t>(3 * (x + y * ball.GetWidth()));
       const double expected = std::min(ball.GetDepth(x, y), cones.GetDepth(x, y));
       wrong += both[pixel + (isBall ? 0 : 1)] == 255 && both[pixel + (isBall ? 1 : 0)] == 0 &&
@@ -87,8 +87,8 @@ void CheckNearest(Checks& check, vtkImageData* image)
         : 1;
     }
   }
-  std::cout << seen[0] << " pixels of the ball, " << seen[1] << " of the cone\n";
-  check.That(seen[0] > 1000 && seen[1] > 500, "both are to be seen");
+  std::cout << visible[0] << " pixels of the ball, " << visible[1] << " of the cone\n";
+  check.That(visible[0] > 1000 && visible[1] > 500, "both are visible");
   check.Equal(wrong, 0, "the number of pixels that show the wrong one");
 }
 
@@ -115,7 +115,7 @@ void CheckTwoVolumes(Checks& check, vtkImageData* image)
     "the difference when the other volume is drawn first");
 }
 
-/// A surface that one sees through leaves no depth.
+/// A translucent surface leaves no depth.
 void CheckTranslucent(Checks& check, vtkImageData* image)
 {
   Scene scene(image);

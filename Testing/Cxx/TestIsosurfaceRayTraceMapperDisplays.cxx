@@ -97,7 +97,7 @@ void CheckScaledPictures(Checks& check, vtkImageData* image)
   }
 }
 
-/// Copies the picture of a quarter to its place.
+/// Copies the picture of a quarter to its position.
 void Insert(const Picture& quarter, int width, int height, int column, int row, Picture& whole)
 {
   for (int y = 0; y < height; ++y)
@@ -158,7 +158,7 @@ void CheckScaledStereo(Checks& check, vtkImageData* image)
     "a stereo picture of tiles is that of its polygons");
 }
 
-/// In a hurry both eyes see pixels of the same size, which one eye alone has, too.
+/// While interacting, both eyes have pixels of the same size, which is that of a single eye.
 void CheckHurry(Checks& check, vtkImageData* image)
 {
   for (const int type :
@@ -178,7 +178,7 @@ void CheckHurry(Checks& check, vtkImageData* image)
           static_cast<vtkIsosurfaceRayTraceMapper*>(mapper)->GetImageSampleDistance()));
       });
     scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, note);
-    // Before the first frame nothing is known of its time.
+    // Before the first frame its time is unknown.
     scene.Window->SetDesiredUpdateRate(100000.0);
     scene.Window->Render();
     scene.Window->Render();

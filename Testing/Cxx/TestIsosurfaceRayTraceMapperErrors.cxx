@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What cannot be drawn: one error with the remedy, nothing drawn, nothing broken.
+// What cannot be drawn: one error with the remedy, nothing drawn, and no lasting effect.
 
 #include "Checks.h"
 #include "Pictures.h"
@@ -201,7 +201,7 @@ int TestIsosurfaceRayTraceMapperErrors(int, char*[])
     CheckFault(check, fault, scene, image, good, empty);
   }
 
-  // VTK itself passes over a volume that reaches to infinity; a direct call says what is wrong.
+  // VTK itself skips a volume that reaches to infinity; a direct call reports the problem.
   vtkNew<EventCounter> infinityErrors;
   const unsigned long observer = scene.Mapper->AddObserver(vtkCommand::ErrorEvent, infinityErrors);
   image->SetOrigin(std::numeric_limits<double>::infinity(), 0.0, 0.0);
@@ -211,7 +211,7 @@ int TestIsosurfaceRayTraceMapperErrors(int, char*[])
   scene.Mapper->RemoveObserver(observer);
   image->SetOrigin(-1.0, -1.0, -1.0);
 
-  // Without an input VTK does not ask the mapper to draw; a direct call says what is missing.
+  // Without an input VTK does not call the mapper; a direct call reports what is missing.
   vtkNew<EventCounter> errors;
   vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
   mapper->AddObserver(vtkCommand::ErrorEvent, errors);

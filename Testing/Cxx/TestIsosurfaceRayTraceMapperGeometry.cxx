@@ -27,7 +27,7 @@ double Lump(const AnalyticFields::Point& p)
   return std::max({ large(p), small(p), tiny(p) });
 }
 
-/// Samples a field of the world where the points of the image come to lie in it.
+/// Samples a field of the world at the points of the image.
 void Sample(vtkImageData* image, vtkVolume* volume)
 {
   vtkNew<vtkDoubleArray> scalars;

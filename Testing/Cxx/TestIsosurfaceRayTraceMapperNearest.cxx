@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Samples as boxes: the picture is that of the outer polygons of the boxes that vtkThreshold keeps,
-// and what is said of a pixel is that of the face it shows.
+// and the properties of a pixel are those of the face it shows.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -125,7 +125,7 @@ void CheckPolygons(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// Positions in the planes of faces, normals across them, the same by every way to ask.
+/// Positions in the planes of faces, normals perpendicular to them, the same from every interface.
 void CheckPixels(Checks& check)
 {
   const auto image = NewCube(17, Blob);
@@ -134,7 +134,7 @@ void CheckPixels(Checks& check)
   const vtkSmartPointer<vtkImageData> picture = scene.RenderToImage();
   const auto get = [&picture](const char* name) { return picture->GetPointData()->GetArray(name); };
   vtkNew<vtkIsosurfacePicker> picker;
-  std::set<vtkIdType> insideSeen;
+  std::set<vtkIdType> insideVisible;
   auto* samples = image->GetPointData()->GetScalars();
   vtkNew<vtkPoints> origins;
   origins->SetDataTypeToDouble();
@@ -143,14 +143,14 @@ void CheckPixels(Checks& check)
   int shown = 0;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    Point place;
+    Point position;
     Point normal;
-    get("Position")->GetTuple(i, place.data());
+    get("Position")->GetTuple(i, position.data());
     get("Normals")->GetTuple(i, normal.data());
     const auto x = static_cast<unsigned int>(i % Size);
     const auto y = static_cast<unsigned int>(i / Size);
     const bool isPicked = picker->Pick(x, y, 0.0, scene.Renderer) != 0;
-    check.Equal(isPicked, !std::isnan(place[0]), "whether a pixel is picked");
+    check.Equal(isPicked, !std::isnan(position[0]), "whether a pixel is picked");
     if (!isPicked)
     {
       continue;
@@ -164,20 +164,20 @@ void CheckPixels(Checks& check)
     double pcoords[3];
     picker->GetPCoords(pcoords);
     check.Equal(pcoords[axis], 0.5, "the parametric coordinate across the face");
-    check.That(std::equal(place.begin(), place.end(), picker->GetPickPosition()) &&
+    check.That(std::equal(position.begin(), position.end(), picker->GetPickPosition()) &&
         std::equal(normal.begin(), normal.end(), picker->GetPickNormal()),
       "the pick is the pixel");
     check.Equal(static_cast<double>(picker->GetCellId()), get("CellId")->GetTuple1(i), "the cell");
     // Half a cell on both sides of the face there are a sample inside, selected, and one outside.
-    Point inside = place;
+    Point inside = position;
     inside[axis] -= 0.0625 * normal[axis];
-    Point outside = place;
+    Point outside = position;
     outside[axis] += 0.0625 * normal[axis];
     const vtkIdType sample = image->FindPoint(inside.data());
     check.That(samples->GetTuple1(sample) >= 0.0 &&
         samples->GetTuple1(image->FindPoint(outside.data())) < 0.0,
       "the face is between samples inside and outside");
-    insideSeen.insert(sample);
+    insideVisible.insert(sample);
 
     double t;
     double point[3];
@@ -192,10 +192,11 @@ void CheckPixels(Checks& check)
     const double direction[3] = { -normal[0], -normal[1], -normal[2] };
     directions->InsertNextTuple(direction);
   }
-  check.That(shown > 1000, "faces are seen");
+  check.That(shown > 1000, "faces are visible");
   const std::set<vtkIdType> selected =
     Select(scene.Renderer, scene.Volume, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  check.That(selected == insideSeen, "the points selected are the samples inside that are seen");
+  check.That(
+    selected == insideVisible, "the points selected are the samples inside that are visible");
   vtkNew<vtkPolyData> hits;
   scene.Mapper->CastRays(scene.Volume, origins, directions, hits);
   int first = 0;
@@ -212,7 +213,7 @@ void CheckPixels(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// A box is not in its own way; a box above another keeps the light from it.
+/// A box does not occlude itself; a box above another occludes its light.
 void CheckShadows(Checks& check)
 {
   const auto box = [](const Point& p) {

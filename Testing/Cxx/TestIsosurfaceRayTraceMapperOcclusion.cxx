@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ambient occlusion of a floor by a ball above it, pixel by pixel, beside the known part of the sky
-// that a ball takes.
+// Ambient occlusion of a floor by a ball above it, pixel by pixel, compared with the exact part of
+// the hemisphere that a ball occludes.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -33,10 +33,11 @@ double Field(const Point& p)
   return std::max(Ground - p[2], Radius - std::hypot(p[0], p[1], p[2] - Ground - Height));
 }
 
-/// Of the sky over a place of the floor, by the cosine, all that a ball wholly above it leaves.
-double GetOpenness(const Point& place)
+/// The part of the hemisphere over a point of the floor, weighted by the cosine, that a ball wholly
+/// above it does not occlude.
+double GetOpenness(const Point& position)
 {
-  const double distance = std::hypot(place[0], place[1], Height);
+  const double distance = std::hypot(position[0], position[1], Height);
   return 1.0 - Radius * Radius * Height / (distance * distance * distance);
 }
 
@@ -77,13 +78,13 @@ std::array<double, 2> Compare(Scene& scene, const std::function<double(const Poi
   int count = 0;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    Point place;
-    data->GetArray("Position")->GetTuple(i, place.data());
-    if (!(std::abs(place[2] - Ground) < 1e-6))
+    Point position;
+    data->GetArray("Position")->GetTuple(i, position.data());
+    if (!(std::abs(position[2] - Ground) < 1e-6))
     {
       continue;
     }
-    const double difference = data->GetArray("Colors")->GetTuple(i)[0] / 255.0 - openness(place);
+    const double difference = data->GetArray("Colors")->GetTuple(i)[0] / 255.0 - openness(position);
     sum += difference;
     largest = std::max(largest, std::abs(difference));
     ++count;
@@ -91,7 +92,7 @@ std::array<double, 2> Compare(Scene& scene, const std::function<double(const Poi
   return { count > 3000 ? sum / count : 1.0, largest };
 }
 
-/// On a grid whose planes stand at uneven distances the sky is that of the world.
+/// On a grid whose planes are unevenly spaced the hemisphere is that of the world.
 void CheckUneven(Checks& check)
 {
   Scene scene(NewUnevenGrid(), Size, Size);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Maximum and minimum intensity: the values are those of geometry, the pictures those of VTK's ray
-// casters with many samples, and whatever else is said of a pixel belongs to its value.
+// casters with many samples, and all other properties of a pixel belong to its value.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -97,24 +97,24 @@ void CheckValues(Checks& check)
   int inside = 0;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    Point place;
-    picture->GetPointData()->GetArray("Position")->GetTuple(i, place.data());
-    if (std::isnan(place[0]) || Fog(place) < 0.1)
+    Point position;
+    picture->GetPointData()->GetArray("Position")->GetTuple(i, position.data());
+    if (std::isnan(position[0]) || Fog(position) < 0.1)
     {
       continue; // nothing, or where rays are cut by the border of the cube
     }
     ++inside;
-    check.Near(GetValue(picture, "Value", i), Fog(place), 2e-3, "the value at its place");
-    // The place nearest to the middle sees it at a right angle.
+    check.Near(GetValue(picture, "Value", i), Fog(position), 2e-3, "the value at its position");
+    // The point nearest to the middle sees it at a right angle.
     Point toEye;
-    vtkMath::Subtract(eye, place.data(), toEye.data());
+    vtkMath::Subtract(eye, position.data(), toEye.data());
     vtkMath::Normalize(toEye.data());
-    check.Near(vtkMath::Dot(toEye, place), 0.0, 0.02, "how much nearer the ray comes elsewhere");
-    double clip[4] = { place[0], place[1], place[2], 1.0 };
+    check.Near(vtkMath::Dot(toEye, position), 0.0, 0.02, "how much nearer the ray comes elsewhere");
+    double clip[4] = { position[0], position[1], position[2], 1.0 };
     scene.Renderer->GetActiveCamera()
       ->GetCompositeProjectionTransformMatrix(1.0, 0.0, 1.0)
       ->MultiplyPoint(clip, clip);
-    check.Near(GetValue(picture, "Depth", i), clip[2] / clip[3], 1e-6, "the depth of the place");
+    check.Near(GetValue(picture, "Depth", i), clip[2] / clip[3], 1e-6, "the depth of the position");
   }
   check.That(inside > 4000, "there is fog to see");
   check.That(!picture->GetPointData()->HasArray("IsovalueId"), "there are no isovalues");
@@ -140,7 +140,7 @@ void CheckMinimum(Checks& check)
 
 //------------------------------------------------------------------------------
 /// VTK's ray casters with so many samples that they find nearly the same values. The one that
-/// computes in 15 bits is at a loss where values are steep.
+/// computes in 15 bits is inaccurate where values are steep.
 void CheckAgainstRayCasters(Checks& check, const std::string& name, vtkImageData* image,
   const std::function<void(vtkVolumeMapper*)>& setUp, vtkActor* actor = nullptr)
 {
@@ -177,7 +177,7 @@ void CheckAgainstRayCasters(Checks& check, const std::string& name, vtkImageData
   compare(fixedPoint, 16, 0.01);
 
   scene.Volume->VisibilityOff();
-  check.That(GetDifference(RenderAndCapture(scene.Window), ours, 16) > 0.1, name + " is seen");
+  check.That(GetDifference(RenderAndCapture(scene.Window), ours, 16) > 0.1, name + " is visible");
 }
 
 void CheckAgainstRayCasters(Checks& check)
@@ -238,21 +238,21 @@ void CheckPixels(Checks& check)
       wrong += std::abs(color[channel] - window[3 * static_cast<std::size_t>(i) + channel]) > 1.0;
     }
     const double value = GetValue(picture, "Value", i);
-    const bool isSeen = !std::isnan(value) && color[3] > 0.0;
-    passedOver += !std::isnan(value) && !isSeen ? 1 : 0;
+    const bool isVisible = !std::isnan(value) && color[3] > 0.0;
+    passedOver += !std::isnan(value) && !isVisible ? 1 : 0;
     const int isPicked = picker->Pick(x, y, 0.0, scene.Renderer);
-    check.Equal(isPicked != 0, isSeen, "whether pixel " + std::to_string(i) + " is picked");
+    check.Equal(isPicked != 0, isVisible, "whether pixel " + std::to_string(i) + " is picked");
     const unsigned int position[2] = { static_cast<unsigned int>(x), static_cast<unsigned int>(y) };
     const auto selected = selector->GetPixelInformation(position, 0);
-    check.Equal(selected.Valid, isSeen, "whether pixel " + std::to_string(i) + " is selected");
-    if (isSeen)
+    check.Equal(selected.Valid, isVisible, "whether pixel " + std::to_string(i) + " is selected");
+    if (isVisible)
     {
       ++picked;
-      Point place;
-      picture->GetPointData()->GetArray("Position")->GetTuple(i, place.data());
+      Point hit;
+      picture->GetPointData()->GetArray("Position")->GetTuple(i, hit.data());
       check.Equal(picker->GetIsovalue(), value, "the value picked");
-      check.That(std::equal(place.begin(), place.end(), picker->GetPickPosition()),
-        "its place is picked to the last bit");
+      check.That(std::equal(hit.begin(), hit.end(), picker->GetPickPosition()),
+        "its position is picked to the last bit");
       check.Equal(static_cast<double>(picker->GetCellId()), GetValue(picture, "CellId", i),
         "the cell picked");
       check.Equal(static_cast<double>(selected.AttributeID), GetValue(picture, "CellId", i),
@@ -278,7 +278,7 @@ void CheckPixels(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-/// A picture that is given up leaves what there was, and the next is whole.
+/// An aborted picture leaves the previous result, and the next is complete.
 void CheckAbort(Checks& check)
 {
   ProjectedScene scene(NewCube(33, Head));
@@ -348,12 +348,12 @@ void CheckCells(Checks& check)
       }
       ++shown;
       check.Near(value, GetValue(ofCentres, "Value", i), 1e-12, "the value of cells");
-      double place[3];
-      picture->GetPointData()->GetArray("Position")->GetTuple(i, place);
+      double position[3];
+      picture->GetPointData()->GetArray("Position")->GetTuple(i, position);
       int sub;
       double pcoords[3];
       double weights[8];
-      const vtkIdType cell = cells->FindCell(place, nullptr, 0, 0.0, sub, pcoords, weights);
+      const vtkIdType cell = cells->FindCell(position, nullptr, 0, 0.0, sub, pcoords, weights);
       inOtherCells += cell != static_cast<vtkIdType>(GetValue(picture, "CellId", i)) ? 1 : 0;
     }
     check.That(shown > 8000, "there are values of cells");
@@ -394,10 +394,11 @@ void CheckCasting(Checks& check)
       {
         if (!std::isnan(GetValue(picture, "Value", i)))
         {
-          double place[3];
-          picture->GetPointData()->GetArray("Position")->GetTuple(i, place);
+          double position[3];
+          picture->GetPointData()->GetArray("Position")->GetTuple(i, position);
           origins->InsertNextPoint(eye);
-          directions->InsertNextTuple3(place[0] - eye[0], place[1] - eye[1], place[2] - eye[2]);
+          directions->InsertNextTuple3(
+            position[0] - eye[0], position[1] - eye[1], position[2] - eye[2]);
           pixels.push_back(i);
         }
       }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rectilinear grids: their surfaces are those of VTK's own interpolant, wherever their planes
-// stand, and all that is said of images is said of them.
+// Rectilinear grids: their surfaces are those of VTK's own interpolant, whatever the spacing of
+// their planes, and everything that holds for images holds for them.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -44,53 +44,53 @@ namespace
 {
 
 constexpr int Size = 120;
-using Places = std::vector<double>;
+using Coordinates = std::vector<double>;
 using Field = std::function<double(const AnalyticFields::Point&)>;
 
-Places Even(int count, double low = -1.0, double high = 1.0)
+Coordinates Even(int count, double low = -1.0, double high = 1.0)
 {
-  Places places;
+  Coordinates coordinates;
   for (int i = 0; i < count; ++i)
   {
-    places.push_back(low + (high - low) * i / (count - 1));
+    coordinates.push_back(low + (high - low) * i / (count - 1));
   }
-  return places;
+  return coordinates;
 }
 
 /// From -1 to 1, with steps that differ from each other by up to so many times.
-Places Uneven(int count, double ratio)
+Coordinates Uneven(int count, double ratio)
 {
-  Places places = { 0.0 };
+  Coordinates coordinates = { 0.0 };
   for (int i = 1; i < count; ++i)
   {
-    places.push_back(places.back() + std::pow(ratio, 0.5 + 0.5 * std::sin(2.3 * i)));
+    coordinates.push_back(coordinates.back() + std::pow(ratio, 0.5 + 0.5 * std::sin(2.3 * i)));
   }
-  const double length = places.back();
-  for (double& place : places)
+  const double length = coordinates.back();
+  for (double& coordinate : coordinates)
   {
-    place = 2.0 * place / length - 1.0;
+    coordinate = 2.0 * coordinate / length - 1.0;
   }
-  return places;
+  return coordinates;
 }
 
 /// From -1 to 1, with steps that grow.
-Places Growing(int count)
+Coordinates Growing(int count)
 {
-  Places places = Even(count, 0.0, 1.0);
-  std::for_each(
-    places.begin(), places.end(), [](double& place) { place = 2.0 * place * place - 1.0; });
-  return places;
+  Coordinates coordinates = Even(count, 0.0, 1.0);
+  std::for_each(coordinates.begin(), coordinates.end(),
+    [](double& coordinate) { coordinate = 2.0 * coordinate * coordinate - 1.0; });
+  return coordinates;
 }
 
-std::array<Places, 3> UnevenAxes()
+std::array<Coordinates, 3> UnevenAxes()
 {
   return { Uneven(31, 5.0), Uneven(27, 20.0), Uneven(40, 8.0) };
 }
 
-Places Reversed(Places places)
+Coordinates Reversed(Coordinates coordinates)
 {
-  std::reverse(places.begin(), places.end());
-  return places;
+  std::reverse(coordinates.begin(), coordinates.end());
+  return coordinates;
 }
 
 /// A ball of which the value falls with the square of the distance, a bit dented.
@@ -121,14 +121,14 @@ void CheckEvenGrids(Checks& check)
       return RenderAndCapture(scene.Window);
     };
     const Picture expected = draw(image);
-    const Places even = Even(33);
+    const Coordinates even = Even(33);
     check.Equal(GetDifference(draw(NewGrid({ even, even, even }, Dent)), expected, 0), 0.0,
       "the difference between a grid and an image");
     check.Equal(
       GetDifference(draw(NewGrid({ Reversed(even), even, Reversed(even) }, Dent)), expected, 1),
       0.0, "the difference with coordinates that fall");
-    // Their rounding leaves these uneven by a hair.
-    const Places odd = Even(34);
+    // Rounding leaves these slightly uneven.
+    const Coordinates odd = Even(34);
     const auto image34 = NewCube(34, Dent);
     check.That(
       GetDifference(draw(NewGrid({ odd, odd, odd }, Dent, VTK_FLOAT)), draw(image34), 1) < 1e-3,
@@ -157,7 +157,7 @@ vtkSmartPointer<vtkPolyData> Cast(Scene& scene, double scale = 1.0)
   return RandomRays({ 0.0, 0.0, 0.0 }, scale, 4000).Cast(scene.Mapper, scene.Volume);
 }
 
-/// Every hit is where VTK's cells have the isovalue, and is told as VTK would.
+/// Every hit is where VTK's cells have the isovalue, and has the ids and coordinates of VTK.
 void CheckInterpolant(
   Checks& check, vtkRectilinearGrid* grid, double scale, double tolerance, const std::string& name)
 {
@@ -169,7 +169,7 @@ void CheckInterpolant(
   const auto hits = Cast(scene, scale);
   vtkNew<vtkIdList> ids;
   double worstValue = 0.0;
-  double worstPlace = 0.0;
+  double worstPosition = 0.0;
   int otherCells = 0;
   for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
   {
@@ -183,18 +183,19 @@ void CheckInterpolant(
     double weights[8];
     vtkVoxel::InterpolationFunctions(parametric, weights);
     double value = 0.0;
-    double place[3] = { 0.0, 0.0, 0.0 };
+    double position[3] = { 0.0, 0.0, 0.0 };
     for (int corner = 0; corner < 8; ++corner)
     {
       value += weights[corner] * scalars->GetComponent(ids->GetId(corner), 0);
       const double* point = grid->GetPoint(ids->GetId(corner));
       for (int axis = 0; axis < 3; ++axis)
       {
-        place[axis] += weights[corner] * point[axis];
+        position[axis] += weights[corner] * point[axis];
       }
     }
     worstValue = std::max(worstValue, std::abs(value - 0.1));
-    worstPlace = std::max(worstPlace, std::sqrt(vtkMath::Distance2BetweenPoints(place, x)) / scale);
+    worstPosition =
+      std::max(worstPosition, std::sqrt(vtkMath::Distance2BetweenPoints(position, x)) / scale);
     if (ascends)
     {
       // VTK finds the cell by itself, and the same value in it.
@@ -217,18 +218,18 @@ void CheckInterpolant(
   }
   check.That(hits->GetNumberOfPoints() > 2000, "thousands of hits " + name);
   check.Near(worstValue, 0.0, tolerance, "the worst value of a hit " + name);
-  check.Near(worstPlace, 0.0, tolerance, "the worst place of a hit " + name);
+  check.Near(worstPosition, 0.0, tolerance, "the worst position of a hit " + name);
   check.That(otherCells <= 2, "the cells are those that VTK finds " + name);
 }
 
 void CheckInterpolants(Checks& check)
 {
-  const std::array<Places, 3> axes = UnevenAxes();
+  const std::array<Coordinates, 3> axes = UnevenAxes();
   CheckInterpolant(check, NewGrid(axes, Dent), 1.0, 1e-12, "of doubles");
   CheckInterpolant(check, NewGrid(axes, Dent, VTK_FLOAT), 1.0, 1e-12, "of floats");
   CheckInterpolant(check, NewGrid({ Reversed(axes[0]), axes[1], Reversed(axes[2]) }, Dent), 1.0,
     1e-12, "with coordinates that fall");
-  std::array<Places, 3> whole;
+  std::array<Coordinates, 3> whole;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int i = -6; i <= 6; ++i)
@@ -240,10 +241,11 @@ void CheckInterpolants(Checks& check)
     check, NewGrid(whole, Scaled(Dent, 54.0), VTK_INT), 54.0, 1e-12, "of whole numbers");
   const auto tiny = [&axes](double scale)
   {
-    std::array<Places, 3> scaled = axes;
-    for (Places& places : scaled)
+    std::array<Coordinates, 3> scaled = axes;
+    for (Coordinates& coordinates : scaled)
     {
-      std::for_each(places.begin(), places.end(), [scale](double& place) { place *= scale; });
+      std::for_each(coordinates.begin(), coordinates.end(),
+        [scale](double& coordinate) { coordinate *= scale; });
     }
     return NewGrid(scaled, Scaled(Dent, scale));
   };
@@ -278,8 +280,9 @@ void CheckCells(Checks& check)
     {
       const double inCell =
         hits->GetPointData()->GetArray("ParametricCoordinates")->GetComponent(i, axis);
-      const double place = bounds[2 * axis] + inCell * (bounds[2 * axis + 1] - bounds[2 * axis]);
-      worst = std::max(worst, std::abs(place - x[static_cast<std::size_t>(axis)]));
+      const double coordinate =
+        bounds[2 * axis] + inCell * (bounds[2 * axis + 1] - bounds[2 * axis]);
+      worst = std::max(worst, std::abs(coordinate - x[static_cast<std::size_t>(axis)]));
       check.That(inCell >= 0.0 && inCell <= 1.0, "coordinates are in the cell");
     }
   }
@@ -360,10 +363,10 @@ void CheckCuttingAndPicking(Checks& check)
     scene.SetSurface(0.1, { 0.9, 0.6, 0.3 }, 0.01);
     const auto all = Cast(scene);
     scene.Mapper->CroppingOn();
-    const auto seen = Cast(scene);
+    const auto visible = Cast(scene);
     vtkNew<vtkMatrix4x4> toData;
     vtkMatrix4x4::Invert(scene.Volume->GetMatrix(), toData);
-    const auto isSeen = [&](const double x[3])
+    const auto isVisible = [&](const double x[3])
     {
       double p[4] = { x[0], x[1], x[2], 1.0 };
       toData->MultiplyPoint(p, p);
@@ -380,9 +383,9 @@ void CheckCuttingAndPicking(Checks& check)
     for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
     {
       check.That(plane->EvaluateFunction(all->GetPoint(i)) > -1e-12, "hits are before the plane");
-      expected += isSeen(all->GetPoint(i)) ? 1 : 0;
+      expected += isVisible(all->GetPoint(i)) ? 1 : 0;
     }
-    check.Equal(seen->GetNumberOfPoints(), expected, "the number of hits in regions");
+    check.Equal(visible->GetNumberOfPoints(), expected, "the number of hits in regions");
     check.That(expected > 100 && expected < all->GetNumberOfPoints() - 100, "some are cropped");
   }
 
@@ -432,13 +435,13 @@ void CheckCuttingAndPicking(Checks& check)
   check.Equal(wrong, 0, "the number of pixels picked wrong");
   check.Near(worst, 0.0, 1e-12, "cell and coordinates of what is picked");
 
-  std::set<vtkIdType> seen;
+  std::set<vtkIdType> visible;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    seen.insert(
+    visible.insert(
       static_cast<vtkIdType>(picture->GetPointData()->GetArray("CellId")->GetComponent(i, 0)));
   }
-  seen.erase(-1);
+  visible.erase(-1);
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(scene.Renderer);
   selector->SetArea(0, 0, Size - 1, Size - 1);
@@ -449,8 +452,8 @@ void CheckCuttingAndPicking(Checks& check)
     : nullptr;
   check.That(list &&
       std::set<vtkIdType>(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples()) ==
-        seen,
-    "the cells selected are those seen");
+        visible,
+    "the cells selected are those visible");
 }
 
 //------------------------------------------------------------------------------
@@ -509,7 +512,7 @@ void CheckLook(Checks& check)
   }
 }
 
-/// Passes of VTK are told of the same places.
+/// Render passes of VTK get the same positions.
 void CheckRenderPass(Checks& check)
 {
   const auto draw = [](vtkDataObject* data, bool occluded)
@@ -560,7 +563,7 @@ void CheckHiddenCells(Checks& check)
   check.Equal(after->GetNumberOfPoints(), expected, "the number of hits in cells not hidden");
 }
 
-/// An array of the grid, and an image with a lattice of its own, are found by place.
+/// An array of the grid, and an image with a lattice of its own, are evaluated at the position.
 void CheckColors(Checks& check)
 {
   const auto height = [](const AnalyticFields::Point& p) { return 0.5 + 0.3 * p[2] + 0.15 * p[0]; };
@@ -604,7 +607,8 @@ void CheckColors(Checks& check)
 /// Where coordinates repeat and values differ, VTK draws a wall; so do we.
 void CheckWalls(Checks& check)
 {
-  const auto grid = NewGrid({ Places{ 0.0, 1.0, 2.0, 2.0, 3.0, 4.0 }, Even(5), Even(5) }, Dent);
+  const auto grid =
+    NewGrid({ Coordinates{ 0.0, 1.0, 2.0, 2.0, 3.0, 4.0 }, Even(5), Even(5) }, Dent);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
     grid->GetPointData()->GetScalars()->SetComponent(i, 0, i % 6 < 3 ? -1.0 : 1.0);
@@ -628,7 +632,7 @@ void CheckWalls(Checks& check)
                 scene.Volume, from, to, t, x, parametric, cell, isovalue, normal),
     1, "the wall is hit");
   check.That(bounds[0] == 2.0 && bounds[1] == 2.0, "VTK's wall stands at 2");
-  check.Near(x[0], 2.0, 1e-15, "the place of the wall");
+  check.Near(x[0], 2.0, 1e-15, "the position of the wall");
   check.Near(normal[0], -1.0, 1e-15, "the normal of the wall");
   check.Equal(cell % 5, vtkIdType{ 2 }, "the flat cell");
 }
@@ -654,7 +658,7 @@ void CheckErrors(Checks& check)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const Places even = Even(5);
+  const Coordinates even = Even(5);
   const auto expect = [&check](vtkRectilinearGrid* grid, const std::string& text)
   {
     Scene scene(grid);
@@ -677,9 +681,10 @@ void CheckErrors(Checks& check)
   };
   expect(NewGrid({ even, { -1.0, -0.5, nan, 0.5, 1.0 }, even }, Dent), "y coordinates");
   expect(NewGrid({ even, even, { -1.0, -0.5, 0.0, 0.5, infinity } }, Dent), "z coordinates");
-  expect(NewGrid({ Places{ -1.0, 0.5, 0.0, 0.7, 1.0 }, even, even }, Dent),
+  expect(NewGrid({ Coordinates{ -1.0, 0.5, 0.0, 0.7, 1.0 }, even, even }, Dent),
     "not in order: 0.5 (number 1) is followed by 0");
-  expect(NewGrid({ Places{ 1.0, 1.0, 1.0 }, even, even }, Dent), "the last must not be the first");
+  expect(NewGrid({ Coordinates{ 1.0, 1.0, 1.0 }, even, even }, Dent),
+    "the last must differ from the first");
   expect(NewGrid({ even, even, { 0.0 } }, Dent), "5 x 5 x 1 points");
   const auto few = NewGrid({ even, even, even }, Dent);
   few->SetXCoordinates(NewCoordinates(Even(4), VTK_DOUBLE));

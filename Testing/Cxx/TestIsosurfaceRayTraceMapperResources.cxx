@@ -59,7 +59,7 @@ void CheckWindows(Checks& check, vtkImageData* image)
 void CheckEvents(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
-  // Only the calling thread tells of progress; of several threads it may get hardly a tile.
+  // Only the calling thread reports progress; of several threads it may get hardly a tile.
   scene.Mapper->SetNumberOfThreads(1);
   vtkNew<EventCounter> starts;
   vtkNew<EventCounter> steps;
@@ -83,7 +83,7 @@ void CheckAbort(Checks& check, vtkImageData* image)
   scene.Volume->VisibilityOn();
   vtkNew<EventCounter> steps;
   scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, steps);
-  // A tile may be the whole picture: what is asked after is a group of rays in it.
+  // A tile may be the whole picture: abort is checked after each packet of rays in it.
   for (const int size : { 8, 4096 })
   {
     scene.Mapper->SetTileSize(size, size);
@@ -98,7 +98,7 @@ void CheckAbort(Checks& check, vtkImageData* image)
   }
 }
 
-/// The volume hides from a selection what it hides from the eye.
+/// The volume hides from a selection what it hides in the picture.
 void CheckSelection(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -121,7 +121,7 @@ void CheckSelection(Checks& check, vtkImageData* image)
     "the difference after a selection");
 }
 
-/// Depth peeling of polygons goes well beside the volume.
+/// Depth peeling of polygons works beside the volume.
 void CheckDepthPeeling(Checks& check, vtkImageData* image)
 {
   Scene scene(image);

@@ -14,7 +14,7 @@ using namespace MapperTesting;
 namespace
 {
 
-/// Sets a distance between rays that stays.
+/// Sets a fixed distance between rays.
 void SetDistance(Scene& scene, double distance)
 {
   scene.Mapper->AutoAdjustSampleDistancesOff();
@@ -116,9 +116,9 @@ void CheckOccluder(Checks& check)
       const double surface = surfaceDepths.GetDepth(x, y);
       const double middle = sphereDepths.GetDepth(
         x / distance * distance + distance / 2, y / distance * distance + distance / 2);
-      const bool isSeen = surface < middle && surface < sphereDepths.GetDepth(x, y);
-      cut += surface < sphereDepths.GetDepth(x, y) && !isSeen ? 1 : 0;
-      const Picture& expected = isSeen || sphereDepths.IsEmpty(x, y) ? ofSurface : ofSphere;
+      const bool isVisible = surface < middle && surface < sphereDepths.GetDepth(x, y);
+      cut += surface < sphereDepths.GetDepth(x, y) && !isVisible ? 1 : 0;
+      const Picture& expected = isVisible || sphereDepths.IsEmpty(x, y) ? ofSurface : ofSphere;
       const auto here = static_cast<std::size_t>(3 * (x + y * 200));
       for (std::size_t channel = here; channel < here + 3; ++channel)
       {
@@ -198,7 +198,7 @@ void CheckSmooth(Checks& check)
   check.Near(softSum / hardSum, 1.0, 0.003, "the area of the ball");
 }
 
-/// In a hurry pictures become coarse, and fine again when there is time.
+/// While interacting, pictures become coarse, and fine again when the scene is still.
 void CheckHurry(Checks& check)
 {
   Scene scene(NewBall(65, 0.7), 300, 300);
@@ -206,7 +206,7 @@ void CheckHurry(Checks& check)
   check.Equal(scene.Mapper->GetImageSampleDistance(), 1.0F, "the distance when there is time");
   scene.Window->SetDesiredUpdateRate(100000.0);
   scene.Window->Render();
-  check.Equal(scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance in a great hurry");
+  check.Equal(scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance while interacting");
   scene.Mapper->SetMaximumImageSampleDistance(3.0F);
   scene.Window->Render();
   check.Equal(scene.Mapper->GetImageSampleDistance(), 3.0F, "the largest distance allowed");
@@ -220,7 +220,7 @@ void CheckHurry(Checks& check)
   scene.Window->SetDesiredUpdateRate(100000.0);
   SetDistance(scene, 1.0);
   check.Equal(GetDifference(RenderAndCapture(scene.Window), still, 0), 0.0,
-    "the difference of a picture in a hurry with the distance held");
+    "the difference of a picture while interacting with the distance held");
 }
 
 }

@@ -168,7 +168,7 @@ void CheckVectors(Checks& check, const Picture& expected)
     "the difference with a component by its number");
   many->FillComponent(6, 0.0);
   many->Modified();
-  check.That(GetDifference(RenderAndCapture(scene.Window), expected, 0) > 0.0, "it is read anew");
+  check.That(GetDifference(RenderAndCapture(scene.Window), expected, 0) > 0.0, "it is read again");
 
   for (const int type : { VTK_SHORT, VTK_FLOAT, VTK_INT })
   {
@@ -217,13 +217,13 @@ void CheckCells(Checks& check, const Picture& expected)
     const double p1[3] = { x, y, 3.0 };
     const double p2[3] = { x + 0.1, y - 0.2, -3.0 };
     double t;
-    double place[3];
+    double position[3];
     double inCell[3];
     vtkIdType cell;
     double isovalue;
     double normal[3];
     if (scene.Mapper->IntersectWithLine(
-          scene.Volume, p1, p2, t, place, inCell, cell, isovalue, normal) == 0)
+          scene.Volume, p1, p2, t, position, inCell, cell, isovalue, normal) == 0)
     {
       continue;
     }
@@ -233,7 +233,7 @@ void CheckCells(Checks& check, const Picture& expected)
     for (int axis = 0; axis < 3; ++axis)
     {
       check.That(inCell[axis] >= 0.0 && inCell[axis] <= 1.0, "the coordinates are in the cell");
-      check.Near(bounds[2 * axis] + inCell[axis] * spacing, place[axis], 1e-12,
+      check.Near(bounds[2 * axis] + inCell[axis] * spacing, position[axis], 1e-12,
         "cell and coordinates of a hit");
     }
   }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shadows of a small ball on a large one, pixel by pixel, where geometry says they are; and no
-// others.
+// Shadows of a small ball on a large one, pixel by pixel, where geometry puts them; and no others.
 
 #include "AnalyticFields.h"
 #include "Checks.h"
@@ -72,8 +71,8 @@ void Compare(Checks& check, vtkImageData* image, vtkLight* light, const std::str
     {
       continue;
     }
-    Point place;
-    data->GetArray("Position")->GetTuple(i, place.data());
+    Point position;
+    data->GetArray("Position")->GetTuple(i, position.data());
     Point normal;
     data->GetArray("Normals")->GetTuple(i, normal.data());
     Point direction;
@@ -81,17 +80,18 @@ void Compare(Checks& check, vtkImageData* image, vtkLight* light, const std::str
     vtkMath::Subtract(light->GetPosition(), light->GetFocalPoint(), direction.data());
     if (light->GetPositional())
     {
-      vtkMath::Subtract(light->GetPosition(), place.data(), direction.data());
+      vtkMath::Subtract(light->GetPosition(), position.data(), direction.data());
       length = vtkMath::Norm(direction.data());
     }
     vtkMath::Normalize(direction.data());
     const bool isOnSmall = std::sqrt(vtkMath::Distance2BetweenPoints(
-                             place.data(), SmallCenter.data())) < SmallRadius + 0.05;
+                             position.data(), SmallCenter.data())) < SmallRadius + 0.05;
     const double distance = isOnSmall
-      ? GetDistance(place, direction, length, LargeCenter, LargeRadius)
-      : GetDistance(place, direction, length, SmallCenter, SmallRadius);
+      ? GetDistance(position, direction, length, LargeCenter, LargeRadius)
+      : GetDistance(position, direction, length, SmallCenter, SmallRadius);
     Point toEye;
-    vtkMath::Subtract(scene.Renderer->GetActiveCamera()->GetPosition(), place.data(), toEye.data());
+    vtkMath::Subtract(
+      scene.Renderer->GetActiveCamera()->GetPosition(), position.data(), toEye.data());
     // At the silhouette a smooth normal may look away, and is turned round.
     if (vtkMath::Dot(normal, direction) < 0.15 || vtkMath::Dot(normal, toEye) < 0.1 ||
       std::abs(distance) < 0.03)
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkLight> NewLamp(const Point& position)
   return lamp;
 }
 
-/// What is translucent lets a share of the light through.
+/// A translucent surface transmits a part of the light.
 void CheckTranslucent(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -142,14 +142,15 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
   vtkPointData* data = picture[0]->GetPointData();
   for (vtkIdType i = 0; i < picture[0]->GetNumberOfPoints(); ++i)
   {
-    Point place;
-    data->GetArray("Position")->GetTuple(i, place.data());
-    const double fromAxis = std::hypot(place[0] - SmallCenter[0], place[1] - SmallCenter[1]);
+    Point position;
+    data->GetArray("Position")->GetTuple(i, position.data());
+    const double fromAxis = std::hypot(position[0] - SmallCenter[0], position[1] - SmallCenter[1]);
     const double before = data->GetArray("Colors")->GetComponent(i, 0);
     const double after = picture[1]->GetPointData()->GetArray("Colors")->GetComponent(i, 0);
     // The near side of the large ball, below the small one. (Its far side is lit through a wall of
     // its own.)
-    if (!(place[2] > 0.0 && place[2] < 0.35 && fromAxis < SmallRadius - 0.03) || before < 40.0)
+    if (!(position[2] > 0.0 && position[2] < 0.35 && fromAxis < SmallRadius - 0.03) ||
+      before < 40.0)
     {
       continue;
     }

@@ -80,7 +80,7 @@ int TestIsosurfaceRayTraceMapperSurfaces(int argc, char* argv[])
   scene.AddSurface(0.3, Blue, 1.0);
   CheckCenter(check, scene, Over(Red, 0.25, Over(Green, 0.5, Blue)), "an opaque ball within two");
 
-  // The same in another order, twice over, and with one that cannot be seen.
+  // The same in another order, repeated, and with one that is invisible.
   vtkContourValues* isovalues = scene.Property()->GetIsoSurfaceValues();
   scene.Property()->GetScalarOpacity()->AddPoint(-0.2, 0.0);
   const double jumbled[] = { 0.3, 0.0, -0.2, 0.2, 0.0, 0.3, std::nan("") };
@@ -113,7 +113,7 @@ int TestIsosurfaceRayTraceMapperSurfaces(int argc, char* argv[])
   scene.Property()->SetColor(gray);
   CheckCenter(check, scene, { 0.6, 0.6, 0.6 }, "a gray surface");
 
-  // No isovalue, or none that the data reaches: nothing, and no word.
+  // No isovalue, or none in the range of the data: nothing is drawn, and nothing reported.
   vtkNew<EventCounter> errors;
   scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   isovalues->SetNumberOfContours(0);

@@ -66,7 +66,7 @@ vtkSmartPointer<vtkFlyingEdges3D> NewContour(vtkImageData* image, double isovalu
   return contour;
 }
 
-/// Volumes, each with the actors that take its place.
+/// Volumes, each with the actors that replace it.
 struct Stage
 {
   Stage()
@@ -107,7 +107,7 @@ struct Stage
     this->AddPolygons(NewContour(image, isovalue), color)->GetProperty()->SetOpacity(opacity);
   }
 
-  /// Polygons in place of the last volume.
+  /// Polygons instead of the last volume.
   vtkActor* AddPolygons(vtkAlgorithm* source, const std::array<double, 3>& color)
   {
     const auto actor = NewColoredActor(source, color.data());
@@ -183,11 +183,11 @@ void AddRegions(vtkImageData* image, int flags, vtkAppendPolyData* append)
     {
       continue;
     }
-    const int place[3] = { region % 3, region / 3 % 3, region / 9 };
+    const int index[3] = { region % 3, region / 3 % 3, region / 9 };
     vtkNew<vtkExtractVOI> extract;
     extract->SetInputData(image);
-    extract->SetVOI(Planes[place[0]], Planes[place[0] + 1], Planes[place[1]], Planes[place[1] + 1],
-      Planes[place[2]], Planes[place[2] + 1]);
+    extract->SetVOI(Planes[index[0]], Planes[index[0] + 1], Planes[index[1]], Planes[index[1] + 1],
+      Planes[index[2]], Planes[index[2] + 1]);
     extract->Update();
     const auto contour = NewContour(extract->GetOutput(), 0.0);
     contour->Update();
@@ -449,7 +449,7 @@ void PositionalLights(Checks& check)
   stage.Renderer->AutomaticLightCreationOff();
   stage.Renderer->AddLight(light);
   stage.Renderer->ResetCamera();
-  check.That(stage.Compare("TestGPURayCastPositionalLights") < Enough, "a lamp with a place");
+  check.That(stage.Compare("TestGPURayCastPositionalLights") < Enough, "a positional lamp");
 }
 
 void ModelTransform(Checks& check)

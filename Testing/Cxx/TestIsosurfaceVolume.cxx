@@ -56,7 +56,7 @@ vtkSmartPointer<vtkActor> NewScreen(double y, const std::array<double, 3>& color
   return actor;
 }
 
-/// A ball in a vtkIsosurfaceVolume, and polygons of the same ball to put in its place.
+/// A ball in a vtkIsosurfaceVolume, and polygons of the same ball to replace it.
 struct BallScene : Scene
 {
   explicit BallScene(vtkImageData* image)
@@ -71,7 +71,7 @@ struct BallScene : Scene
     this->Polygons = NewSphere(Radius, { 0.0, 0.0, 0.0 }, 300);
     this->Polygons->GetProperty()->SetColor(0.9, 0.8, 0.7);
     this->Show(this->Isosurface);
-    // Both scenes have the bounds of the volume: vtkEDLShading looks at them.
+    // Both scenes have the bounds of the volume, which vtkEDLShading uses.
     this->Renderer->AddActor(NewActor(vtkNew<vtkOutlineSource>()));
   }
 
@@ -243,7 +243,7 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
     "the difference of a translucent one in a framebuffer");
 }
 
-/// VTK cannot peel it, and says so once; what else there is, is drawn.
+/// VTK cannot peel it, and reports so once; everything else is drawn.
 void CheckPeeling(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
@@ -300,7 +300,7 @@ void CheckOpacity(Checks& check, vtkImageData* image)
   check.That(!volume->HasOpaqueGeometry(), "the second component");
 }
 
-/// A copy of one is one: it draws the same, in the same place among translucent polygons; and a
+/// A copy of one is one: it draws the same, in the same order among translucent polygons; and a
 /// vtkVolume can be made of it.
 void CheckCopy(Checks& check, vtkImageData* image)
 {

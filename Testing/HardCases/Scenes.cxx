@@ -56,10 +56,10 @@ Tracer::Tracer(const Field& field, const ImageSettings& settings, ScalarType typ
 RayHits Tracer::Cast(
   const std::vector<Line>& lines, double isovalue, RootSolver solver, Reach reach, int threads)
 {
-  TraceRequest wanted;
-  wanted.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
-  wanted.Solver = solver;
-  this->Traced->Select(wanted, { threads });
+  TraceRequest request;
+  request.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
+  request.Solver = solver;
+  this->Traced->Select(request, { threads });
   std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
   for (const Line& line : lines)
   {

@@ -27,21 +27,21 @@ using vtkIsosurfaceRayTracing::RootSolver;
 using vtkIsosurfaceRayTracing::ScalarType;
 using vtkIsosurfaceRayTracing::TraceRequest;
 
-/// Which hits of a ray are asked for.
+/// Which hits of a ray are requested.
 enum class Reach
 {
   First,
   All
 };
 
-/// A field, made ready for rays.
+/// A field, ready to be traced.
 class Tracer
 {
 public:
   explicit Tracer(
     const Field& field, const ImageSettings& settings = {}, ScalarType type = ScalarType::Float64);
 
-  /// The hits of every line. All: with a surface so transparent that the ray goes on and on.
+  /// The hits of every line. All: with a surface so transparent that the ray never ends at it.
   RayHits Cast(const std::vector<Line>& lines, double isovalue,
     RootSolver solver = RootSolver::Robust, Reach reach = Reach::All, int threads = 1);
 
@@ -86,7 +86,7 @@ std::vector<Line> RandomLines(
 /// Whether two sets of hits are the same, to the last bit.
 bool IsSame(const RayHits& a, const RayHits& b);
 
-/// Whether the long form of the tests is wanted (environment variable HARD_CASES_LONG).
+/// Whether the long form of the tests is requested (environment variable HARD_CASES_LONG).
 bool IsLongRun();
 
 }

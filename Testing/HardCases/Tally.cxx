@@ -21,7 +21,7 @@ using Oracle::Piece;
 using Oracle::Quad;
 
 constexpr char TableHead[] =
-  "| case | rays | hits | misses | inventions | p99 dt | max dt | max angle | note |\n"
+  "| case | rays | hits | misses | false hits | p99 dt | max dt | max angle | note |\n"
   "|---|---|---|---|---|---|---|---|---|\n";
 
 std::string ToString(double value)
@@ -34,11 +34,11 @@ std::string ToString(double value)
 }
 
 //------------------------------------------------------------------------------
-/// A hit, seen from the exact line.
-struct Tally::Placed
+/// A hit, located on the exact line.
+struct Tally::LocatedHit
 {
   Quad T;
-  /// How far the point of the hit is beside the line, and how far its T is off its point.
+  /// The distance of the point of the hit from the line, and of its T from its point.
   double Beside;
   bool Entering;
   Index Cell;
@@ -46,7 +46,7 @@ struct Tally::Placed
 };
 
 //------------------------------------------------------------------------------
-/// A part of the line between two places that are clearly on one side of the surface.
+/// A part of the line between two points that are clearly on one side of the surface each.
 struct Tally::Interval
 {
   Quad Begin;
@@ -54,39 +54,39 @@ struct Tally::Interval
   /// Whether they are on different sides, and the second is inside.
   bool Crosses;
   bool Entering;
-  /// Whether the interpolant comes to the isovalue between them as near as rounding reaches.
+  /// Whether the interpolant comes as near to the isovalue between them as rounding can move it.
   bool InBand;
-  /// Whether one of the two places is missing: the line begins or ends in the band.
+  /// Whether one of the two points is missing: the line begins or ends in the band.
   bool IsOpen;
   /// The pieces it is made of; a crossing out of the band is in the last.
   std::size_t FirstPiece;
   std::size_t LastPiece;
-  std::vector<Placed> Hits;
+  std::vector<LocatedHit> Hits;
 
-  /// How well a hit belongs here; 0 if not at all. Slack is what the place of a hit may be off.
-  int GetRank(const Placed& placed, const Quad& slack) const
+  /// How well a hit fits in here; 0 if not at all. Slack is the tolerance of its position.
+  int GetRank(const LocatedHit& located, const Quad& slack) const
   {
-    if (placed.T < this->Begin - slack || placed.T > this->End + slack)
+    if (located.T < this->Begin - slack || located.T > this->End + slack)
     {
       return 0;
     }
-    const bool isWithin = placed.T >= this->Begin && placed.T <= this->End;
-    const bool isFree = this->Crosses && this->Entering == placed.Entering && this->Hits.empty();
+    const bool isWithin = located.T >= this->Begin && located.T <= this->End;
+    const bool isFree = this->Crosses && this->Entering == located.Entering && this->Hits.empty();
     return (isWithin ? 3 : 1) + (isFree ? 2 : (this->InBand ? 1 : 0));
   }
 };
 
-struct Tally::Question
+struct Tally::Context
 {
   const Field& TheField;
   double Isovalue;
   const Line& TheLine;
-  const Promise& Promised;
+  const Guarantee& Guaranteed;
   Tracer& TheTracer;
 };
 
 //------------------------------------------------------------------------------
-Tally::Placed Tally::Crossing(const Tracer& tracer, const Line& line, const Hit& hit)
+Tally::LocatedHit Tally::Crossing(const Tracer& tracer, const Line& line, const Hit& hit)
 {
   const Index cell = tracer.GetCell(hit);
   Oracle::QuadTriple way;
@@ -108,54 +108,54 @@ Tally::Placed Tally::Crossing(const Tracer& tracer, const Line& line, const Hit&
     const Quad off = way[axis] - t * static_cast<Quad>(line.Direction[axis]);
     beside = std::max(beside, std::abs(static_cast<double>(off)));
   }
-  // A double far away has no more digits than this.
+  // A double of this magnitude has no more digits.
   const double digits = std::abs(hit.T) * length * 0x1p-51;
   const double tOff = std::abs(static_cast<double>((hit.T - t) * length));
   return { t, std::max(beside, tOff - digits), hit.Entering, cell, &hit };
 }
 
 //------------------------------------------------------------------------------
-double Tally::Distance(const Question& question, const Placed& placed, const Quad& root)
+double Tally::Distance(const Context& context, const LocatedHit& located, const Quad& root)
 {
   const auto along = static_cast<double>(
-    Oracle::Absolute(placed.T - root) * Oracle::Length(question.TheLine.Direction));
-  return std::max(along, placed.Beside);
+    Oracle::Absolute(located.T - root) * Oracle::Length(context.TheLine.Direction));
+  return std::max(along, located.Beside);
 }
 
 //------------------------------------------------------------------------------
-bool Tally::IsNear(const Question& question, const Placed& placed, const Quad& root)
+bool Tally::IsNear(const Context& context, const LocatedHit& located, const Quad& root)
 {
-  return Distance(question, placed, root) <= question.Promised.Accuracy;
+  return Distance(context, located, root) <= context.Guaranteed.Accuracy;
 }
 
 //------------------------------------------------------------------------------
-/// Whether rounding of the size of the band moves a root by no more than the accuracy promised.
-bool Tally::IsWellConditioned(const Question& question, const Index& cell, const Quad& root)
+/// Whether rounding of the size of the band moves a root by no more than the guaranteed accuracy.
+bool Tally::IsWellConditioned(const Context& context, const Index& cell, const Quad& root)
 {
   const Quad slope = Oracle::Absolute(
-    Oracle::SlopeAt(question.TheField, question.Isovalue, question.TheLine, cell, root));
-  return question.Promised.Band <= question.Promised.Accuracy * slope;
+    Oracle::SlopeAt(context.TheField, context.Isovalue, context.TheLine, cell, root));
+  return context.Guaranteed.Band <= context.Guaranteed.Accuracy * slope;
 }
 
 //------------------------------------------------------------------------------
 /// Whether the interpolant is so close to the isovalue at a hit that rounding explains it.
-bool Tally::IsExplained(const Question& question, const Placed& placed)
+bool Tally::IsExplained(const Context& context, const LocatedHit& located)
 {
   const Quad residual = Oracle::Absolute(
-    Oracle::ValueAt(question.TheField, question.Isovalue, question.TheLine, placed.Cell, placed.T));
-  return residual <= question.Promised.Band && placed.Beside <= question.Promised.Accuracy;
+    Oracle::ValueAt(context.TheField, context.Isovalue, context.TheLine, located.Cell, located.T));
+  return residual <= context.Guaranteed.Band && located.Beside <= context.Guaranteed.Accuracy;
 }
 
 //------------------------------------------------------------------------------
-bool Tally::IsNearRoot(const Question& question, const std::vector<Piece>& pieces,
-  const Interval& interval, const Placed& placed)
+bool Tally::IsNearRoot(const Context& context, const std::vector<Piece>& pieces,
+  const Interval& interval, const LocatedHit& located)
 {
   for (std::size_t i = interval.FirstPiece; i <= interval.LastPiece; ++i)
   {
     const bool crosses = (pieces[i].AtBegin >= 0) != (pieces[i].AtEnd >= 0);
     if (crosses &&
-      IsNear(question, placed,
-        Oracle::FindCrossing(question.TheField, question.Isovalue, question.TheLine, pieces[i])))
+      IsNear(context, located,
+        Oracle::FindCrossing(context.TheField, context.Isovalue, context.TheLine, pieces[i])))
     {
       return true;
     }
@@ -164,7 +164,7 @@ bool Tally::IsNearRoot(const Question& question, const std::vector<Piece>& piece
 }
 
 //------------------------------------------------------------------------------
-Promise RobustPromise(const Index& dimensions)
+Guarantee RobustGuarantee(const Index& dimensions)
 {
   const int longest = *std::max_element(dimensions.begin(), dimensions.end());
   return { RootSolver::Robust, (32.0 + 16.0 * longest) * 0x1p-53, 1e-9, 1e-6 };
@@ -177,35 +177,35 @@ Tally::Tally(std::string name)
 }
 
 //------------------------------------------------------------------------------
-void Tally::Try(
+void Tally::Check(
   const Field& field, double isovalue, const std::vector<Line>& lines, ScalarType type)
 {
   Tracer tracer(field, {}, type);
-  this->Judge(
-    field, isovalue, lines, tracer.Cast(lines, isovalue), RobustPromise(field.Dimensions), tracer);
+  this->CheckHits(field, isovalue, lines, tracer.Cast(lines, isovalue),
+    RobustGuarantee(field.Dimensions), tracer);
 }
 
 //------------------------------------------------------------------------------
-void Tally::Judge(const Field& field, double isovalue, const std::vector<Line>& lines,
-  const RayHits& hits, const Promise& promise, Tracer& tracer)
+void Tally::CheckHits(const Field& field, double isovalue, const std::vector<Line>& lines,
+  const RayHits& hits, const Guarantee& guarantee, Tracer& tracer)
 {
-  this->Expect(promise);
+  this->Expect(guarantee);
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    this->JudgeLine(field, isovalue, lines[i], hits.Hits.data() + hits.First[i],
-      hits.Hits.data() + hits.First[i + 1], promise, tracer);
+    this->CheckLine(field, isovalue, lines[i], hits.Hits.data() + hits.First[i],
+      hits.Hits.data() + hits.First[i + 1], guarantee, tracer);
   }
   this->Rays += lines.size();
   this->Hits += hits.Hits.size();
 }
 
 //------------------------------------------------------------------------------
-void Tally::Count(std::size_t rays, std::size_t hits, std::size_t misses, std::size_t inventions)
+void Tally::Count(std::size_t rays, std::size_t hits, std::size_t misses, std::size_t falseHits)
 {
   this->Rays += rays;
   this->Hits += hits;
   this->Misses += misses;
-  this->Inventions += inventions;
+  this->FalseHits += falseHits;
 }
 
 //------------------------------------------------------------------------------
@@ -279,17 +279,17 @@ std::vector<Tally::Interval> Tally::FindIntervals(
 }
 
 //------------------------------------------------------------------------------
-void Tally::JudgeLine(const Field& field, double isovalue, const Line& line, const Hit* first,
-  const Hit* last, const Promise& promise, Tracer& tracer)
+void Tally::CheckLine(const Field& field, double isovalue, const Line& line, const Hit* first,
+  const Hit* last, const Guarantee& guarantee, Tracer& tracer)
 {
   const std::vector<Piece> pieces = Oracle::FindPieces(field, isovalue, line);
-  std::vector<Interval> intervals = this->FindIntervals(pieces, promise.Band);
-  const Quad slack = promise.Accuracy / Oracle::Length(line.Direction);
+  std::vector<Interval> intervals = this->FindIntervals(pieces, guarantee.Band);
+  const Quad slack = guarantee.Accuracy / Oracle::Length(line.Direction);
   std::size_t from = 0; // intervals and hits are in order
   for (const Hit* hit = first; hit != last; ++hit)
   {
-    const Placed placed = Crossing(tracer, line, *hit);
-    while (from < intervals.size() && placed.T > intervals[from].End + 4 * slack)
+    const LocatedHit located = Crossing(tracer, line, *hit);
+    while (from < intervals.size() && located.T > intervals[from].End + 4 * slack)
     {
       ++from;
     }
@@ -298,11 +298,11 @@ void Tally::JudgeLine(const Field& field, double isovalue, const Line& line, con
     for (std::size_t i = from; i < intervals.size(); ++i)
     {
       Interval& interval = intervals[i];
-      if (placed.T < interval.Begin - slack)
+      if (located.T < interval.Begin - slack)
       {
         break;
       }
-      const int rank = interval.GetRank(placed, slack);
+      const int rank = interval.GetRank(located, slack);
       if (rank > rankOfBest)
       {
         rankOfBest = rank;
@@ -311,58 +311,58 @@ void Tally::JudgeLine(const Field& field, double isovalue, const Line& line, con
     }
     if (best)
     {
-      best->Hits.push_back(placed);
+      best->Hits.push_back(located);
       continue;
     }
-    ++this->Inventions;
-    this->Complain("invention", isovalue, line, placed.T);
+    ++this->FalseHits;
+    this->PrintFailure("false hit", isovalue, line, located.T);
   }
 
   bool isInBand = false;
   for (const Interval& interval : intervals)
   {
     isInBand = isInBand || interval.InBand;
-    this->Measure({ field, isovalue, line, promise, tracer }, pieces, interval);
+    this->Measure({ field, isovalue, line, guarantee, tracer }, pieces, interval);
   }
   this->InBandRays += isInBand ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
 void Tally::Measure(
-  const Question& question, const std::vector<Piece>& pieces, const Interval& interval)
+  const Context& context, const std::vector<Piece>& pieces, const Interval& interval)
 {
-  const auto complain = [this, &question](const char* what, const Quad& t)
-  { this->Complain(what, question.Isovalue, question.TheLine, t); };
+  const auto printFailure = [this, &context](const char* what, const Quad& t)
+  { this->PrintFailure(what, context.Isovalue, context.TheLine, t); };
   const std::size_t count = interval.Hits.size();
   if (interval.Crosses && count == 0)
   {
     ++this->Misses;
-    complain("miss", interval.Begin);
+    printFailure("miss", interval.Begin);
     return;
   }
   if (!interval.IsOpen && (count % 2 == 1) != interval.Crosses)
   {
-    ++this->Inventions;
-    complain("wrong parity", interval.Begin);
+    ++this->FalseHits;
+    printFailure("wrong parity", interval.Begin);
     return;
   }
   if (!interval.InBand && count == 1)
   {
-    this->MeasureRoot(question, pieces[interval.LastPiece], interval.Hits[0]);
+    this->MeasureRoot(context, pieces[interval.LastPiece], interval.Hits[0]);
     return;
   }
   // Near a triple root there is no extremum, and yet rounding makes three crossings of one: a hit
   // that is one of several must be explained by the band.
   this->InBandHits += count;
-  for (const Placed& placed : interval.Hits)
+  for (const LocatedHit& located : interval.Hits)
   {
-    if (!IsExplained(question, placed) && !IsNearRoot(question, pieces, interval, placed))
+    if (!IsExplained(context, located) && !IsNearRoot(context, pieces, interval, located))
     {
       ++this->Unexplained;
-      complain("unexplained in the band", placed.T);
+      printFailure("unexplained in the band", located.T);
     }
   }
-  // What is clear must be found, whatever happens beside it.
+  // Clear crossings must be found, whatever happens beside them.
   for (std::size_t i = interval.FirstPiece; i <= interval.LastPiece; ++i)
   {
     const Piece& piece = pieces[i];
@@ -371,63 +371,63 @@ void Tally::Measure(
       continue;
     }
     const Quad root =
-      Oracle::FindCrossing(question.TheField, question.Isovalue, question.TheLine, piece);
+      Oracle::FindCrossing(context.TheField, context.Isovalue, context.TheLine, piece);
     // Where two cells meet in the band at an angle, roots on both sides of the face may vanish.
-    const double length = Oracle::Length(question.TheLine.Direction);
+    const double length = Oracle::Length(context.TheLine.Direction);
     const double apart =
       static_cast<double>(std::min(root - piece.Begin, piece.End - root)) * length;
     const bool isWithin = root > interval.Begin && root < interval.End;
-    const bool isApart = isWithin && apart > 2.0 * question.Promised.Accuracy;
-    if (isApart && !interval.IsOpen && IsWellConditioned(question, piece.Cell, root) &&
+    const bool isApart = isWithin && apart > 2.0 * context.Guaranteed.Accuracy;
+    if (isApart && !interval.IsOpen && IsWellConditioned(context, piece.Cell, root) &&
       std::none_of(interval.Hits.begin(), interval.Hits.end(),
-        [&](const Placed& placed) { return IsNear(question, placed, root); }))
+        [&](const LocatedHit& located) { return IsNear(context, located, root); }))
     {
       ++this->Misses;
-      complain("miss in the band", root);
+      printFailure("miss in the band", root);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void Tally::MeasureRoot(const Question& question, const Piece& piece, const Placed& placed)
+void Tally::MeasureRoot(const Context& context, const Piece& piece, const LocatedHit& located)
 {
-  const Field& field = question.TheField;
-  const Line& line = question.TheLine;
-  const Quad root = Oracle::FindCrossing(field, question.Isovalue, line, piece);
-  const double error = Distance(question, placed, root);
-  if (!IsWellConditioned(question, piece.Cell, root))
+  const Field& field = context.TheField;
+  const Line& line = context.TheLine;
+  const Quad root = Oracle::FindCrossing(field, context.Isovalue, line, piece);
+  const double error = Distance(context, located, root);
+  if (!IsWellConditioned(context, piece.Cell, root))
   {
     ++this->IllConditioned;
     this->LargestIllConditionedError = std::max(this->LargestIllConditionedError, error);
-    if (!IsExplained(question, placed))
+    if (!IsExplained(context, located))
     {
       ++this->Unexplained;
-      this->Complain("unexplained", question.Isovalue, line, root);
+      this->PrintFailure("unexplained", context.Isovalue, line, root);
     }
     return;
   }
   this->Errors.push_back(error);
-  if (error > question.Promised.Accuracy)
+  if (error > context.Guaranteed.Accuracy)
   {
-    this->Complain("inaccurate", question.Isovalue, line, root);
+    this->PrintFailure("inaccurate", context.Isovalue, line, root);
   }
   if (!this->AreNormalsChecked)
   {
     return;
   }
-  const auto exact = Oracle::GradientAt(field, question.Isovalue, line, placed.Cell, root);
+  const auto exact = Oracle::GradientAt(field, context.Isovalue, line, located.Cell, root);
   if (Oracle::Absolute(exact[0]) + Oracle::Absolute(exact[1]) + Oracle::Absolute(exact[2]) > 1e-2)
   {
-    const Triple claimed = question.TheTracer.GetField().GetGradient(
-      *placed.TheHit, vtkIsosurfaceRayTracing::NormalMode::InterpolantGradient);
-    this->LargestAngle = std::max(this->LargestAngle, Oracle::AngleBetween(claimed, exact));
+    const Triple found = context.TheTracer.GetField().GetGradient(
+      *located.TheHit, vtkIsosurfaceRayTracing::NormalMode::InterpolantGradient);
+    this->LargestAngle = std::max(this->LargestAngle, Oracle::AngleBetween(found, exact));
   }
 }
 
 //------------------------------------------------------------------------------
-void Tally::Complain(const char* what, double isovalue, const Line& line, const Quad& t)
+void Tally::PrintFailure(const char* what, double isovalue, const Line& line, const Quad& t)
 {
-  if (++this->Complaints > 3)
+  if (++this->Failures > 3)
   {
     return;
   }
@@ -445,7 +445,7 @@ void Tally::Report()
   const double largest = count == 0 ? 0.0 : this->Errors.back();
   std::ostringstream row;
   row << "| " << this->Name << " | " << this->Rays << " | " << this->Hits << " | " << this->Misses
-      << " | " << this->Inventions << " | " << (count ? ToString(p99) : "-") << " | "
+      << " | " << this->FalseHits << " | " << (count ? ToString(p99) : "-") << " | "
       << (count ? ToString(largest) : "-") << " | "
       << (this->LargestAngle > 0.0 ? ToString(this->LargestAngle) : "-") << " | ";
   if (this->InBandRays > 0)
@@ -466,7 +466,7 @@ void Tally::Report()
     std::ofstream(path, std::ios::app) << (isNew ? TableHead : "") << row.str();
   }
   EXPECT_EQ(this->Misses, 0U) << this->Name;
-  EXPECT_EQ(this->Inventions, 0U) << this->Name;
+  EXPECT_EQ(this->FalseHits, 0U) << this->Name;
   EXPECT_EQ(this->Unexplained, 0U) << this->Name;
   EXPECT_LE(largest, this->Accuracy) << this->Name;
   EXPECT_LE(this->LargestAngle, this->Normal) << this->Name;

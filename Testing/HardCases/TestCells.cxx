@@ -58,7 +58,7 @@ TEST(TestCells, RandomCorners)
   {
     const Field field = RandomField(random, { 5, 6, 7 });
     const auto lines = RandomLines(random, field.Dimensions, 40);
-    tally.Try(field, random.Uniform(-0.8, 0.8), lines);
+    tally.Check(field, random.Uniform(-0.8, 0.8), lines);
   }
   tally.Report();
 }
@@ -84,8 +84,8 @@ TEST(TestCells, TangentRays)
       const double offset = size * std::pow(10.0, -k);
       for (const double isovalue : { turn - offset, turn + offset })
       {
-        k <= 6 ? far.Try(field, isovalue, { line })
-               : (k <= 12 ? near : nearest).Try(field, isovalue, { line });
+        k <= 6 ? far.Check(field, isovalue, { line })
+               : (k <= 12 ? near : nearest).Check(field, isovalue, { line });
       }
     }
   }
@@ -107,8 +107,8 @@ TEST(TestCells, TangentRaysWithoutCrossing)
     const auto square = [p, q](int x, int y, int)
     { return double((x == 0 ? p : -q) * (y == 0 ? p : -q)); };
     const Line line = { { -0.5, -0.5, random.Uniform(0.0, 1.0) }, { 1.0, 1.0, 0.0 } };
-    above.Try(Sample(OneCell, square), 0.0, { line });
-    below.Try(
+    above.Check(Sample(OneCell, square), 0.0, { line });
+    below.Check(
       Sample(OneCell, [&square](int x, int y, int z) { return -square(x, y, z); }), 0.0, { line });
   }
   above.Report();
@@ -117,7 +117,7 @@ TEST(TestCells, TangentRaysWithoutCrossing)
 
 TEST(TestCells, TangentThenCrossing)
 {
-  // A square as above, times a third factor: the hit is the crossing, never the touch.
+  // A square as above, times a third factor: the hit is the crossing, never the tangency.
   RandomNumbers random(22);
   Tally tally("touching, and crossing elsewhere, integers (Robust)");
   for (int i = 0; i < 10000; ++i)
@@ -129,7 +129,7 @@ TEST(TestCells, TangentThenCrossing)
     const Field field = Sample(OneCell,
       [p, q, r, s](int x, int y, int z)
       { return (x == 0 ? p : -q) * (y == 0 ? p : -q) * (z == 0 ? r : -s); });
-    tally.Try(field, 0.0, { Diagonal });
+    tally.Check(field, 0.0, { Diagonal });
   }
   tally.Report();
 }
@@ -145,7 +145,7 @@ TEST(TestCells, ThreeRootsInOneCell)
     const double other = random.Integer(0, 1) == 0 ? gap : random.Uniform(0.1, 0.4);
     const double a = random.Uniform(0.0, 0.4);
     const Field field = Product(a, a + gap, a + gap + other);
-    tally.Try(field, 0.0, { Diagonal });
+    tally.Check(field, 0.0, { Diagonal });
     Tracer tracer(field);
     threes += tracer.Cast({ Diagonal }, 0.0).Hits.size() == 3 ? 1 : 0;
   }
@@ -160,7 +160,7 @@ TEST(TestCells, TripleRoots)
   for (int i = 0; i < 4000; ++i)
   {
     const double a = random.Uniform(0.0, 1.0);
-    tally.Try(Product(a, a, a), 0.0, { Diagonal });
+    tally.Check(Product(a, a, a), 0.0, { Diagonal });
   }
   tally.Report();
 }
@@ -190,7 +190,7 @@ TEST(TestCells, VanishingCoefficients)
           return g[0] * (x - 1) + g[1] * (y - 1) + g[2] * (z - 1) + tiny * (x * y * z);
       }
     };
-    tally.Try(Sample(OneCell, value), 0.0, RandomLines(random, OneCell, 10));
+    tally.Check(Sample(OneCell, value), 0.0, RandomLines(random, OneCell, 10));
   }
   tally.Report();
 }
@@ -207,8 +207,8 @@ TEST(TestCells, Cancellation)
     const Field far =
       Sample(dimensions, [&random](int, int, int) { return 1e15 + random.Integer(-80, 80) / 8.0; });
     const auto lines = RandomLines(random, dimensions, 20);
-    small.Try(near, 1e6 + random.Uniform(-5e-7, 5e-7), lines);
-    large.Try(far, 1e15 + random.Integer(-40, 40) / 8.0, lines);
+    small.Check(near, 1e6 + random.Uniform(-5e-7, 5e-7), lines);
+    large.Check(far, 1e15 + random.Integer(-40, 40) / 8.0, lines);
   }
   small.Report();
   large.Report();
@@ -216,7 +216,7 @@ TEST(TestCells, Cancellation)
 
 TEST(TestCells, AllSignPatternsWithSaddles)
 {
-  // All ways in which corners can be inside: the ambiguous ones of marching cubes among them.
+  // All sign patterns of the corners, the ambiguous ones of marching cubes among them.
   RandomNumbers random(17);
   Tally tally("all 254 sign patterns, saddles (Robust)");
   for (int pattern = 1; pattern < 255; ++pattern)
@@ -229,7 +229,7 @@ TEST(TestCells, AllSignPatternsWithSaddles)
           const double value = random.Uniform(0.01, 1.0);
           return (pattern >> (x + 2 * y + 4 * z) & 1) != 0 ? value : -value;
         });
-      tally.Try(field, 0.0, RandomLines(random, OneCell, 20));
+      tally.Check(field, 0.0, RandomLines(random, OneCell, 20));
     }
   }
   tally.Report();
@@ -257,7 +257,7 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
         const double isovalue = std::ldexp(random.Uniform(-0.5, 0.5), exponent);
         const auto lines = RandomLines(random, field.Dimensions, 10);
         tally.CheckNormals(!isDenormal);
-        tally.Try(field, isovalue, lines);
+        tally.Check(field, isovalue, lines);
       }
     }
     tally.Report();
@@ -266,7 +266,7 @@ TEST(TestCells, MagnitudesFromDenormalToHuge)
 
 TEST(TestCells, DifferencesThatOverflow)
 {
-  // Values of both signs near the largest double: their differences are none.
+  // Values of both signs near the largest double: their differences overflow.
   RandomNumbers random(23);
   Tally tally("values +-1.7e308 (Robust)");
   for (int i = 0; i < 200; ++i)
@@ -279,7 +279,7 @@ TEST(TestCells, DifferencesThatOverflow)
     }
     const auto lines = RandomLines(random, field.Dimensions, 10);
     tally.CheckNormals(false);
-    tally.Try(huge, random.Uniform(-0.9, 0.9) * 1.7e308, lines);
+    tally.Check(huge, random.Uniform(-0.9, 0.9) * 1.7e308, lines);
   }
   tally.Report();
 }
@@ -296,7 +296,7 @@ TEST(TestCells, AllMagnitudesInOneCell)
         const double magnitude = std::pow(10.0, random.Uniform(-120.0, 120.0));
         return random.Integer(0, 1) == 0 ? magnitude : -magnitude;
       });
-    tally.Try(field, 0.0, RandomLines(random, field.Dimensions, 10));
+    tally.Check(field, 0.0, RandomLines(random, field.Dimensions, 10));
   }
   tally.Report();
 }
@@ -327,7 +327,7 @@ CellSegment RandomSegment(RandomNumbers& random)
   return segment;
 }
 
-/// Counts roots, and those that are none of the segment.
+/// Counts roots, and those outside the segment.
 struct RootCounter
 {
   std::size_t Roots = 0;
@@ -361,7 +361,7 @@ TEST(TestCells, AllSolversTerminateOnRandomBits)
     const bool isFinite = std::all_of(
       corners.begin(), corners.end(), [](double value) { return std::isfinite(value); });
     finite += isFinite ? 1 : 0;
-    // The traversal never gives cells that are not finite to a solver.
+    // The traversal never passes cells that are not finite to a solver.
     robust.Outside = isFinite ? robust.Outside : before;
     Marmitt::ForEachRoot(corners, segment, 3, countOther);
     Analytic::ForEachRoot(corners, segment, countOther);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The same question asked in other ways.
+// The same problem in equivalent forms, whose hits must be the same.
 
 #include "Tally.h"
 
@@ -28,8 +28,8 @@ Field Waves()
     });
 }
 
-/// Compares the hits of two ways to ask, ray by ray: how many rays have not the same number of
-/// hits in the same directions, and how far T differs at most.
+/// Compares the hits of two equivalent forms, ray by ray: how many rays differ in the number or the
+/// directions of their hits, and the largest difference of T.
 struct Comparison
 {
   std::size_t Rays = 0;
@@ -140,7 +140,7 @@ TEST(TestInvariance, Mirroring)
 
 TEST(TestInvariance, TranslationByWholeCells)
 {
-  // To rounding: coordinates far from zero have fewer bits behind the point.
+  // To rounding: coordinates far from zero have fewer fractional bits.
   Compare(
     { 14, 17, 20 },
     [](const Index& i) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where double precision ends. Nothing here is promised; the tests say what happens, so that a
-// change of it is seen.
+// The limits of double precision. Nothing here is guaranteed; the tests record what happens, so
+// that a change is noticed.
 
 #include "Tally.h"
 
@@ -23,9 +23,9 @@ std::size_t CountHits(const Field& field, double isovalue, const Line& line)
 
 TEST(TestLimits, TangentFromBelowHitsTwiceOrNever)
 {
-  // -(1 - 2 x) (1 - 2 y) is 0 in the middle of the diagonal and below elsewhere. What equals the
-  // isovalue is inside: the ray is inside at one point. Rounding decides whether it goes in and out
-  // there, but never goes in alone.
+  // -(1 - 2 x) (1 - 2 y) is 0 in the middle of the diagonal and below elsewhere. A value equal to
+  // the isovalue is inside: the ray is inside at one point. Rounding decides whether it enters and
+  // leaves there, but it never enters alone.
   const Field field =
     Sample({ 2, 2, 2 }, [](int x, int y, int) { return -(1 - 2 * x) * (1 - 2 * y); });
   const Line line = { { 0.0, 0.0, 0.5 }, { 1.0, 1.0, 0.0 } };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rays that are hard to follow.
+// Rays in hard positions and directions.
 
 #include "Tally.h"
 
@@ -71,7 +71,7 @@ TEST(TestRays, FarOrigins)
         lines.push_back(Towards(target, random.Direction(), cells));
       }
       const double isovalue = random.Uniform(-0.5, 0.5);
-      tally.Try(field, isovalue, lines);
+      tally.Check(field, isovalue, lines);
     }
     tally.Note("T within 4 roundings of its size besides");
     tally.Report();
@@ -108,8 +108,8 @@ TEST(TestRays, LatticeDirections)
       }
     }
     const double isovalue = isInteger ? random.Integer(-1, 1) : random.Uniform(-0.5, 0.5);
-    exact.Try(field, isovalue, lines);
-    nudged.Try(field, isovalue, nudgedLines);
+    exact.Check(field, isovalue, lines);
+    nudged.Check(field, isovalue, nudgedLines);
   }
   exact.Report();
   nudged.Report();
@@ -147,7 +147,7 @@ TEST(TestRays, AxisParallelWithSignedZerosAndDenormals)
         lines.push_back(line);
       }
     }
-    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
+    tally.Check(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
@@ -177,7 +177,7 @@ TEST(TestRays, RaysInTheBoundaryOfTheVolume)
       line.Begin = -Infinity;
       lines.push_back(line);
     }
-    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
+    tally.Check(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
@@ -197,7 +197,7 @@ TEST(TestRays, DirectionsOfAnyLength)
         d *= std::pow(10.0, exponent);
       }
     }
-    tally.Try(field, random.Uniform(-0.5, 0.5), lines);
+    tally.Check(field, random.Uniform(-0.5, 0.5), lines);
   }
   tally.Report();
 }
@@ -223,7 +223,7 @@ TEST(TestRays, AnisotropicSpacing)
       }
     }
     const double isovalue = random.Uniform(-0.5, 0.5);
-    tally.Try(field, isovalue, lines);
+    tally.Check(field, isovalue, lines);
 
     // The normals in the world: the gradient divided by the spacing.
     Tracer tracer(field);
@@ -271,7 +271,7 @@ TEST(TestRays, VolumeFarFromTheWorldOrigin)
           x = (world - offset) / spacing;
         }
       }
-      tally.Try(field, 0.0, rounded);
+      tally.Check(field, 0.0, rounded);
       Tracer tracer(field);
       const RayHits a = tracer.Cast(lines, 0.0, RootSolver::Robust, Reach::First);
       const RayHits b = tracer.Cast(rounded, 0.0, RootSolver::Robust, Reach::First);
@@ -328,10 +328,10 @@ TEST(TestRays, CameraInsideTheVolume)
         }
       }
     }
-    inside.Try(field, isovalue, fromInside);
-    vertex.Try(field, isovalue, fromVertex);
-    surface.Try(field, isovalue, fromSurface);
-    clip.Try(field, isovalue, clipped);
+    inside.Check(field, isovalue, fromInside);
+    vertex.Check(field, isovalue, fromVertex);
+    surface.Check(field, isovalue, fromSurface);
+    clip.Check(field, isovalue, clipped);
   }
   inside.Report();
   vertex.Report();
@@ -341,17 +341,17 @@ TEST(TestRays, CameraInsideTheVolume)
 
 TEST(TestRays, SecondaryRaysFromASurface)
 {
-  // Rays that start at a hit. What is on the surface may be judged either way; so half of them hit
-  // the surface they leave, where they start. The side they leave to tells which hits are real: a
-  // first crossing to the side that the ray is on already is none. Nothing else is needed, and no
-  // distance has to be kept.
+  // Rays that start at a hit. The start on the surface may count for either side; so half of the
+  // rays hit the surface they leave, where they start. The side they leave to decides which hits
+  // are real: a first crossing to the side that the ray is on already is none. Nothing else is
+  // needed, and no minimum distance.
   RandomNumbers random(48);
   Tally tally("secondary rays, side given (Robust)");
   std::size_t selfHits = 0;
   std::size_t rays = 0;
   std::size_t lost = 0;
-  std::size_t spurious = 0;
-  std::size_t wanted = 0;
+  std::size_t falseHits = 0;
+  std::size_t expected = 0;
   for (int i = 0; i < 200; ++i)
   {
     const Field field = RandomField(random, { 5, 5, 5 });
@@ -392,8 +392,8 @@ TEST(TestRays, SecondaryRaysFromASurface)
       }
       const std::size_t left = found.Hits.size() - first;
       lost += left < real.size() ? real.size() - left : 0;
-      spurious += left > real.size() ? left - real.size() : 0;
-      wanted += real.size();
+      falseHits += left > real.size() ? left - real.size() : 0;
+      expected += real.size();
       for (std::size_t k = 0; k < std::min(left, real.size()); ++k)
       {
         tally.AddError(std::abs(found.Hits[first + k].T - real[k]));
@@ -401,9 +401,10 @@ TEST(TestRays, SecondaryRaysFromASurface)
       ++rays;
     }
   }
-  tally.Expect(RobustPromise({ 5, 5, 5 }));
-  tally.Count(rays, wanted, lost, spurious);
-  tally.Note(std::to_string(selfHits) + " rays hit the surface they leave unless told their side");
+  tally.Expect(RobustGuarantee({ 5, 5, 5 }));
+  tally.Count(rays, expected, lost, falseHits);
+  tally.Note(
+    std::to_string(selfHits) + " rays hit the surface they leave if their side is unknown");
   tally.Report();
 }
 
@@ -430,7 +431,7 @@ TEST(TestRays, ErrorDoesNotGrowOver4096Cells)
       line.Begin = -100.0;
       lines.push_back(line);
     }
-    tally.Try(field, 0.1, lines);
+    tally.Check(field, 0.1, lines);
   }
   tally.Report();
 }

@@ -12,7 +12,7 @@ using namespace HardCases;
 using Oracle::Claim;
 using Oracle::Verdict;
 
-TEST(TestOracle, CrossingOfAPlane)
+TEST(TestReferences, CrossingOfAPlane)
 {
   // x = 2.5, met at t = 5 by a line that starts at x = -2.5.
   const Field field = Sample({ 6, 4, 4 }, [](int x, int, int) { return x; });
@@ -29,7 +29,7 @@ TEST(TestOracle, CrossingOfAPlane)
   EXPECT_LT(Oracle::Absolute(crossings[0] - 5), 1e-30);
 }
 
-TEST(TestOracle, ThreeCrossingsInOneCell)
+TEST(TestReferences, ThreeCrossingsInOneCell)
 {
   // (x - 1/4) (y - 1/2) (z - 3/4) along the diagonal.
   const Field field =
@@ -49,7 +49,7 @@ TEST(TestOracle, ThreeCrossingsInOneCell)
   EXPECT_LT(Oracle::Absolute(crossings[2] - 0.75), 1e-30);
 }
 
-TEST(TestOracle, CertificateRejectsWrongClaims)
+TEST(TestReferences, CertificateRejectsWrongClaims)
 {
   const Field field =
     Sample({ 2, 2, 2 }, [](int x, int y, int z) { return (x - 0.25) * (y - 0.5) * (z - 0.75); });
@@ -66,7 +66,7 @@ TEST(TestOracle, CertificateRejectsWrongClaims)
   EXPECT_EQ(judge(1.5, true), Verdict::NotInCell);
 }
 
-TEST(TestOracle, CertificateDistinguishesCloseRootsFromTangents)
+TEST(TestReferences, CertificateDistinguishesCloseRootsFromTangents)
 {
   // - (1 - 2 x) (1 - 2 y) along the diagonal touches 0 from below; shifted, it crosses twice.
   const Field field =
@@ -78,7 +78,7 @@ TEST(TestOracle, CertificateDistinguishesCloseRootsFromTangents)
   EXPECT_EQ(Oracle::Judge(field, -1e-300, touching, never), Verdict::EarlierRoot);
 }
 
-TEST(TestOracle, CrossingsAreCertified)
+TEST(TestReferences, CrossingsAreCertified)
 {
   RandomNumbers random(1);
   std::size_t count = 0;
@@ -103,7 +103,7 @@ TEST(TestOracle, CrossingsAreCertified)
   EXPECT_GT(count, 100U);
 }
 
-TEST(TestOracle, FirstHitsAreCertified)
+TEST(TestReferences, FirstHitsAreCertified)
 {
   RandomNumbers random(2);
   Tally tally("exact certificate (GMP) of first hits");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Volumes in which surfaces, cells and bricks meet awkwardly.
+// Volumes in which surfaces, cells and bricks meet in degenerate ways.
 
 #include "Tally.h"
 
@@ -33,8 +33,8 @@ Field ClosedNoise(RandomNumbers& random, const Index& dimensions, const Index& s
     });
 }
 
-/// A box whose faces waver about lattice planes by no more than rounding of the values beside them:
-/// whether the surface passes on this side of a face of cells, or on that, hangs on the last bit.
+/// A box whose faces vary about lattice planes by no more than rounding of the values beside them:
+/// on which side of a face of cells the surface passes depends on the last bit.
 Field NearlyFlush(RandomNumbers& random, const Index& dimensions, double noise)
 {
   const double half = (dimensions[0] - 1) / 2.0;
@@ -47,8 +47,8 @@ Field NearlyFlush(RandomNumbers& random, const Index& dimensions, double noise)
     });
 }
 
-/// Counts rays from inside a closed surface that leave it unseen, and rays along which entries and
-/// exits do not alternate.
+/// Counts rays from inside a closed surface that leave it without a hit, and rays along which
+/// entries and exits do not alternate.
 struct CrackCount
 {
   std::size_t Rays = 0;
@@ -56,7 +56,7 @@ struct CrackCount
   std::size_t Cracks = 0;
   std::size_t Disorder = 0;
 
-  void Try(Tracer& tracer, const std::vector<Line>& lines, RootSolver solver)
+  void Check(Tracer& tracer, const std::vector<Line>& lines, RootSolver solver)
   {
     const RayHits firsts = tracer.Cast(lines, 0.0, solver, Reach::First);
     const RayHits all = tracer.Cast(lines, 0.0, solver, Reach::All);
@@ -114,7 +114,7 @@ void CastFromInside(RandomNumbers& random, RootSolver solver, std::size_t rays, 
     const Triple origin =
       i % 3 == 0 ? Triple{ 4.0, 4.0, 4.0 } : Triple{ random.Uniform(4.0, 5.0), 4.5, 4.25 };
     Tracer tracer(field);
-    count.Try(tracer, RaysFrom(random, origin, raysOfField), solver);
+    count.Check(tracer, RaysFrom(random, origin, raysOfField), solver);
   }
 }
 
@@ -158,9 +158,9 @@ TEST(TestVolumes, IsovalueEqualToSamples)
       Sample(dimensions, [&random](int, int, int) { return random.Integer(0, 3) * 40; });
     const Field checker =
       Sample(dimensions, [](int x, int y, int z) { return (x + y + z) % 2 == 0 ? 10 : 250; });
-    ramps.Try(ramp, 2 * slope, lines, ScalarType::UInt8);
-    labels.Try(label, 40 * random.Integer(1, 3), lines, ScalarType::UInt8);
-    checkers.Try(checker, i % 2 == 0 ? 250.0 : 130.0, lines, ScalarType::UInt8);
+    ramps.Check(ramp, 2 * slope, lines, ScalarType::UInt8);
+    labels.Check(label, 40 * random.Integer(1, 3), lines, ScalarType::UInt8);
+    checkers.Check(checker, i % 2 == 0 ? 250.0 : 130.0, lines, ScalarType::UInt8);
   }
   ramps.Report();
   labels.Report();
@@ -169,13 +169,14 @@ TEST(TestVolumes, IsovalueEqualToSamples)
 
 TEST(TestVolumes, ConstantCellsAtTheIsovalue)
 {
-  // Layers along z. What equals the isovalue is inside: in a slab of zeros no surface is seen.
+  // Layers along z. A value equal to the isovalue is inside: in a slab of zeros no surface is
+  // visible.
   const struct
   {
     const char* Name;
     int Before;
     int Behind;
-    std::vector<double> Places;
+    std::vector<double> Positions;
   } layers[] = { { "flat slab: below, at, below", -1, -1, { 3.0, 5.0 } },
     { "flat slab: below, at, above", -1, 1, { 3.0 } },
     { "flat slab: above, at, below", 1, -1, { 5.0 } },
@@ -194,21 +195,21 @@ TEST(TestVolumes, ConstantCellsAtTheIsovalue)
     Tracer tracer(field);
     const RayHits hits = tracer.Cast(lines, 0.0);
     Tally tally(std::string(layer.Name) + " (Robust)");
-    tally.Expect(RobustPromise({ 9, 9, 9 }));
+    tally.Expect(RobustGuarantee({ 9, 9, 9 }));
     std::size_t missed = 0;
-    std::size_t invented = 0;
+    std::size_t falseHits = 0;
     for (std::size_t ray = 0; ray < lines.size(); ++ray)
     {
       const std::size_t count = hits.First[ray + 1] - hits.First[ray];
-      missed += count < layer.Places.size() ? 1 : 0;
-      invented += count > layer.Places.size() ? 1 : 0;
-      for (std::size_t k = 0; k < std::min(count, layer.Places.size()); ++k)
+      missed += count < layer.Positions.size() ? 1 : 0;
+      falseHits += count > layer.Positions.size() ? 1 : 0;
+      for (std::size_t k = 0; k < std::min(count, layer.Positions.size()); ++k)
       {
         const Hit& hit = hits.Hits[hits.First[ray] + k];
-        tally.AddError(std::abs(tracer.GetField().GetPoint(hit)[2] - layer.Places[k]));
+        tally.AddError(std::abs(tracer.GetField().GetPoint(hit)[2] - layer.Positions[k]));
       }
     }
-    tally.Count(lines.size(), hits.Hits.size(), missed, invented);
+    tally.Count(lines.size(), hits.Hits.size(), missed, falseHits);
     tally.Report();
   }
 }
@@ -245,7 +246,7 @@ TEST(TestVolumes, BoundariesOfMacrocellsAndBricks)
         lines.push_back(line);
       }
     }
-    tally.Try(field, 0.0, lines);
+    tally.Check(field, 0.0, lines);
     Tracer plain(field, { {}, vtkIsosurfaceRayTracing::BrickLayout::Unbricked, 8, 4 });
     Tracer bricked(field);
     different += IsSame(plain.Cast(lines, 0.0), bricked.Cast(lines, 0.0)) ? 0 : 1;
@@ -268,7 +269,7 @@ TEST(TestVolumes, NonFiniteSamples)
       });
     const auto lines = RandomLines(random, field.Dimensions, 40);
     const double isovalue = random.Uniform(-0.5, 0.5);
-    tally.Try(field, isovalue, lines);
+    tally.Check(field, isovalue, lines);
   }
   tally.Report();
 }
@@ -292,7 +293,7 @@ TEST(TestVolumes, NonFiniteIsovalue)
 
 TEST(TestVolumes, RandomBitsAsSamples)
 {
-  // Everything a double can be, whole volumes of it, through the whole machine.
+  // All bit patterns of a double, as whole volumes, through the whole ray tracer.
   RandomNumbers random(86);
   Tally tally("volumes of random bits (Robust, Marmitt, Analytic, Linear)");
   const int volumes = IsLongRun() ? 10000 : 20;

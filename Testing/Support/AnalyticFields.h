@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <vector>
 
-/// Fields as functions of a point in index space, larger inside than outside; but for the last
-/// their isosurface at 0 is known. Tests with and without VTK sample them.
+/// Fields as functions of a point in index space, larger inside than outside; the isosurfaces at 0
+/// of all but the last are known. Tests with and without VTK sample them.
 namespace AnalyticFields
 {
 
@@ -57,7 +57,7 @@ struct Box
   }
 };
 
-/// A. Schoen's gyroid: a surface of many saddles and tunnels that goes on without end.
+/// A. Schoen's gyroid: a periodic surface of many saddles and tunnels.
 struct Gyroid
 {
   /// In cells.

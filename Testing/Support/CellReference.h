@@ -15,20 +15,20 @@
 #include <optional>
 #include <vector>
 
-// What the kernels are compared with: the cells that a ray passes, and its roots in them.
+// The reference for the kernels: the cells that a ray passes, and its roots in them.
 
 namespace vtkIsosurfaceRayTracing
 {
 
-inline RayPacket EmptyGroup()
+inline RayPacket EmptyPacket()
 {
-  RayPacket group;
-  group.Count = 0;
-  group.Exists = {};
-  return group;
+  RayPacket packet;
+  packet.Count = 0;
+  packet.Exists = {};
+  return packet;
 }
 
-/// In the order of the ray, as the walk from cell to cell knows them.
+/// In the order of the ray, as the traversal from cell to cell visits them.
 inline std::vector<Index3> CellsOnRay(const Ray& ray, const Index3& dimensions)
 {
   std::vector<Index3> cells;
@@ -41,7 +41,7 @@ inline std::vector<Index3> CellsOnRay(const Ray& ray, const Index3& dimensions)
   return cells;
 }
 
-/// As ImageField takes off the isovalue: a difference that is not zero never vanishes.
+/// Subtracts the isovalue as ImageField does: a difference that is not zero never vanishes.
 inline CellCorners Differences(const CellCorners& corners, const ScaledIsovalue& isovalue)
 {
   CellCorners differences;
@@ -66,7 +66,7 @@ struct FirstRoot
 
 using MaybeRoot = std::optional<FirstRoot>;
 
-/// What the reference has to say.
+/// The result of the reference.
 inline MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorners& differences)
 {
   CellSegment segment;

@@ -71,7 +71,7 @@ std::vector<Slab> CutIntoSlabs(const Line& line, std::size_t axis, int cells)
   return slabs;
 }
 
-/// Every cell of the volume, asked whether the line passes it.
+/// Tests every cell of the volume.
 std::vector<Segment> CutIntoCells(const Field& field, const Line& line)
 {
   std::array<std::vector<Slab>, 3> slabs;
@@ -104,7 +104,7 @@ std::vector<Segment> CutIntoCells(const Field& field, const Line& line)
   return segments;
 }
 
-/// Rounding of 2^-113 makes needles of cells that the line only touches. They are no cells of it.
+/// Rounding of 2^-113 makes slivers of cells that the line only touches. They do not count.
 bool IsNeedle(const Line& line, const Segment& segment)
 {
   const double length = Length(line.Direction);

@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-/// The test oracle: where a line crosses an isosurface of the trilinear interpolant. It looks at
-/// every cell of the volume, in 113 bits, and shares no code with the ray tracer: no hierarchy, no
+/// The test oracle: where a line crosses an isosurface of the trilinear interpolant. It tests every
+/// cell of the volume, in 113 bits, and shares no code with the ray tracer: no hierarchy, no
 /// traversal, no solver; it does not include a header of the core.
 namespace Oracle
 {
@@ -66,8 +66,8 @@ struct Piece
   /// Value minus isovalue, in units of the largest such difference at the corners of the cell.
   Quad AtBegin;
   Quad AtEnd;
-  /// Whether nothing is missing between this piece and the one before. Cells with a corner that is
-  /// not finite are empty; there the chain breaks.
+  /// Whether this piece continues the one before. Cells with a corner that is not finite are empty;
+  /// there the pieces are interrupted.
   bool Continues;
 };
 
@@ -75,14 +75,14 @@ struct Piece
 /// line is parallel to the lattice planes and lies in one, it belongs to the cells above it.
 std::vector<Piece> FindPieces(const Field& field, double isovalue, const Line& line);
 
-/// The place where the interpolant crosses the isovalue in a piece at whose ends the signs differ.
+/// The t at which the interpolant crosses the isovalue in a piece at whose ends the signs differ.
 Quad FindCrossing(const Field& field, double isovalue, const Line& line, const Piece& piece);
 
 /// Value minus isovalue at t, by the cubic of the given cell, in the units of Piece.
 Quad ValueAt(
   const Field& field, double isovalue, const Line& line, const Index& cell, const Quad& t);
 
-/// The derivative of that along the line, per cell of way.
+/// The derivative of that along the line, per cell of length.
 Quad SlopeAt(
   const Field& field, double isovalue, const Line& line, const Index& cell, const Quad& t);
 

@@ -72,7 +72,7 @@ public:
       { 0.0, 0.0, 0.0 }, { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 });
   }
 
-  /// Of length one, no direction likelier than another.
+  /// Of length one, uniformly distributed.
   Vector3 Direction()
   {
     for (;;)

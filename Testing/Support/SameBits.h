@@ -22,7 +22,7 @@ inline bool AreSameBits(double a, double b)
   return std::memcmp(&a, &b, sizeof(a)) == 0;
 }
 
-/// The same where a NaN may be any NaN: which one, no standard says.
+/// The same where a NaN equals any NaN: no standard defines which one an operation returns.
 inline bool AreSameNumbers(double a, double b)
 {
   return AreSameBits(a, b) || (std::isnan(a) && std::isnan(b));

@@ -9,7 +9,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// All that is said to an image before it is traced, in one.
+/// All that is set on an image before it is traced, in one.
 struct TestRequest : TraceRequest
 {
   using TraceRequest::TraceRequest;

@@ -78,7 +78,7 @@ void ForEachType(const Visit& visit)
   visit(double{});
 }
 
-/// Calls visit(index) for every place of a lattice, x fastest.
+/// Calls visit(index) for every index of a lattice, x fastest.
 template <typename Visit>
 void ForEachPlace(const Index3& size, const Visit& visit)
 {

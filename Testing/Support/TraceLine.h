@@ -4,7 +4,7 @@
 #ifndef TraceLine_h
 #define TraceLine_h
 
-#include "Rays/Ray.h"
+#include "Image/Lattice/Ray.h"
 #include "TestLines.h"
 #include "TestRequest.h"
 #include "TestVolume.h"
@@ -61,7 +61,7 @@ inline void Trace(TracedField& field, const std::vector<std::optional<Ray>>& ray
     packet.Exists = {};
     while (next < rays.size() && packet.Count < RayPacket::Capacity)
     {
-      AddRay(rays[next++], packet);
+      AppendRay(rays[next++], packet);
     }
     RayHits some;
     field.Trace(packet, some);

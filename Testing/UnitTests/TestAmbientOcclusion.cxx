@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How open the sky is above a surface, beside what geometry says: a sum over a fine grid of
+// The openness of the sky above a surface, compared with geometry: a sum over a fine grid of
 // directions that shares no code with what is tested.
 
 #include "Image/ImageField.h"
@@ -77,7 +77,7 @@ struct OpenScene
   OneFieldScene TheScene;
 };
 
-/// The share of the sky above z that comes through, given how much of it does in each direction.
+/// The part of the sky above z that is transmitted, given the transmittance of each direction.
 double Integrate(const std::function<double(const Vector3&)>& share)
 {
   constexpr int steps = 1500;
@@ -113,7 +113,7 @@ TEST(AmbientOcclusion, PlaneIsNotOccluded)
   {
     EXPECT_EQ(
       scene.FindAmbientTransmittance(scene.Find({ 20.0, 20.0, 45.0 }, { slant, 0.1, -1.0 })), 1.0);
-    // From below it is open, too, to the side that is seen.
+    // From below it is open as well, on the visible side.
     EXPECT_EQ(
       scene.FindAmbientTransmittance(scene.Find({ 20.0, 20.0, -5.0 }, { slant, 0.1, 1.0 })), 1.0);
   }
@@ -169,7 +169,7 @@ TEST(AmbientOcclusion, AffectsOnlyTheAmbientTerm)
     EXPECT_GT(closed[i], 0.3 * scene.TheScene.Shown.Colors[0][i]);
   }
 
-  // And the fragments of a packet of rays have it.
+  // The fragments of a packet of rays have it as well.
   RayPacket packet;
   packet.Count = 0;
   packet.Exists = {};
@@ -229,7 +229,7 @@ TEST(AmbientOcclusion, DirectionsVaryBetweenFrames)
     sum += transmittance;
     largest = std::max(largest, std::abs(transmittance - expected));
   }
-  // Five rays know it to a fifth; the mean of many frames, as well as so many rays.
+  // Five rays estimate it to a fifth; the mean of many frames is as good as that many rays.
   EXPECT_GT(largest, 0.1);
   EXPECT_NEAR(sum / frames, expected, 0.015);
 }
@@ -270,7 +270,7 @@ TEST(Hemisphere, DirectionsAreCosineWeighted)
       EXPECT_GE(Dot(direction, normal), 0.0);
       sum = sum + direction;
     }
-    // The mean height is that of a cosine lobe, and they lean to no side.
+    // The mean height is that of a cosine lobe, and there is no bias to any side.
     EXPECT_LT(Length(sum * (1.0 / count) - normal * (2.0 / 3.0)), 0.01);
   }
 }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The memory of bricks and masks: what is kept, what makes room, and that pictures do not care.
+// The memory of bricks and masks: what is kept, what is evicted, and that pictures do not depend on
+// it.
 
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
 #include "Image/Samples/BlockCache.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
 #include "TestRequest.h"
 #include "TestVolume.h"
 #include "TraceLine.h"
@@ -34,7 +35,7 @@ public:
   {
   }
 
-  /// Whether a block is there, or made now, and is what it should be.
+  /// Whether a block is there, or was made now, and has the right contents.
   bool Has(std::size_t block)
   {
     const void* slot = this->Cache.Get(block,
@@ -102,7 +103,7 @@ TEST(BlockCache, EvictsBlocksThatTheLastFrameDidNotUse)
   EXPECT_FALSE(blocks.Has(11));
   EXPECT_TRUE(blocks.Has(7) && blocks.Has(8));
 
-  // Now eight make room.
+  // Now eight are evicted.
   beginFrame();
   EXPECT_EQ(blocks.Cache.GetNumberOfBlocks(), 2U);
   blocks.Made = 0;
@@ -114,7 +115,7 @@ TEST(BlockCache, EvictsBlocksThatTheLastFrameDidNotUse)
   EXPECT_EQ(blocks.Made, 8);
   EXPECT_FALSE(blocks.Has(0));
 
-  // As long as nobody is refused, nothing is given up.
+  // As long as there is room for all, nothing is evicted.
   NumberedBlocks few(100);
   for (std::size_t frame = 0; frame < 5; ++frame)
   {

@@ -60,9 +60,9 @@ void CheckTree(const Index3& macrocells, const std::vector<bool>& isActive, int 
         ASSERT_EQ(level.GetMask(block).Has(member), expected);
         for (int axis = 0; axis < 3; ++axis)
         {
-          const auto place = [&](int a) { return member[static_cast<std::size_t>(a)]; };
-          const std::uint64_t slice = level.GetMask(block).Slices[axis][place(axis)];
-          const int bit = place(BlockMask::U[axis]) + 8 * place(BlockMask::V[axis]);
+          const auto coordinate = [&](int a) { return member[static_cast<std::size_t>(a)]; };
+          const std::uint64_t slice = level.GetMask(block).Slices[axis][coordinate(axis)];
+          const int bit = coordinate(BlockMask::U[axis]) + 8 * coordinate(BlockMask::V[axis]);
           ASSERT_EQ(slice >> bit & 1, expected ? 1U : 0U);
         }
         if (expected)

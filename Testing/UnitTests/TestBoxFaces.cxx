@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The faces between boxes of samples that rays meet are compared with those found by looking at
-// every face of the volume in higher precision, and, where rays go through edges and corners of
-// boxes, with a walk from box to box in exact arithmetic. Neither knows of cells.
+// The faces between boxes of samples that rays meet are compared with those found by testing every
+// face of the volume in higher precision, and, where rays pass through edges and corners of boxes,
+// with a traversal from box to box in exact arithmetic. Neither knows of cells.
 
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
-#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -31,7 +31,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Surfaces that let nearly all through, so that a ray meets all of them; one is at a sample.
+/// Nearly transparent surfaces, so that a ray meets all of them; one is at a sample.
 TestRequest Request(double opacity = 1e-9)
 {
   TestRequest request(
@@ -93,10 +93,10 @@ long double GetEnd(const Index3& size, const UnevenPlanes* planes, std::size_t a
     : sample + 0.5L;
 }
 
-/// All crossings of a line, by looking at every face. Nothing is returned where the line comes so
-/// near to an edge of a box that this cannot tell.
+/// All crossings of a line, by testing every face. Nothing is returned where the line comes so near
+/// to an edge of a box that this cannot decide.
 template <typename T>
-std::optional<std::vector<CrossingT>> LookAtEveryFace(
+std::optional<std::vector<CrossingT>> TestEveryFace(
   const TestVolume<T>& volume, const Line& line, const UnevenPlanes* planes = nullptr)
 {
   const Index3& size = volume.Dimensions;
@@ -123,13 +123,14 @@ std::optional<std::vector<CrossingT>> LookAtEveryFace(
           {
             continue;
           }
-          const long double place = line.Origin[other] + t * line.Direction[other];
+          const long double coordinate = line.Origin[other] + t * line.Direction[other];
           const long double begin = GetEnd(size, planes, other, lower[other] - 1);
           const long double end = GetEnd(size, planes, other, lower[other]);
           const bool isParallel = line.Direction[other] == 0.0;
           isNear = isNear ||
-            (!isParallel && std::min(std::abs(place - begin), std::abs(place - end)) < 1e-9L);
-          isHit = isHit && place >= begin && place <= end;
+            (!isParallel &&
+              std::min(std::abs(coordinate - begin), std::abs(coordinate - end)) < 1e-9L);
+          isHit = isHit && coordinate >= begin && coordinate <= end;
         }
         isClear = isClear && !(isHit && isNear);
         if (isHit)
@@ -150,12 +151,12 @@ struct PlaneCrossing
   std::size_t Axis;
 };
 
-/// The same by a walk from box to box. Planes crossed at the same t are crossed in the order x, y,
-/// z. Exact where origins are halves of whole numbers, and directions 0, 1 or 2 along an axis.
-/// Nothing is returned where a plane is crossed just where the line comes to the volume or leaves.
+/// The same by a traversal from box to box. Planes crossed at the same t are crossed in the order
+/// x, y, z. Exact where origins are halves of whole numbers, and directions 0, 1 or 2 along an
+/// axis. Nothing is returned where a plane is crossed just where the line enters or leaves the
+/// volume.
 template <typename T>
-std::optional<std::vector<CrossingT>> WalkFromBoxToBox(
-  const TestVolume<T>& volume, const Line& line)
+std::optional<std::vector<CrossingT>> TraverseBoxes(const TestVolume<T>& volume, const Line& line)
 {
   std::vector<PlaneCrossing> planes;
   Index3 box = {};
@@ -244,13 +245,13 @@ void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
   }
 }
 
-/// A line from a place at halves of whole numbers, through edges and corners of boxes and cells.
+/// A line from a point at halves of whole numbers, through edges and corners of boxes and cells.
 Line HalfLatticeLine(RandomNumbers& random, const Index3& dimensions)
 {
   Line line = LatticeLine(random, dimensions);
-  for (double& place : line.Origin)
+  for (double& coordinate : line.Origin)
   {
-    place += 0.5 * random.Integer(0, 1);
+    coordinate += 0.5 * random.Integer(0, 1);
   }
   return line;
 }
@@ -291,7 +292,7 @@ TYPED_TEST(BoxFaces, RaysHitAllFaces)
   {
     const Line line =
       i % 2 == 0 ? RandomLine(random, volume.Dimensions) : FlatLine(random, volume.Dimensions);
-    if (const auto expected = LookAtEveryFace(volume, line))
+    if (const auto expected = TestEveryFace(volume, line))
     {
       compared += expected->empty() ? 0 : 1;
       Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
@@ -309,7 +310,7 @@ TYPED_TEST(BoxFaces, RaysThroughEdgesHitOnce)
   for (int i = 0; i < 2000; ++i)
   {
     const Line line = HalfLatticeLine(random, volume.Dimensions);
-    if (const auto expected = WalkFromBoxToBox(volume, line))
+    if (const auto expected = TraverseBoxes(volume, line))
     {
       compared += expected->empty() ? 0 : 1;
       Compare(*traced, line, Trace(*traced, line), *expected, 0.0);
@@ -384,7 +385,7 @@ TEST(BoxFacesOfRays, SkipNonFiniteSamples)
   for (int i = 0; i < 200; ++i)
   {
     const Line line = RandomLine(random, volume.Dimensions);
-    if (const auto expected = LookAtEveryFace(volume, line))
+    if (const auto expected = TestEveryFace(volume, line))
     {
       Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
     }
@@ -396,16 +397,16 @@ TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 41);
   RandomNumbers random(42);
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int last = volume.Dimensions[axis] - 1;
     for (int i = 0; i <= last; ++i)
     {
-      places[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
+      coordinates[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
     }
   }
-  const UnevenPlanes planes(places);
+  const UnevenPlanes planes(coordinates);
   TestRequest request = Request();
   request.Planes = &planes;
   const auto traced = NewTraced(volume, request);
@@ -413,7 +414,7 @@ TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
   for (int i = 0; i < 400; ++i)
   {
     const Line line = RandomLine(random, volume.Dimensions);
-    if (const auto expected = LookAtEveryFace(volume, line, &planes))
+    if (const auto expected = TestEveryFace(volume, line, &planes))
     {
       compared += expected->empty() ? 0 : 1;
       Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
@@ -427,27 +428,27 @@ TEST(BoxFacesOfRays, RespectCroppingAndClipping)
 {
   const auto volume = Noise<double>({ 12, 13, 14 }, 21);
   RandomNumbers random(22);
-  int seenHits = 0;
+  int visibleHits = 0;
   for (int i = 0; i < 60; ++i)
   {
     TestRequest request = Request(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = request.Visible;
+    Visibility& visible = request.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
       std::generate(hidden.begin(), hidden.end(),
         [&random]() { return static_cast<unsigned char>(random.Integer(0, 1)); });
-      seen.HiddenCells = hidden.data();
+      visible.HiddenCells = hidden.data();
     }
     else if (i % 3 == 1)
     {
-      seen.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
+      visible.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
         static_cast<unsigned int>(random.Bits()) & CroppingRegions::All };
     }
     else
     {
       const Vector3 normal = random.Direction();
-      seen.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
+      visible.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
     }
     const auto isHidden = [&](const CrossingT& crossing, const Line& line)
     {
@@ -455,16 +456,16 @@ TEST(BoxFacesOfRays, RespectCroppingAndClipping)
       point[crossing.Axis] = crossing.Lower[crossing.Axis] + 0.5;
       const Index3 cell = { static_cast<int>(point[0]), static_cast<int>(point[1]),
         static_cast<int>(point[2]) };
-      return (seen.HiddenCells && hidden[Offset(cell, { 11, 12, 13 })] != 0) ||
-        !seen.Regions.Contain(point) ||
-        (!seen.HalfSpaces.empty() &&
-          Dot(seen.HalfSpaces[0].Normal, point) + seen.HalfSpaces[0].Offset < 0.0);
+      return (visible.HiddenCells && hidden[Offset(cell, { 11, 12, 13 })] != 0) ||
+        !visible.Regions.Contain(point) ||
+        (!visible.HalfSpaces.empty() &&
+          Dot(visible.HalfSpaces[0].Normal, point) + visible.HalfSpaces[0].Offset < 0.0);
     };
     const auto traced = NewTraced(volume, request);
     for (int ray = 0; ray < 10; ++ray)
     {
       const Line line = RandomLine(random, volume.Dimensions);
-      auto expected = LookAtEveryFace(volume, line);
+      auto expected = TestEveryFace(volume, line);
       if (!expected)
       {
         continue;
@@ -476,11 +477,11 @@ TEST(BoxFacesOfRays, RespectCroppingAndClipping)
       {
         expected->erase(expected->begin() + 1, expected->end());
       }
-      seenHits += static_cast<int>(expected->size());
+      visibleHits += static_cast<int>(expected->size());
       Compare(*traced, line, Trace(*traced, line), *expected, 1e-9);
     }
   }
-  EXPECT_GT(seenHits, 1000);
+  EXPECT_GT(visibleHits, 1000);
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of a camera are compared with those that a pinhole and parallel beams have by geometry.
+// The rays of a camera are compared with those of a pinhole and of a parallel projection by
+// geometry.
 
 #include "Math/Matrix.h"
 #include "Matrices.h"
@@ -132,7 +133,7 @@ TEST(Camera, SubpixelOffsets)
     ASSERT_LT(Length(ray.Direction - expected.Direction), 1e-11 * Length(expected.Direction));
     ASSERT_NEAR(ray.End, expected.End, 1e-11 * expected.End);
     ASSERT_NEAR(shifted.GetDepth(ray.Origin + ray.Direction * ray.End), 0.4, 1e-9);
-    // What the ray goes through is in the centre of the pixel of the shifted view.
+    // The points of the ray are at the centre of the pixel of the shifted view.
     const Vector3 point = ray.Origin + ray.Direction * ray.End;
     const Matrix4& m = shifted.GetClipFromObject();
     const Vector3 inClip = TransformPoint(m, point);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Caps close what half-spaces cut open: rays go in and out in turn, however they are cut; and caps
-// are where the field says.
+// Caps close what half-spaces cut open: entries and exits of rays alternate, however they are cut;
+// and caps are where the field says.
 
 #include "Image/ImageField.h"
 #include "Noise.h"
@@ -56,8 +56,8 @@ std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& siz
   return halves;
 }
 
-/// Counts the rays, among many, of which the hits do not go in and out in turn, or go in and never
-/// out, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
+/// Counts the rays, among many, whose entries and exits do not alternate, or which enter and never
+/// leave, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
 int CountLeaks(const TestVolume<float>& volume, TestRequest request, int& caps)
 {
   const auto traced = ImageField::New(volume.View(), {}, 2);
@@ -121,21 +121,22 @@ TEST(Caps, NoRayLeaksBetweenUnevenPlanes)
   const Index3 size = { 21, 19, 23 };
   const TestVolume<float> volume = ClosedNoise<float>(size, 6, 0, 4, 0);
   RandomNumbers random(3);
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Many at whole numbers, where half-spaces end; and some cells are flat.
     for (int i = 0; i < size[axis]; ++i)
     {
-      places[axis].push_back(random.Integer(0, 1) == 0 ? random.Integer(1, size[axis] - 2)
-                                                       : random.Uniform(1.0, size[axis] - 2.0));
+      coordinates[axis].push_back(random.Integer(0, 1) == 0
+          ? random.Integer(1, size[axis] - 2)
+          : random.Uniform(1.0, size[axis] - 2.0));
     }
-    std::sort(places[axis].begin(), places[axis].end());
+    std::sort(coordinates[axis].begin(), coordinates[axis].end());
     // The cells at the border are not.
-    places[axis].front() = 0.0;
-    places[axis].back() = size[axis] - 1.0;
+    coordinates[axis].front() = 0.0;
+    coordinates[axis].back() = size[axis] - 1.0;
   }
-  const UnevenPlanes planes(places);
+  const UnevenPlanes planes(coordinates);
   TestRequest request({ { 1.5, 1.0 } });
   request.Planes = &planes;
   int caps = 0;
@@ -213,7 +214,7 @@ TEST(Caps, LieWhereTheFieldReachesTheLargestIsovalue)
 }
 
 //------------------------------------------------------------------------------
-/// What a ray from within looks at is not a cap; from behind, it is.
+/// Seen from inside, the cap is not hit; from behind, it is.
 TEST(Caps, AreHitFromBothSidesButNotInTheirPlane)
 {
   const TestVolume<double> full({ 8, 8, 8 }, std::vector<double>(512, 1.0));
@@ -369,7 +370,7 @@ TEST(Caps, BetweenNearestSamplesHaveTheValueOfTheRemainingOne)
       for (const Hit& hit : hits)
       {
         const bool isCap = hit.Plane != Hit::NoPlane;
-        EXPECT_TRUE(isCap) << "a face in the plane is not seen";
+        EXPECT_TRUE(isCap) << "a face in the plane is not visible";
         EXPECT_EQ(hit.Value, way > 0.0 ? 6.0 : 5.0);
         EXPECT_EQ(hit.Surface, way > 0.0 ? 1 : 0);
         ++found[hit.Entering ? 1 : 0];

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The cells that the kernels find for a ray must hold all it passes, as the walk from cell to cell
-// knows them; and the roots in cells must be those of the robust solver, to the last bit.
+// The cells that the kernels find for a ray must include all that it passes, by the traversal from
+// cell to cell; and the roots in cells must be those of the robust solver, to the last bit.
 
 #include "AllKernels.h"
 #include "CellReference.h"
@@ -45,12 +45,12 @@ void ForEachPassage(const Kernels& kernels, const AlignedRays& aligned, const Ra
   int axis, const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
-  // Others are there already, and stay.
+  // Others exist already, and are kept.
   passages.Count = 1;
-  passages.Ways[0].Ray = -1;
+  passages.Segments[0].Ray = -1;
   passages.BlockCount = 1;
   kernels.FindPassages(aligned, rays, axis, first, mask.Slices[axis], passages);
-  ASSERT_EQ(passages.Ways[0].Ray, -1);
+  ASSERT_EQ(passages.Segments[0].Ray, -1);
   ASSERT_EQ(passages.BlockCount, passages.Count > 1 ? 2 : 1);
   for (int i = 1; i < passages.Count; ++i)
   {
@@ -61,7 +61,7 @@ void ForEachPassage(const Kernels& kernels, const AlignedRays& aligned, const Ra
     }
     ASSERT_EQ(passages.Slices[i], slices);
     ASSERT_NE(slices, 0U);
-    ASSERT_EQ(passages.Ways[i].Block, 1);
+    ASSERT_EQ(passages.Segments[i].Block, 1);
     ASSERT_TRUE(std::equal(first, first + 3, passages.First[1]));
     ASSERT_FALSE(passages.Hits[i]);
     visit(i);
@@ -87,7 +87,7 @@ BlockMask MakeMask(RandomNumbers& random, const Index3& block, const Index3& dim
   return mask;
 }
 
-/// Compares the cells found for a group in all blocks with those passed, and counts.
+/// Compares the cells found for a packet in all blocks with those passed, and counts.
 class CellChecks
 {
 public:
@@ -96,17 +96,17 @@ public:
   {
   }
 
-  void Check(RandomNumbers& random, const RayPacket& group, const RaySet& rays, int axis,
+  void Check(RandomNumbers& random, const RayPacket& packet, const RaySet& rays, int axis,
     const Index3& dimensions, bool all)
   {
-    Frustum beam;
-    ASSERT_TRUE(this->TheKernels.Align(group, rays, axis, this->Aligned, beam));
+    Frustum frustum;
+    ASSERT_TRUE(this->TheKernels.Align(packet, rays, axis, this->Aligned, frustum));
     std::vector<std::set<Index3>> left(RayPacket::Capacity);
-    for (int i = 0; i < group.Count; ++i)
+    for (int i = 0; i < packet.Count; ++i)
     {
       if (Has(rays, i))
       {
-        const std::vector<Index3> passed = CellsOnRay(GetRay(group, i), dimensions);
+        const std::vector<Index3> passed = CellsOnRay(GetRay(packet, i), dimensions);
         left[static_cast<std::size_t>(i)].insert(passed.begin(), passed.end());
         this->Passed += all ? passed.size() : 0;
         ++this->Rays;
@@ -116,19 +116,19 @@ public:
       [&](const Index3& block)
       {
         const BlockMask mask = MakeMask(random, block, dimensions, all);
-        RaySet seen = {};
+        RaySet found = {};
         Passages passages;
         ForEachPassage(this->TheKernels, this->Aligned, rays, axis, block, mask, passages,
           [&](int i)
           {
-            const int ray = passages.Ways[i].Ray;
+            const int ray = passages.Segments[i].Ray;
             ASSERT_TRUE(Has(rays, ray));
-            ASSERT_FALSE(Has(seen, ray));
-            Add(ray, seen);
+            ASSERT_FALSE(Has(found, ray));
+            Add(ray, found);
             this->Take(
               passages.Cells[i], axis, block, mask, left[static_cast<std::size_t>(ray)], all);
           });
-        // What is left must not have been asked for.
+        // Rays that are left must not have been requested.
         for (const std::set<Index3>& cells : left)
         {
           for (const Index3& cell : cells)
@@ -142,7 +142,7 @@ public:
       });
   }
 
-  /// How many cells were found for one that is passed.
+  /// The number of cells found for one that is passed.
   double GetExcess() const
   {
     return static_cast<double>(this->Found) / static_cast<double>(this->Passed);
@@ -196,20 +196,20 @@ TEST_P(CellKernels, FindTheCellsThatRaysPass)
       const int axis = random.Integer(0, 2);
       dimensions[static_cast<std::size_t>(axis)] = random.Integer(2, longest);
       const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
-      RayPacket group = EmptyGroup();
+      RayPacket packet = EmptyPacket();
       RaySet rays = {};
       const int count = random.Integer(1, i % 3 == 0 ? 128 : 20);
       for (int k = 0; k < count; ++k)
       {
-        // Beside the rays of the beam there may be any others in the group.
-        const bool isInBeam = random.Integer(0, 4) != 0;
-        const Line line = isInBeam
+        // Besides the rays of the frustum there may be any others in the packet.
+        const bool isInFrustum = random.Integer(0, 4) != 0;
+        const Line line = isInFrustum
           ? LineAlong(random, kind, static_cast<std::size_t>(axis), sign, dimensions)
           : LatticeLine(random, dimensions);
         const double end = random.Integer(0, 4) ? Infinity : random.Uniform(0.0, 40.0);
         const auto ray = ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions);
-        AddRay(ray, group);
-        if (ray && isInBeam)
+        AppendRay(ray, packet);
+        if (ray && isInFrustum)
         {
           Add(k, rays);
         }
@@ -217,13 +217,13 @@ TEST_P(CellKernels, FindTheCellsThatRaysPass)
       if (!IsEmpty(rays))
       {
         ASSERT_NO_FATAL_FAILURE(
-          checks.Check(random, group, rays, axis, dimensions, random.Integer(0, 3) != 0));
+          checks.Check(random, packet, rays, axis, dimensions, random.Integer(0, 3) != 0));
       }
     }
     std::cout << "[ tried    ] kind " << static_cast<int>(kind) << ": " << checks.GetNumberOfRays()
               << " rays, " << checks.GetExcess() << " cells found for one that is passed\n";
     EXPECT_GT(checks.GetNumberOfRays(), 500U);
-    // Through vertices and in faces, the cells on all sides are as near.
+    // Through vertices and in faces, the cells on all sides are equally near.
     const bool isOnLattice = kind == LineKind::BesidePlane || kind == LineKind::InFace ||
       kind == LineKind::ThroughVertices || kind == LineKind::Diagonal;
     EXPECT_LT(checks.GetExcess(), isOnLattice ? 4.0 : 1.5);
@@ -231,11 +231,11 @@ TEST_P(CellKernels, FindTheCellsThatRaysPass)
 }
 
 //------------------------------------------------------------------------------
-// Bunches of rays.
+// Packets of rays.
 
 /// From an eye through the pixels of a small picture, in its rows, or along one direction: up or
 /// down an axis and through the volume.
-void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayPacket& group)
+void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayPacket& packet)
 {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
@@ -258,18 +258,18 @@ void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, R
     off[v] = size * std::floor(i / columns); // NOLINT(bugprone-integer-division): a row
     const Line line = isParallel ? Line{ eye + off * 200.0, middle } : Line{ eye, middle + off };
     const double end = random.Integer(0, 9) ? Infinity : random.Uniform(0.0, 200.0);
-    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, n), group);
+    AppendRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, n), packet);
   }
 }
 
 /// Some of the rays that exist, down to very few.
-RaySet SomeRays(RandomNumbers& random, const RayPacket& group)
+RaySet SomeRays(RandomNumbers& random, const RayPacket& packet)
 {
   const int oneOf = random.Integer(0, 1) ? 1 : random.Integer(1, 60);
   RaySet rays = {};
-  for (int i = 0; i < group.Count; ++i)
+  for (int i = 0; i < packet.Count; ++i)
   {
-    if (Has(group.Exists, i) && random.Integer(1, oneOf) == 1)
+    if (Has(packet.Exists, i) && random.Integer(1, oneOf) == 1)
     {
       Add(i, rays);
     }
@@ -277,10 +277,11 @@ RaySet SomeRays(RandomNumbers& random, const RayPacket& group)
   return rays;
 }
 
-/// What a bunch sweeps must hold its rays all the way, and no more than it needs to at the ends.
+/// The bounds of a subpacket must contain its rays over their whole length, and be tight at the
+/// ends.
 void CheckBunches(const AlignedRays& aligned, const RaySet& rays)
 {
-  for (int bunch = 0; bunch < AlignedRays::Bunches; ++bunch)
+  for (int subpacket = 0; subpacket < AlignedRays::Subpackets; ++subpacket)
   {
     for (std::size_t j = 0; j < 2; ++j)
     {
@@ -289,18 +290,20 @@ void CheckBunches(const AlignedRays& aligned, const RaySet& rays)
         const double plane = aligned.SweptLow + share * (aligned.SweptHigh - aligned.SweptLow);
         double least = Infinity;
         double most = -Infinity;
-        for (int i = bunch * AlignedRays::Bunch; i < (bunch + 1) * AlignedRays::Bunch; ++i)
+        for (int i = subpacket * AlignedRays::SubpacketSize;
+             i < (subpacket + 1) * AlignedRays::SubpacketSize; ++i)
         {
           if (Has(rays, i))
           {
-            const double place = aligned.Offset[j][i] + plane * aligned.Slope[j][i];
-            least = std::min(least, place);
-            most = std::max(most, place);
+            const double coordinate = aligned.Offset[j][i] + plane * aligned.Slope[j][i];
+            least = std::min(least, coordinate);
+            most = std::max(most, coordinate);
           }
         }
         const double foundLeast =
-          aligned.LeastOffset[j][bunch] + plane * aligned.LeastSlope[j][bunch];
-        const double foundMost = aligned.MostOffset[j][bunch] + plane * aligned.MostSlope[j][bunch];
+          aligned.LeastOffset[j][subpacket] + plane * aligned.LeastSlope[j][subpacket];
+        const double foundMost =
+          aligned.MostOffset[j][subpacket] + plane * aligned.MostSlope[j][subpacket];
         const double tiny = 1e-9;
         ASSERT_LE(foundLeast, least + tiny);
         ASSERT_GE(foundMost, most - tiny);
@@ -323,15 +326,15 @@ TEST_P(CellKernels, FindTheCellsThatPacketsPass)
     Index3 dimensions = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
     const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
     dimensions[axis] = random.Integer(2, 200);
-    RayPacket group = EmptyGroup();
-    AddRaysOfPixels(random, axis, dimensions, group);
-    const RaySet rays = SomeRays(random, group);
+    RayPacket packet = EmptyPacket();
+    AddRaysOfPixels(random, axis, dimensions, packet);
+    const RaySet rays = SomeRays(random, packet);
     if (IsEmpty(rays))
     {
       continue;
     }
     ASSERT_NO_FATAL_FAILURE(checks.Check(
-      random, group, rays, static_cast<int>(axis), dimensions, random.Integer(0, 3) == 0));
+      random, packet, rays, static_cast<int>(axis), dimensions, random.Integer(0, 3) == 0));
     ASSERT_NO_FATAL_FAILURE(CheckBunches(checks.GetAlignedRays(), rays));
   }
   std::cout << "[ tried    ] " << checks.GetNumberOfRays() << " rays, " << checks.GetExcess()
@@ -341,8 +344,8 @@ TEST_P(CellKernels, FindTheCellsThatPacketsPass)
 }
 
 //------------------------------------------------------------------------------
-/// A ray of a group, a cell that it passes or comes near to, and the values at its corners.
-struct Question
+/// A ray of a packet, a cell that it passes or comes near to, and the values at its corners.
+struct Query
 {
   int Ray;
   Index3 Cell;
@@ -377,7 +380,7 @@ CellCorners RandomCorners(RandomNumbers& random)
   const double middle = random.Uniform(0.0, 1.0);
   for (std::size_t i = 0; i < 8; ++i)
   {
-    // A parabola along x + y + z that all but touches zero.
+    // A parabola along x + y + z that is nearly tangent to zero.
     const double off = static_cast<double>((i & 1) + (i >> 1 & 1) + (i >> 2)) / 3.0 - middle;
     const double values[] = { random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0),
       random.Uniform(-100.0, 3000.0), random.Integer(-1, 1) + 0.0, random.Integer(-3, 3) * 0.5,
@@ -413,7 +416,7 @@ bool MayBeExtreme(const Ray& ray, const Index3& cell, const CellCorners& differe
   return !(size >= 1e-100 && size <= 1e100);
 }
 
-/// Asks a kernel about cells, and compares what it says of each.
+/// Calls a kernel for cells, and compares its results for each.
 class HitChecks
 {
 public:
@@ -433,15 +436,15 @@ public:
   HitChecks(const HitChecks&) = delete;
   HitChecks& operator=(const HitChecks&) = delete;
 
-  void Check(RandomNumbers& random, const RayPacket& group, const std::vector<Question>& questions)
+  void Check(RandomNumbers& random, const RayPacket& packet, const std::vector<Query>& queries)
   {
-    for (std::size_t first = 0; first < questions.size();)
+    for (std::size_t first = 0; first < queries.size();)
     {
-      // Any number of cells at once, so that all lanes come last.
+      // Any number of cells at once, so that every lane is the last one at some time.
       const auto count = std::min<std::size_t>(
         random.Integer(0, 3) ? random.Integer(1, 20) : random.Integer(64, Candidates::Batch + 16),
-        questions.size() - first);
-      ASSERT_NO_FATAL_FAILURE(this->CheckSome(group, &questions[first], count));
+        queries.size() - first);
+      ASSERT_NO_FATAL_FAILURE(this->CheckSome(packet, &queries[first], count));
       first += count;
     }
   }
@@ -451,42 +454,42 @@ public:
   std::size_t Extremes = 0;
 
 private:
-  void CheckSome(const RayPacket& group, const Question* questions, std::size_t count)
+  void CheckSome(const RayPacket& packet, const Query* queries, std::size_t count)
   {
     Candidates candidates = {};
     candidates.Count = static_cast<int>(count);
     for (std::size_t i = 0; i < count; ++i)
     {
-      candidates.Ray[i] = questions[i].Ray;
+      candidates.Ray[i] = queries[i].Ray;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        candidates.Cell[axis][i] = questions[i].Cell[axis];
+        candidates.Cell[axis][i] = queries[i].Cell[axis];
       }
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
-        candidates.Corners[corner][i] = questions[i].Corners[corner];
+        candidates.Corners[corner][i] = queries[i].Corners[corner];
       }
     }
-    // What is behind the last candidate must still name a ray.
-    std::fill_n(candidates.Ray + count, 16, questions[0].Ray);
+    // Elements behind the last candidate must still have a valid ray.
+    std::fill_n(candidates.Ray + count, 16, queries[0].Ray);
     Solutions solutions;
     std::memset(&solutions, 0xFF, sizeof(solutions)); // all numbers are none
-    this->TheKernels.Solve(group, candidates, this->Isovalue, solutions);
+    this->TheKernels.Solve(packet, candidates, this->Isovalue, solutions);
     const auto has = [](const std::uint64_t* words, std::size_t i)
     { return (words[i / 64] >> (i % 64) & 1) != 0; };
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Question& question = questions[i];
-      const Ray ray = GetRay(group, question.Ray);
-      const CellCorners differences = Differences(question.Corners, this->Isovalue);
+      const Query& query = queries[i];
+      const Ray ray = GetRay(packet, query.Ray);
+      const CellCorners differences = Differences(query.Corners, this->Isovalue);
       if (has(solutions.Extreme, i))
       {
         ++this->Extremes;
-        ASSERT_TRUE(MayBeExtreme(ray, question.Cell, differences));
+        ASSERT_TRUE(MayBeExtreme(ray, query.Cell, differences));
         ASSERT_FALSE(has(solutions.Found, i));
         continue;
       }
-      const MaybeRoot root = ExpectRoot(ray, question.Cell, differences);
+      const MaybeRoot root = ExpectRoot(ray, query.Cell, differences);
       ASSERT_EQ(has(solutions.Found, i), root.has_value());
       (root ? this->Roots : this->None) += 1;
       if (root)
@@ -527,14 +530,14 @@ TEST_P(CellKernels, FirstRootsMatchTheRobustSolver)
     HitChecks checks(this->TheKernels, isovalue);
     for (int i = 0; i < (isZero ? 4000 : 150); ++i)
     {
-      RayPacket group = EmptyGroup();
-      std::vector<Question> questions;
+      RayPacket packet = EmptyPacket();
+      std::vector<Query> queries;
       const int rays = random.Integer(1, RayPacket::Capacity);
       const auto cellsOfRay = static_cast<std::size_t>(random.Integer(1, 10));
       for (int k = 0; k < rays; ++k)
       {
         const auto ray = RandomRay(random);
-        AddRay(ray, group);
+        AppendRay(ray, packet);
         const std::vector<Index3> passed =
           ray ? CellsOnRay(*ray, Dimensions) : std::vector<Index3>();
         const std::size_t first = ray ? random.Bits() % passed.size() : 0;
@@ -545,15 +548,15 @@ TEST_P(CellKernels, FirstRootsMatchTheRobustSolver)
           {
             cell[random.Bits() % 3] += random.Integer(-1, 1);
           }
-          questions.push_back(
+          queries.push_back(
             { k, cell, isZero ? RandomCorners(random) : CornersAround(random, isovalue.Isovalue) });
         }
       }
-      for (std::size_t k = questions.size(); k > 1; --k)
+      for (std::size_t k = queries.size(); k > 1; --k)
       {
-        std::swap(questions[k - 1], questions[random.Bits() % k]);
+        std::swap(queries[k - 1], queries[random.Bits() % k]);
       }
-      ASSERT_NO_FATAL_FAILURE(checks.Check(random, group, questions)) << i;
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, packet, queries)) << i;
     }
     EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 100000U : 5000U);
     EXPECT_GT(checks.None, isZero ? 300000U : 10000U);

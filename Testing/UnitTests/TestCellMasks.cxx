@@ -25,7 +25,7 @@ namespace
 const std::vector<Index3> Sizes = { { 2, 2, 2 }, { 9, 9, 9 }, { 10, 8, 17 }, { 18, 10, 3 },
   { 2, 33, 11 } };
 
-/// Mostly one value, so that there are cells without a surface; others that try the rule.
+/// Mostly one value, so that there are cells without a surface; others that test the rule.
 template <typename T>
 TestVolume<T> NewVolume(RandomNumbers& random, const Index3& size, int stride)
 {
@@ -151,7 +151,7 @@ class CellMasksOf : public testing::Test
 TYPED_TEST_SUITE(CellMasksOf, SampleTypes);
 
 //------------------------------------------------------------------------------
-// One object is asked for all isovalues in turn: it has to forget.
+// One object makes the masks for all isovalues in turn: it must discard the old ones.
 TYPED_TEST(CellMasksOf, MarkTheCellsThatASurfaceIntersects)
 {
   using T = TypeParam;
@@ -207,7 +207,7 @@ TYPED_TEST(CellMasksOf, IdenticalForAllThreads)
 }
 
 //------------------------------------------------------------------------------
-// Where there is no memory to keep them, they are made anew.
+// Where there is no memory to keep them, they are made each time.
 TYPED_TEST(CellMasksOf, IdenticalWithLittleMemory)
 {
   using T = TypeParam;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The cells a ray visits are compared with those found in two slow ways: by sorting all crossings
-// of all lattice planes, and by asking every cell of the volume whether the ray passes it.
+// The cells that a ray visits are compared with those found in two slow ways: by sorting all
+// crossings of all lattice planes, and by testing every cell of the volume.
 
 #include "Image/Cells/CellSegment.h"
 #include "Image/Traversal/CellTraversal.h"
@@ -85,8 +85,8 @@ std::vector<Index3> FindCellsBySorting(const Ray& ray, const Index3& dimensions)
   return cells;
 }
 
-/// The cells of a ray, from asking each of the volume. Along an axis the ray is parallel to, only
-/// those at the floor of the origin are asked.
+/// The cells of a ray, by testing each of the volume. Along an axis the ray is parallel to, only
+/// those at the floor of the origin are tested.
 std::set<Index3> FindCellsBySegments(const Ray& ray, const Index3& dimensions)
 {
   std::set<Index3> cells;
@@ -134,12 +134,12 @@ std::vector<Index3> Traverse(const Ray& ray, const ActiveMacrocells& active)
     [&cells](const Index3& cell)
     {
       cells.push_back(cell);
-      return cells.size() > 100000; // a walk without end ends here, and fails
+      return cells.size() > 100000; // an endless traversal stops here, and fails
     });
   return cells;
 }
 
-/// The rest of the sequence when the cells in macrocells that are not active are taken away.
+/// The rest of the sequence when the cells in inactive macrocells are removed.
 std::vector<Index3> Filter(const std::vector<Index3>& cells, const ActiveMacrocells& active)
 {
   std::vector<Index3> kept;
@@ -147,14 +147,14 @@ std::vector<Index3> Filter(const std::vector<Index3>& cells, const ActiveMacroce
   {
     bool keep = true;
     const auto& levels = active.GetLattice().Levels;
-    Index3 place = cell;
+    Index3 block = cell;
     for (std::size_t level = 0; level < levels.size(); ++level)
     {
-      for (int& coordinate : place)
+      for (int& coordinate : block)
       {
         coordinate /= levels[level].Branching;
       }
-      keep = keep && active.IsActive(level, place);
+      keep = keep && active.IsActive(level, block);
     }
     if (keep)
     {
@@ -177,8 +177,8 @@ void ExpectNeighboursShareFaces(const std::vector<Index3>& cells)
   }
 }
 
-/// The segments of the cells must make up the whole ray, their ends must lie on it, and what one
-/// leaves by the next must enter by.
+/// The segments of the cells must make up the whole ray, their ends must lie on it, and the exit of
+/// one must be the entry of the next.
 void ExpectSegmentsChain(const Ray& ray, const std::vector<Index3>& cells)
 {
   double t = ray.Begin;
@@ -210,7 +210,7 @@ void ExpectSegmentsChain(const Ray& ray, const std::vector<Index3>& cells)
   ASSERT_EQ(t, ray.End);
 }
 
-/// What all rays have to pass, with counts of what was tried.
+/// Checks for all rays, with counts of what was tried.
 class RayChecks
 {
 public:
@@ -310,7 +310,7 @@ Vector3 ToVector(const Index3& i)
   return { static_cast<double>(i[0]), static_cast<double>(i[1]), static_cast<double>(i[2]) };
 }
 
-/// The 26 directions to the neighbours of a lattice place.
+/// The 26 directions to the neighbours of a lattice point.
 std::vector<Vector3> NeighbourDirections()
 {
   std::vector<Vector3> directions;
@@ -494,11 +494,11 @@ TEST(CellTraversal, StopsWhenTheVisitorIsSatisfied)
   {
     const ActiveMacrocells active = MakeAllActive(size, branching);
     const std::size_t all = Traverse(*ray, active).size();
-    for (std::size_t wanted = 1; wanted <= all; ++wanted)
+    for (std::size_t limit = 1; limit <= all; ++limit)
     {
       std::size_t visited = 0;
-      TraverseCells(*ray, active, [&](const Index3&) { return ++visited == wanted; });
-      ASSERT_EQ(visited, wanted);
+      TraverseCells(*ray, active, [&](const Index3&) { return ++visited == limit; });
+      ASSERT_EQ(visited, limit);
     }
   }
 }
@@ -532,9 +532,9 @@ TEST(CellTraversal, RejectsInvalidRays)
 }
 
 //------------------------------------------------------------------------------
-// However large or small the numbers of a ray, the walk ends, and stays in the volume. Only where
-// the entry is not found to within 1e9 cells (the origin is 1e25 cells away) lattice planes melt
-// together and cells are left out.
+// However large or small the numbers of a ray, the traversal ends, and stays in the volume. Only
+// where the entry is not found to within 1e9 cells (the origin is 1e25 cells away) lattice planes
+// coincide and cells are left out.
 TEST(CellTraversal, TerminatesForRaysOfAnyMagnitude)
 {
   RandomNumbers random(105);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The sieve, which works in single precision, may keep a cell that has no root and need not know
-// that a ray surely hits; but it must never drop a cell that has a root, nor be sure where there is
+// The classification, in single precision, may keep a cell that has no root and may miss that a ray
+// surely hits; but it must never drop a cell that has a root, nor report a sure hit where there is
 // none.
 
 #include "AllKernels.h"
@@ -106,7 +106,7 @@ void GetOffset(double& middle, double& step)
   middle = std::is_integral_v<T> ? std::ldexp(1.0, Limits::digits) - 20.0 * step : 1e6;
 }
 
-/// Values as a function of the place.
+/// Values as a function of the position.
 template <typename T, typename Value>
 TestVolume<T> Fill(RandomNumbers& random, const Index3& dimensions, const Value& value)
 {
@@ -264,12 +264,12 @@ BlockMask MakeMask(const Field<T>& field, const Index3& block, bool all)
 //------------------------------------------------------------------------------
 // Rays.
 
-/// The t of a place of interest: where a ray hits the surface, or where it crosses a plane.
+/// The t of a point of interest: where a ray hits the surface, or where it crosses a plane.
 template <typename T>
-std::optional<double> FindPlace(
+std::optional<double> FindPoint(
   RandomNumbers& random, const Ray& ray, std::size_t axis, const Field<T>& field)
 {
-  std::vector<double> places;
+  std::vector<double> points;
   if (random.Integer(0, 2) == 0)
   {
     const int plane = random.Integer(0, field.Volume.Dimensions[axis] - 1);
@@ -280,13 +280,13 @@ std::optional<double> FindPlace(
     const CellCorners differences = Differences(CornersOf(field.Volume, cell), field.Isovalue);
     if (const MaybeRoot root = ExpectRoot(ray, cell, differences))
     {
-      places.push_back(root->T);
+      points.push_back(root->T);
     }
   }
-  return places.empty() ? std::nullopt : std::optional(places[random.Bits() % places.size()]);
+  return points.empty() ? std::nullopt : std::optional(points[random.Bits() % points.size()]);
 }
 
-/// Whole, or beginning or ending somewhere in the volume, often next to a place of interest.
+/// Whole, or beginning or ending somewhere in the volume, often next to a point of interest.
 template <typename T>
 std::optional<Ray> NewRay(
   RandomNumbers& random, const Line& line, std::size_t axis, const Field<T>& field)
@@ -302,15 +302,15 @@ std::optional<Ray> NewRay(
   const double offs[] = { 0.0, 1e-12, 3e-7, 9e-7, 1e-6, 3e-6, 1e-5, 1e-4, 1e-2, 0.3 };
   const double off =
     offs[random.Integer(0, 9)] * (random.Integer(0, 1) ? 1.0 : -1.0) / line.Direction[axis];
-  const std::optional<double> place = FindPlace(random, *whole, axis, field);
-  const double t = place ? *place + off : whole->Base + random.Uniform(whole->Begin, whole->End);
+  const std::optional<double> point = FindPoint(random, *whole, axis, field);
+  const double t = point ? *point + off : whole->Base + random.Uniform(whole->Begin, whole->End);
   return how < 7 ? clip(std::max(t, 0.0), Infinity)
     : how < 9    ? clip(0.0, t)
                  : clip(std::max(t, 0.0), t + random.Uniform(0.0, 2.0));
 }
 
 /// With it the ray only just hits the surface in a cell, or misses it narrowly: it is next to the
-/// value where the ray comes in or goes out, or to an extreme one between.
+/// value where the ray enters or leaves, or to an extreme one in between.
 template <typename T>
 double FindHardIsovalue(
   RandomNumbers& random, const TestVolume<T>& volume, const Ray& ray, const Index3& cell)
@@ -322,33 +322,33 @@ double FindHardIsovalue(
   if (SegmentInCell(ray, cell, segment))
   {
     const auto cubic = CubicAlongSegment(corners, segment.Entry, segment.Exit);
-    double places[4] = { 0.0, 1.0 };
-    const int turns = Robust::Extrema(cubic, places + 2);
-    value = Robust::Evaluate(cubic, places[random.Integer(0, 1 + turns)]);
+    double points[4] = { 0.0, 1.0 };
+    const int turns = Robust::Extrema(cubic, points + 2);
+    value = Robust::Evaluate(cubic, points[random.Integer(0, 1 + turns)]);
   }
   return value + random.WideMagnitude(-9.0, -3.0) * (*range.second - *range.first);
 }
 
 //------------------------------------------------------------------------------
 /// A cell of a passage.
-struct Question
+struct Query
 {
   int Passage;
   int Slice;
   int Bit;
 };
 
-Index3 GetCell(const Passages& passages, const Question& question, std::size_t axis)
+Index3 GetCell(const Passages& passages, const Query& query, std::size_t axis)
 {
-  const int* first = passages.First[passages.Ways[question.Passage].Block];
+  const int* first = passages.First[passages.Segments[query.Passage].Block];
   Index3 cell = { first[0], first[1], first[2] };
-  cell[axis] += question.Slice;
-  cell[static_cast<std::size_t>(BlockMask::U[axis])] += question.Bit % 8;
-  cell[static_cast<std::size_t>(BlockMask::V[axis])] += question.Bit / 8;
+  cell[axis] += query.Slice;
+  cell[static_cast<std::size_t>(BlockMask::U[axis])] += query.Bit % 8;
+  cell[static_cast<std::size_t>(BlockMask::V[axis])] += query.Bit / 8;
   return cell;
 }
 
-/// Asks the sieve about cells, and compares what it says of each with the reference.
+/// Classifies cells, and compares the results for each with the reference.
 class ClassificationChecks
 {
 public:
@@ -363,16 +363,16 @@ public:
     const Index3& n = field.Volume.Dimensions;
     const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
     const double sign = random.Integer(0, 1) ? 1.0 : -1.0;
-    RayPacket packet = EmptyGroup();
+    RayPacket packet = EmptyPacket();
     const int count = random.Integer(0, 1) ? RayPacket::Capacity : random.Integer(1, 20);
     for (int i = 0; i < count; ++i)
     {
-      AddRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), packet);
+      AppendRay(NewRay(random, LineAlong(random, lines, axis, sign, n), axis, field), packet);
     }
     AlignedRays aligned;
-    Frustum beam;
+    Frustum frustum;
     if (IsEmpty(packet.Exists) ||
-      !this->TheKernels.Align(packet, packet.Exists, static_cast<int>(axis), aligned, beam))
+      !this->TheKernels.Align(packet, packet.Exists, static_cast<int>(axis), aligned, frustum))
     {
       return;
     }
@@ -404,17 +404,17 @@ public:
   std::size_t Cells = 0;
   std::size_t Roots = 0;
   std::size_t Kept = 0;
-  /// Those that the sieve is sure of.
+  /// Those that the classification is sure of.
   std::size_t Sure = 0;
 
 private:
-  /// Asks about the cells of all passages, but never of two of one passage at once: so it is known
+  /// Classifies the cells of all passages, but never two of one passage at once: so it is known
   /// which of them is surely hit.
   template <typename T>
   void CheckPassages(RandomNumbers& random, const Field<T>& field, const RayPacket& packet,
     std::size_t axis, bool all, Passages& passages)
   {
-    std::vector<std::vector<Question>> rounds;
+    std::vector<std::vector<Query>> rounds;
     for (int passage = 0; passage < passages.Count; ++passage)
     {
       std::size_t number = 0;
@@ -430,11 +430,11 @@ private:
         }
       }
     }
-    for (const std::vector<Question>& round : rounds)
+    for (const std::vector<Query>& round : rounds)
     {
       for (std::size_t first = 0; first < round.size();)
       {
-        // Any number of cells at once, so that all lanes come last.
+        // Any number of cells at once, so that every lane is the last one at some time.
         const auto count = std::min<std::size_t>(
           random.Integer(0, 3) ? random.Integer(1, 40) : random.Integer(64, MostAtOnce),
           round.size() - first);
@@ -442,16 +442,16 @@ private:
           random, field.Volume, field.Isovalue, packet, axis, all, &round[first], count, passages));
         first += count;
       }
-      for (const Question& question : round)
+      for (const Query& query : round)
       {
         if (random.Integer(0, 1) && field.Isovalue.Scale == 1.0)
         {
           const ScaledIsovalue hard = { FindHardIsovalue(random, field.Volume,
-                                          GetRay(packet, passages.Ways[question.Passage].Ray),
-                                          GetCell(passages, question, axis)),
+                                          GetRay(packet, passages.Segments[query.Passage].Ray),
+                                          GetCell(passages, query, axis)),
             1.0 };
-          ASSERT_NO_FATAL_FAILURE(this->CheckSome(
-            random, field.Volume, hard, packet, axis, true, &question, 1, passages));
+          ASSERT_NO_FATAL_FAILURE(
+            this->CheckSome(random, field.Volume, hard, packet, axis, true, &query, 1, passages));
         }
       }
     }
@@ -459,8 +459,8 @@ private:
 
   template <typename T>
   void CheckSome(RandomNumbers& random, const TestVolume<T>& volume, const ScaledIsovalue& isovalue,
-    const RayPacket& packet, std::size_t axis, bool all, const Question* questions,
-    std::size_t count, Passages& passages)
+    const RayPacket& packet, std::size_t axis, bool all, const Query* queries, std::size_t count,
+    Passages& passages)
   {
     std::vector<Index3> cells;
     PassedCells passed;
@@ -468,15 +468,14 @@ private:
     for (std::size_t i = 0; i < count + 16; ++i)
     {
       // Behind the last cell stands the first again.
-      const Question& question = questions[i < count ? i : 0];
-      const Index3 cell = GetCell(passages, question, axis);
+      const Query& query = queries[i < count ? i : 0];
+      const Index3 cell = GetCell(passages, query, axis);
       cells.push_back(cell);
-      passed.Codes[i] = static_cast<unsigned int>(question.Passage) |
-        static_cast<unsigned int>(question.Slice) << 16 |
-        static_cast<unsigned int>(question.Bit) << 24;
+      passed.Codes[i] = static_cast<unsigned int>(query.Passage) |
+        static_cast<unsigned int>(query.Slice) << 16 | static_cast<unsigned int>(query.Bit) << 24;
       passed.First[i] = &volume.At(cell);
     }
-    // There may be candidates, hits of rays and of other passages already, which stay.
+    // There may be candidates, hits of rays and of other passages already, which are kept.
     Candidates candidates;
     const int before = random.Integer(0, Candidates::Batch - 1);
     candidates.Count = before;
@@ -500,8 +499,8 @@ private:
     int next = before;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const int passage = questions[i].Passage;
-      const int ray = passages.Ways[passage].Ray;
+      const int passage = queries[i].Passage;
+      const int ray = passages.Segments[passage].Ray;
       const Index3& cell = cells[i];
       const CellCorners corners = CornersOf(volume, cell);
       const MaybeRoot root = ExpectRoot(GetRay(packet, ray), cell, Differences(corners, isovalue));
@@ -526,14 +525,14 @@ private:
         this->Sure += isSure ? 1 : 0;
       }
     }
-    ASSERT_EQ(next, candidates.Count) << "there are candidates that nobody asked for";
+    ASSERT_EQ(next, candidates.Count) << "there are unrequested candidates";
     for (int side = 0; side < 2; ++side)
     {
       ASSERT_EQ(hits[side].Words[0], expectedHits[side].Words[0]);
       ASSERT_EQ(hits[side].Words[1], expectedHits[side].Words[1]);
     }
 
-    // What is surely hit stays so, whatever the other cells say.
+    // A sure hit remains, whatever the other cells are.
     std::fill_n(passages.Hits, passages.Count, true);
     candidates.Count = 0;
     classify();

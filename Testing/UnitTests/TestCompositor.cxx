@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fragments beside the definition of the operator "over", back to front in extended precision.
+// Fragments compared with the definition of the operator "over", back to front in extended
+// precision.
 
 #include "Picture/Compositor.h"
 #include "RandomNumbers.h"

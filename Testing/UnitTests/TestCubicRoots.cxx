@@ -84,8 +84,8 @@ double Size(const BernsteinCubic& b)
   return std::max({ std::abs(b[0]), std::abs(b[1]), std::abs(b[2]), std::abs(b[3]) });
 }
 
-/// The size of the smallest value the cubic takes where it turns: below the rounding of its
-/// coefficients, nobody can tell how many roots there are.
+/// The size of the smallest value of the cubic where it turns: below the rounding of its
+/// coefficients, the number of roots is undecidable.
 double SmallestTurn(const BernsteinCubic& b)
 {
   const Quad d0 = Quad(b[1]) - b[0];
@@ -363,7 +363,7 @@ TEST(CubicRoots, IdenticalAtAnyMagnitude)
 
 //------------------------------------------------------------------------------
 // The signs at the ends, which neighbouring cells must agree on, are those of the coefficients,
-// even if another coefficient is so large that the one at the end is nothing beside it.
+// even if another coefficient is so large that the one at the end is negligible beside it.
 TEST(CubicRoots, SignsAtTheEndsBesideHugeCoefficients)
 {
   for (const double tiny : { 1e-30, 1e-200, 1e-300, 5e-324 })
@@ -426,16 +426,16 @@ TEST(CubicRoots, StopsWhenTheVisitorIsSatisfied)
   const BernsteinCubic b = FromRoots(0.2, 0.5, 0.9, 1.0);
   const std::vector<Root> all = FindRoots(b);
   ASSERT_EQ(all.size(), 3U);
-  for (std::size_t wanted = 1; wanted <= 3; ++wanted)
+  for (std::size_t limit = 1; limit <= 3; ++limit)
   {
     std::vector<Root> roots;
     Robust::ForEachRoot(b,
       [&](double u, bool entering)
       {
         roots.push_back({ u, entering });
-        return roots.size() == wanted;
+        return roots.size() == limit;
       });
-    EXPECT_EQ(roots, std::vector<Root>(all.begin(), all.begin() + static_cast<int>(wanted)));
+    EXPECT_EQ(roots, std::vector<Root>(all.begin(), all.begin() + static_cast<int>(limit)));
   }
 }
 

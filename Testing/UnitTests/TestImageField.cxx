@@ -49,7 +49,7 @@ std::vector<double> Noise(std::uint64_t seed, std::size_t count, double low, dou
 struct ExactHit
 {
   double T;
-  /// How much rounding may move it: a lot where the ray all but touches the surface.
+  /// How far rounding may move it: a lot where the ray is nearly tangent to the surface.
   double Slack;
 };
 
@@ -192,7 +192,7 @@ std::vector<ExactHit> FindExactHits(const TestVolume<T>& volume, const Line& lin
   return hits;
 }
 
-/// Takes out pairs of hits so close that rounding may make or unmake them.
+/// Removes pairs of hits so close that rounding may create or remove them.
 template <typename AnyHit>
 std::vector<AnyHit> WithoutClosePairs(const std::vector<AnyHit>& hits)
 {
@@ -376,8 +376,8 @@ TEST(ImageField, IdenticalHitsWithAllSettings)
 }
 
 //------------------------------------------------------------------------------
-/// Traces many lines, that all begin inside a closed surface and leave the volume, by all threads.
-/// Returns how many slip out: meet the surface an even number of times, or not in turn.
+/// Traces many lines, all of which begin inside a closed surface and leave the volume, on all
+/// threads. Returns how many leak: hit the surface an even number of times, or without alternating.
 template <typename NewLine>
 std::size_t CountLeaks(ImageField& volume, int lines, std::uint64_t seed, const NewLine& newLine)
 {
@@ -450,17 +450,17 @@ TEST(ImageField, NoRayLeaksThroughASurfaceNearFacesOfCells)
 TEST(ImageField, NoRayLeaksThroughClosedNoise)
 {
   const Index3 size = { 13, 14, 15 };
-  const Index3 place = { 6, 7, 7 };
+  const Index3 index = { 6, 7, 7 };
   const Vector3 start = { 6.0, 7.0, 7.0 };
   auto noise = ClosedNoise<std::int16_t>(size, 323, -2, 2, -2);
-  noise.At(place) = 1;
+  noise.At(index) = 1;
   EXPECT_EQ(CountLeaks(*NewTraced(noise, { { 0.0, Glass } }), 200000, 324,
               [&](RandomNumbers& random) {
                 return Line{ start, random.Direction() };
               }),
     0U);
   auto fine = ClosedNoise<float>(size, 325, -8000000, 8000000, -8000000);
-  fine.At(place) = 1.0F;
+  fine.At(index) = 1.0F;
   EXPECT_EQ(CountLeaks(*NewTraced(fine, { { 0.0, Glass } }), 100000, 326,
               [&](RandomNumbers& random) {
                 return Line{ start, random.Direction() };
@@ -482,9 +482,9 @@ TEST(ImageField, NoRayLeaksThroughClosedNoiseOfAllMagnitudes)
   ForEachPlace({ size[0] - 2, size[1] - 2, size[2] - 2 },
     [&](const Index3& i)
     {
-      const Index3 place = { i[0] + 1, i[1] + 1, i[2] + 1 };
-      smallest.At(place) = random.Integer(-2, 2) * denormal;
-      all.At(place) = random.Integer(0, 9) ? random.WideMagnitude(-324.0, 308.0) : largest;
+      const Index3 index = { i[0] + 1, i[1] + 1, i[2] + 1 };
+      smallest.At(index) = random.Integer(-2, 2) * denormal;
+      all.At(index) = random.Integer(0, 9) ? random.WideMagnitude(-324.0, 308.0) : largest;
     });
   smallest.At({ 6, 7, 7 }) = denormal;
   all.At({ 6, 7, 7 }) = 1e300;
@@ -623,7 +623,7 @@ TEST(ImageField, SurfacesInTheOrderOfTheRay)
 }
 
 //------------------------------------------------------------------------------
-// The values differ by so little, and the field is so steep, that no number lies between the hits.
+// The values differ so little, and the field is so steep, that no number lies between the hits.
 TEST(ImageField, CoincidentSurfacesInTheOrderOfTheirValues)
 {
   const auto volume = TestVolume<double>::Of(
@@ -907,7 +907,8 @@ TEST(ImageField, HitsFromFarAwayMatchThoseFromNear)
 }
 
 //------------------------------------------------------------------------------
-// The origin 2^30 cells away is exact, and so is the ray: every digit is that of a ray from near.
+// The origin 2^30 cells away is exact, and so is the ray: every digit is that of a ray from near
+// by.
 TEST(ImageField, NoHitIsLostFromFarAway)
 {
   const Index3 size = { 18, 16, 17 };

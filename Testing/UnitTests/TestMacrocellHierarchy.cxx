@@ -225,7 +225,7 @@ TEST(MacrocellHierarchy, MemoryIsSmall)
 }
 
 //------------------------------------------------------------------------------
-/// Any value of a type; for floats also what is no number, or infinite.
+/// Any value of a type; for floats also NaN and infinity.
 template <typename T>
 T AnyValue(RandomNumbers& random)
 {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What rays hit as packets, with the kernels of every instruction set, must be what each of them
-// hits by itself, cell after cell: the same to the last bit.
+// hits by itself, cell by cell: the same to the last bit.
 
 #include "AllKernels.h"
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
-#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -130,7 +130,7 @@ Rays LatticeRays(RandomNumbers& random, const Index3& size)
   return rays;
 }
 
-/// Rays that have nothing in common; some of them are missing.
+/// Incoherent rays; some of them are missing.
 Rays MixedRays(RandomNumbers& random, const Index3& size)
 {
   Rays rays;
@@ -164,8 +164,8 @@ Rays RaysInAllDirections(RandomNumbers& random, const Index3& size)
   return rays; // with one that has no direction
 }
 
-/// Through a corner of blocks, and steeply across the axis that the first one mainly goes along: in
-/// a slice of blocks they pass as many as rays can.
+/// Through a corner of blocks, and steeply across the major axis of the first one: in a slice of
+/// blocks they pass as many as rays can.
 Rays SteepRays(RandomNumbers& random, const Index3& size)
 {
   const Vector3 corner = { 0.0, 8.0 * random.Integer(1, 2), 8.0 * random.Integer(1, 2) };
@@ -179,7 +179,7 @@ Rays OneRay(RandomNumbers& random, const Index3& size)
   return { Clip(RandomLine(random, size), size) };
 }
 
-/// So slow that they end at no finite t, if they end at all.
+/// With directions so short that they end at no finite t, if they end at all.
 Rays EndlessRays(RandomNumbers& random, const Index3& size)
 {
   Rays rays;
@@ -304,7 +304,7 @@ private:
 //------------------------------------------------------------------------------
 // Volumes.
 
-/// Sizes at the seams of blocks, and of blocks of blocks.
+/// Sizes at the borders of blocks, and of blocks of blocks.
 const std::vector<Index3> Sizes = { { 2, 2, 2 }, { 9, 9, 9 }, { 10, 17, 18 }, { 8, 25, 16 },
   { 65, 34, 3 }, { 3, 66, 2 }, { 600, 3, 4 }, { 2, 530, 9 }, { 7, 2, 1030 } };
 
@@ -331,7 +331,7 @@ ImageSettings RandomSettings(RandomNumbers& random)
     sizes[random.Integer(0, 5)], random.Integer(1, 4) };
 }
 
-class Beams : public WithKernels
+class PacketTracing : public WithKernels
 {
 protected:
   template <typename T>
@@ -354,10 +354,10 @@ protected:
     EXPECT_GT(checks.GetNumberOfHits(), 10000U);
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, Beams, AllKernels(), NameOfKernels);
+INSTANTIATE_TEST_SUITE_P(All, PacketTracing, AllKernels(), NameOfKernels);
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllTypes)
+TEST_P(PacketTracing, HitWhatSingleRaysHitInSamplesOfAllTypes)
 {
   this->CheckType<std::int8_t>("8 bits, signed");
   this->CheckType<std::uint8_t>("8 bits");
@@ -372,7 +372,7 @@ TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllTypes)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, HitWhatSingleRaysHitInAllLayouts)
+TEST_P(PacketTracing, HitWhatSingleRaysHitInAllLayouts)
 {
   const Index3 size = { 35, 26, 42 };
   const AnalyticFields::Gyroid tunnels = { 7.3 };
@@ -427,7 +427,7 @@ void CheckAllSolvers(RandomNumbers& random, PacketChecks& checks)
   }
 }
 
-TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
+TEST_P(PacketTracing, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
 {
   RandomNumbers random(858);
   PacketChecks checks("all solvers and surfaces", this->TheKernels);
@@ -437,7 +437,7 @@ TEST_P(Beams, HitWhatSingleRaysHitWithAllSolversAndSurfaces)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
+TEST_P(PacketTracing, HitWhatSingleRaysHitWithLittleMemory)
 {
   RandomNumbers random(859);
   PacketChecks checks("little memory", this->TheKernels);
@@ -459,7 +459,7 @@ TEST_P(Beams, HitWhatSingleRaysHitWithLittleMemory)
 
 //------------------------------------------------------------------------------
 // A ray may pass several blocks of one slice; the blocks of a slice come in no order.
-TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
+TEST_P(PacketTracing, HitTheFirstOfSeveralBlocksInASlice)
 {
   const Index3 size = { 34, 34, 34 };
   RandomNumbers random(853);
@@ -511,7 +511,7 @@ TEST_P(Beams, HitTheFirstOfSeveralBlocksInASlice)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, SkipNonFiniteSamples)
+TEST_P(PacketTracing, SkipNonFiniteSamples)
 {
   RandomNumbers random(854);
   PacketChecks checks("NaN and infinity", this->TheKernels);
@@ -530,8 +530,8 @@ TEST_P(Beams, SkipNonFiniteSamples)
 }
 
 //------------------------------------------------------------------------------
-// The kernels leave cells with such values to others.
-TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
+// The kernels do not solve cells with such values.
+TEST_P(PacketTracing, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
 {
   RandomNumbers random(855);
   PacketChecks checks("all magnitudes", this->TheKernels);
@@ -558,7 +558,7 @@ TEST_P(Beams, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, SelectReplacesTheSurface)
+TEST_P(PacketTracing, SelectReplacesTheSurface)
 {
   RandomNumbers random(856);
   const AnalyticFields::Gyroid tunnels = { 7.3 };
@@ -575,16 +575,16 @@ TEST_P(Beams, SelectReplacesTheSurface)
 
 //------------------------------------------------------------------------------
 // Threads make masks and bricks while others read them.
-TEST_P(Beams, IdenticalWithSeveralThreads)
+TEST_P(PacketTracing, IdenticalWithSeveralThreads)
 {
   const AnalyticFields::Gyroid tunnels = { 9.3 };
   const Index3 size = { 58, 57, 56 };
   const auto volume = TestVolume<float>::Of(size, tunnels);
   RandomNumbers random(857);
-  std::vector<Rays> groups;
+  std::vector<Rays> bundles;
   for (int i = 0; i < 200; ++i)
   {
-    groups.push_back(PinholeRays(random, size));
+    bundles.push_back(PinholeRays(random, size));
   }
   const auto alone = ImageField::New(volume.View(), {}, 1);
   for (int repeat = 0; repeat < 3; ++repeat)
@@ -593,16 +593,16 @@ TEST_P(Beams, IdenticalWithSeveralThreads)
     TestRequest request = OpaqueSurface(0.2);
     request.PacketKernels = &this->TheKernels;
     Select(*traced, request, 2);
-    std::vector<RayHits> hits(groups.size());
+    std::vector<RayHits> hits(bundles.size());
 #pragma omp parallel for num_threads(2) schedule(dynamic)
-    for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+    for (int i = 0; i < static_cast<int>(bundles.size()); ++i)
     {
-      const auto group = static_cast<std::size_t>(i);
-      Trace(*traced, groups[group], hits[group]);
+      const auto index = static_cast<std::size_t>(i);
+      Trace(*traced, bundles[index], hits[index]);
     }
-    for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t i = 0; i < bundles.size(); ++i)
     {
-      const RayHits expected = TraceWith(*alone, groups[i], OpaqueSurface(0.2), nullptr);
+      const RayHits expected = TraceWith(*alone, bundles[i], OpaqueSurface(0.2), nullptr);
       ASSERT_EQ(hits[i].First, expected.First);
       ASSERT_TRUE(std::equal(hits[i].Hits.begin(), hits[i].Hits.end(), expected.Hits.begin(),
         [](const Hit& a, const Hit& b) { return AreSame(a, b); }));
@@ -611,16 +611,16 @@ TEST_P(Beams, IdenticalWithSeveralThreads)
 }
 
 //------------------------------------------------------------------------------
-// Where nothing can be hit, no rays are sent.
+// Where nothing can be hit, no rays are traced.
 
-/// Lines through one place, or parallel, of any lengths and from anywhere on themselves.
+/// Lines through one point, or parallel, of any lengths and starting anywhere on themselves.
 struct Pencil
 {
   Vector3 Crossing;
   bool IsParallel;
   Line Lines[4];
 
-  /// The line with a mean of the directions, or with a mean of the places; in all it is long
+  /// The line with a mean of the directions, or with a mean of the origins; in all it is long
   /// enough to pass a volume.
   Line GetMean(RandomNumbers& random) const
   {
@@ -640,7 +640,7 @@ struct Pencil
   }
 };
 
-/// Some of them aim at a place.
+/// Some of them aim at a point.
 Pencil NewPencil(RandomNumbers& random, const Index3& size, const Vector3& target)
 {
   Pencil pencil;
@@ -685,7 +685,7 @@ RayPacket LinesOf(const Pencil& pencil)
   return lines;
 }
 
-TEST_P(Beams, AreTracedWhereverRaysHit)
+TEST_P(PacketTracing, AreTracedWhereverRaysHit)
 {
   RandomNumbers random(860);
   std::size_t withHits = 0;
@@ -737,7 +737,7 @@ TEST_P(Beams, AreTracedWhereverRaysHit)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(Beams, AreTracedWithoutHitPrediction)
+TEST_P(PacketTracing, AreTracedWithoutHitPrediction)
 {
   const auto volume = TestVolume<float>::Of({ 33, 33, 33 }, AnalyticFields::Sphere{ {}, 3.0 });
   const auto traced = ImageField::New(volume.View(), {}, 1);
@@ -760,14 +760,14 @@ TEST_P(Beams, AreTracedWithoutHitPrediction)
   other.Projection = Extremum::Largest;
   EXPECT_TRUE(mayHit(other, pencil));
   other = surface;
-  std::vector<double> places(33);
-  std::iota(places.begin(), places.end(), 0.0);
-  places[1] = 0.5;
-  const UnevenPlanes planes({ places, places, places });
+  std::vector<double> coordinates(33);
+  std::iota(coordinates.begin(), coordinates.end(), 0.0);
+  coordinates[1] = 0.5;
+  const UnevenPlanes planes({ coordinates, coordinates, coordinates });
   other.Planes = &planes;
   EXPECT_TRUE(mayHit(other, pencil));
 
-  // Lines that are none, that part, that go opposite ways, or that come from too far.
+  // Lines that are invalid, that diverge, that go opposite ways, or that come from too far.
   for (const Line& line : { Line{ { 20.0, std::nan(""), 0.0 }, { 0.0, 0.0, 1.0 } },
          Line{ { 20.0, 20.0, 0.0 }, { 0.0, 0.0, std::nan("") } },
          Line{ { 20.0, 20.0, 0.0 }, { 0.0, Infinity, 1.0 } },
@@ -776,18 +776,18 @@ TEST_P(Beams, AreTracedWithoutHitPrediction)
          Line{ { 20.0, 20.0, 0.0 }, { 0.0, 0.0, -1.0 } },
          Line{ { 20.0, 20.0, -2e6 }, { 0.0, 0.0, 1.0 } } })
   {
-    for (const std::size_t place : { 0, 3 })
+    for (const std::size_t index : { 0, 3 })
     {
       Pencil odd = pencil;
-      odd.Lines[place] = line;
+      odd.Lines[index] = line;
       EXPECT_TRUE(mayHit(surface, odd)) << ToText(line);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// A walk has no room for so many macrocells of a slice.
-TEST_P(Beams, AreTracedForLinesFarApart)
+// The traversal has no room for so many macrocells of a slice.
+TEST_P(PacketTracing, AreTracedForLinesFarApart)
 {
   RandomNumbers random(861);
   const auto volume = Islands<float>(random, { 400, 400, 9 }, 50);
@@ -806,7 +806,7 @@ TEST_P(Beams, AreTracedForLinesFarApart)
 
 //------------------------------------------------------------------------------
 // Without this test the others might compare single rays with single rays.
-TEST_P(Beams, AreUsedForSuitableRays)
+TEST_P(PacketTracing, AreUsedForSuitableRays)
 {
   static const Kernels* base;
   static int calls;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The largest and smallest values of rays are compared with those of many samples in higher
-// precision, which share no code with what is tested; and with what is known of simple fields.
+// precision, which share no code with what is tested; and with the known values of simple fields.
 
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -33,11 +33,11 @@ namespace
 
 constexpr Extremum Both[] = { Extremum::Largest, Extremum::Smallest };
 
-TestRequest Request(Extremum kind, const Visibility& seen = {})
+TestRequest Request(Extremum kind, const Visibility& visible = {})
 {
   TestRequest request;
   request.Projection = kind;
-  request.Visible = seen;
+  request.Visible = visible;
   return request;
 }
 
@@ -92,11 +92,11 @@ long double Sample(const TestVolume<T>& volume, const std::array<long double, 3>
 
 using Predicate = std::function<bool(const Vector3&)>;
 
-/// The most extreme of samples along a line, so many of them per cell, where they are seen; NaN
+/// The most extreme of samples along a line, so many of them per cell, where they are visible; NaN
 /// where there are fewer than two.
 template <typename T>
 long double FindExtremeSample(const TestVolume<T>& volume, const Line& line, Extremum kind,
-  const Predicate& isSeen, int perCell = 400)
+  const Predicate& isVisible, int perCell = 400)
 {
   const Index3& size = volume.Dimensions;
   const long double length = Length(line.Direction);
@@ -114,7 +114,7 @@ long double FindExtremeSample(const TestVolume<T>& volume, const Line& line, Ext
     }
     const long double value = Sample(volume, point);
     if (std::isnan(value) ||
-      !isSeen({ static_cast<double>(point[0]), static_cast<double>(point[1]),
+      !isVisible({ static_cast<double>(point[0]), static_cast<double>(point[1]),
         static_cast<double>(point[2]) }))
     {
       continue;
@@ -132,14 +132,14 @@ bool Everywhere(const Vector3&)
   return true;
 }
 
-/// Compares with samples. On half the way between two of them, noise of 0 to 120 rises by no more
-/// than sqrt(3) * 120 / 800; where what is seen ends, on the whole way.
+/// Compares with samples. On half the distance between two of them, noise of 0 to 120 rises by no
+/// more than sqrt(3) * 120 / 800; where the visible part ends, on the whole distance.
 template <typename T>
 void Compare(const TestVolume<T>& volume, ImageField& traced, const Line& line, Extremum kind,
-  const Predicate& isSeen)
+  const Predicate& isVisible)
 {
   const std::optional<Hit> hit = Project(traced, line);
-  const auto best = static_cast<double>(FindExtremeSample(volume, line, kind, isSeen));
+  const auto best = static_cast<double>(FindExtremeSample(volume, line, kind, isVisible));
   if (std::isnan(best))
   {
     return;
@@ -149,7 +149,7 @@ void Compare(const TestVolume<T>& volume, ImageField& traced, const Line& line, 
   EXPECT_GE(sign * hit->Value, sign * best - 1e-9) << ToText(line);
   EXPECT_LE(sign * hit->Value, sign * best + 0.55) << ToText(line);
 
-  // It has that value where it is said to be.
+  // It has that value at the reported point.
   const Vector3& inCell = hit->Parametric;
   const long double value =
     SampleCell(volume, traced.GetLattice().GetCell(*hit), { inCell[0], inCell[1], inCell[2] });
@@ -209,7 +209,7 @@ TEST(ProjectionOfRays, FirstOfEqualValues)
     const auto traced = NewTraced(constant, Request(kind));
     RayHits hits;
     std::vector<std::optional<Ray>> rays;
-    // Later rays know of earlier ones, which came from the other side.
+    // Later rays use the results of earlier ones, which came from the other side.
     for (int i = 0; i < 8; ++i)
     {
       const double way = i % 2 == 0 ? 1.0 : -1.0;
@@ -248,7 +248,7 @@ TEST(ProjectionOfRays, IndependentOfSettings)
   all.push_back({ { 8, 8 }, BrickLayout::TwoLevel, 4, 2 });
   for (const Extremum kind : Both)
   {
-    // One by one, no ray knows of another.
+    // One by one, rays do not use each other's results.
     const auto plain = NewTraced(volume, Request(kind), all.front());
     RayHits expected;
     expected.Clear();
@@ -278,7 +278,7 @@ TEST(ProjectionOfRays, RespectsCroppingAndClipping)
   RandomNumbers random(22);
   for (int i = 0; i < 60; ++i)
   {
-    Visibility seen;
+    Visibility visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     const bool hides = i % 3 == 0;
     const bool crops = i % 3 == 1;
@@ -286,33 +286,33 @@ TEST(ProjectionOfRays, RespectsCroppingAndClipping)
     {
       std::generate(hidden.begin(), hidden.end(),
         [&random]() { return static_cast<unsigned char>(random.Integer(0, 1)); });
-      seen.HiddenCells = hidden.data();
+      visible.HiddenCells = hidden.data();
     }
     else if (crops)
     {
-      seen.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
+      visible.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
         static_cast<unsigned int>(random.Bits()) & CroppingRegions::All };
     }
     else
     {
       const Vector3 normal = random.Direction();
-      seen.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
+      visible.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
     }
-    const Predicate isSeen = [&seen](const Vector3& point)
+    const Predicate isVisible = [&visible](const Vector3& point)
     {
       const auto cell = [&point](std::size_t axis, int last)
       { return std::min(static_cast<std::size_t>(point[axis]), static_cast<std::size_t>(last)); };
-      return seen.Regions.Contain(point) &&
-        (!seen.HiddenCells ||
-          seen.HiddenCells[cell(0, 10) + 11 * (cell(1, 11) + 12 * cell(2, 12))] == 0) &&
-        (seen.HalfSpaces.empty() ||
-          Dot(seen.HalfSpaces[0].Normal, point) + seen.HalfSpaces[0].Offset >= 0.0);
+      return visible.Regions.Contain(point) &&
+        (!visible.HiddenCells ||
+          visible.HiddenCells[cell(0, 10) + 11 * (cell(1, 11) + 12 * cell(2, 12))] == 0) &&
+        (visible.HalfSpaces.empty() ||
+          Dot(visible.HalfSpaces[0].Normal, point) + visible.HalfSpaces[0].Offset >= 0.0);
     };
     const Extremum kind = Both[i % 2];
-    const auto traced = NewTraced(volume, Request(kind, seen));
+    const auto traced = NewTraced(volume, Request(kind, visible));
     for (int ray = 0; ray < 5; ++ray)
     {
-      Compare(volume, *traced, RandomLine(random, volume.Dimensions), kind, isSeen);
+      Compare(volume, *traced, RandomLine(random, volume.Dimensions), kind, isVisible);
     }
   }
 }

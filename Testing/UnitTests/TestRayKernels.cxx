@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of all kernels must be those of a camera, to the last bit; the beams must hold the rays
-// they are made of, and not much more.
+// The rays of all kernels must be those of a camera, to the last bit; the frusta must contain the
+// rays they are made of, tightly.
 
 #include "AllKernels.h"
+#include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/BlockMask.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
 #include "Rays/Camera.h"
-#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -45,7 +45,7 @@ struct View
 };
 
 /// Scaled, turned and sheared.
-Matrix4 RandomWorldFromIndex(RandomNumbers& random, bool isAligned)
+Matrix4 RandomWorldFromObject(RandomNumbers& random, bool isAligned)
 {
   const double scale = std::pow(10.0, random.Integer(-3, 3));
   Matrix4 matrix =
@@ -59,7 +59,7 @@ Matrix4 RandomWorldFromIndex(RandomNumbers& random, bool isAligned)
   return Multiply(Translation({ random.Uniform(-9.0, 9.0) * scale, 2.0, 3.0 }), matrix);
 }
 
-/// A perspective or a parallel projection that shows a thing of some size at a distance; straight
+/// A perspective or a parallel projection that shows an object of some size at a distance; straight
 /// on, or to the side.
 Matrix4 RandomProjection(RandomNumbers& random, double size, double distance)
 {
@@ -85,11 +85,11 @@ View RandomView(RandomNumbers& random)
     dimension = random.Integer(2, longest);
   }
   const bool isAligned = random.Integer(0, 2) == 0;
-  const Matrix4 worldFromIndex = RandomWorldFromIndex(random, isAligned);
+  const Matrix4 worldFromObject = RandomWorldFromObject(random, isAligned);
   const Vector3 last = { view.Dimensions[0] - 1.0, view.Dimensions[1] - 1.0,
     view.Dimensions[2] - 1.0 };
-  const Vector3 center = TransformPoint(worldFromIndex, random.PointInBox({}, last));
-  const double size = Length(TransformDirection(worldFromIndex, last));
+  const Vector3 center = TransformPoint(worldFromObject, random.PointInBox({}, last));
+  const double size = Length(TransformDirection(worldFromObject, last));
   // From within, from outside, and from far away.
   const double distances[] = { 0.0, random.Uniform(0.5, 3.0), random.Uniform(0.5, 3.0), 1e6 };
   const double distance = size * distances[random.Integer(0, 3)];
@@ -99,9 +99,9 @@ View RandomView(RandomNumbers& random)
     : Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0));
   const Matrix4 viewFromWorld =
     Multiply(Translation({ 0.0, 0.0, -distance }), Multiply(rotation, Translation(center * -1.0)));
-  const Matrix4 clipFromIndex =
-    Multiply(RandomProjection(random, size, distance), Multiply(viewFromWorld, worldFromIndex));
-  Matrix4 indexFromClip = Invert(clipFromIndex);
+  const Matrix4 clipFromObject =
+    Multiply(RandomProjection(random, size, distance), Multiply(viewFromWorld, worldFromObject));
+  Matrix4 indexFromClip = Invert(clipFromObject);
   if (random.Integer(0, 19) == 0)
   {
     const double bad[] = { 0.0, Infinity, std::nan(""), 1e300, 1e-300 };
@@ -109,7 +109,7 @@ View RandomView(RandomNumbers& random)
   }
   const int width = random.Integer(1, 300);
   const int height = random.Integer(1, 300);
-  view.TheCamera = Camera(clipFromIndex, indexFromClip, worldFromIndex, width, height);
+  view.TheCamera = Camera(clipFromObject, indexFromClip, worldFromObject, width, height);
   PixelBlock& block = view.Block;
   block.Width = width;
   block.Height = height;
@@ -130,7 +130,7 @@ View RandomView(RandomNumbers& random)
   return view;
 }
 
-/// What must be equal in two rays, as bytes.
+/// The bytes that must be equal in two rays.
 std::array<double, 12> ValuesOf(const Ray& ray)
 {
   return { ray.Origin[0], ray.Origin[1], ray.Origin[2], ray.Direction[0], ray.Direction[1],
@@ -266,7 +266,7 @@ LongPoint PointOn(const Ray& ray, long double t)
   return point;
 }
 
-/// Rays through one place with directions that differ as much as spread says.
+/// Rays through one point whose directions differ by as much as spread says.
 RayPacket MakeBundle(
   RandomNumbers& random, const Index3& dimensions, double spread, std::vector<Line>& lines)
 {
@@ -286,7 +286,7 @@ RayPacket MakeBundle(
       line.Origin = line.Origin + off;
     }
     const double end = random.Integer(0, 3) == 0 ? random.Uniform(0.0, 40.0) : Infinity;
-    AddRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions), packet);
+    AppendRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, dimensions), packet);
     lines.push_back(line);
   }
   return packet;
@@ -305,8 +305,8 @@ RaySet SomeOf(RandomNumbers& random, const RayPacket& packet, int percent)
   return set;
 }
 
-/// Whether rays make a beam along an axis; undecided is set where rounding may have a say.
-bool MakeBeam(const RayPacket& packet, const RaySet& rays, int axis, bool& undecided)
+/// Whether rays make a frustum along an axis; undecided is set where rounding may decide.
+bool MakeFrustum(const RayPacket& packet, const RaySet& rays, int axis, bool& undecided)
 {
   bool up = false;
   bool down = false;
@@ -331,7 +331,7 @@ bool MakeBeam(const RayPacket& packet, const RaySet& rays, int axis, bool& undec
   return up != down && !steep;
 }
 
-/// What a beam must hold, found ray by ray.
+/// The bounds that a frustum must contain, found ray by ray.
 struct Bounds
 {
   long double Low = Infinity;
@@ -340,96 +340,100 @@ struct Bounds
   long double Most[2][2] = { { -Infinity, -Infinity }, { -Infinity, -Infinity } };
 };
 
-class BeamChecks
+class FrustumChecks
 {
 public:
   void Check(
-    RandomNumbers& random, const RayPacket& packet, const RaySet& rays, const Frustum& beam)
+    RandomNumbers& random, const RayPacket& packet, const RaySet& rays, const Frustum& frustum)
   {
-    ++this->Beams;
+    ++this->Frusta;
     Bounds bounds;
     for (int i = 0; i < packet.Count; ++i)
     {
       if (Has(rays, i))
       {
         const Ray ray = GetRay(packet, i);
-        ASSERT_EQ(beam.IsUp, ray.Direction[static_cast<std::size_t>(beam.Axis)] > 0.0);
-        ASSERT_NO_FATAL_FAILURE(this->CheckRay(random, ray, beam));
-        Include(ray, beam, bounds);
+        ASSERT_EQ(frustum.IsUp, ray.Direction[static_cast<std::size_t>(frustum.Axis)] > 0.0);
+        ASSERT_NO_FATAL_FAILURE(this->CheckRay(random, ray, frustum));
+        Include(ray, frustum, bounds);
       }
     }
-    // What is not in the set does not count.
-    ASSERT_GT(beam.Low, bounds.Low - Slack);
-    ASSERT_LT(beam.High, bounds.High + Slack);
+    // Rays that are not in the set do not count.
+    ASSERT_GT(frustum.Low, bounds.Low - Slack);
+    ASSERT_LT(frustum.High, bounds.High + Slack);
     for (int j = 0; j < 2; ++j)
     {
       for (int end = 0; end < 2; ++end)
       {
-        ASSERT_GT(beam.Least[j][end], bounds.Least[j][end] - Slack);
-        ASSERT_LT(beam.Most[j][end], bounds.Most[j][end] + Slack);
+        ASSERT_GT(frustum.Least[j][end], bounds.Least[j][end] - Slack);
+        ASSERT_LT(frustum.Most[j][end], bounds.Most[j][end] + Slack);
       }
     }
   }
 
-  std::size_t GetNumberOfBeams() const { return this->Beams; }
+  std::size_t GetNumberOfFrusta() const { return this->Frusta; }
 
 private:
   static constexpr long double Slack = 0.01L;
 
-  static std::size_t Across(const Frustum& beam, int j)
+  static std::size_t Across(const Frustum& frustum, int j)
   {
-    return static_cast<std::size_t>(j == 0 ? BlockMask::U[beam.Axis] : BlockMask::V[beam.Axis]);
+    return static_cast<std::size_t>(
+      j == 0 ? BlockMask::U[frustum.Axis] : BlockMask::V[frustum.Axis]);
   }
 
-  void CheckRay(RandomNumbers& random, const Ray& ray, const Frustum& beam)
+  void CheckRay(RandomNumbers& random, const Ray& ray, const Frustum& frustum)
   {
     for (int i = 0; i < 6; ++i)
     {
       const long double fraction = i < 2 ? i : random.Uniform(0.0, 1.0);
       const LongPoint p = PointOn(ray, ray.Begin + fraction * (ray.End - ray.Begin));
-      const long double place = p[static_cast<std::size_t>(beam.Axis)];
-      ASSERT_LT(beam.Low, place);
-      ASSERT_GT(beam.High, place);
-      const long double way = (place - beam.Low) / (static_cast<long double>(beam.High) - beam.Low);
+      const long double coordinate = p[static_cast<std::size_t>(frustum.Axis)];
+      ASSERT_LT(frustum.Low, coordinate);
+      ASSERT_GT(frustum.High, coordinate);
+      const long double along =
+        (coordinate - frustum.Low) / (static_cast<long double>(frustum.High) - frustum.Low);
       for (int j = 0; j < 2; ++j)
       {
-        const long double least = beam.Least[j][0] + way * (beam.Least[j][1] - beam.Least[j][0]);
-        const long double most = beam.Most[j][0] + way * (beam.Most[j][1] - beam.Most[j][0]);
-        ASSERT_LT(least, p[Across(beam, j)]);
-        ASSERT_GT(most, p[Across(beam, j)]);
+        const long double least =
+          frustum.Least[j][0] + along * (frustum.Least[j][1] - frustum.Least[j][0]);
+        const long double most =
+          frustum.Most[j][0] + along * (frustum.Most[j][1] - frustum.Most[j][0]);
+        ASSERT_LT(least, p[Across(frustum, j)]);
+        ASSERT_GT(most, p[Across(frustum, j)]);
       }
     }
   }
 
-  static void Include(const Ray& ray, const Frustum& beam, Bounds& bounds)
+  static void Include(const Ray& ray, const Frustum& frustum, Bounds& bounds)
   {
-    const auto axis = static_cast<std::size_t>(beam.Axis);
+    const auto axis = static_cast<std::size_t>(frustum.Axis);
     for (const double t : { ray.Begin, ray.End })
     {
-      const long double place = PointOn(ray, t)[axis];
-      bounds.Low = std::min(bounds.Low, place);
-      bounds.High = std::max(bounds.High, place);
+      const long double coordinate = PointOn(ray, t)[axis];
+      bounds.Low = std::min(bounds.Low, coordinate);
+      bounds.High = std::max(bounds.High, coordinate);
     }
     for (int end = 0; end < 2; ++end)
     {
-      const long double plane = end == 0 ? beam.Low : beam.High;
+      const long double plane = end == 0 ? frustum.Low : frustum.High;
       const LongPoint p =
         PointOn(ray, (plane - ray.Origin[axis]) / static_cast<long double>(ray.Direction[axis]));
       for (int j = 0; j < 2; ++j)
       {
-        bounds.Least[j][end] = std::min(bounds.Least[j][end], p[Across(beam, j)]);
-        bounds.Most[j][end] = std::max(bounds.Most[j][end], p[Across(beam, j)]);
+        bounds.Least[j][end] = std::min(bounds.Least[j][end], p[Across(frustum, j)]);
+        bounds.Most[j][end] = std::max(bounds.Most[j][end], p[Across(frustum, j)]);
       }
     }
   }
 
-  std::size_t Beams = 0;
+  std::size_t Frusta = 0;
 };
 
 TEST_P(RayKernels, FrustaContainTheirRays)
 {
   RandomNumbers random(832);
-  BeamChecks checks;
+  FrustumChecks checks;
   std::size_t refused = 0;
   for (int i = 0; i < 6000; ++i)
   {
@@ -442,25 +446,25 @@ TEST_P(RayKernels, FrustaContainTheirRays)
     const RaySet rays = SomeOf(random, packet, i % 2 == 0 ? 100 : 30);
     const int axis = random.Integer(0, 2);
     bool undecided = false;
-    const bool expected = MakeBeam(packet, rays, axis, undecided);
+    const bool expected = MakeFrustum(packet, rays, axis, undecided);
     AlignedRays aligned;
-    Frustum beam = {};
-    const bool isBeam = this->TheKernels.Align(packet, rays, axis, aligned, beam);
+    Frustum frustum = {};
+    const bool isFrustum = this->TheKernels.Align(packet, rays, axis, aligned, frustum);
     if (undecided)
     {
       continue;
     }
-    ASSERT_EQ(isBeam, expected) << i;
-    refused += isBeam ? 0 : 1;
-    if (isBeam)
+    ASSERT_EQ(isFrustum, expected) << i;
+    refused += isFrustum ? 0 : 1;
+    if (isFrustum)
     {
-      ASSERT_EQ(beam.Axis, axis);
-      ASSERT_NO_FATAL_FAILURE(checks.Check(random, packet, rays, beam)) << i;
+      ASSERT_EQ(frustum.Axis, axis);
+      ASSERT_NO_FATAL_FAILURE(checks.Check(random, packet, rays, frustum)) << i;
     }
   }
-  std::cout << "[ tried    ] " << checks.GetNumberOfBeams() << " beams, " << refused
+  std::cout << "[ tried    ] " << checks.GetNumberOfFrusta() << " frusta, " << refused
             << " sets of rays that are none\n";
-  EXPECT_GT(checks.GetNumberOfBeams(), 1000U);
+  EXPECT_GT(checks.GetNumberOfFrusta(), 1000U);
   EXPECT_GT(refused, 1000U);
 }
 
@@ -468,36 +472,36 @@ TEST_P(RayKernels, FrustaContainTheirRays)
 TEST_P(RayKernels, NoFrustumForOpposedOrSteepRays)
 {
   const Index3 dimensions = { 20, 20, 20 };
-  const auto areBeam = [&](const std::vector<Vector3>& directions)
+  const auto haveFrustum = [&](const std::vector<Vector3>& directions)
   {
     RayPacket packet;
     packet.Count = 0;
     packet.Exists = {};
     for (const Vector3& direction : directions)
     {
-      AddRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), packet);
+      AppendRay(ClipToVolume({ 9.5, 9.5, 9.5 }, direction, 0.0, Infinity, dimensions), packet);
     }
     AlignedRays aligned;
-    Frustum beam;
-    return this->TheKernels.Align(packet, packet.Exists, 0, aligned, beam);
+    Frustum frustum;
+    return this->TheKernels.Align(packet, packet.Exists, 0, aligned, frustum);
   };
-  EXPECT_TRUE(areBeam({ { 1.0, 0.0, 0.0 } }));
-  EXPECT_TRUE(areBeam({ { -1.0, 1.9, -1.9 }, { -0.01, 0.0, 0.0 } }));
-  EXPECT_TRUE(areBeam({ { 1.0, 2.0, -2.0 } }));
-  EXPECT_FALSE(areBeam({ { 1.0, 2.01, 0.0 } }));
-  EXPECT_FALSE(areBeam({ { 1.0, 0.0, -2.01 } }));
-  EXPECT_FALSE(areBeam({ { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 } }));
-  EXPECT_FALSE(areBeam({ { 0.0, 1.0, 0.0 } }));
-  EXPECT_FALSE(areBeam({ { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 } }));
-  // One of another kind at any place of the packet.
-  for (std::size_t place = 0; place < 19; ++place)
+  EXPECT_TRUE(haveFrustum({ { 1.0, 0.0, 0.0 } }));
+  EXPECT_TRUE(haveFrustum({ { -1.0, 1.9, -1.9 }, { -0.01, 0.0, 0.0 } }));
+  EXPECT_TRUE(haveFrustum({ { 1.0, 2.0, -2.0 } }));
+  EXPECT_FALSE(haveFrustum({ { 1.0, 2.01, 0.0 } }));
+  EXPECT_FALSE(haveFrustum({ { 1.0, 0.0, -2.01 } }));
+  EXPECT_FALSE(haveFrustum({ { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 } }));
+  EXPECT_FALSE(haveFrustum({ { 0.0, 1.0, 0.0 } }));
+  EXPECT_FALSE(haveFrustum({ { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 } }));
+  // A ray of another kind at any index of the packet.
+  for (std::size_t index = 0; index < 19; ++index)
   {
     std::vector<Vector3> directions(19, Vector3{ 1.0, 0.1, 0.2 });
-    EXPECT_TRUE(areBeam(directions));
-    directions[place][0] = -1.0;
-    EXPECT_FALSE(areBeam(directions)) << place;
-    directions[place] = { 1.0, 0.0, 5.0 };
-    EXPECT_FALSE(areBeam(directions)) << place;
+    EXPECT_TRUE(haveFrustum(directions));
+    directions[index][0] = -1.0;
+    EXPECT_FALSE(haveFrustum(directions)) << index;
+    directions[index] = { 1.0, 0.0, 5.0 };
+    EXPECT_FALSE(haveFrustum(directions)) << index;
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Frames of fields whose picture is known: where surfaces are, how deep, and how colours add up.
+// Frames of fields whose picture is known: where surfaces are, their depth, and how colours are
+// composited.
 
 #include "Image/ImageField.h"
 #include "Kernels/Kernels.h"
@@ -205,9 +206,9 @@ std::ptrdiff_t CountCovered(const Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Blocks of pixels whose rays cannot hit anything are left out: nothing may be missing for it.
+// Blocks of pixels whose rays cannot hit anything are skipped: this must not change the picture.
 
-/// Few small things, many of them at the border of the volume.
+/// Few small objects, many of them at the border of the volume.
 TestVolume<float> NewCrumbs(RandomNumbers& random)
 {
   const int longest = random.Integer(0, 3) ? 30 : 150;
@@ -215,15 +216,15 @@ TestVolume<float> NewCrumbs(RandomNumbers& random)
   std::vector<float> samples(Count(n), -1.0F);
   for (int i = random.Integer(1, 20); i > 0; --i)
   {
-    Index3 place = { random.Integer(0, n[0] - 1), random.Integer(0, n[1] - 1),
+    Index3 index = { random.Integer(0, n[0] - 1), random.Integer(0, n[1] - 1),
       random.Integer(0, n[2] - 1) };
     if (random.Integer(0, 1))
     {
       const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
-      place[axis] = random.Integer(0, 1) ? 0 : n[axis] - 1;
+      index[axis] = random.Integer(0, 1) ? 0 : n[axis] - 1;
     }
     // With a large one, the surface comes very near to the samples beside it.
-    samples[Offset(place, n)] =
+    samples[Offset(index, n)] =
       random.Integer(0, 2) ? static_cast<float>(random.Uniform(0.0, 3.0)) : 1e6F;
   }
   return TestVolume<float>(n, samples);
@@ -418,7 +419,7 @@ TEST(RenderTiles, IdenticalForAllThreadsAndTiles)
   {
     for (const auto& tile : { std::pair(32, 4), { 1, 1 }, { 7, 5 }, { 200, 200 }, { 101, 1 } })
     {
-      // Afresh each time, so that the threads make bricks at once.
+      // A new field each time, so that the threads make bricks at once.
       for (const BrickLayout layout : { BrickLayout::Apron, BrickLayout::TwoLevel })
       {
         const auto traced = ImageField::New(volume.View(), { { 8, 8 }, layout, 8, 4 }, threads);
@@ -453,18 +454,18 @@ TEST(RenderTiles, StopsWhenAborted)
   {
     Frame frame;
     FrameTimes times;
-    std::vector<double> told;
+    std::vector<double> fractions;
     const bool complete = RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), frame, times,
       [&](double done)
       {
-        told.push_back(done);
-        return static_cast<int>(told.size()) < calls;
+        fractions.push_back(done);
+        return static_cast<int>(fractions.size()) < calls;
       });
     ASSERT_FALSE(complete);
-    ASSERT_EQ(told.size(), static_cast<std::size_t>(calls));
-    for (std::size_t i = 0; i < told.size(); ++i)
+    ASSERT_EQ(fractions.size(), static_cast<std::size_t>(calls));
+    for (std::size_t i = 0; i < fractions.size(); ++i)
     {
-      ASSERT_EQ(told[i], static_cast<double>(i + 1) / 64.0);
+      ASSERT_EQ(fractions[i], static_cast<double>(i + 1) / 64.0);
     }
   }
 }
@@ -519,9 +520,9 @@ TEST(RenderTiles, RaysEndAtTheDepthBuffer)
   const Frame frame = Render(scene, *field.Traced);
   for (std::size_t i = 0; i < 64; ++i)
   {
-    const bool isSeen = depths[i] > depthOfPlane;
-    EXPECT_NEAR(frame.Depths[i], isSeen ? depthOfPlane : Frame::NoSurface, 1e-7);
-    EXPECT_EQ(PixelOf(frame, i)[3], isSeen ? 255 : 0);
+    const bool isVisible = depths[i] > depthOfPlane;
+    EXPECT_NEAR(frame.Depths[i], isVisible ? depthOfPlane : PixelWithoutDepth, 1e-7);
+    EXPECT_EQ(PixelOf(frame, i)[3], isVisible ? 255 : 0);
   }
 }
 
@@ -546,7 +547,7 @@ TEST(RenderTiles, CompositesTranslucentSurfacesFrontToBack)
   EXPECT_EQ(PixelOf(frame, 27),
     (std::vector<int>{ byte(0.5 + behind * 0.1 * 0.4), byte(0.5 * 0.25 + behind * 0.1 * 0.6),
       byte(0.5 * 0.2 + behind * 0.1), byte(1.0 - behind * 0.9) }));
-  EXPECT_EQ(frame.Depths[27], Frame::NoSurface);
+  EXPECT_EQ(frame.Depths[27], PixelWithoutDepth);
 }
 
 //------------------------------------------------------------------------------
@@ -561,7 +562,7 @@ TEST(RenderTiles, SurfacesOfTheSceneCanChange)
     EXPECT_NEAR(frame.Depths[0], (19.0 - (8.0 - isovalue)) / 30.0, 1e-7);
   }
   scene.Request.Surfaces.clear();
-  EXPECT_EQ(Render(scene, *field.Traced).Depths[0], Frame::NoSurface);
+  EXPECT_EQ(Render(scene, *field.Traced).Depths[0], PixelWithoutDepth);
 }
 
 }

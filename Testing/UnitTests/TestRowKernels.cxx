@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The kernels that read samples where they are kept must find what is there, whatever its type, and
-// touch nothing beside it: the samples end at a page of memory that nobody may read.
+// The kernels that read samples from rows must find the right values, whatever the type, and touch
+// nothing beside them: the samples end at a page of memory that cannot be read.
 
 #include "AllKernels.h"
 #include "Image/ImageField.h"
@@ -35,7 +35,7 @@ class RowKernels : public WithKernels
 };
 INSTANTIATE_TEST_SUITE_P(All, RowKernels, AllKernels(), NameOfKernels);
 
-/// Samples of any bits between two pages that nobody may read, close to one of them.
+/// Samples of any bits between two pages that cannot be read, close to one of them.
 template <typename T>
 class GuardedSamples
 {
@@ -121,7 +121,7 @@ TEST_P(RowKernels, LoadTheCornersOfCells)
 }
 
 //------------------------------------------------------------------------------
-// What it says of them is for TestSieve.cxx.
+// The results are tested in TestClassification.cxx.
 template <typename T>
 void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
 {
@@ -133,7 +133,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   passages.Count = 1;
   passages.BlockCount = 1;
   passages.HasEnds = random.Integer(0, 1) != 0;
-  passages.Ways[0] = { { 0.5F, 0.5F, 0.0F, 0.0F }, { -8.0F, 8.0F }, 0, 0 };
+  passages.Segments[0] = { { 0.5F, 0.5F, 0.0F, 0.0F }, { -8.0F, 8.0F }, 0, 0 };
   passages.Hits[0] = false;
   std::fill_n(passages.First[0], 3, 0);
   PassedCells cells;
@@ -179,9 +179,9 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
   {
     hit.Cell = volume->GetLattice().GetNumber(
       { AnyCell(random, size[0]), AnyCell(random, size[1]), AnyCell(random, size[2]) });
-    for (double& place : hit.Parametric)
+    for (double& coordinate : hit.Parametric)
     {
-      place = random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
+      coordinate = random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
     }
   }
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })

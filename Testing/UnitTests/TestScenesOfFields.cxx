@@ -12,6 +12,7 @@
 #include "TestVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -265,6 +266,85 @@ TEST(ScenesOfFields, AFieldCastsItsShadowOnAnother)
   }
   EXPECT_GT(dark, 20);
   EXPECT_GT(bright, 50);
+}
+
+//------------------------------------------------------------------------------
+/// Shows values by a grey of their own, half transparent.
+class Greys final : public ValueColors
+{
+public:
+  std::array<double, 4> Get(double value) const override
+  {
+    const double grey = 0.5 + 0.05 * value;
+    return { grey, grey, grey, 0.5 };
+  }
+};
+
+TEST(ScenesOfFields, ProjectionsEndAtSurfacesInAnyOrder)
+{
+  TwoSpheres spheres;
+  spheres.A.Select(1.0);
+  TraceRequest largest;
+  largest.Projection = Extremum::Largest;
+  spheres.B.Field->Select(largest, {});
+  const Greys greys;
+  SceneField a = Show(spheres.A, Red);
+  a.Surface.Shade = true;
+  SceneField b = Show(spheres.B, Green);
+  b.ColorsOfValues = &greys;
+  Scene lit;
+  lit.Lights = { Light() };
+  lit.Shadows = true;
+  lit.OcclusionRays = 4;
+  const Frame first = Render({ a, b }, lit);
+  const Frame second = Render({ b, a }, lit);
+  EXPECT_EQ(first.Colors, second.Colors);
+  EXPECT_EQ(first.Depths, second.Depths);
+  // The projection is there, before the surface and beside it, and a projection casts no shadow.
+  const Frame surface = Render({ a }, lit);
+  int before = 0;
+  int beside = 0;
+  for (std::size_t pixel = 0; pixel < first.Depths.size(); ++pixel)
+  {
+    const bool isOther = !std::equal(
+      &first.Colors[4 * pixel], &first.Colors[4 * pixel] + 4, &surface.Colors[4 * pixel]);
+    const bool isSurface = surface.Depths[pixel] != PixelWithoutDepth;
+    EXPECT_EQ(first.Depths[pixel], surface.Depths[pixel]);
+    before += isOther && isSurface ? 1 : 0;
+    beside += isOther && !isSurface ? 1 : 0;
+  }
+  EXPECT_GT(before, 20);
+  EXPECT_GT(beside, 100);
+}
+
+//------------------------------------------------------------------------------
+TEST(ScenesOfFields, CoincidingSurfacesDoNotShadowEachOther)
+{
+  PlacedImage one(
+    AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 }, Translation({ -12.0, -12.0, -12.0 }));
+  PlacedImage other(
+    AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 }, Translation({ -12.0, -12.0, -12.0 }));
+  one.Select(1.0);
+  other.Select(1.0);
+  SceneField shown = Show(one, Red);
+  SceneField shownToo = Show(other, Red);
+  shown.Surface = { true, 0.0, 1.0, 0.0, 1.0 };
+  shownToo.Surface = shown.Surface;
+  Scene lit;
+  lit.Lights = { Light() };
+  lit.Lights[0].Direction = { 0.6, 0.0, 0.8 };
+  lit.Shadows = true;
+  const Frame alone = Render({ shown }, lit);
+  const Frame both = Render({ shown, shownToo }, lit);
+  int darker = 0;
+  int bright = 0;
+  for (std::size_t i = 0; i < alone.Colors.size(); i += 4)
+  {
+    bright += alone.Colors[i] > 60 ? 1 : 0;
+    darker += both.Colors[i] + 10 < alone.Colors[i] ? 1 : 0;
+  }
+  EXPECT_GT(bright, 200);
+  EXPECT_EQ(darker, 0);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Normals are compared with those by the inverse transposed, colours with the Phong model by hand.
+// Normals are compared with those by the inverse transpose, colours with the Phong model by hand.
 
 #include "Image/ImageField.h"
 #include "Math/Matrix.h"
@@ -100,7 +100,7 @@ public:
     this->TheScene.Shown.Surface.Shade = true;
   }
 
-  /// The colour at a place of the plane, seen along a direction.
+  /// The colour at a point of the plane, seen along a direction.
   Vector3 Shade(double y, double z, const Vector3& direction = { 1.0, 0.0, 0.0 })
   {
     const Vector3 origin = Vector3{ 4.0, y, z } - direction * 2.0;
@@ -184,7 +184,7 @@ TEST(Shading, TwoSidedLighting)
     plane.Shade(3.0, 3.0), Phong(scene.Shown.Colors[0], 0.0, 0.0, scene.Shown.Surface), 1e-14);
 }
 
-// A smooth normal may look away from a viewer who sees the outside: the hit tells which side it is.
+// A smooth normal may be turned away from a viewer on the outside: the hit tells which side it is.
 TEST(Shading, FrontAndBackAreThoseOfTheHit)
 {
   PlaneScene plane;
@@ -222,7 +222,7 @@ TEST(Shading, PhongWithASpotLightAndAttenuation)
   const auto expected = [&](double s)
   { return Phong(scene.Shown.Colors[0], 0.8 * s, std::pow(0.8, 10.0) * s, scene.Shown.Surface); };
   ExpectNear(plane.Shade(6.0, 3.0), expected(strength), 1e-14);
-  // That place is 36.87 degrees off the axis of the cone.
+  // That point is 36.87 degrees off the axis of the cone.
   scene.Lights[0].ConeAngle = 36.8;
   ExpectNear(plane.Shade(6.0, 3.0), expected(0.0), 1e-14);
   scene.Lights[0].ConeAngle = 36.9;

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Hits that are shaded side by side, with the kernels of every instruction set, must have the
-// colours they have one by one: the same to the last bit.
+// Hits that are shaded by the kernels of every instruction set must have the colours they have one
+// by one: the same to the last bit.
 
 #include "AllKernels.h"
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
 #include "OneFieldScene.h"
 #include "Picture/Shader.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -36,7 +36,7 @@ class ShadingKernels : public WithKernels
 };
 INSTANTIATE_TEST_SUITE_P(All, ShadingKernels, AllKernels(), NameOfKernels);
 
-/// Of any magnitude; one in so many is none, or a limit of what numbers are.
+/// Of any magnitude; one in so many is NaN, or a limit of the floating-point numbers.
 double AnyNumber(RandomNumbers& random, int special)
 {
   constexpr std::numeric_limits<double> limits;
@@ -79,7 +79,7 @@ Light RandomLight(RandomNumbers& random)
 }
 
 /// Turned, mirrored, sheared, and of any spacing.
-Matrix4 RandomWorldFromIndex(RandomNumbers& random)
+Matrix4 RandomWorldFromObject(RandomNumbers& random)
 {
   const double spacings[] = { 1.0, 1.0, 1e3, 1e-3, 1e150, 1e-150 };
   const double spacing = spacings[random.Integer(0, 5)];
@@ -91,9 +91,9 @@ Matrix4 RandomWorldFromIndex(RandomNumbers& random)
 
 OneFieldScene RandomScene(RandomNumbers& random)
 {
-  const Matrix4 worldFromIndex = RandomWorldFromIndex(random);
+  const Matrix4 worldFromObject = RandomWorldFromObject(random);
   OneFieldScene scene;
-  scene.Shown.View = Camera(worldFromIndex, Invert(worldFromIndex), worldFromIndex, 10, 10);
+  scene.Shown.View = Camera(worldFromObject, Invert(worldFromObject), worldFromObject, 10, 10);
   scene.Request.Surfaces = { { 0.0, random.Integer(0, 1) ? 1.0 : 1e-9 }, { 0.25, 1.0 } };
   scene.Shown.Colors = { RandomColor(random), RandomColor(random) };
   scene.Request.Normals =
@@ -144,7 +144,7 @@ struct CountingKernels
   inline static std::vector<bool> AreExtreme;
 };
 
-/// Whether the kernels have all it takes to shade a scene.
+/// Whether the kernels support everything that shades a scene.
 bool IsForKernels(const OneFieldScene& scene)
 {
   return scene.Shown.Surface.Shade && scene.Shown.Surface.SpecularPower <= 128.0 &&
@@ -158,7 +158,7 @@ bool AreSameColors(const Vector3& a, const Vector3& b)
   return std::equal(a.begin(), a.end(), b.begin(), AreSameNumbers);
 }
 
-/// What composites have of a colour.
+/// The colour as it is composited.
 Vector3 ToFragmentColor(const Vector3& color, double opacity)
 {
   return Vector3{ std::clamp(color[0], 0.0, 1.0), std::clamp(color[1], 0.0, 1.0),
@@ -206,7 +206,7 @@ TEST_P(ShadingKernels, ShadingMatchesSingleHits)
       for (std::size_t hit = hits.First[number]; hit < hits.First[number + 1]; ++hit)
       {
         const Vector3 expected = shader.Shade(hits.Hits[hit], GetRay(packet, ray).Direction);
-        const double opacity = traced->GetOpacity(hits.Hits[hit]);
+        const double opacity = traced->GetRequest().GetOpacity(hits.Hits[hit]);
         ASSERT_TRUE(!isForKernels || CountingKernels::AreExtreme[hit] ||
           AreSameColors(CountingKernels::Colors[hit], expected))
           << "scene " << i << ", hit " << hit << " of " << hits.Hits.size();

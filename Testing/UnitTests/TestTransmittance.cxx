@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What comes through along secondary rays, found from any crossing, beside what the hits in order
-// say: the method of TracedField.
+// The transmittance along secondary rays, found from any crossing, is compared with that of the
+// hits in order: the method of TracedField.
 
 #include "AllKernels.h"
 #include "Noise.h"
@@ -156,17 +156,17 @@ TEST_P(Transmittance, OfOtherInterpolants)
 //------------------------------------------------------------------------------
 TEST_P(Transmittance, OfUnevenSpacing)
 {
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int last = Size[axis] - 1;
     for (int plane = 0; plane <= last; ++plane)
     {
       const double share = static_cast<double>(plane) / last;
-      places[axis].push_back(last * share * (0.5 + 0.5 * share));
+      coordinates[axis].push_back(last * share * (0.5 + 0.5 * share));
     }
   }
-  const UnevenPlanes planes(places);
+  const UnevenPlanes planes(coordinates);
   const auto volume = TestVolume<float>::Of(Size, Smooth);
   TestRequest request = this->NewRequest({ { 0.3, 1.0 } });
   request.Planes = &planes;

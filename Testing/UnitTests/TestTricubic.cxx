@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Hits with surfaces of the tricubic interpolant are compared with the interpolant itself, written
-// down here in another form (Hermite's, in higher precision) and asked at many places of each ray;
-// with quadrics, which it reproduces; and with polynomials of known roots.
+// Hits with surfaces of the tricubic interpolant are compared with the interpolant itself,
+// implemented here in another form (Hermite's, in higher precision) and evaluated at many points of
+// each ray; with quadrics, which it reproduces; and with polynomials of known roots.
 
 #include "AllKernels.h"
 #include "Image/Cells/TricubicCell.h"
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Math/NonicRoots.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
-#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -35,8 +35,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Surfaces that let nearly all through, so that a ray meets all of them. The last is above all
-/// samples.
+/// Nearly transparent surfaces, so that a ray meets all of them. The last is above all samples.
 TestRequest Request(double opacity = 1e-9)
 {
   TestRequest request(
@@ -46,8 +45,8 @@ TestRequest Request(double opacity = 1e-9)
 }
 
 //------------------------------------------------------------------------------
-/// The interpolant and its gradient, from what is said of it: cubics in Hermite's form along each
-/// axis, with slopes of parabolas.
+/// The interpolant and its gradient, by definition: cubics in Hermite's form along each axis, with
+/// slopes of parabolas.
 template <typename T>
 class Reference
 {
@@ -114,16 +113,16 @@ private:
     return this->Planes ? this->Planes->Get(axis, plane) : plane;
   }
 
-  std::vector<Weight> GetWeights(std::size_t axis, long double place) const
+  std::vector<Weight> GetWeights(std::size_t axis, long double coordinate) const
   {
     const int last = this->Volume.Dimensions[axis] - 1;
     int cell = 0;
-    while (cell < last - 1 && this->Crossing(axis, cell + 1) <= place)
+    while (cell < last - 1 && this->Crossing(axis, cell + 1) <= coordinate)
     {
       ++cell;
     }
     const long double width = this->Crossing(axis, cell + 1) - this->Crossing(axis, cell);
-    const long double t = (place - this->Crossing(axis, cell)) / width;
+    const long double t = (coordinate - this->Crossing(axis, cell)) / width;
     const long double s = 1 - t;
     std::vector<Weight> weights;
     const auto add = [&weights](int sample, long double value, long double slope) {
@@ -170,11 +169,11 @@ private:
 struct Compared
 {
   int Hits = 0;
-  int Places = 0;
+  int Points = 0;
 };
 
-/// Looks at a ray at many places, and on both sides of every hit: a surface's hits so far say on
-/// which side of it the ray is. Nothing is said where the field all but equals the isovalue, nor
+/// Tests many points of a ray, and both sides of every hit: a surface's hits so far tell on which
+/// side of it the ray is. Nothing is compared where the field nearly equals the isovalue, nor
 /// nearer to a hit than this.
 template <typename T>
 void Compare(const Reference<T>& reference, const TestRequest& request, const Ray& ray,
@@ -184,7 +183,7 @@ void Compare(const Reference<T>& reference, const TestRequest& request, const Ra
   const long double begin = ray.Base + static_cast<long double>(ray.Begin);
   const long double end = ray.Base + static_cast<long double>(ray.End);
   std::vector<std::vector<Hit>> hitsOf(request.Surfaces.size());
-  std::vector<long double> places;
+  std::vector<long double> points;
   for (const Hit& hit : hits)
   {
     std::vector<Hit>& own = hitsOf[static_cast<std::size_t>(hit.Surface)];
@@ -194,16 +193,16 @@ void Compare(const Reference<T>& reference, const TestRequest& request, const Ra
       ASSERT_LE(own.back().T, hit.T) << ToText(line);
     }
     own.push_back(hit);
-    places.push_back(std::max(hit.T - 2 * near, begin));
-    places.push_back(std::min(hit.T + 2 * near, end));
+    points.push_back(std::max(hit.T - 2 * near, begin));
+    points.push_back(std::min(hit.T + 2 * near, end));
   }
   const int steps = static_cast<int>((end - begin) * Length(line.Direction) * 50) + 2;
   for (int k = 0; k <= steps; ++k)
   {
-    places.push_back(begin + (end - begin) * k / steps);
+    points.push_back(begin + (end - begin) * k / steps);
   }
   const long double first = reference.At(line, begin).Value;
-  for (const long double t : places)
+  for (const long double t : points)
   {
     const long double value = reference.At(line, t).Value;
     for (std::size_t i = 0; i < hitsOf.size(); ++i)
@@ -216,7 +215,7 @@ void Compare(const Reference<T>& reference, const TestRequest& request, const Ra
         own.begin(), own.end(), [t, near](const Hit& hit) { return std::abs(hit.T - t) < near; });
       if (!isNear && std::abs(value - isovalue) > 1e-9L)
       {
-        ++compared.Places;
+        ++compared.Points;
         const bool startsInside = own.empty() ? first >= isovalue : !own.front().Entering;
         const bool isInside = ((next - own.begin()) % 2 == 0) == startsInside;
         ASSERT_EQ(value >= isovalue, isInside) << ToText(line) << " t = " << static_cast<double>(t);
@@ -315,7 +314,7 @@ TYPED_TEST(Tricubic, SurfacesMatchTheInterpolant)
   const Compared compared =
     CompareRays(volume, Request(), ManyLines(random, volume.Dimensions, 100));
   EXPECT_GT(compared.Hits, 500);
-  EXPECT_GT(compared.Places, 100000);
+  EXPECT_GT(compared.Points, 100000);
 }
 
 //------------------------------------------------------------------------------
@@ -398,7 +397,7 @@ TEST(TricubicRays, IndependentOfSettings)
     {
       TestRequest request = Request(opacity);
       check(request, settings);
-      request.Solver = RootSolver::Linear; // which is not asked
+      request.Solver = RootSolver::Linear; // which is not used
       request.PacketKernels = nullptr;
       check(request, settings);
     }
@@ -461,7 +460,7 @@ TEST(TricubicRays, HitQuadricsExactly)
 //------------------------------------------------------------------------------
 TEST(TricubicRays, DoNotLeakThroughEdgesAndCorners)
 {
-  // Rays from the middle of a ball, which go out exactly once, through places where cells meet.
+  // Rays from the middle of a ball, which leave it exactly once, through points where cells meet.
   const Index3 size = { 17, 17, 17 };
   const auto ball = TestVolume<float>::Of(size, AnalyticFields::Sphere{ { 8.0, 8.0, 8.0 }, 5.0 });
   for (const double isovalue : { 0.0, 1.0, 2.0, -1.0 })
@@ -470,9 +469,9 @@ TEST(TricubicRays, DoNotLeakThroughEdgesAndCorners)
     request.Interpolation = Interpolant::Tricubic;
     const auto traced = NewTraced(ball, request);
     ForEachPlace({ 17, 17, 17 },
-      [&](const Index3& place)
+      [&](const Index3& point)
       {
-        const Vector3 direction = { place[0] - 8.0, place[1] - 8.0, place[2] - 8.0 };
+        const Vector3 direction = { point[0] - 8.0, point[1] - 8.0, point[2] - 8.0 };
         if (Length(direction) == 0.0)
         {
           return;
@@ -492,8 +491,8 @@ TEST(TricubicRays, DoNotLeakThroughEdgesAndCorners)
 //------------------------------------------------------------------------------
 TEST(TricubicRays, DoNotLeakThroughSurfacesInFaces)
 {
-  // Rays through places in faces of cells that the surface passes to within rounding: both cells
-  // must say the same of them, so that a ray never goes in, or out, twice in turn.
+  // Rays through points in faces of cells that the surface passes to within rounding: both cells
+  // must agree on them, so that a ray never enters, or leaves, twice in turn.
   const Index3 size = { 9, 8, 10 };
   RandomNumbers random(81);
   TestVolume<double> volume(size, std::vector<double>(Count(size)));
@@ -543,10 +542,10 @@ TEST(TricubicRays, HitNothingWithinTwoSamplesOfANonFiniteOne)
   const auto whole = NewTraced(volume, Request());
   std::vector<std::unique_ptr<ImageField>> holed;
   auto with = volume;
-  const Index3 places[] = { { 3, 4, 5 }, { 8, 2, 2 }, { 6, 6, 7 } };
+  const Index3 indices[] = { { 3, 4, 5 }, { 8, 2, 2 }, { 6, 6, 7 } };
   for (int i = 0; i < 3; ++i)
   {
-    with.At(places[i]) = none[i];
+    with.At(indices[i]) = none[i];
   }
   RandomNumbers random(32);
   int gone = 0;
@@ -560,16 +559,16 @@ TEST(TricubicRays, HitNothingWithinTwoSamplesOfANonFiniteOne)
       std::vector<Hit> expected = Trace(*whole, line);
       const std::size_t before = expected.size();
       expected.erase(std::remove_if(expected.begin(), expected.end(),
-                       [&places, &whole](const Hit& hit)
+                       [&indices, &whole](const Hit& hit)
                        {
                          const Index3 cell = whole->GetLattice().GetCell(hit);
-                         return std::any_of(places, places + 3,
-                           [&cell](const Index3& place)
+                         return std::any_of(indices, indices + 3,
+                           [&cell](const Index3& index)
                            {
                              bool isAround = true;
                              for (std::size_t axis = 0; axis < 3; ++axis)
                              {
-                               const int offset = place[axis] - cell[axis];
+                               const int offset = index[axis] - cell[axis];
                                isAround = isAround && offset >= -1 && offset <= 2;
                              }
                              return isAround;
@@ -595,16 +594,16 @@ TEST(TricubicRays, UnevenPlanes)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 41);
   RandomNumbers random(42);
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int last = volume.Dimensions[axis] - 1;
     for (int i = 0; i <= last; ++i)
     {
-      places[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
+      coordinates[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
     }
   }
-  const UnevenPlanes planes(places);
+  const UnevenPlanes planes(coordinates);
   TestRequest request = Request();
   request.Planes = &planes;
   for (const std::vector<int>& branching : { std::vector<int>{}, { 8, 8 }, { 2, 2 } })
@@ -653,12 +652,12 @@ TEST(TricubicRays, PlanesAndInterpolantCanChange)
   RandomNumbers random(52);
   const std::vector<Line> lines = ManyLines(random, volume.Dimensions, 100);
   const auto changing = ImageField::New(volume.View(), {}, 1);
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int i = 0; i < volume.Dimensions[axis]; ++i)
     {
-      places[axis].push_back(i);
+      coordinates[axis].push_back(i);
     }
   }
   std::optional<UnevenPlanes> planes;
@@ -675,8 +674,8 @@ TEST(TricubicRays, PlanesAndInterpolantCanChange)
       { Interpolant::Trilinear, -0.9, 20.0 }, { Interpolant::Tricubic, -0.9, 20.0 },
       { Interpolant::Nearest, 0.0, -5.0 }, { Interpolant::Tricubic, 0.0, -5.0 } })
   {
-    places[1][4] = 4.0 + turn.Shift;
-    planes.emplace(places); // in the same place in memory
+    coordinates[1][4] = 4.0 + turn.Shift;
+    planes.emplace(coordinates); // at the same address
     TestRequest request = Request();
     request.Surfaces = { { turn.Isovalue, 1e-9 } };
     request.Interpolation = turn.Interpolation;
@@ -699,19 +698,19 @@ TEST(TricubicRays, PlanesAndInterpolantCanChange)
 //------------------------------------------------------------------------------
 TEST(TricubicRays, HitSurfacesThatOnlyOtherPlanesHave)
 {
-  // A layer of 1 among 0. Where it is near to the next, the steep slope there swings far above 1
-  // before it.
+  // A layer of 1 among 0. Where it is near to the next, the steep slope there makes the interpolant
+  // overshoot 1 before it.
   const Index3 size = { 9, 9, 9 };
   const auto volume = TestVolume<float>::Of(
     size, [](const AnalyticFields::Point& p) { return p[1] == 4.0 ? 1.0 : 0.0; });
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (int i = 0; i < 9; ++i)
   {
-    places[0].push_back(i);
-    places[1].push_back(i == 4 ? 4.9 : i);
-    places[2].push_back(i);
+    coordinates[0].push_back(i);
+    coordinates[1].push_back(i == 4 ? 4.9 : i);
+    coordinates[2].push_back(i);
   }
-  const UnevenPlanes planes(places);
+  const UnevenPlanes planes(coordinates);
   TestRequest request({ { 2.0, 1e-9 } });
   request.Interpolation = Interpolant::Tricubic;
   const auto traced = NewTraced(volume, request);
@@ -735,23 +734,23 @@ TEST(TricubicRays, RespectCroppingAndClipping)
   for (int i = 0; i < 60; ++i)
   {
     TestRequest request = Request(i % 2 == 0 ? 1e-9 : 1.0);
-    Visibility& seen = request.Visible;
+    Visibility& visible = request.Visible;
     std::vector<unsigned char> hidden(11 * 12 * 13);
     if (i % 3 == 0)
     {
       std::generate(hidden.begin(), hidden.end(),
         [&random]() { return static_cast<unsigned char>(random.Integer(0, 1)); });
-      seen.HiddenCells = hidden.data();
+      visible.HiddenCells = hidden.data();
     }
     else if (i % 3 == 1)
     {
-      seen.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
+      visible.Regions = { { { { 2.5, 7.25 }, { 3.0, 8.5 }, { 4.125, 9.0 } } },
         static_cast<unsigned int>(random.Bits()) & CroppingRegions::All };
     }
     else
     {
       const Vector3 normal = random.Direction();
-      seen.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
+      visible.HalfSpaces = { { normal, -Dot(normal, { 5.5, 6.0, 6.5 }) } };
     }
     const auto traced = NewTraced(volume, request);
     for (int ray = 0; ray < 10; ++ray)
@@ -761,11 +760,11 @@ TEST(TricubicRays, RespectCroppingAndClipping)
       for (const Hit& hit : Trace(*whole, line))
       {
         const Vector3 point = whole->GetPoint(hit);
-        const bool isSeen = seen.Shows(hit, point) &&
-          std::all_of(seen.HalfSpaces.begin(), seen.HalfSpaces.end(),
+        const bool isVisible = visible.Shows(hit, point) &&
+          std::all_of(visible.HalfSpaces.begin(), visible.HalfSpaces.end(),
             [&point](const HalfSpace& half)
             { return Dot(half.Normal, point) + half.Offset >= 0.0; });
-        if (isSeen && (i % 2 == 0 || expected.empty()))
+        if (isVisible && (i % 2 == 0 || expected.empty()))
         {
           expected.push_back(hit);
         }
@@ -824,7 +823,7 @@ BernsteinNonic WithRoots(const std::vector<long double>& roots, long double fact
   std::vector<long double> b = { factor };
   const auto raise = [&b](long double atBegin, long double atEnd)
   {
-    // Times the line from one value to the other.
+    // Times the linear function from one value to the other.
     const std::size_t degree = b.size();
     std::vector<long double> product(degree + 1);
     for (std::size_t i = 0; i < product.size(); ++i)
@@ -902,20 +901,20 @@ TEST(NonicRoots, PairsOfCloseRoots)
 {
   for (const double distance : { 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7 })
   {
-    for (const double place : { 0.1, 0.3, 0.5, 0.77 })
+    for (const double u : { 0.1, 0.3, 0.5, 0.77 })
     {
       const std::vector<double> found =
-        FindRoots(WithRoots({ place, place + static_cast<long double>(distance) }, 1));
-      ASSERT_EQ(found.size(), 2U) << place << " " << distance;
-      EXPECT_NEAR(found[0], place, 0.1 * distance);
-      EXPECT_NEAR(found[1], place + distance, 0.1 * distance);
+        FindRoots(WithRoots({ u, u + static_cast<long double>(distance) }, 1));
+      ASSERT_EQ(found.size(), 2U) << u << " " << distance;
+      EXPECT_NEAR(found[0], u, 0.1 * distance);
+      EXPECT_NEAR(found[1], u + distance, 0.1 * distance);
       // What does not reach zero has none.
-      BernsteinNonic above = WithRoots({ place, place + static_cast<long double>(distance) }, 1);
+      BernsteinNonic above = WithRoots({ u, u + static_cast<long double>(distance) }, 1);
       for (double& coefficient : above)
       {
         coefficient += 0.26 * distance * distance;
       }
-      EXPECT_TRUE(FindRoots(above).empty()) << place << " " << distance;
+      EXPECT_TRUE(FindRoots(above).empty()) << u << " " << distance;
     }
   }
 }
@@ -924,13 +923,13 @@ TEST(NonicRoots, TerminatesAtMultipleRoots)
 {
   for (const int multiplicity : { 2, 3, 4, 5, 9 })
   {
-    for (const long double place : { 0.0L, 0.2L, 0.5L, 1.0L })
+    for (const long double u : { 0.0L, 0.2L, 0.5L, 1.0L })
     {
       const std::vector<double> found = FindRoots(
-        WithRoots(std::vector<long double>(static_cast<std::size_t>(multiplicity), place), 1));
+        WithRoots(std::vector<long double>(static_cast<std::size_t>(multiplicity), u), 1));
       for (const double root : found)
       {
-        EXPECT_NEAR(root, static_cast<double>(place), 0.05);
+        EXPECT_NEAR(root, static_cast<double>(u), 0.05);
       }
     }
   }

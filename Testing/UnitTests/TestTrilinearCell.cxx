@@ -226,11 +226,12 @@ TEST(TrilinearCell, CubicKeepsTheCommonSignOfDenormalDifferences)
   CellCorners v;
   v.fill(-SmallestDifference);
   const double almostOne = std::nextafter(1.0, 0.0);
-  for (const double place : { 0.0, 1e-300, 0.5, almostOne, 1.0 })
+  for (const double coordinate : { 0.0, 1e-300, 0.5, almostOne, 1.0 })
   {
-    for (const double b : CubicAlongSegment(v, { place, place, 0.0 }, { place, place, 1.0 }))
+    for (const double b :
+      CubicAlongSegment(v, { coordinate, coordinate, 0.0 }, { coordinate, coordinate, 1.0 }))
     {
-      EXPECT_FALSE(IsInside(b)) << place;
+      EXPECT_FALSE(IsInside(b)) << coordinate;
     }
   }
 }

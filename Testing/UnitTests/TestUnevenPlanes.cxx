@@ -5,9 +5,9 @@
 // of their space.
 
 #include "Image/ImageField.h"
+#include "Image/Lattice/Ray.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "RandomNumbers.h"
-#include "Rays/Ray.h"
-#include "Rays/UnevenPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -27,23 +27,24 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Places from 0 to n - 1, some steps a thousand times as long as others; none, if asked, for about
-/// one cell in four. The first and the last cell are not flat.
+/// Coordinates from 0 to n - 1, some steps a thousand times as long as others; on request, about
+/// one cell in four is flat. The first and the last cell are not flat.
 std::vector<double> RandomPlaces(RandomNumbers& random, int count, bool withFlatCells)
 {
-  std::vector<double> places = { 0.0 };
+  std::vector<double> coordinates = { 0.0 };
   for (int i = 1; i < count; ++i)
   {
     const bool isFlat = withFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
-    places.push_back(places.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, 10.0))));
+    coordinates.push_back(
+      coordinates.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, 10.0))));
   }
-  const double scale = (count - 1) / places.back();
-  for (double& place : places)
+  const double scale = (count - 1) / coordinates.back();
+  for (double& coordinate : coordinates)
   {
-    place *= scale;
+    coordinate *= scale;
   }
-  places.back() = count - 1;
-  return places;
+  coordinates.back() = count - 1;
+  return coordinates;
 }
 
 UnevenPlanes RandomPlanes(RandomNumbers& random, const Index3& size, bool withFlatCells)
@@ -54,12 +55,12 @@ UnevenPlanes RandomPlanes(RandomNumbers& random, const Index3& size, bool withFl
 
 std::vector<double> WholeNumbers(int count)
 {
-  std::vector<double> places;
+  std::vector<double> coordinates;
   for (int i = 0; i < count; ++i)
   {
-    places.push_back(i);
+    coordinates.push_back(i);
   }
-  return places;
+  return coordinates;
 }
 
 /// The hits of the whole line, on both sides of its origin.
@@ -68,7 +69,7 @@ std::vector<Hit> TraceBothWays(ImageField& volume, const Line& line)
   return Trace(volume, line, Infinity, -Infinity);
 }
 
-/// Lines through the volume, with an eye for its planes, edges and corners.
+/// Lines through the volume, many of them through its planes, edges and corners.
 Line AnyLine(RandomNumbers& random, const Index3& size, const UnevenPlanes& planes)
 {
   Line line = random.Integer(0, 1) == 0 ? RandomLine(random, size) : LatticeLine(random, size);
@@ -82,7 +83,7 @@ Line AnyLine(RandomNumbers& random, const Index3& size, const UnevenPlanes& plan
   return line;
 }
 
-/// The interpolant of the volume at a point, found without anything of the ray tracer.
+/// The interpolant of the volume at a point, found without the ray tracer.
 double Evaluate(const TestVolume<double>& volume, const UnevenPlanes& planes, const Vector3& point)
 {
   Index3 cell;
@@ -149,7 +150,7 @@ TEST(UnevenPlanes, FindsCells)
   EXPECT_EQ(planes.GetPoint({ 2, 1, 0 }, { 1.0, 0.5, 0.0 }), (Vector3{ 3.0, 1.5, 0.0 }));
 }
 
-// Even planes, said plane by plane, are even planes.
+// Even planes, given one by one, equal no planes.
 TEST(UnevenPlanes, EvenPlanesMatchNoPlanes)
 {
   RandomNumbers random(1);
@@ -220,8 +221,8 @@ TEST(UnevenPlanes, NoRayLeaksThroughAClosedSurface)
   EXPECT_GT(found, 10000U);
 }
 
-// Where the ray tracer finds a hit, the interpolant has the isovalue; and walking along the ray in
-// small steps finds no change of sign that it has not.
+// Where the ray tracer finds a hit, the interpolant has the isovalue; and sampling the ray in small
+// steps finds no further change of sign.
 TEST(UnevenPlanes, HitsLieOnTheInterpolant)
 {
   RandomNumbers random(3);
@@ -274,7 +275,7 @@ TEST(UnevenPlanes, HitsLieOnTheInterpolant)
   EXPECT_LT(worst, 1e-10);
 }
 
-// The largest value of a ray is no smaller than any along it, and is taken where it is said to be.
+// The largest value of a ray is no smaller than any along it, and is taken at the reported point.
 TEST(UnevenPlanes, ExtremeValuesMatchTheInterpolant)
 {
   RandomNumbers random(6);
@@ -369,13 +370,13 @@ TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
   const Index3 size = { 20, 4, 4 };
   for (int flat = 1; flat < size[0] - 2; ++flat)
   {
-    std::vector<double> places;
+    std::vector<double> coordinates;
     for (int i = 0; i < size[0]; ++i)
     {
-      places.push_back((i <= flat ? i : i - 1) * (size[0] - 1.0) / (size[0] - 2.0));
+      coordinates.push_back((i <= flat ? i : i - 1) * (size[0] - 1.0) / (size[0] - 2.0));
     }
-    places.back() = size[0] - 1.0;
-    const UnevenPlanes planes({ places, WholeNumbers(4), WholeNumbers(4) });
+    coordinates.back() = size[0] - 1.0;
+    const UnevenPlanes planes({ coordinates, WholeNumbers(4), WholeNumbers(4) });
     TestVolume<float> volume(size, std::vector<float>(Count(size)));
     ForEachPlace(size, [&](const Index3& i) { volume.At(i) = i[0] <= flat ? 0.0F : 1.0F; });
     TestRequest request({ { 0.25, 1.0 } });
@@ -388,7 +389,7 @@ TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
       for (const double direction : { 1.0, -1.0 })
       {
         const auto hits =
-          TraceBothWays(*traced, { { places[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } });
+          TraceBothWays(*traced, { { coordinates[6], 1.3, 1.6 }, { direction, 0.02, -0.01 } });
         ASSERT_EQ(hits.size(), 1U) << "flat cell " << flat;
         EXPECT_EQ(traced->GetLattice().GetCell(hits[0])[0], flat);
         EXPECT_NEAR(hits[0].Parametric[0], 0.25, 1e-6);
@@ -407,7 +408,7 @@ TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
   }
 }
 
-// Cropping is said in the space of the rays.
+// Cropping is given in the space of the rays.
 TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
 {
   RandomNumbers random(5);
@@ -420,7 +421,7 @@ TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
   request.Visible.Regions.Planes = { { { 2.5, 7.0 }, { 1.1, 4.4 }, { 3.3, 5.5 } } };
   request.Visible.Regions.Visible = 0x5ab3c17;
   const auto cropped = NewTraced(volume, request);
-  std::size_t seen = 0;
+  std::size_t count = 0;
   std::size_t unseen = 0;
   for (int i = 0; i < 200; ++i)
   {
@@ -439,9 +440,9 @@ TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
     }
     const std::vector<Hit> hits = TraceBothWays(*cropped, line);
     ASSERT_EQ(hits.size(), expected.size()) << ToText(line);
-    seen += hits.size();
+    count += hits.size();
   }
-  EXPECT_GT(seen, 100U);
+  EXPECT_GT(count, 100U);
   EXPECT_GT(unseen, 100U);
 }
 

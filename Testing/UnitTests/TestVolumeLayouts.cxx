@@ -187,7 +187,7 @@ TEST(VolumeLayout, CreatesOnlyTheBricksThatAreRead)
 }
 
 //------------------------------------------------------------------------------
-/// Bricks lie together in groups, and no two samples in one place.
+/// Bricks form groups, and no two samples have one address.
 void CheckAddresses(const Index3& size, int edge, int group)
 {
   const TestVolume<std::uint8_t> volume(size, std::vector<std::uint8_t>(Count(size)));

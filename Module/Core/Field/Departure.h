@@ -19,7 +19,7 @@ struct Departure
   /// Whether the ray leaves towards the inside of the surface.
   bool Entering = false;
 
-  /// Whether a crossing of a surface may be that which the ray starts on.
+  /// Whether a crossing of a surface may be the one that the ray starts on.
   bool Is(int surface, bool entering) const
   {
     return surface == this->Surface && entering == this->Entering;
@@ -31,7 +31,7 @@ struct StoppedRays
 {
   RaySet Stopped = {};
   /// Those with a crossing so near to their start that its rounding matters: only the order of all
-  /// crossings tells what it is.
+  /// crossings decides what it is.
   RaySet Unsure = {};
 
   /// In cells, or other units that objects have a size of about one in.

@@ -12,20 +12,20 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// How work is done. It changes no bit of what comes out.
+/// How tracing is done. It changes no bit of the result.
 struct Execution
 {
   int Threads = 1;
-  /// What packets of rays are traced and shaded with. With null each ray goes by itself, through
+  /// The kernels that trace and shade packets of rays. With null each ray is traced by itself, by
   /// the scalar code: the reference that the kernels are tested against.
   const Kernels* PacketKernels = &GetBestKernels();
 };
 
-/// What a traced field may cost.
+/// The memory limits of a traced field.
 struct MemoryBudget
 {
-  /// For what is made on demand while rays are traced (bricks, masks of cells), in bytes. Where it
-  /// is not enough, what was not used lately makes room, and rays do without: the hits are the
+  /// For what is built on demand while rays are traced (bricks, masks of cells), in bytes. Where it
+  /// is not enough, what was not used lately is evicted, and rays do without: the hits are the
   /// same.
   std::size_t CacheBytes = std::numeric_limits<std::size_t>::max();
 };

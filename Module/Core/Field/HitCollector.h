@@ -11,8 +11,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A ray is followed no further once the surfaces it passed let through less than this: a quarter
-/// of a step of an 8-bit colour.
+/// A ray ends where the surfaces it passed transmit less than this: a quarter of a step of an 8-bit
+/// colour.
 constexpr double NegligibleTransmittance = 1.0 / 1024.0;
 
 /// Where hits are, in the object space of their field.
@@ -23,7 +23,7 @@ public:
   virtual Vector3 GetPoint(const Hit& hit) const = 0;
 };
 
-/// Collects the hits of one ray, which come front to back, until nothing of the ray is left.
+/// Collects the hits of one ray, which come front to back, until no transmittance is left.
 class HitCollector
 {
 public:
@@ -35,7 +35,7 @@ public:
   {
   }
 
-  /// Takes a hit, if it is visible. Returns whether nothing of the ray is left behind it.
+  /// Adds a hit, if it is visible. Returns whether no transmittance is left behind it.
   bool Add(const Hit& hit)
   {
     if (!this->Request->Visible.IsConvex() &&
@@ -44,8 +44,7 @@ public:
       return false;
     }
     this->Hits->push_back(hit);
-    this->Transmittance *=
-      1.0 - this->Request->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    this->Transmittance *= 1.0 - this->Request->GetOpacity(hit);
     return this->Transmittance < NegligibleTransmittance;
   }
 

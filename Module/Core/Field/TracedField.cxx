@@ -12,8 +12,7 @@ namespace vtkIsosurfaceRayTracing
 void TracedField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {
-  packet.Count = 0;
-  packet.Exists = {};
+  packet.Clear();
   for (int y = 0; y < pixels.Height; ++y)
   {
     for (int x = 0; x < pixels.Width; ++x)
@@ -29,9 +28,14 @@ void TracedField::FindTransmittance(
   RayPacket& packet, const Departure* departures, double* transmittance)
 {
   std::fill_n(transmittance, packet.Count, 1.0);
+  const TraceRequest& request = this->GetRequest();
+  if (request.Projection)
+  {
+    return; // There are no surfaces.
+  }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
-  // tells: a first crossing to the side that the ray is on already is none. Where the surface is
-  // opaque, the ray is sent on from there.
+  // decides: a first crossing to the side that the ray is on already does not count. Where the
+  // surface is opaque, the ray is continued from there.
   double step = 1e-13;
   RayHits found;
   for (int attempt = 0; attempt < 8 && !IsEmpty(packet.Exists); ++attempt, step *= 16.0)
@@ -44,11 +48,10 @@ void TracedField::FindTransmittance(
       const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
       const bool isOwn =
         first < last && departures[i].Is(found.Hits[first].Surface, found.Hits[first].Entering);
-      if (isOwn && this->GetOpacity(found.Hits[first]) >= 1.0)
+      if (isOwn && request.GetOpacity(found.Hits[first]) >= 1.0)
       {
-        const Vector3 direction = { packet.Direction[0][i], packet.Direction[1][i],
-          packet.Direction[2][i] };
-        packet.Begin[i] = found.Hits[first].T - packet.Base[i] + step / Length(direction);
+        packet.Begin[i] =
+          found.Hits[first].T - packet.Base[i] + step / Length(packet.GetDirection(i));
         if (packet.Begin[i] < packet.End[i])
         {
           Add(i, again);
@@ -57,7 +60,7 @@ void TracedField::FindTransmittance(
       }
       for (first += isOwn ? 1 : 0; first < last; ++first)
       {
-        transmittance[i] *= 1.0 - this->GetOpacity(found.Hits[first]);
+        transmittance[i] *= 1.0 - request.GetOpacity(found.Hits[first]);
       }
     }
     packet.Exists = again;

@@ -32,7 +32,7 @@ struct FieldStatistics
 {
   /// What is built once, over all data (macrocells), in bytes.
   std::size_t HierarchyMemory = 0;
-  /// What is made on demand while rays are traced (bricks, masks of cells), in bytes.
+  /// What is built on demand while rays are traced (bricks, masks of cells), in bytes.
   std::size_t CacheMemory = 0;
   std::size_t NumberOfBricks = 0;
   std::size_t MaximumNumberOfBricks = 0;
@@ -40,9 +40,9 @@ struct FieldStatistics
   std::int64_t BrickNanoseconds = 0;
 };
 
-/// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells. All
-/// that is above (pictures, shadows, picking, rays without a picture) knows data by this class
-/// alone.
+/// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells.
+/// Everything above it (pictures, shadows, picking, rays without a picture) knows data by this
+/// class alone.
 ///
 /// A field lives in an object space of its own, an affine image of the world in which its
 /// arithmetic is exact (for images, index space). Rays, points, gradients and bounds are in object
@@ -59,8 +59,8 @@ public:
   /// The box that all hits are in.
   virtual Bounds GetBounds() const = 0;
 
-  /// Chooses what to trace from now on, and begins a frame: what the last frame did not use may
-  /// make room in the cache. Rays must be made after it.
+  /// Selects what to trace from now on, and begins a frame: what the last frame did not use may be
+  /// evicted from the cache. Rays must be made after it.
   virtual void Select(
     const TraceRequest& request, const Execution& execution, const MemoryBudget& budget = {}) = 0;
 
@@ -79,17 +79,17 @@ public:
     RayPacket& packet) const;
 
   /// Whether rays between lines that pass through one point, or are parallel, may hit anything:
-  /// those whose directions are means of the lines' own. The lines of the packet have an origin and
-  /// a direction, and nothing else.
+  /// those whose directions are means of the lines' own. The lines are a packet of which only the
+  /// origins and the directions are set.
   virtual bool MayHitBetween(RayPacket& /*lines*/) const { return true; }
 
-  /// Finds the hits of each ray, in order, up to the first opaque one or to where nothing of the
-  /// ray is left to see. A ray that does not exist has no hits.
+  /// Finds the hits of each ray, in order, up to the first opaque one or to where no transmittance
+  /// is left. A ray that does not exist has no hits.
   virtual void Trace(RayPacket& packet, RayHits& hits) = 0;
 
-  /// Finds what part of the light comes through along each ray: the product of what the surfaces on
-  /// its way let through, without the crossing that it starts from. There is a departure for each
-  /// ray. The packet is used up.
+  /// Finds the transmittance along each ray: the product of those of the surfaces it crosses,
+  /// without the crossing that it starts from. There is a departure for each ray. The packet is
+  /// used up.
   virtual void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance);
 
@@ -117,11 +117,6 @@ public:
     const TraceRequest& request = this->GetRequest();
     return request.Projection ? hit.Value
                               : request.Surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
-  }
-
-  double GetOpacity(const Hit& hit) const
-  {
-    return this->GetRequest().Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
   }
 };
 

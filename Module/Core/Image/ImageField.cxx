@@ -17,7 +17,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The power of two by which values are multiplied before the isovalue is taken off: 1, unless the
+/// The power of two by which values are multiplied before the isovalue is subtracted: 1, unless the
 /// values are so large or small that products of differences overflow or vanish.
 double GetScale(const SampleRange& range, double isovalue)
 {
@@ -73,14 +73,17 @@ void ImageField::Select(
   const bool isOtherTracer =
     request.Interpolation != before.Interpolation || request.Projection != before.Projection;
   const bool areSameIsovalues = HaveSameIsovalues(request, before);
+  // Whatever throws on the way, the next call starts over.
+  const bool wasComplete = std::exchange(this->IsSelectionComplete, false);
   this->Selection.Request = request;
   if (isOtherTracer)
   {
     this->Tracer = this->Structures->NewTracer(this->Selection);
   }
   const bool isOtherSpacing = this->Tracer->SetPlanes(this->Selection.Lattice.GetPlanes());
-  if (areSameIsovalues && !isOtherTracer && !isOtherSpacing)
+  if (wasComplete && areSameIsovalues && !isOtherTracer && !isOtherSpacing)
   {
+    this->IsSelectionComplete = true;
     return;
   }
   this->Selection.Isovalues.clear();
@@ -90,6 +93,7 @@ void ImageField::Select(
       { surface.Isovalue, GetScale(this->Structures->GetRange(), surface.Isovalue) });
   }
   this->Selection.SetActive(this->Tracer->FindActive(execution.Threads), execution.Threads);
+  this->IsSelectionComplete = true;
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +110,7 @@ void ImageField::AddRay(const Vector3& origin, const Vector3& direction, double 
   RayPacket& packet) const
 {
   const CellLattice& lattice = this->Selection.Lattice;
-  vtkIsosurfaceRayTracing::AddRay(
+  AppendRay(
     ClipToVolume(origin, direction, begin, end, lattice.GetDimensions(), lattice.GetPlanes()),
     packet);
 }
@@ -167,19 +171,19 @@ void ImageField::CutToHalfSpaces(RayPacket& packet) const
 }
 
 //------------------------------------------------------------------------------
-/// Where all surfaces are opaque, any crossing will do, and none needs to be the first.
+/// Where all surfaces are opaque, any crossing decides, not only the first.
 void ImageField::FindTransmittance(
   RayPacket& packet, const Departure* departures, double* transmittance)
 {
   std::optional<StoppedRays> found;
-  if (this->Selection.HasOnlyOpaqueSurfaces())
+  if (this->Selection.EndsRaysAtAnyHit())
   {
     this->CutToHalfSpaces(packet);
     found = this->Tracer->FindStopped(packet, departures);
   }
   if (found)
   {
-    // Of the rays only those that nothing is known of yet are left.
+    // Only rays that are still undecided are left.
     for (int word = 0; word < 2; ++word)
     {
       packet.Exists.Words[word] = found->Unsure.Words[word] & ~found->Stopped.Words[word];

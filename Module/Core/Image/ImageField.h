@@ -17,9 +17,9 @@ namespace vtkIsosurfaceRayTracing
 class ImageStructures;
 class ImageTracer;
 
-/// An image, or a rectilinear grid, made ready for rays: macrocells at once, bricks as rays come.
-/// It depends on the samples and the settings alone; the samples must outlive it and not change.
-/// Its object space is index space, or with uneven planes the space they stand in (see
+/// An image, or a rectilinear grid, as a field: macrocells are built at once, bricks as rays need
+/// them. It depends on the samples and the settings alone; the samples must outlive it and not
+/// change. Its object space is index space, or with uneven planes the space they stand in (see
 /// UnevenPlanes).
 class ImageField final : public TracedField
 {
@@ -29,7 +29,7 @@ public:
     const VolumeView& view, const ImageSettings& settings, int threads);
   ~ImageField() override;
 
-  /// Says where the samples stand; null, as at first, if at whole numbers. The planes must outlive
+  /// Sets the lattice planes; null, as at first, stands for whole numbers. The planes must outlive
   /// their use. To be called before Select.
   void SetPlanes(const UnevenPlanes* planes);
 
@@ -64,6 +64,8 @@ private:
 
   std::unique_ptr<ImageStructures> Structures;
   ImageSelection Selection;
+  /// Whether what follows from the request is there.
+  bool IsSelectionComplete = false;
   std::unique_ptr<ImageTracer> Tracer;
 };
 

@@ -23,7 +23,7 @@ struct SampleRange
 };
 
 /// What is built over the samples of an image: macrocells at once, masks of cells and bricks as
-/// rays come. This is where the type of the samples and the layout of bricks are known.
+/// rays need them. This is where the type of the samples and the layout of bricks are known.
 class ImageStructures
 {
 public:
@@ -36,14 +36,14 @@ public:
   /// it; one tracer is used at a time.
   virtual std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) = 0;
 
-  /// Begins a frame, in which bricks and masks may take so much memory, in bytes.
+  /// Begins a frame, in which bricks and masks may take up to a number of bytes.
   virtual void BeginFrame(std::size_t maximumMemory) = 0;
 
   virtual FieldStatistics GetStatistics() const = 0;
 };
 
-/// Builds the macrocells, with the given number of threads. Compiled for each type of samples by
-/// itself: see TypedImageStructures.cxx.in.
+/// Builds the macrocells, with the given number of threads. Each type of samples is compiled
+/// separately: see TypedImageStructures.cxx.in.
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
   const Samples<T>& samples, const ImageSettings& settings, int threads);

@@ -66,7 +66,7 @@ public:
       selection, this->TheSamples, this->Hierarchy, this->Masks, this->Bricks);
   }
 
-  /// Shares the memory between bricks and masks, by what they take of one block.
+  /// Divides the memory between bricks and masks, by what they take for one block.
   void BeginFrame(std::size_t maximumMemory) override
   {
     constexpr std::size_t brick = BlockMask::Edge * BlockMask::Edge * BlockMask::Edge * sizeof(T);

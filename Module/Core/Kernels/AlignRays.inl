@@ -11,48 +11,48 @@ namespace
 /// Across its axis a frustum may go this much per cell along it.
 constexpr double LargestSlope = 2.0;
 
-/// Finds what the bunches of a packet sweep along one of the axes across.
+/// Finds what the subpackets of a packet sweep along one of the axes across.
 SIMD_INLINE void SweepBunches(const RaySet& rays, int j, AlignedRays& aligned)
 {
   const double low = aligned.SweptLow;
   const double high = aligned.SweptHigh;
   const double inverse = 1.0 / (high - low);
-  for (int bunch = 0; bunch < AlignedRays::Bunches; ++bunch)
+  for (int subpacket = 0; subpacket < AlignedRays::Subpackets; ++subpacket)
   {
-    const int first = bunch * AlignedRays::Bunch;
-    // Bunches without rays are nowhere.
-    aligned.LeastOffset[j][bunch] = Infinity;
-    aligned.LeastSlope[j][bunch] = 0.0;
-    aligned.MostOffset[j][bunch] = -Infinity;
-    aligned.MostSlope[j][bunch] = 0.0;
+    const int first = subpacket * AlignedRays::SubpacketSize;
+    // Subpackets without rays are empty.
+    aligned.LeastOffset[j][subpacket] = Infinity;
+    aligned.LeastSlope[j][subpacket] = 0.0;
+    aligned.MostOffset[j][subpacket] = -Infinity;
+    aligned.MostSlope[j][subpacket] = 0.0;
     if ((rays.Words[first >> 6] >> (first & 63) & 0xFFU) == 0)
     {
       continue;
     }
     Doubles least[2] = { Infinity, Infinity };
     Doubles most[2] = { -Infinity, -Infinity };
-    for (int i = first; i < first + AlignedRays::Bunch; i += DoubleWidth)
+    for (int i = first; i < first + AlignedRays::SubpacketSize; i += DoubleWidth)
     {
       const Mask mask = ToMask(GetLanes(rays, i));
       const Doubles slope = Load(&aligned.Slope[j][i]);
       const Doubles offset = Load(&aligned.Offset[j][i]);
       for (int end = 0; end < 2; ++end)
       {
-        const Doubles place = offset + (end == 0 ? low : high) * slope;
-        least[end] = Select(mask, Min(least[end], place), least[end]);
-        most[end] = Select(mask, Max(most[end], place), most[end]);
+        const Doubles coordinate = offset + (end == 0 ? low : high) * slope;
+        least[end] = Select(mask, Min(least[end], coordinate), least[end]);
+        most[end] = Select(mask, Max(most[end], coordinate), most[end]);
       }
     }
     const double leastAtLow = ReduceMin(least[0]);
     const double mostAtLow = ReduceMax(most[0]);
-    aligned.LeastSlope[j][bunch] = (ReduceMin(least[1]) - leastAtLow) * inverse;
-    aligned.MostSlope[j][bunch] = (ReduceMax(most[1]) - mostAtLow) * inverse;
-    aligned.LeastOffset[j][bunch] = leastAtLow - low * aligned.LeastSlope[j][bunch];
-    aligned.MostOffset[j][bunch] = mostAtLow - low * aligned.MostSlope[j][bunch];
+    aligned.LeastSlope[j][subpacket] = (ReduceMin(least[1]) - leastAtLow) * inverse;
+    aligned.MostSlope[j][subpacket] = (ReduceMax(most[1]) - mostAtLow) * inverse;
+    aligned.LeastOffset[j][subpacket] = leastAtLow - low * aligned.LeastSlope[j][subpacket];
+    aligned.MostOffset[j][subpacket] = mostAtLow - low * aligned.MostSlope[j][subpacket];
   }
 }
 
-/// Finds the lines between which all bunches are along one of the axes across.
+/// Finds the lines that bound all subpackets along one of the axes across.
 SIMD_INLINE void BoundBunches(const AlignedRays& aligned, int j, Frustum& frustum)
 {
   const double ends[2] = { frustum.Low, frustum.High };
@@ -61,7 +61,7 @@ SIMD_INLINE void BoundBunches(const AlignedRays& aligned, int j, Frustum& frustu
     const Doubles plane = ends[end];
     Doubles least = Infinity;
     Doubles most = -Infinity;
-    for (int i = 0; i < AlignedRays::Bunches; i += DoubleWidth)
+    for (int i = 0; i < AlignedRays::Subpackets; i += DoubleWidth)
     {
       least =
         Min(least, Load(&aligned.LeastOffset[j][i]) + plane * Load(&aligned.LeastSlope[j][i]));
@@ -98,7 +98,7 @@ bool Align(
     const unsigned int downward = ToBits(direction < zero);
     up |= lanes & upward;
     down |= lanes & downward;
-    // Along the axis it must move at all.
+    // A ray must move along the axis.
     steep |= lanes & ~(upward | downward);
     const Doubles begin = origin + Load(&packet.Begin[i]) * direction;
     const Doubles end = origin + Load(&packet.End[i]) * direction;
@@ -112,7 +112,7 @@ bool Align(
     {
       const Doubles slope = Load(&packet.Direction[across[j]][i]) * inverse;
       const Doubles size = Abs(slope);
-      // Not less, so that what is no number counts as steep.
+      // Negated, so that NaN counts as steep.
       steep |= lanes & ~ToBits(size <= LargestSlope);
       Store(slope, &aligned.Slope[j][i]);
       Store(Load(&packet.Origin[across[j]][i]) - origin * slope, &aligned.Offset[j][i]);

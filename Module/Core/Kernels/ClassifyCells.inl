@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What single precision tells of rays in cells: sure misses, sure hits, and the candidates that are
+// Classifies rays in cells in single precision: sure misses, sure hits, and the candidates that are
 // left. Included by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
@@ -9,8 +9,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Passed cells, each with the way of the ray: as in Passages::Way, but counted from the corner of
-/// the cell across.
+/// Passed cells, each with the segment of the ray: as in Passages::Segment, but counted from the
+/// corner of the cell across the axis.
 struct RoughCells
 {
   /// The lower plane of the cell, from the middle plane of the block.
@@ -25,7 +25,7 @@ SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned i
   const float* lines[FloatWidth];
   for (int lane = 0; lane < FloatWidth; ++lane)
   {
-    lines[lane] = passages.Ways[codes[lane] & 0xFFFFU].Line;
+    lines[lane] = passages.Segments[codes[lane] & 0xFFFFU].Line;
   }
   Floats line[4];
   LoadFours(lines, line);
@@ -42,9 +42,9 @@ SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned i
     float ends[2][FloatWidth];
     for (int lane = 0; lane < FloatWidth; ++lane)
     {
-      const Passages::Way& way = passages.Ways[codes[lane] & 0xFFFFU];
-      ends[0][lane] = way.Ends[0];
-      ends[1][lane] = way.Ends[1];
+      const Passages::Segment& segment = passages.Segments[codes[lane] & 0xFFFFU];
+      ends[0][lane] = segment.Ends[0];
+      ends[1][lane] = segment.Ends[1];
     }
     cells.Ends[0] = LoadFloats(ends[0]);
     cells.Ends[1] = LoadFloats(ends[1]);
@@ -52,7 +52,7 @@ SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned i
   return cells;
 }
 
-/// What single precision can tell of the part of rays in cells.
+/// What single precision knows of the segments of rays in cells.
 struct Classification
 {
   FloatMask Misses;
@@ -71,7 +71,7 @@ struct RoughSegments
   FloatMask Exist;
 };
 
-/// More than single precision may be off by, in cells: of a place in a block and of a plane.
+/// A bound on the error of single precision, in cells: of a position in a block and of a plane.
 constexpr float PlaceError = 0x1p-18F;
 
 SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
@@ -84,7 +84,7 @@ SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
   Floats surelyHigh = Min(cells.Plane + one, cells.Ends[1] - error);
   for (int j = 0; j < 2; ++j)
   {
-    // Of a slope that is nearly or really none, a large reciprocal will do.
+    // For a slope that is nearly or exactly zero, a large reciprocal will do.
     const Floats inverse =
       ApproximateReciprocal(CopySign(Max(Abs(cells.Slope[j]), 0x1p-60F), cells.Slope[j]));
     const Floats first = (0.0F - cells.Crossing[j]) * inverse;
@@ -105,13 +105,13 @@ SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
   return result;
 }
 
-/// Looks at the cubics along rays in cells, of values less the isovalue; largest is the largest
-/// size of each cell's. All that single precision gets wrong is less than 2^-16 of it, and what is
-/// wrong with the isovalue.
+/// Classifies the cubics along rays in cells, of values less the isovalue; largest is the largest
+/// magnitude of each cell's. The error of single precision is less than 2^-16 of it, and that of
+/// the isovalue.
 SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
   const int order[3], const RoughCells& cells, const RoughSegments& segments)
 {
-  // The places in the cell at both ends of the segment.
+  // The points in the cell at both ends of the segment.
   Floats p[3];
   Floats q[3];
   p[order[0]] = segments.Low - cells.Plane;
@@ -149,7 +149,7 @@ SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats is
   const Floats end = b[1][1][1];
   const Floats once = b[1][0][0] + b[0][1][0] + b[0][0][1];
   const Floats twice = b[1][1][0] + b[1][0][1] + b[0][1][1];
-  // Where values are so large that differences overflow, the square does too, and nothing is told.
+  // Where values are so large that differences overflow, the square does too, and nothing is known.
   const Floats part = largest * 0x1p-36F;
   const Floats error = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, isovalueError));
   // A value changes by at most twice the largest size for a cell along each axis, and a ray goes at
@@ -191,7 +191,7 @@ template <typename T>
 void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
   const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2])
 {
-  // In other magnitudes nothing is told.
+  // For other magnitudes nothing is known.
   const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
   const auto rounded = static_cast<float>(isovalue.Isovalue);
   const Floats isovalueError = least + 0x1p-22F * (rounded < 0.0F ? -rounded : rounded);
@@ -214,18 +214,19 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
       const unsigned int code = cells.Codes[i + lane];
       const unsigned int passage = code & 0xFFFFU;
       const unsigned int bit = code >> 24;
-      const Passages::Way& way = passages.Ways[passage];
-      const int* first = passages.First[way.Block];
-      const int place = candidates.Count++;
-      candidates.Ray[place] = way.Ray;
-      candidates.Cell[order[0]][place] = first[order[0]] + static_cast<int>(code >> 16 & 0xFFU);
-      candidates.Cell[order[1]][place] = first[order[1]] + static_cast<int>(bit & 7U);
-      candidates.Cell[order[2]][place] = first[order[2]] + static_cast<int>(bit >> 3);
-      candidates.First[place] = cells.First[i + lane];
+      const Passages::Segment& segment = passages.Segments[passage];
+      const int* first = passages.First[segment.Block];
+      const int index = candidates.Count++;
+      candidates.Ray[index] = segment.Ray;
+      candidates.Cell[order[0]][index] = first[order[0]] + static_cast<int>(code >> 16 & 0xFFU);
+      candidates.Cell[order[1]][index] = first[order[1]] + static_cast<int>(bit & 7U);
+      candidates.Cell[order[2]][index] = first[order[2]] + static_cast<int>(bit >> 3);
+      candidates.First[index] = cells.First[i + lane];
       const unsigned int isSure = sure >> lane & 1U;
       passages.Hits[passage] = passages.Hits[passage] || isSure != 0;
-      RaySet& hitsThatWay = hits[rising >> lane & 1U];
-      hitsThatWay.Words[way.Ray >> 6] |= static_cast<std::uint64_t>(isSure) << (way.Ray & 63);
+      RaySet& hitsOfDirection = hits[rising >> lane & 1U];
+      hitsOfDirection.Words[segment.Ray >> 6] |= static_cast<std::uint64_t>(isSure)
+        << (segment.Ray & 63);
     }
   }
 }

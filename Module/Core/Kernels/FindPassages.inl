@@ -16,8 +16,8 @@ struct Box
   double Extent[3];
 };
 
-/// The bunches of rays that may come into a box, counted from a first cell; a bit for each.
-SIMD_INLINE unsigned int FindBunches(
+/// The subpackets that may meet a box, counted from a first cell; a bit for each.
+SIMD_INLINE unsigned int FindSubpackets(
   const AlignedRays& aligned, const Box& box, const double first[3])
 {
   const double low = first[0] + box.Middle[0] - box.Extent[0];
@@ -25,7 +25,7 @@ SIMD_INLINE unsigned int FindBunches(
   const Doubles near = low < aligned.SweptLow ? aligned.SweptLow : low;
   const Doubles far = high < aligned.SweptHigh ? high : aligned.SweptHigh;
   unsigned int found = 0;
-  for (int i = 0; i < AlignedRays::Bunches; i += DoubleWidth)
+  for (int i = 0; i < AlignedRays::Subpackets; i += DoubleWidth)
   {
     Mask meets = FirstLanes(DoubleWidth);
     for (int j = 0; j < 2; ++j)
@@ -73,17 +73,17 @@ SIMD_INLINE void CopyPair(const float from[2], float to[2])
   __builtin_memcpy(to, from, 2 * sizeof(float));
 }
 
-/// Rays that may come into a box, with their ways as in Passages::Way.
+/// Rays that may meet a box, with their segments as in Passages::Segment.
 struct NearRays
 {
   int Count;
   int Numbers[RayPacket::Capacity + DoubleWidth];
-  // By the numbers of the rays.
+  // Indexed by the numbers of the rays.
   float Middles[RayPacket::Capacity][2];
   float Ends[RayPacket::Capacity][2];
 };
 
-/// Finds the rays that may come into the box of a block with its first cell at first.
+/// Finds the rays that may meet the box of a block with its first cell at first.
 SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, int axis,
   const int first[3], const Box& box, Passages& passages, NearRays& found)
 {
@@ -105,15 +105,15 @@ SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, int ax
     reach[j] = box.Extent[1 + j];
   }
   const Doubles margin = Margin;
-  // Ends so near to the block's own are none.
+  // Ends this near to the block's own do not count.
   const Doubles lastBegin = corner[0] + 0x1p-20;
   const Doubles firstEnd = corner[0] + 8.0 - 0x1p-20;
   found.Count = 0;
-  for (unsigned int bunches = FindBunches(aligned, box, corner); bunches != 0;
-       bunches &= bunches - 1)
+  for (unsigned int subpackets = FindSubpackets(aligned, box, corner); subpackets != 0;
+       subpackets &= subpackets - 1)
   {
-    const int bunch = __builtin_ctz(bunches) * AlignedRays::Bunch;
-    for (int i = bunch; i < bunch + AlignedRays::Bunch; i += DoubleWidth)
+    const int firstRay = __builtin_ctz(subpackets) * AlignedRays::SubpacketSize;
+    for (int i = firstRay; i < firstRay + AlignedRays::SubpacketSize; i += DoubleWidth)
     {
       const Doubles slopeU = Load(&aligned.Slope[0][i]);
       const Doubles slopeV = Load(&aligned.Slope[1][i]);
@@ -165,12 +165,12 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
     const int ray = found.Numbers[k];
     const unsigned int any = FindCellsOfRay(found.Middles[ray], aligned.Slopes[ray],
       static_cast<float>(Margin), masks, passages.Cells[count]);
-    Passages::Way& way = passages.Ways[count];
-    CopyPair(found.Middles[ray], way.Line);
-    CopyPair(aligned.Slopes[ray], way.Line + 2);
-    CopyPair(found.Ends[ray], way.Ends);
-    way.Ray = ray;
-    way.Block = passages.BlockCount;
+    Passages::Segment& segment = passages.Segments[count];
+    CopyPair(found.Middles[ray], segment.Line);
+    CopyPair(aligned.Slopes[ray], segment.Line + 2);
+    CopyPair(found.Ends[ray], segment.Ends);
+    segment.Ray = ray;
+    segment.Block = passages.BlockCount;
     passages.Slices[count] = any;
     passages.Hits[count] = false;
     count += any != 0 ? 1 : 0;

@@ -15,11 +15,11 @@ struct Kernels;
 std::vector<const Kernels*> GetKernels();
 
 /// The kernels with a name: Baseline, AVX2 or AVX512. If this processor has none of that name
-/// (which is said on the standard error), or for null, the fastest.
+/// (which is reported on the standard error), or for null, the fastest.
 const Kernels& ChooseKernels(const char* name);
 
-/// The kernels that the environment variable VTK_ISOSURFACE_RAY_TRACING_KERNELS names when they are
-/// first asked for; without it, the fastest.
+/// The kernels that the environment variable VTK_ISOSURFACE_RAY_TRACING_KERNELS names at the first
+/// call; without it, the fastest.
 const Kernels& GetBestKernels();
 
 }

@@ -10,20 +10,20 @@ namespace
 
 /// The two samples of a row that belong to a cell. A row has a neighbour on both sides.
 template <typename T>
-SIMD_INLINE void LoadPair(const void* const* rows, int lanes, std::ptrdiff_t place,
+SIMD_INLINE void LoadPair(const void* const* rows, int lanes, std::ptrdiff_t index,
   std::ptrdiff_t stride, Doubles values[2])
 {
   if constexpr (sizeof(T) == 1)
   {
     // Two bytes cannot be gathered, but four can.
     Doubles row[4];
-    LoadRow<T, 4>(rows, lanes, place - stride, stride, row);
+    LoadRow<T, 4>(rows, lanes, index - stride, stride, row);
     values[0] = row[1];
     values[1] = row[2];
   }
   else
   {
-    LoadRow<T, 2>(rows, lanes, place, stride, values);
+    LoadRow<T, 2>(rows, lanes, index, stride, values);
   }
 }
 
@@ -57,13 +57,13 @@ void InterpolateDifferences(const InnerCells& cells, const std::ptrdiff_t stride
       for (int axis = 1; axis < 3; ++axis)
       {
         // The rows before and behind two corners of the cell.
-        const std::ptrdiff_t place = side * strides[3 - axis];
+        const std::ptrdiff_t index = side * strides[3 - axis];
         const int low = side * (axis == 1 ? 4 : 2);
         const int high = low + (axis == 1 ? 2 : 4);
         Doubles before[2];
         Doubles behind[2];
-        LoadPair<T>(first, lanes, place - strides[axis], strides[0], before);
-        LoadPair<T>(first, lanes, place + 2 * strides[axis], strides[0], behind);
+        LoadPair<T>(first, lanes, index - strides[axis], strides[0], before);
+        LoadPair<T>(first, lanes, index + 2 * strides[axis], strides[0], behind);
         for (int x = 0; x < 2; ++x)
         {
           differences[axis][low + x] = (samples[high + x] - before[x]) * half;

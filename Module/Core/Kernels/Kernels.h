@@ -16,7 +16,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A rectangle of at most 128 pixels, and what is needed to send rays through them; see Camera.
+/// A rectangle of at most 128 pixels, and what is needed to make the rays through them; see Camera.
 struct PixelBlock
 {
   const double* ObjectFromClip;
@@ -27,56 +27,56 @@ struct PixelBlock
   int Row;
   int Columns;
   int Rows;
-  /// The depth of the first pixel, and how far it is from row to row; null for the far plane.
+  /// The depth of the first pixel, and the stride from row to row; null for the far plane.
   const float* Depth;
   std::ptrdiff_t DepthStride;
   /// Of the volume, in samples.
   const int* Dimensions;
 };
 
-/// Where rays pass blocks of cells: for each passage the cells that the ray may pass there, of
-/// those in the mask of the block.
+/// The passages of rays through blocks of 8^3 cells. A passage is one ray in one block: the segment
+/// of the ray there, and those cells of the block's mask that it may pass.
 struct Passages
 {
-  /// When there are so many, it is time to go through them...
+  /// From this number on, passages are processed before further blocks are searched...
   static constexpr int Batch = 128;
-  /// ...for each ray of a packet may add one before anybody asks.
+  /// ...because each ray of a packet may add one passage between two checks.
   static constexpr int Capacity = 1024;
-  /// In a slice of blocks a ray passes at most four by four of them (it goes at most 16 cells
-  /// across). For so many rays, and one passage that turns out to be none, there is room without
-  /// asking.
+  /// In a slice of blocks a ray passes at most four by four of them (it spans at most 16 cells
+  /// across). For this many rays, and one passage that turns out to be empty, there is room without
+  /// checks.
   static constexpr int RaysWithRoom = Capacity / 16 - 1;
 
-  /// The way of a ray through a block, counted from the first cell across the axis and from the
+  /// The segment of a ray in a block, counted from the first cell across the axis and from the
   /// middle plane of the block along it.
-  struct Way
+  struct Segment
   {
-    /// The two places across in the middle plane, and how they change from plane to plane.
+    /// The two coordinates across in the middle plane, and their changes from plane to plane.
     float Line[4];
-    /// The lowest and the highest plane that the ray comes to, or planes beyond the block.
+    /// The lowest and the highest plane that the ray reaches, or planes beyond the block.
     float Ends[2];
     int Ray;
     int Block;
   };
 
   int Count;
-  alignas(64) Way Ways[Capacity];
+  alignas(64) Segment Segments[Capacity];
   /// The slices across the axis that have cells left.
   unsigned int Slices[Capacity];
   std::uint64_t Cells[Capacity][8];
-  /// Whether the ray surely hits something there.
+  /// Whether the ray surely hits the surface there.
   bool Hits[Capacity];
 
   /// Whether any of the rays begins or ends in its block.
   bool HasEnds;
 
-  /// The first cell of each block that is passed, and where its first corner is kept.
+  /// The first cell of each block that is passed, and the address of its first corner.
   int BlockCount;
   int First[Capacity][3];
   const char* Corner[Capacity];
 };
 
-/// Cells of passages, to be looked at.
+/// Cells of passages, to be classified.
 struct PassedCells
 {
   static constexpr int Batch = 128;
@@ -85,9 +85,9 @@ struct PassedCells
   static constexpr int Capacity = Batch + 64 + Spare;
 
   int Count;
-  /// The passage, 2^16 times the slice, and 2^24 times the bit of the cell in it.
+  /// The passage, plus 2^16 times the slice, plus 2^24 times the bit of the cell in the slice.
   unsigned int Codes[Capacity];
-  /// Where the first corner of the cell is kept.
+  /// The address of the first corner of the cell.
   const void* First[Capacity];
 };
 
@@ -101,7 +101,7 @@ struct Candidates
   int Count;
   int Ray[Capacity];
   int Cell[3][Capacity];
-  /// Where the first corner of the cell is kept.
+  /// The address of the first corner of the cell.
   const void* First[Capacity];
   alignas(64) double Corners[8][Capacity];
 };
@@ -113,8 +113,8 @@ struct ScaledIsovalue
   double Scale;
 };
 
-/// What candidates turn out to be: the first root of each in its cell, as in Hit. One bit for each
-/// candidate in the sets.
+/// The solutions of candidates: the first root of each in its cell, as in Hit. Sets have one bit
+/// for each candidate.
 struct Solutions
 {
   static constexpr int Words = (Candidates::Capacity + 63) / 64;
@@ -124,18 +124,18 @@ struct Solutions
   /// Those whose values are too large or too small for the arithmetic of the kernels.
   std::uint64_t Extreme[Words];
   std::uint64_t Entering[Words];
-  /// Where the ray comes into the cell, as in CellSegment.
+  /// Where the ray enters the cell, as in CellSegment.
   alignas(64) double Begin[Candidates::Capacity];
   alignas(64) double BeginAxis[Candidates::Capacity];
   alignas(64) double T[Candidates::Capacity];
   alignas(64) double Parametric[3][Candidates::Capacity];
 };
 
-/// Cells whose corners all have neighbours on both sides, and a place in each.
+/// Cells whose corners all have neighbours on both sides, and a point in each.
 struct InnerCells
 {
   int Count;
-  /// The first corner of the cell, where the samples are.
+  /// The address of the first corner of the cell.
   const void* First[RayPacket::Capacity];
   alignas(64) double Parametric[3][RayPacket::Capacity];
 };
@@ -145,11 +145,11 @@ struct ShadedHits
 {
   int Count;
   alignas(64) double Gradient[3][RayPacket::Capacity];
-  /// Of the ray, in index space.
+  /// Of the ray, in object space.
   alignas(64) double Direction[3][RayPacket::Capacity];
   /// That of the surface first, then that of the hit.
   alignas(64) double Color[3][RayPacket::Capacity];
-  /// Those where the ray goes in, and so sees the outside of the surface.
+  /// Those where the ray enters the surface, and so sees its outside.
   RaySet Entering;
   /// Those whose vectors are too short or too long for the arithmetic of the kernel.
   RaySet Extreme;
@@ -175,7 +175,7 @@ struct DistantLight
 /// What the shading of all hits of a frame shares; see Shader.
 struct Phong
 {
-  const double* WorldFromIndex;
+  const double* WorldFromObject;
   const double* WorldFromGradient;
   bool TwoSidedLighting;
   double Ambient;
@@ -194,26 +194,26 @@ struct Kernels
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayPacket& packet);
 
-  /// Looks at rays along an axis, and finds the frustum they make. Returns false if they make none:
-  /// if they do not all go the same way along it, or steeply away from it.
+  /// Parametrizes rays by an axis, and finds their frustum. Returns false if they have none: if
+  /// they do not all go the same way along the axis, or not steeply enough.
   bool (*Align)(
     const RayPacket& packet, const RaySet& rays, int axis, AlignedRays& aligned, Frustum& frustum);
 
-  /// Adds the passages of rays of a frustum through a block with its first cell at first; slices
-  /// are those of its mask across the axis. It may find cells that a ray comes near to; it never
-  /// leaves out one that a ray passes.
+  /// Adds the passages of rays of a frustum through a block whose first cell is at first; slices
+  /// are those of its mask across the axis. It may find cells that a ray only comes near to; it
+  /// never leaves out one that a ray passes.
   void (*FindPassages)(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], Passages& passages);
 
-  /// Adds those of some cells to the candidates in which a ray may hit the surface, as single
-  /// precision can tell; and marks the passages and the rays that surely hit it: hits[0] where
-  /// values fall along the axis, hits[1] where they rise. Corners are kept in rows, with so many
-  /// values from neighbour to neighbour along each axis. One for every ScalarType.
+  /// Classifies cells in single precision: adds those in which a ray may hit the surface to the
+  /// candidates, and marks the passages and the rays that surely hit it: hits[0] where values fall
+  /// along the axis, hits[1] where they rise. Corners are kept in rows; strides are the distances
+  /// between neighbours along each axis, in values. One for every ScalarType.
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
     const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
 
-  /// Loads the corners of candidates from where they are kept in rows, with so many values from
-  /// neighbour to neighbour along each axis. One for every ScalarType.
+  /// Loads the corners of candidates from rows; strides are as for ClassifyCells. One for every
+  /// ScalarType.
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
   /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
@@ -228,13 +228,13 @@ struct Kernels
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);
 
-  /// Turns opaque hits with their last colours, and places in index space, to pixels, exactly as
-  /// RenderTiles does.
-  void (*MakePixels)(const double* clipFromIndex, const ShadedHits& hits,
+  /// Turns opaque hits, with their final colours and points in object space, into pixels, exactly
+  /// as fragments and the compositor do.
+  void (*MakePixels)(const double* clipFromObject, const ShadedHits& hits,
     const double (*points)[RayPacket::Capacity], HitPixels& pixels);
 
-  /// Takes a row of samples into the smallest and the largest so far at each place; see ValueRange.
-  /// One for every ScalarType.
+  /// Includes a row of samples in the smallest and the largest so far at each index; see
+  /// ValueRange. One for every ScalarType.
   void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 };
 

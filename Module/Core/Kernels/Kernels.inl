@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The kernels, included once for every instruction set. Of other headers of the core nothing is
-// called here but what is always inlined (see Math/Arithmetic.h), and nothing of the standard
-// library: the linker keeps one copy of a function that several files compile, and might keep the
-// one for a processor that is not there.
+// The kernels, included once for every instruction set. They call nothing of the standard library,
+// and of other headers of the core only what is always inlined (see Math/Arithmetic.h): the linker
+// keeps one copy of a function that several files compile, which might be the one for an
+// instruction set that the processor does not have.
 
 #include "Kernels/Kernels.h"
 #include "Kernels/Vectors.h"
@@ -23,12 +23,12 @@ namespace
 {
 
 constexpr double Infinity = __builtin_inf();
-/// By how much, in cells, a ray is taken to be thicker than it is: more than all rounding.
+/// The margin around rays, in cells: more than all rounding.
 constexpr double Margin = 0x1p-9;
 /// Planes beyond a block, counted from its middle.
 constexpr float NoEnd[2] = { -8.0F, 8.0F };
 
-// The axes across an axis.
+// The two axes across each axis.
 constexpr int AxisU[3] = { 1, 0, 0 };
 constexpr int AxisV[3] = { 2, 2, 1 };
 

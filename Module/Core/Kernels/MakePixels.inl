@@ -8,7 +8,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-void MakePixels(const double* clipFromIndex, const ShadedHits& hits,
+void MakePixels(const double* clipFromObject, const ShadedHits& hits,
   const double (*points)[RayPacket::Capacity], HitPixels& pixels)
 {
   const Doubles zero = 0.0;
@@ -21,7 +21,7 @@ void MakePixels(const double* clipFromIndex, const ShadedHits& hits,
       StoreTruncated(ScaleToByte(Load(&hits.Color[k][i])), bytes[k]);
     }
     const Doubles point[3] = { Load(&points[0][i]), Load(&points[1][i]), Load(&points[2][i]) };
-    const Doubles depth = GetPixelDepth(clipFromIndex, point);
+    const Doubles depth = GetPixelDepth(clipFromObject, point);
     double depths[DoubleWidth];
     Store(Clamp(depth, zero, one), depths);
     for (int lane = 0; lane < DoubleWidth; ++lane)

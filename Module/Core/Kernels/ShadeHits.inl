@@ -68,7 +68,7 @@ void Shade(const Phong& phong, ShadedHits& hits)
       direction[axis] = Load(&hits.Direction[axis][i]);
     }
     Doubles toViewer[3];
-    TransformDirection(phong.WorldFromIndex, direction, toViewer);
+    TransformDirection(phong.WorldFromObject, direction, toViewer);
     Mask safe = Normalize(toViewer, -1.0);
     safe = safe & Normalize(gradient, 1.0);
     Doubles normal[3];

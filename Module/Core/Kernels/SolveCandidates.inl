@@ -144,7 +144,7 @@ SIMD_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
   words[first >> 6] |= static_cast<std::uint64_t>(bits) << (first & 63);
 }
 
-/// A vector of candidates on the way to their solutions.
+/// A vector of candidates that are being solved.
 struct CellCubics
 {
   Segments Segment;
@@ -171,8 +171,8 @@ SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidate
   SetBits(ToBits(AndNot(mayHaveRoot, ordinary)), first, solutions.Extreme);
 }
 
-/// Refines the roots of two vectors of cubics at a time: each step waits for the one before, and
-/// the other vector fills the wait.
+/// Refines the roots of two vectors of cubics at a time: each step depends on the one before, and
+/// the steps of the other vector fill its latency.
 SIMD_INLINE void RefineRoots(const CellCubics cubics[2], Doubles u[2])
 {
   using Refinement = RootRefinement<Doubles>;

@@ -76,9 +76,9 @@ SIMD_INLINE void StoreTruncated(Doubles a, int* to)
 {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a.Value));
 }
-SIMD_INLINE Doubles Gather(const double* from, const int* places)
+SIMD_INLINE Doubles Gather(const double* from, const int* indices)
 {
-  return { _mm256_set_pd(from[places[3]], from[places[2]], from[places[1]], from[places[0]]) };
+  return { _mm256_set_pd(from[indices[3]], from[indices[2]], from[indices[1]], from[indices[0]]) };
 }
 SIMD_INLINE Doubles operator+(Doubles a, Doubles b)
 {
@@ -335,7 +335,7 @@ SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t by
   }
 }
 
-/// Of samples that are the highest bits of their words.
+/// For samples that are the highest bits of their words.
 template <typename T>
 SIMD_INLINE Doubles ToDoubles(__m128i high)
 {
@@ -369,10 +369,10 @@ SIMD_INLINE Doubles TakeFromWords(__m128i words, int k)
 
 template <typename T, int Count>
 SIMD_INLINE void LoadWordRow(
-  const void* const* rows, int lanes, std::ptrdiff_t place, Doubles values[Count])
+  const void* const* rows, int lanes, std::ptrdiff_t index, Doubles values[Count])
 {
   const auto words =
-    LoadWords<Count * sizeof(T)>(rows, lanes, place * static_cast<std::ptrdiff_t>(sizeof(T)));
+    LoadWords<Count * sizeof(T)>(rows, lanes, index * static_cast<std::ptrdiff_t>(sizeof(T)));
   for (int k = 0; k < Count; ++k)
   {
     values[k] = TakeFromWords<T>(words, k);
@@ -410,7 +410,7 @@ SIMD_INLINE __m256i FindRow(float middle, float slope, float margin)
     byte, _mm256_and_si256(_mm256_sllv_epi32(byte, low), _mm256_srlv_epi32(byte, high)));
 }
 
-/// Those of four slices that are in a row of columns, a column of rows, and the slices.
+/// The cells of four slices that are in the given columns and rows and in the masks of the slices.
 SIMD_INLINE unsigned int FindCellsOfSlices(
   __m128i columns, __m128i rows, const std::uint64_t slices[4], std::uint64_t cells[4])
 {

@@ -76,10 +76,10 @@ SIMD_INLINE void StoreTruncated(Doubles a, int* to)
 {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.Value));
 }
-SIMD_INLINE Doubles Gather(const double* from, const int* places)
+SIMD_INLINE Doubles Gather(const double* from, const int* indices)
 {
   return { _mm512_i32gather_pd(
-    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places)), from, 8) };
+    _mm256_loadu_si256(reinterpret_cast<const __m256i*>(indices)), from, 8) };
 }
 SIMD_INLINE Doubles operator+(Doubles a, Doubles b)
 {
@@ -157,9 +157,9 @@ SIMD_INLINE Mask ToMask(unsigned int bits)
 /// Stores pairs in single precision.
 SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
 {
-  const __m512i places = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  const __m512i indices = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
   _mm512_storeu_ps(pairs,
-    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), places,
+    _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm512_cvtpd_ps(first.Value)), indices,
       _mm512_castps256_ps512(_mm512_cvtpd_ps(second.Value))));
 }
 /// Appends the numbers of some lanes, counted from the first. There must be room for a vector.
@@ -367,10 +367,10 @@ SIMD_INLINE Doubles TakeFromWords(__m256i words, int k)
 
 template <typename T, int Count>
 SIMD_INLINE void LoadWordRow(
-  const void* const* rows, int lanes, std::ptrdiff_t place, Doubles values[Count])
+  const void* const* rows, int lanes, std::ptrdiff_t index, Doubles values[Count])
 {
   const auto words =
-    LoadWords<Count * sizeof(T)>(rows, lanes, place * static_cast<std::ptrdiff_t>(sizeof(T)));
+    LoadWords<Count * sizeof(T)>(rows, lanes, index * static_cast<std::ptrdiff_t>(sizeof(T)));
   for (int k = 0; k < Count; ++k)
   {
     values[k] = TakeFromWords<T>(words, k);
@@ -382,10 +382,10 @@ template <typename T>
 constexpr bool HasFloatPairs = sizeof(T) == 2 || (IsFloating<T> && sizeof(T) == 4);
 
 template <typename T>
-SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t place, Floats pair[2])
+SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
 {
   constexpr int size = 2 * sizeof(T);
-  const std::ptrdiff_t bytes = place * static_cast<std::ptrdiff_t>(sizeof(T));
+  const std::ptrdiff_t bytes = index * static_cast<std::ptrdiff_t>(sizeof(T));
   const auto low = LoadWords<size>(rows, DoubleWidth, bytes);
   const auto high = LoadWords<size>(rows + DoubleWidth, DoubleWidth, bytes);
   if constexpr (size == 4)

@@ -78,9 +78,9 @@ SIMD_INLINE void StoreTruncated(Doubles a, int* to)
   to[0] = static_cast<int>(a.Value[0]);
   to[1] = static_cast<int>(a.Value[1]);
 }
-SIMD_INLINE Doubles Gather(const double* from, const int* places)
+SIMD_INLINE Doubles Gather(const double* from, const int* indices)
 {
-  return { DoubleVector{ from[places[0]], from[places[1]] } };
+  return { DoubleVector{ from[indices[0]], from[indices[1]] } };
 }
 SIMD_INLINE Doubles operator+(Doubles a, Doubles b)
 {

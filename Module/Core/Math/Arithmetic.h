@@ -78,9 +78,9 @@ SIMD_INLINE Number Clamp(Number value, Number low, Number high)
   return Select(value < low, low, Select(high < value, high, value));
 }
 
-/// The sign rule of the whole ray tracer: what is equal to the isovalue is inside. A root is a
-/// place where the sign changes. To touch the isovalue from inside and turn back is none; to touch
-/// it from outside is to go in and out again at one place.
+/// The sign rule of the whole ray tracer: a value equal to the isovalue is inside. A root is where
+/// the sign changes. Touching the isovalue from inside is no root; touching it from outside is two
+/// roots at one point, an entry and an exit.
 template <typename Number>
 SIMD_INLINE auto IsInside(Number valueMinusIsovalue)
 {

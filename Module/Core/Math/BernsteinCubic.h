@@ -99,7 +99,7 @@ public:
   /// The method stops at a step of this size, in fractions of the segment. It has then converged to
   /// the square of it.
   static constexpr double Tolerance = 1e-10;
-  /// Where that does not come soon (near a triple root), bisection brings it to an end.
+  /// Where it does not converge soon (near a triple root), bisection ends it.
   static constexpr int NewtonIterations = 40;
   static constexpr int MaximumIterations = NewtonIterations + 36;
 
@@ -122,8 +122,7 @@ public:
 
   SIMD_INLINE Number GetRoot() const { return this->U; }
 
-  /// Takes a step where it is told to. Returns where the root has not moved by more than the
-  /// tolerance.
+  /// Takes a step where isGoing. Returns where the root has not moved by more than the tolerance.
   SIMD_INLINE Mask Step(int iteration, Mask isGoing)
   {
     const Number u = this->U;

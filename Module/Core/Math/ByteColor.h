@@ -12,7 +12,7 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// A component of a colour, in [0, 1], scaled to where truncation rounds it to the nearest byte.
-/// What is no number, from a light without any attenuation on its own position, is black.
+/// NaN, from a light without any attenuation at its own position, is black.
 template <typename Number>
 SIMD_INLINE Number ScaleToByte(Number value)
 {

@@ -23,7 +23,7 @@ inline int TurningPoints(const CubicDerivative<double>& derivative, double turns
   int count = 0;
   for (const double u : roots)
   {
-    // What is infinite or NaN falls out of the comparisons.
+    // Infinite values and NaN fail the comparisons.
     if (u > 0.0 && u < 1.0)
     {
       turns[count++] = u;
@@ -32,10 +32,10 @@ inline int TurningPoints(const CubicDerivative<double>& derivative, double turns
   return count;
 }
 
-/// Goes through the pieces of [0, 1] between the turning points of a function. Where its signs at
-/// the two ends of a piece differ, there is one root: refine(lo, hi, atLo, atHi) finds it, and
-/// visit(root, entering) is told, until it returns true. Entering says whether the function goes
-/// from below zero to zero or above.
+/// Visits the pieces of [0, 1] between the turning points of a function. Where its signs at the two
+/// ends of a piece differ, there is one root: refine(lo, hi, atLo, atHi) finds it, and visit(root,
+/// entering) is called, until it returns true. Entering says whether the function rises from below
+/// zero to zero or above.
 template <typename Evaluate, typename Refine, typename Visit>
 void ForEachSignChange(const double turns[2], int count, double atBegin, double atEnd,
   const Evaluate& evaluate, const Refine& refine, Visit&& visit)

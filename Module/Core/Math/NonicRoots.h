@@ -16,7 +16,7 @@ namespace vtkIsosurfaceRayTracing
 /// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients.
 using BernsteinNonic = std::array<double, 10>;
 
-/// All roots of a polynomial of degree 9, found by numbers.
+/// All roots of a polynomial of degree 9, found numerically.
 ///
 /// By Descartes' rule a polynomial has no more roots in an interval than its Bernstein coefficients
 /// there change sign: none if they do not, one if they do once. Where they do more often, the
@@ -26,13 +26,13 @@ using BernsteinNonic = std::array<double, 10>;
 namespace Nonic
 {
 
-/// An interval this small is not halved any more; whether there is a root the signs at its ends
-/// tell. Two roots nearer to each other, as fractions of the segment, may be taken for none.
+/// An interval this small is not halved any more: the signs at its ends decide whether it has a
+/// root. Two roots nearer to each other, in fractions of the segment, may be missed.
 constexpr double SmallestInterval = 0x1p-40;
 /// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
 /// to the square of it.
 constexpr double Tolerance = 1e-10;
-/// Where that does not come soon, bisection brings it to an end.
+/// Where it does not converge soon, bisection ends it.
 constexpr int NewtonIterations = 40;
 constexpr int MaximumIterations = NewtonIterations + 36;
 
@@ -111,7 +111,7 @@ inline double RefineRoot(const BernsteinNonic& b, double tolerance)
 }
 
 /// Calls visit(u, entering) for every root in [0, 1], in order, until visit returns true. Entering
-/// tells whether the ray goes in (from below the isovalue to at or above it).
+/// says whether the ray enters the surface (from below the isovalue to at or above it).
 template <typename Visit>
 void ForEachRoot(const BernsteinNonic& nonic, const Visit& visit)
 {
@@ -121,7 +121,7 @@ void ForEachRoot(const BernsteinNonic& nonic, const Visit& visit)
     double Width;
     BernsteinNonic Coefficients;
   };
-  // One for each halving, and the one at hand.
+  // One for each halving, and the current one.
   std::array<Interval, 42> waiting;
   std::size_t count = 0;
   waiting[count++] = { 0.0, 1.0, nonic };

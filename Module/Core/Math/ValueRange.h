@@ -13,7 +13,7 @@ namespace vtkIsosurfaceRayTracing
 
 // Without a branch, so that rows of samples are vectorized.
 
-/// Takes a sample into the smallest so far. What is NaN or infinite does not count.
+/// Includes a sample in the smallest so far. NaN and infinite samples do not count.
 template <typename T>
 SIMD_INLINE void IncludeLow(T value, T& low)
 {
@@ -63,7 +63,7 @@ struct ValueRange
     return static_cast<double>(this->Min) < isovalue && isovalue <= static_cast<double>(this->Max);
   }
 
-  /// The same for a range that is made longer at both ends, by so many times its length.
+  /// The same for a range extended at both ends by a multiple of its length.
   bool Straddles(double isovalue, double overshoot) const
   {
     const auto low = static_cast<double>(this->Min);

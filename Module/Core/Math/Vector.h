@@ -14,7 +14,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A point or a direction. Which space it lives in is said where it is used.
+/// A point or a direction. Where it is used tells the space it is in.
 using Vector3 = std::array<double, 3>;
 /// Lattice coordinates: of a sample, a cell, a brick or a macrocell; or how many there are of them.
 using Index3 = std::array<int, 3>;
@@ -140,14 +140,14 @@ inline Vector3 TransposeTransformDirection(const Matrix4& m, const Vector3& g)
     m[2] * g[0] + m[6] * g[1] + m[10] * g[2] };
 }
 
-/// The number of lattice places in a box.
+/// The number of lattice points in a box.
 inline std::size_t Count(const Index3& size)
 {
   return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
     static_cast<std::size_t>(size[2]);
 }
 
-/// The place of an index in an array with x fastest.
+/// The offset of an index in an array with x fastest.
 inline std::size_t Offset(const Index3& index, const Index3& size)
 {
   return static_cast<std::size_t>(index[0]) +

@@ -20,8 +20,7 @@ RayHits CastRays(TracedField& field, const std::vector<CastRay>& rays, int threa
   {
     const auto number = static_cast<std::size_t>(i);
     RayPacket packet;
-    packet.Count = 0;
-    packet.Exists = {};
+    packet.Clear();
     for (std::size_t ray = number * size; ray < std::min((number + 1) * size, rays.size()); ++ray)
     {
       field.AddRay(rays[ray].Origin, rays[ray].Direction, rays[ray].Begin, rays[ray].End, packet);

@@ -12,14 +12,14 @@
 #include <cstdint>
 #include <vector>
 
-// Between hits and pixels: what each ray sees, whatever field it is of. Fragments of several fields
-// are put in order by T and composited front to back (T. Porter, T. Duff: Compositing Digital
-// Images, SIGGRAPH 1984). Colours become 8 bits at the very end.
+// From hits to pixels: the fragments of each ray, whatever field they are of. Fragments of several
+// fields are put in order by T and composited front to back (T. Porter, T. Duff: Compositing
+// Digital Images, SIGGRAPH 1984). Colours are rounded to 8 bits at the very end.
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What a ray sees of one hit.
+/// What a hit contributes to its ray.
 struct Fragment
 {
   double T;
@@ -27,7 +27,8 @@ struct Fragment
   Vector3 Color;
   /// In (0, 1].
   double Opacity;
-  /// In [0, 1] as in the depth buffer. It counts where the fragment is opaque.
+  /// In [0, 1] as in the depth buffer, or PixelWithoutDepth for a projection, which hides nothing.
+  /// It counts where the fragment is opaque.
   float Depth;
 };
 
@@ -56,7 +57,7 @@ struct Fragments
   }
 };
 
-/// The pixel of a fragment by itself.
+/// The pixel of a single fragment.
 inline CompositedPixel ToPixel(const Fragment& fragment)
 {
   return { { ToByte(fragment.Color[0]), ToByte(fragment.Color[1]), ToByte(fragment.Color[2]),
@@ -64,8 +65,8 @@ inline CompositedPixel ToPixel(const Fragment& fragment)
     fragment.Depth };
 }
 
-/// Puts the fragments of several fields together, for the same rays: in order by T; of equal T,
-/// those of the field that comes first.
+/// Merges the fragments of several fields, for the same rays: in order by T; of equal T, those of
+/// the field that comes first.
 inline void Merge(const std::vector<Fragments>& fields, Fragments& merged)
 {
   const auto byT = [](const Fragment& a, const Fragment& b) { return a.T < b.T; };

@@ -13,9 +13,9 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Numbers that look random, but are a function of the place of a hit: whatever thread or tile
-/// asks, and in whatever order. Places are told apart to a thousandth of a cell, so that the last
-/// bits of a camera make no difference. Frames of which the mean is wanted have others each.
+/// Pseudorandom numbers that are a function of the position of a hit alone: they do not depend on
+/// threads, tiles or order. Positions are rounded to a thousandth of a cell, so that the last bits
+/// of a camera make no difference. Frames that are averaged have different numbers.
 class HitNumbers
 {
 public:
@@ -50,14 +50,13 @@ private:
   std::uint64_t State;
 };
 
-/// Directions about a normal, as many for a part of the sky as it counts for a matt surface (by the
-/// cosine). They lie above the points of a sunflower on a disc (H. Vogel, 1979): a new angle, the
-/// golden one, and a new ring of the same area for each. Only + - * / and square roots are used,
-/// which are the same everywhere.
+/// Directions about a normal, distributed by the cosine. They lie above the points of a sunflower
+/// on a disc (H. Vogel, 1979): for each a new angle, the golden one, and a new ring of the same
+/// area. Only + - * / and square roots are used, which give the same bits everywhere.
 class Hemisphere
 {
 public:
-  /// The normal has length one; turned about it, and set off in the rings, by numbers of the hit.
+  /// The normal has length one; rotated about it, and shifted in the rings, by numbers of the hit.
   Hemisphere(const Vector3& normal, int count, HitNumbers numbers)
     : Normal(normal)
     , Count(count)

@@ -4,6 +4,7 @@
 #include "Picture/PixelBlockRenderer.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -20,7 +21,7 @@ PixelBlockRenderer::PixelBlockRenderer(
 }
 
 //------------------------------------------------------------------------------
-/// The place of a pixel of the block in the arrays of a frame.
+/// The index of a pixel of the block in the arrays of a frame.
 std::size_t PixelBlockRenderer::GetOffset(int x, int y) const
 {
   return static_cast<std::size_t>(this->Block.X + x) +
@@ -37,36 +38,55 @@ void PixelBlockRenderer::Trace(const PixelRectangle& block)
     block.Height };
   const PixelDepths depths = { scene.Depth ? scene.Depth + this->GetOffset(0, 0) : nullptr,
     scene.Pixels.Width };
-  for (std::size_t i = 0; i < scene.Fields.size(); ++i)
+  std::fill_n(this->OpaqueT, RayPacket::Capacity, std::numeric_limits<double>::infinity());
+  // Projections last: they end at the surfaces of all fields.
+  for (const bool isProjection : { false, true })
   {
-    const SceneField& field = scene.Fields[i];
-    TracedPacket& traced = this->Traced[i];
-    if (!this->MayHit(field, traced.Packet))
+    for (std::size_t i = 0; i < scene.Fields.size(); ++i)
     {
-      traced.Packet.Count = pixels.Width * pixels.Height;
-      traced.Packet.Exists = {};
-      traced.Hits.Hits.clear();
-      traced.Hits.First.assign(static_cast<std::size_t>(traced.Packet.Count) + 1, 0);
-      continue;
-    }
-    field.Field->MakeRays(field.View, pixels, depths, traced.Packet);
-    this->EndAtOpaqueHits(i, traced.Packet);
-    field.Field->Trace(traced.Packet, traced.Hits);
-    if (i > 0)
-    {
-      std::for_each(traced.Hits.Hits.begin(), traced.Hits.Hits.end(),
-        [i](Hit& hit) { hit.Field = static_cast<int>(i); });
+      if (scene.Fields[i].Field->GetRequest().Projection.has_value() == isProjection)
+      {
+        this->TraceField(i, pixels, depths);
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Whether a ray through the block may hit a field: asks for those at the corners.
+void PixelBlockRenderer::TraceField(
+  std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths)
+{
+  const SceneField& field = this->TheScene.Fields[number];
+  TracedPacket& traced = this->Traced[number];
+  if (!this->MayHit(field, traced.Packet))
+  {
+    traced.Packet.Clear();
+    traced.Packet.Count = pixels.Width * pixels.Height;
+    traced.Hits.Hits.clear();
+    traced.Hits.First.assign(static_cast<std::size_t>(traced.Packet.Count) + 1, 0);
+    return;
+  }
+  field.Field->MakeRays(field.View, pixels, depths, traced.Packet);
+  if (this->TheScene.Fields.size() == 1)
+  {
+    field.Field->Trace(traced.Packet, traced.Hits);
+    return;
+  }
+  this->EndAtOpaqueHits(traced.Packet);
+  field.Field->Trace(traced.Packet, traced.Hits);
+  for (Hit& hit : traced.Hits.Hits)
+  {
+    hit.Field = static_cast<int>(number);
+  }
+  this->KeepOpaqueHits(field.Field->GetRequest(), traced.Hits);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a ray through the block may hit a field: decided by the rays at its corners.
 bool PixelBlockRenderer::MayHit(const SceneField& field, RayPacket& corners) const
 {
   const PixelRectangle& block = this->Block;
-  corners.Count = 0;
-  corners.Exists = {};
+  corners.Clear();
   for (const int y : { block.Y, block.Y + block.Height - 1 })
   {
     for (const int x : { block.X, block.X + block.Width - 1 })
@@ -85,29 +105,33 @@ bool PixelBlockRenderer::MayHit(const SceneField& field, RayPacket& corners) con
 }
 
 //------------------------------------------------------------------------------
-/// Ends the rays of a field at the opaque hits with those before: nothing is seen behind.
-void PixelBlockRenderer::EndAtOpaqueHits(std::size_t field, RayPacket& packet) const
+/// Ends rays at the nearest opaque hits so far: nothing is visible behind.
+void PixelBlockRenderer::EndAtOpaqueHits(RayPacket& packet) const
 {
-  for (std::size_t other = 0; other < field; ++other)
+  for (int i = 0; i < packet.Count; ++i)
   {
-    const TracedField& before = *this->TheScene.Fields[other].Field;
-    const RayHits& hits = this->Traced[other].Hits;
-    for (std::size_t ray = 0; ray + 1 < hits.First.size(); ++ray)
+    if (!Has(packet.Exists, i))
     {
-      const int i = static_cast<int>(ray);
-      if (hits.First[ray] == hits.First[ray + 1] || !Has(packet.Exists, i))
-      {
-        continue;
-      }
-      const Hit& last = hits.Hits[hits.First[ray + 1] - 1];
-      if (!before.GetRequest().Projection && before.GetOpacity(last) >= 1.0)
-      {
-        packet.End[i] = std::min(packet.End[i], last.T - packet.Base[i]);
-        if (!(packet.Begin[i] <= packet.End[i]))
-        {
-          Remove(i, packet.Exists);
-        }
-      }
+      continue;
+    }
+    packet.End[i] = std::min(packet.End[i], this->OpaqueT[i] - packet.Base[i]);
+    if (!(packet.Begin[i] <= packet.End[i]))
+    {
+      Remove(i, packet.Exists);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PixelBlockRenderer::KeepOpaqueHits(const TraceRequest& request, const RayHits& hits)
+{
+  for (std::size_t ray = 0; !request.Projection && ray + 1 < hits.First.size(); ++ray)
+  {
+    // Behind an opaque hit a ray has no others.
+    const std::size_t end = hits.First[ray + 1];
+    if (hits.First[ray] < end && request.GetOpacity(hits.Hits[end - 1]) >= 1.0)
+    {
+      this->OpaqueT[ray] = std::min(this->OpaqueT[ray], hits.Hits[end - 1].T);
     }
   }
 }
@@ -144,12 +168,12 @@ void PixelBlockRenderer::WriteBackground()
   {
     const std::size_t first = this->GetOffset(0, y);
     std::fill_n(&this->Picture.Colors[4 * first], 4 * this->Block.Width, std::uint8_t{ 0 });
-    std::fill_n(&this->Picture.Depths[first], this->Block.Width, Frame::NoSurface);
+    std::fill_n(&this->Picture.Depths[first], this->Block.Width, PixelWithoutDepth);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Where one opaque surface is all there is, no fragments are needed.
+/// A single opaque surface needs no fragments.
 void PixelBlockRenderer::WriteOpaque()
 {
   const RayHits& hits = this->Traced[0].Hits;
@@ -168,7 +192,7 @@ void PixelBlockRenderer::WriteOpaque()
       {
         this->Picture.Colors[4 * pixel + k] = static_cast<std::uint8_t>(color >> (8 * k));
       }
-      this->Picture.Depths[pixel] = isHit ? made.Depths[hit] : Frame::NoSurface;
+      this->Picture.Depths[pixel] = isHit ? made.Depths[hit] : PixelWithoutDepth;
       hit += isHit ? 1 : 0;
     }
   }
@@ -178,17 +202,26 @@ void PixelBlockRenderer::WriteOpaque()
 void PixelBlockRenderer::WriteFragments()
 {
   const std::vector<SceneField>& fields = this->TheScene.Fields;
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  // Projections first: where they end at a surface, they lie before it.
+  std::size_t next = 0;
+  for (const bool isProjection : { true, false })
   {
-    this->Shaders[i].MakeFragments(
-      this->Traced[i].Packet, this->Traced[i].Hits, this->FragmentsOfFields[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      if (fields[i].Field->GetRequest().Projection.has_value() == isProjection)
+      {
+        this->Shaders[i].MakeFragments(
+          this->Traced[i].Packet, this->Traced[i].Hits, this->FragmentsOfFields[next++]);
+      }
+    }
   }
   if (fields.size() > 1)
   {
     Merge(this->FragmentsOfFields, this->Merged);
   }
   const Fragments& fragments = fields.size() > 1 ? this->Merged : this->FragmentsOfFields.front();
-  const bool isProjection = fields.size() == 1 && fields.front().Field->GetRequest().Projection;
+  // A value by itself keeps its opacity; a sum of one would round it.
+  const bool isLoneValue = fields.size() == 1 && fields.front().Field->GetRequest().Projection;
   std::size_t ray = 0;
   for (int y = 0; y < this->Block.Height; ++y)
   {
@@ -197,7 +230,7 @@ void PixelBlockRenderer::WriteFragments()
       const Fragment* first = fragments.List.data() + fragments.First[ray];
       const std::size_t count = fragments.First[ray + 1] - fragments.First[ray];
       const CompositedPixel made =
-        isProjection && count == 1 ? ToPixel(*first) : Composite(first, count);
+        isLoneValue && count == 1 ? ToPixel(*first) : Composite(first, count);
       const std::size_t pixel = this->GetOffset(x, y);
       std::copy_n(made.Rgba, 4, &this->Picture.Colors[4 * pixel]);
       this->Picture.Depths[pixel] = made.Depth;
@@ -218,9 +251,9 @@ void PixelBlockRenderer::WriteHits()
       {
         continue;
       }
-      const int place = static_cast<int>(ray);
+      const int index = static_cast<int>(ray);
       Hit& kept =
-        this->Picture.Hits[this->GetOffset(place % this->Block.Width, place / this->Block.Width)];
+        this->Picture.Hits[this->GetOffset(index % this->Block.Width, index / this->Block.Width)];
       const Hit& hit = hits.Hits[hits.First[ray]];
       if (kept.Surface == Hit::NoSurface || hit.T < kept.T)
       {

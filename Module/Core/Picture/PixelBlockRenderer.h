@@ -38,7 +38,9 @@ private:
   };
 
   bool MayHit(const SceneField& field, RayPacket& corners) const;
-  void EndAtOpaqueHits(std::size_t field, RayPacket& packet) const;
+  void TraceField(std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths);
+  void EndAtOpaqueHits(RayPacket& packet) const;
+  void KeepOpaqueHits(const TraceRequest& request, const RayHits& hits);
   void WriteBackground();
   void WriteOpaque();
   void WriteFragments();
@@ -50,6 +52,8 @@ private:
   Frame& Picture;
   PixelRectangle Block;
   std::unique_ptr<TracedPacket[]> Traced;
+  /// Of the nearest opaque hit of each ray, in several fields.
+  double OpaqueT[RayPacket::Capacity];
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
 };

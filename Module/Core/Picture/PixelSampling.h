@@ -13,7 +13,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// How many rays a picture takes: one for a square of pixels, or a square of rays for one pixel.
+/// The number of rays of a picture: one for a square of pixels, or a square of rays for one pixel.
 struct PixelSampling
 {
   /// The edge of the square of pixels that share a ray; at least 1.
@@ -80,7 +80,7 @@ inline void AverageRays(int rays, int width, Frame& frame)
   for (int pixel = 0; pixel < pixels; ++pixel)
   {
     int sum[4] = { 0, 0, 0, 0 };
-    float depth = Frame::NoSurface;
+    float depth = PixelWithoutDepth;
     for (int i = 0; i < rays * rays; ++i)
     {
       const int x = pixel % columns * rays + i % rays;
@@ -92,7 +92,7 @@ inline void AverageRays(int rays, int width, Frame& frame)
         sum[channel] += frame.Colors[4 * from + channel];
       }
     }
-    // Nobody reads there any more.
+    // These elements are not read any more.
     const auto to = static_cast<std::size_t>(pixel);
     frame.Depths[to] = depth;
     for (std::size_t channel = 0; channel < 4; ++channel)
@@ -105,7 +105,7 @@ inline void AverageRays(int rays, int width, Frame& frame)
   frame.Colors.resize(4 * frame.Depths.size());
 }
 
-/// The same of colours that have no mean, with that of the nearest of the rays that have one.
+/// The same where colours have no mean: the colour of the nearest of the rays that have one.
 inline void TakeNearestRays(int rays, int width, Frame& frame)
 {
   const int columns = width / rays;

@@ -109,7 +109,7 @@ bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, F
       ForEachBlock(GetTile(scene, i, tilesPerRow),
         [&](const PixelRectangle& block)
         {
-          // A loop of OpenMP cannot be left early: what remains is passed over.
+          // A loop of OpenMP cannot be left early: remaining iterations do nothing.
           if (!going.load(std::memory_order_relaxed))
           {
             return;
@@ -137,7 +137,7 @@ bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, F
   times.Bricks = share * brickSeconds;
   times.Trace = share * (traceSeconds - brickSeconds);
   times.Shade = share * shadeSeconds;
-  // Whoever did the last pixels, the end is told.
+  // The end of the progress is reported, whichever thread traced the last pixels.
   return going.load() && keepGoing(1.0);
 }
 

@@ -20,16 +20,14 @@ struct Frame
 {
   /// Red, green, blue and opacity, the colours multiplied by the opacity.
   std::vector<std::uint8_t> Colors;
-  /// The depth of the nearest opaque surface, in [0, 1]; NoSurface where there is none.
+  /// The depth of the nearest opaque surface, in [0, 1]; PixelWithoutDepth where there is none.
   std::vector<float> Depths;
   /// The nearest hit, if the scene keeps hits, whatever its opacity.
   std::vector<Hit> Hits;
-
-  static constexpr float NoSurface = PixelWithoutDepth;
 };
 
-/// The wall-clock time of a frame, in seconds. All three go on at once, on all threads; the time is
-/// divided in proportion to what the threads spent on each.
+/// The wall-clock time of a frame, in seconds. All three are interleaved on all threads; the time
+/// is divided in proportion to what the threads spent on each.
 struct FrameTimes
 {
   double Bricks = 0.0;
@@ -39,7 +37,7 @@ struct FrameTimes
 
 /// Traces and shades a scene, tile by tile, on all threads. The fields must be selected. Now and
 /// then keepGoing is called with the fraction done, on the calling thread only; if it returns
-/// false, the work is given up and so is the frame. Returns whether the frame is complete.
+/// false, the frame is abandoned. Returns whether the frame is complete.
 bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing);
 

@@ -20,7 +20,7 @@ struct Light
 {
   Vector3 DiffuseColor = { 1.0, 1.0, 1.0 };
   Vector3 SpecularColor = { 1.0, 1.0, 1.0 };
-  /// From a surface to a light that is infinitely far, of length one.
+  /// The direction from a surface to a distant light, of length one.
   Vector3 Direction = { 0.0, 0.0, 1.0 };
   /// A positional light shines from a point, weaker with distance, into a cone about -Direction.
   bool Positional = false;
@@ -46,40 +46,41 @@ class HitColors
 {
 public:
   virtual ~HitColors() = default;
-  /// The colour of a hit. Many threads ask at once.
+  /// The colour of a hit. Called by many threads at once.
   virtual Vector3 Get(const Hit& hit) const = 0;
 };
 
-/// What values look like.
+/// The colours of values.
 class ValueColors
 {
 public:
   virtual ~ValueColors() = default;
-  /// Red, green, blue and opacity of a value. Many threads ask at once.
+  /// Red, green, blue and opacity of a value. Called by many threads at once.
   virtual std::array<double, 4> Get(double value) const = 0;
 };
 
-/// A field as a scene shows it.
+/// A field as part of a scene.
 struct SceneField
 {
   /// Selected before rays are traced.
   TracedField* Field = nullptr;
-  /// The camera, seen from the object space of the field.
+  /// The camera, in the object space of the field.
   Camera View;
   /// The colour of each surface of the request.
   std::vector<Vector3> Colors;
-  /// If there is one, it says the colours instead.
+  /// If not null, it overrides these colours.
   const HitColors* ColorsOfHits = nullptr;
   /// For a projection, which is not lit; and for caps, which have the colours of the values there.
   const ValueColors* ColorsOfValues = nullptr;
   Material Surface;
 };
 
-/// Everything a frame is made from. It does not change while rays are traced, so the threads share
-/// it.
+/// Everything that a frame is made from. It does not change while rays are traced, so all threads
+/// share it.
 struct Scene
 {
-  /// Their cameras show one world in one viewport.
+  /// Their cameras show one world in one viewport: they differ by WorldFromObject alone, so that T
+  /// is the same in all.
   std::vector<SceneField> Fields;
   /// The pixels to draw: those that the fields may cover.
   PixelRectangle Pixels;
@@ -91,11 +92,11 @@ struct Scene
   bool TwoSidedLighting = true;
   /// Whether surfaces cast shadows on each other, those of other fields included.
   bool Shadows = false;
-  /// How many rays look from a hit for what is in the way of ambient light; 0 does without. They
-  /// look so far, in the world.
+  /// The number of rays from each hit that test for occluders of ambient light; 0 for none.
   int OcclusionRays = 0;
+  /// The length of these rays, in units of the world.
   double OcclusionRadius = std::numeric_limits<double>::infinity();
-  /// Frames with other numbers have other such rays, so that there is less noise in their mean.
+  /// Frames with different numbers have different rays, so that their mean has less noise.
   int OcclusionFrame = 0;
   /// Whether the first hit of every pixel is to be kept besides its colour.
   bool KeepHits = false;

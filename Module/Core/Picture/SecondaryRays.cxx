@@ -16,7 +16,7 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// One of 96 numbers, the same for directions that are much the same: a part of a face of a cube.
+/// One of 96 numbers, equal for similar directions: a part of a face of a cube.
 int GetSector(const Vector3& direction)
 {
   std::size_t axis = 0;
@@ -63,15 +63,20 @@ std::vector<double> SecondaryRays::FindLightTransmittance(const std::vector<Hit>
   for (std::size_t first = 0; first < hits.size(); first += RayPacket::Capacity)
   {
     const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, hits.size() - first);
+    Vector3 gradients[RayPacket::Capacity];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      gradients[i] = this->Field.GetGradient(hits[first + i], NormalMode::InterpolantGradient);
+    }
     for (std::size_t light = 0; light < lights; ++light)
     {
       OutgoingRay rays[RayPacket::Capacity];
       for (std::size_t i = 0; i < count; ++i)
       {
-        rays[i] = this->MakeLightRay(this->TheScene.Lights[light], hits[first + i]);
+        rays[i] = this->MakeLightRay(this->TheScene.Lights[light], hits[first + i], gradients[i]);
       }
       double some[RayPacket::Capacity];
-      this->FindTransmittance(rays, &hits[first], static_cast<int>(count), some);
+      this->FindTransmittance(rays, static_cast<int>(count), some);
       for (std::size_t i = 0; i < count; ++i)
       {
         transmittance[(first + i) * lights + light] = some[i];
@@ -86,35 +91,33 @@ std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hi
 {
   const int count = this->TheScene.OcclusionRays;
   std::vector<Hemisphere> hemispheres;
+  std::vector<Vector3> gradients;
   for (const Hit& hit : hits)
   {
-    // The exact normal: about another one, rays would go into the surface that they leave.
-    const Vector3 gradient = this->Field.GetGradient(hit, NormalMode::InterpolantGradient);
+    // The exact normal: with another, rays might enter the surface that they leave.
+    gradients.push_back(this->Field.GetGradient(hit, NormalMode::InterpolantGradient));
     const Vector3 normal =
-      Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient)));
+      Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradients.back())));
     hemispheres.emplace_back(hit.Entering ? normal * -1.0 : normal, count,
       HitNumbers(this->Field.GetPointInCells(hit), this->TheScene.OcclusionFrame));
   }
-  // Some rays of all hits at a time, so that among them are many that go the same way.
+  // Rays of several hits at a time, so that many of them have similar directions.
   constexpr int atOnce = 32;
   std::vector<double> ambient(hits.size());
-  std::vector<Hit> starts;
   std::vector<OutgoingRay> rays;
   std::vector<double> transmittance;
   for (int first = 0; first < count; first += atOnce)
   {
-    starts.clear();
     rays.clear();
     const int some = std::min(atOnce, count - first);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
       for (int number = 0; number < some; ++number)
       {
-        starts.push_back(hits[i]);
-        rays.push_back(this->MakeOcclusionRay(hemispheres[i].Next(), hits[i]));
+        rays.push_back(this->MakeOcclusionRay(hemispheres[i].Next(), hits[i], gradients[i]));
       }
     }
-    this->FindTransmittanceSorted(rays, starts, transmittance);
+    this->FindTransmittanceSorted(rays, transmittance);
     for (std::size_t i = 0; i < transmittance.size(); ++i)
     {
       ambient[i / static_cast<std::size_t>(some)] += transmittance[i] / count;
@@ -124,35 +127,37 @@ std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hi
 }
 
 //------------------------------------------------------------------------------
-SecondaryRays::OutgoingRay SecondaryRays::MakeLightRay(const Light& light, const Hit& hit) const
+SecondaryRays::OutgoingRay SecondaryRays::MakeLightRay(
+  const Light& light, const Hit& hit, const Vector3& gradient) const
 {
   const Vector3 origin = this->Field.GetPoint(hit);
   const Vector3 toLight = light.Positional
     ? light.Position - TransformPoint(this->WorldFromObject, origin)
     : light.Direction;
-  // The gradient's matrix is the inverse of the transposed, up to a factor.
+  // The matrix of gradients is the inverse transpose, up to a factor.
   const Vector3 direction = TransposeTransformDirection(this->WorldFromGradient, toLight);
   const double end = light.Positional
     ? Length(toLight) / Length(TransformDirection(this->WorldFromObject, direction))
     : std::numeric_limits<double>::infinity();
-  return { origin, direction, end };
+  return { origin, direction, end, { hit.Surface, Dot(gradient, direction) > 0.0 } };
 }
 
 //------------------------------------------------------------------------------
 /// In a direction of length one in the world.
 SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
-  const Vector3& direction, const Hit& hit) const
+  const Vector3& direction, const Hit& hit, const Vector3& gradient) const
 {
   const Vector3 inObject = TransposeTransformDirection(this->WorldFromGradient, direction);
   const double unit = Length(TransformDirection(this->WorldFromObject, inObject));
-  return { this->Field.GetPoint(hit), inObject, this->TheScene.OcclusionRadius / unit };
+  return { this->Field.GetPoint(hit), inObject, this->TheScene.OcclusionRadius / unit,
+    { hit.Surface, Dot(gradient, inObject) > 0.0 } };
 }
 
 //------------------------------------------------------------------------------
-/// For any number of rays, of which those that go about the same way are traced together. What is
-/// found does not depend on that.
-void SecondaryRays::FindTransmittanceSorted(const std::vector<OutgoingRay>& rays,
-  const std::vector<Hit>& starts, std::vector<double>& transmittance) const
+/// For any number of rays. Those with similar directions are traced together, which does not change
+/// the result.
+void SecondaryRays::FindTransmittanceSorted(
+  const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
 {
   std::vector<std::pair<int, std::size_t>> order(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -165,14 +170,12 @@ void SecondaryRays::FindTransmittanceSorted(const std::vector<OutgoingRay>& rays
   {
     const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, order.size() - first);
     OutgoingRay someRays[RayPacket::Capacity];
-    Hit someStarts[RayPacket::Capacity];
     double some[RayPacket::Capacity];
     for (std::size_t i = 0; i < count; ++i)
     {
       someRays[i] = rays[order[first + i].second];
-      someStarts[i] = starts[order[first + i].second];
     }
-    this->FindTransmittance(someRays, someStarts, static_cast<int>(count), some);
+    this->FindTransmittance(someRays, static_cast<int>(count), some);
     for (std::size_t i = 0; i < count; ++i)
     {
       transmittance[order[first + i].second] = some[i];
@@ -181,18 +184,16 @@ void SecondaryRays::FindTransmittanceSorted(const std::vector<OutgoingRay>& rays
 }
 
 //------------------------------------------------------------------------------
-/// For up to a packet of rays, one from each hit.
+/// For up to a packet of rays.
 void SecondaryRays::FindTransmittance(
-  const OutgoingRay* rays, const Hit* starts, int count, double* transmittance) const
+  const OutgoingRay* rays, int count, double* transmittance) const
 {
   RayPacket packet;
-  packet.Count = 0;
-  packet.Exists = {};
+  packet.Clear();
   Departure departures[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {
-    const Vector3 gradient = this->Field.GetGradient(starts[i], NormalMode::InterpolantGradient);
-    departures[i] = { starts[i].Surface, Dot(gradient, rays[i].Direction) > 0.0 };
+    departures[i] = rays[i].Start;
     this->Field.AddRay(rays[i].Origin, rays[i].Direction, 0.0, rays[i].End, packet);
   }
   this->Field.FindTransmittance(packet, departures, transmittance);
@@ -200,7 +201,7 @@ void SecondaryRays::FindTransmittance(
 }
 
 //------------------------------------------------------------------------------
-/// Multiplies by what the other fields of the scene let through.
+/// Multiplies by the transmittance of the other fields of the scene, for the rays that are left.
 void SecondaryRays::FindTransmittanceOfOthers(
   const OutgoingRay* rays, int count, double* transmittance) const
 {
@@ -208,18 +209,25 @@ void SecondaryRays::FindTransmittanceOfOthers(
   for (const OtherField& other : this->Others)
   {
     RayPacket packet;
-    packet.Count = 0;
-    packet.Exists = {};
+    packet.Clear();
+    int numbers[RayPacket::Capacity];
     for (int i = 0; i < count; ++i)
     {
-      other.Field->AddRay(TransformPoint(other.OtherFromOwn, rays[i].Origin),
-        TransformDirection(other.OtherFromOwn, rays[i].Direction), 0.0, rays[i].End, packet);
+      if (transmittance[i] > 0.0)
+      {
+        numbers[packet.Count] = i;
+        const Vector3 direction = TransformDirection(other.OtherFromOwn, rays[i].Direction);
+        // Surfaces of several fields may coincide. They must not shadow each other.
+        const double begin = StoppedRays::NearStart / Length(direction);
+        other.Field->AddRay(TransformPoint(other.OtherFromOwn, rays[i].Origin), direction, begin,
+          rays[i].End, packet);
+      }
     }
     double some[RayPacket::Capacity];
     other.Field->FindTransmittance(packet, none, some);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < packet.Count; ++i)
     {
-      transmittance[i] *= some[i];
+      transmittance[numbers[i]] *= some[i];
     }
   }
 }

@@ -12,18 +12,18 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The rays that leave the hits with one field of a scene: towards lights, for shadows, and into
-/// the hemisphere above the surface, for ambient occlusion.
+/// The rays from the hits with one field of a scene: towards lights, for shadows, and into the
+/// hemisphere above the surface, for ambient occlusion.
 class SecondaryRays
 {
 public:
   /// The scene must outlive the object.
   SecondaryRays(const Scene& scene, std::size_t field);
 
-  /// How much of each light comes through to each hit: hit by hit, light by light.
+  /// The part of each light that reaches each hit: hit by hit, light by light.
   std::vector<double> FindLightTransmittance(const std::vector<Hit>& hits) const;
 
-  /// How much ambient light comes to each hit: all, 1, where no surface is in the way.
+  /// The part of the ambient light that reaches each hit: all, 1, where nothing occludes it.
   std::vector<double> FindAmbientTransmittance(const std::vector<Hit>& hits) const;
 
 private:
@@ -33,6 +33,7 @@ private:
     Vector3 Origin;
     Vector3 Direction;
     double End;
+    Departure Start;
   };
 
   /// Another field of the scene.
@@ -42,12 +43,12 @@ private:
     Matrix4 OtherFromOwn;
   };
 
-  OutgoingRay MakeLightRay(const Light& light, const Hit& hit) const;
-  OutgoingRay MakeOcclusionRay(const Vector3& direction, const Hit& hit) const;
-  void FindTransmittanceSorted(const std::vector<OutgoingRay>& rays, const std::vector<Hit>& starts,
-    std::vector<double>& transmittance) const;
-  void FindTransmittance(
-    const OutgoingRay* rays, const Hit* starts, int count, double* transmittance) const;
+  OutgoingRay MakeLightRay(const Light& light, const Hit& hit, const Vector3& gradient) const;
+  OutgoingRay MakeOcclusionRay(
+    const Vector3& direction, const Hit& hit, const Vector3& gradient) const;
+  void FindTransmittanceSorted(
+    const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
+  void FindTransmittance(const OutgoingRay* rays, int count, double* transmittance) const;
   void FindTransmittanceOfOthers(const OutgoingRay* rays, int count, double* transmittance) const;
 
   const Scene& TheScene;

@@ -57,11 +57,6 @@ Vector3 Clamped(Vector3 color)
   return color;
 }
 
-Vector3 GetDirection(const RayPacket& packet, int ray)
-{
-  return { packet.Direction[0][ray], packet.Direction[1][ray], packet.Direction[2][ray] };
-}
-
 /// Calls visit(ray, i) for the hits of a packet, in order.
 template <typename Visit>
 void ForEachHit(const RayPacket& packet, const RayHits& hits, const Visit& visit)
@@ -164,7 +159,7 @@ void Shader::MakeFragments(const RayPacket& packet, const RayHits& hits, Fragmen
 //------------------------------------------------------------------------------
 Fragment Shader::MakeFragment(const Hit& hit, const Vector3& color) const
 {
-  const double opacity = this->Field.GetOpacity(hit);
+  const double opacity = this->Field.GetRequest().GetOpacity(hit);
   const double depth = opacity >= 1.0 ? this->Own.View.GetDepth(this->Field.GetPoint(hit)) : 0.0;
   return { hit.T, Clamped(color) * opacity, opacity,
     static_cast<float>(std::clamp(depth, 0.0, 1.0)) };
@@ -199,7 +194,7 @@ void Shader::ShadeEach(
     {
       const IncomingLight light = { transmittance.empty() ? nullptr : &transmittance[i * lights],
         ambient.empty() ? 1.0 : ambient[i] };
-      colors[i] = this->Shade(hits.Hits[i], GetDirection(packet, ray), light);
+      colors[i] = this->Shade(hits.Hits[i], packet.GetDirection(ray), light);
     });
 }
 
@@ -248,16 +243,16 @@ void Shader::MakePixels(const RayPacket& packet, const RayHits& hits, HitPixels&
 /// Appends a hit that is to be shaded.
 void Shader::Append(const Hit& hit, const RayPacket& packet, int ray, ShadedHits& shaded) const
 {
-  const int place = shaded.Count++;
+  const int index = shaded.Count++;
   if (hit.Entering)
   {
-    Add(place, shaded.Entering);
+    Add(index, shaded.Entering);
   }
   const Vector3 color = this->GetColor(hit);
   for (std::size_t k = 0; k < 3; ++k)
   {
-    shaded.Direction[k][place] = packet.Direction[k][ray];
-    shaded.Color[k][place] = color[k];
+    shaded.Direction[k][index] = packet.Direction[k][ray];
+    shaded.Color[k][index] = color[k];
   }
 }
 
@@ -324,7 +319,7 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const IncomingLi
   const Vector3 gradient = this->Field.GetGradient(hit, this->Field.GetRequest().Normals);
   Vector3 normal =
     Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradient))) * -1.0;
-  // Which side is seen, the hit knows; a smooth normal may be turned away from both.
+  // The hit tells which side is visible; a smooth normal may be turned away from both.
   if (scene.TwoSidedLighting && !hit.Entering)
   {
     normal = normal * -1.0;

@@ -15,7 +15,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// How much of the light of a scene comes to a hit.
+/// The part of the light of a scene that reaches a hit.
 struct IncomingLight
 {
   /// Of each light; null where there are no shadows.
@@ -23,8 +23,8 @@ struct IncomingLight
   double Ambient = 1.0;
 };
 
-/// Turns the hits with one field of a scene to fragments, lit by the Phong model as VTK's surfaces
-/// have it. What all hits of a frame share is computed once.
+/// Turns the hits with one field of a scene into fragments, lit by the Phong model as VTK lights
+/// surfaces. What all hits of a frame share is computed once.
 class Shader
 {
 public:
@@ -37,12 +37,12 @@ public:
   /// The fragments of the hits of a packet.
   void MakeFragments(const RayPacket& packet, const RayHits& hits, Fragments& fragments) const;
 
-  /// Whether every hit is that of a ray with one opaque surface, which MakePixels may turn to
+  /// Whether every hit is that of a ray with one opaque surface, which MakePixels can turn into
   /// pixels.
   bool CanMakePixels() const;
 
-  /// Turns the hits of a packet to pixels, in their order. The same as by their fragments, but
-  /// faster.
+  /// Turns the hits of a packet into pixels, in their order. The result is that of their fragments,
+  /// but faster.
   void MakePixels(const RayPacket& packet, const RayHits& hits, HitPixels& pixels) const;
 
 private:

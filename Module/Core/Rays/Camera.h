@@ -10,16 +10,15 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A camera as seen from the object space of a volume: any projection that a 4 x 4 matrix
-/// describes.
+/// A camera in the object space of a volume: any projection that a 4 x 4 matrix describes.
 ///
 /// The matrices lead straight from object space to clip coordinates, so a volume far from the
 /// origin of the world loses nothing.
 class Camera
 {
 public:
-  /// A ray through a pixel, in object space, with t = 0 at the near plane. The direction has
-  /// whatever length the matrix gives it: nobody asks for the t of a pixel's hit.
+  /// A ray through a pixel, in object space, with t = 0 at the near plane. The length of its
+  /// direction is such that t is the same in every object space of one view.
   struct PixelRay
   {
     Vector3 Origin;
@@ -60,8 +59,8 @@ public:
     return GetPixelDepth(this->ClipFromObject.data(), point.data());
   }
 
-  /// The same view by rays that go through other places of their pixels: so many pixels to the
-  /// right of the centre and above it.
+  /// The same view by rays through other points of the pixels: offset from the centre, in pixels,
+  /// to the right and upwards.
   Camera Shifted(double columns, double rows) const
   {
     const double x = columns * (2.0 / this->Width);

@@ -5,13 +5,32 @@
 #define CellCrossings_h
 
 #include "Math/Arithmetic.h"
-#include "Rays/Ray.h"
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Where rays come into cells and leave them, found from the planes of the cells alone. Places on a
-/// ray are ordered as Crossing says, with axes as numbers.
+/// A point on a ray: all planes whose crossings come before it or coincide with it have been
+/// crossed.
+///
+/// Planes crossed at the same t (the ray meets an edge or a vertex) are crossed in the order x, y,
+/// z. So every ray has one sequence of cells, in which neighbours share a face, and every cell of
+/// it can be recognised without knowing the others.
+struct Crossing
+{
+  double T;
+  /// The axis of the plane crossed; StartAxis for a t that is no crossing.
+  int Axis;
+
+  static constexpr int StartAxis = 3;
+
+  bool operator<(const Crossing& other) const
+  {
+    return this->T < other.T || (this->T == other.T && this->Axis < other.Axis);
+  }
+};
+
+/// Where rays enter and leave cells, found from the planes of the cells alone. Points on a ray are
+/// ordered as Crossing defines, with axes as numbers.
 template <typename Number>
 struct CellCrossings
 {
@@ -37,7 +56,7 @@ struct CellCrossings
   }
 
   /// Cuts the part to that of the ray. Where the ray begins or ends within the cell, no plane is
-  /// crossed there. Returns which rays pass their cells. A flat cell is passed at one place.
+  /// crossed there. Returns which rays pass their cells. A flat cell is passed at one t.
   SIMD_INLINE Mask CutToRay(Number begin, Number end, bool mayBeFlat)
   {
     const Number start = Crossing::StartAxis;

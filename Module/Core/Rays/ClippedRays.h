@@ -26,8 +26,8 @@ struct ClippedRays
   Number Base;
 };
 
-/// Narrows [Begin, End] to the slabs of the box. An axis the ray is parallel to only asks whether
-/// the ray lies within; a ray in a face counts as within. Returns which rays meet the box.
+/// Narrows [Begin, End] to the slabs of the box. A ray parallel to the planes of an axis must lie
+/// between them; a ray in a face does. Returns which rays meet the box.
 template <typename Number>
 SIMD_INLINE auto ClipToSlabs(
   const int dimensions[3], const double lastPlanes[3], ClippedRays<Number>& rays)
@@ -50,9 +50,9 @@ SIMD_INLINE auto ClipToSlabs(
   return meets & (rays.Begin <= rays.End);
 }
 
-/// Clips rays with origin, direction, begin and end to a volume of so many samples, whose last
-/// lattice planes stand at the given places, and finds the rest of them. Returns which rays meet
-/// it; the others have no defined values.
+/// Clips rays with origin, direction, begin and end to a volume of the given dimensions, whose last
+/// lattice planes have the given coordinates, and computes their other members. Returns which rays
+/// meet it; the others have undefined values.
 template <typename Number>
 SIMD_INLINE auto ClipToVolume(
   const int dimensions[3], const double lastPlanes[3], ClippedRays<Number>& rays)

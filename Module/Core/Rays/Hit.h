@@ -11,8 +11,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Where a ray meets an isosurface, or has its extreme value. Everything that is ever said about a
-/// hit is derived from this.
+/// Where a ray meets an isosurface, or has its extreme value. All other properties of a hit are
+/// derived from these.
 struct Hit
 {
   /// On the ray as it was given; the same in every object space.

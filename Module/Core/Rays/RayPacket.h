@@ -4,6 +4,8 @@
 #ifndef RayPacket_h
 #define RayPacket_h
 
+#include "Math/Vector.h"
+
 #include <cstdint>
 
 namespace vtkIsosurfaceRayTracing
@@ -24,14 +26,25 @@ struct RayPacket
   /// Those that meet the field at all; the others have no defined values.
   RaySet Exists;
   // Each ray in the object space of a field, from Begin to End counted from its origin, which is at
-  // Base on the ray as it was given. The direction is zero along an axis that the ray is parallel
-  // to; what Inverse is there, the field decides (images: see Ray).
+  // Base on the ray as it was given. The direction is zero along an axis whose planes the ray is
+  // parallel to; the field defines what Inverse is there (images: see Ray).
   alignas(64) double Origin[3][Capacity];
   alignas(64) double Direction[3][Capacity];
   alignas(64) double Inverse[3][Capacity];
   alignas(64) double Begin[Capacity];
   alignas(64) double End[Capacity];
   alignas(64) double Base[Capacity];
+
+  void Clear()
+  {
+    this->Count = 0;
+    this->Exists = {};
+  }
+
+  Vector3 GetDirection(int ray) const
+  {
+    return { this->Direction[0][ray], this->Direction[1][ray], this->Direction[2][ray] };
+  }
 };
 
 inline bool Has(const RaySet& set, int ray)

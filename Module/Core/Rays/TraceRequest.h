@@ -6,6 +6,8 @@
 
 #include "Rays/Visibility.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,14 +22,14 @@ struct Isosurface
   double Opacity;
 };
 
-/// Which value along a ray is looked for.
+/// The extreme value along a ray that a projection shows.
 enum class Extremum
 {
   Largest,
   Smallest
 };
 
-/// What is between the samples.
+/// The interpolant between the samples.
 enum class Interpolant
 {
   Trilinear,
@@ -52,7 +54,7 @@ enum class NormalMode
   CentralDifferences
 };
 
-/// What to look for along rays. How that is done is said by Execution.
+/// What to trace. How it is done is in Execution.
 struct TraceRequest
 {
   TraceRequest() = default;
@@ -81,6 +83,19 @@ struct TraceRequest
   NormalMode Normals = NormalMode::CentralDifferences;
 
   bool IsNothing() const { return this->Surfaces.empty() && !this->Projection; }
+
+  /// How much of the light a hit with a surface stops, and shows.
+  double GetOpacity(const Hit& hit) const
+  {
+    return this->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+  }
+
+  bool HasOnlyOpaqueSurfaces() const
+  {
+    return !this->Projection &&
+      std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
+        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+  }
 };
 
 }

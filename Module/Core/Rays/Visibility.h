@@ -20,16 +20,16 @@ struct HalfSpace
 {
   Vector3 Normal;
   double Offset;
-  /// Whether the insides of surfaces are closed where it ends: see Caps.h.
+  /// Whether the insides of surfaces are capped at its plane: see Caps.h.
   bool IsCapped = false;
 };
 
-/// How a ray goes through the plane where a half-space ends.
+/// How a ray crosses the plane of a half-space.
 struct PlaneCrossing
 {
-  /// Where; not finite if it is parallel.
+  /// Of the crossing; not finite if the ray is parallel to the plane.
   double T;
-  /// Of the origin, and by how much it grows with t: above zero if the ray goes in.
+  /// Dot(Normal, point) + Offset at the origin, and its change with t: positive if the ray enters.
   double Height;
   double Slope;
 };
@@ -46,8 +46,8 @@ inline PlaneCrossing FindCrossing(
 struct CroppingRegions
 {
   std::array<std::array<double, 2>, 3> Planes = {};
-  /// Bit i + 3 j + 9 k says whether region (i, j, k) is seen. Its border belongs to the one in the
-  /// middle.
+  /// Bit i + 3 j + 9 k says whether region (i, j, k) is visible. A border belongs to the region in
+  /// the middle.
   unsigned int Visible = All;
 
   static constexpr unsigned int All = 0x7ffffff;
@@ -58,9 +58,9 @@ struct CroppingRegions
     int stride = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const int place =
+      const int interval =
         point[axis] < this->Planes[axis][0] ? 0 : (point[axis] > this->Planes[axis][1] ? 2 : 1);
-      region += stride * place;
+      region += stride * interval;
       stride *= 3;
     }
     return (this->Visible >> region & 1U) != 0;
@@ -70,7 +70,7 @@ struct CroppingRegions
 /// Which parts of a field are visible, in object space. A surface that is cut off hides nothing.
 struct Visibility
 {
-  /// Rays are cut to what is in all of them.
+  /// Rays are cut to the intersection of all of them.
   std::vector<HalfSpace> HalfSpaces;
   CroppingRegions Regions;
   /// One for every cell, by its number, not zero where it is not visible; null if all are.
@@ -100,7 +100,7 @@ struct Visibility
   }
 };
 
-/// Cuts rays to a half-space. Those that have nothing there do not exist any more.
+/// Cuts rays to a half-space. Those that are entirely outside no longer exist.
 inline void CutRays(const HalfSpace& half, RayPacket& rays)
 {
   for (int i = 0; i < rays.Count; ++i)

@@ -14,7 +14,7 @@
 namespace MapperTesting
 {
 
-/// Counts what is not as it should be, and says it.
+/// Counts failed checks, and prints them.
 class Checks
 {
 public:

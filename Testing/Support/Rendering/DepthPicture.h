@@ -17,7 +17,7 @@
 namespace MapperTesting
 {
 
-/// Where in the world the depth buffer of a window puts its pixels.
+/// The points in the world of the depth buffer of a window.
 class DepthPicture
 {
 public:

@@ -53,12 +53,12 @@ public:
   }
 };
 
-/// Begins a frame that is given up as soon as somebody asks.
+/// Begins a frame that is aborted at the first opportunity.
 inline void RenderAndAbort(vtkRenderWindow* window)
 {
   vtkNew<Aborter> aborter;
   const unsigned long observer = window->AddObserver(vtkCommand::AbortCheckEvent, aborter);
-  // VTK asks five times a second at most.
+  // VTK checks five times a second at most.
   std::this_thread::sleep_for(std::chrono::milliseconds(250));
   window->Render();
   window->SetAbortRender(0);
@@ -90,7 +90,7 @@ inline double GetDifference(const Picture& a, const Picture& b, int tolerance)
 }
 
 /// Whether the window shows the baseline that the test driver was given: all but one pixel in 500
-/// to within two steps of colour. VTK's own comparison overlooks much more; it is asked only to
+/// to within two steps of colour. VTK's own comparison overlooks much more; it is used only to
 /// leave the picture and the difference for people to see.
 inline bool IsBaseline(int argc, char* argv[], vtkRenderWindow* window)
 {

@@ -43,7 +43,7 @@ struct RandomRays
     }
   }
 
-  /// The hits, as vtkIsosurfaceRayTraceMapper::CastRays tells them.
+  /// The hits, from the output of vtkIsosurfaceRayTraceMapper::CastRays.
   vtkSmartPointer<vtkPolyData> Cast(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume* volume) const
   {
     auto hits = vtkSmartPointer<vtkPolyData>::New();

@@ -12,7 +12,7 @@
 
 #include <string>
 
-// What is checked alike for every interpolation mode.
+// Checks that are the same for every interpolation mode.
 
 namespace MapperTesting
 {

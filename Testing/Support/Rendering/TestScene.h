@@ -50,7 +50,7 @@ inline vtkSmartPointer<vtkActor> NewSphere(
   return NewActor(source);
 }
 
-/// A scene light, unless it is said to be of another type, that looks at the origin.
+/// A light towards the origin: a scene light, unless another type is set.
 inline vtkSmartPointer<vtkLight> NewLight(const std::array<double, 3>& position,
   const std::array<double, 3>& color = { 1.0, 1.0, 1.0 }, int type = VTK_LIGHT_TYPE_SCENE_LIGHT)
 {

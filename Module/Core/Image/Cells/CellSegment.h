@@ -4,11 +4,11 @@
 #ifndef CellSegment_h
 #define CellSegment_h
 
-#include "Image/Samples/CellLattice.h"
+#include "Image/Lattice/CellLattice.h"
+#include "Image/Lattice/Ray.h"
 #include "Math/TrilinearCell.h"
 #include "Rays/CellCrossings.h"
 #include "Rays/Hit.h"
-#include "Rays/Ray.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -24,7 +24,7 @@ struct CellSegment
   Vector3 Exit;
 };
 
-/// Where the planes of a cell stand.
+/// The planes of a cell.
 struct CellBox
 {
   Vector3 Lower;
@@ -42,16 +42,16 @@ inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
   return box;
 }
 
-/// Where the ray is in the cell at t. On the plane it crosses there, the coordinate is exactly 0 or
-/// 1: the two cells that share the face then interpolate between the same four samples with the
-/// same weights, and agree on the sign of every point of it to the last bit. No ray slips between
-/// them.
-inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& place)
+/// The point of the ray at t in the cell. On the plane it crosses there, the coordinate is exactly
+/// 0 or 1: the two cells that share the face then interpolate between the same four samples with
+/// the same weights, and agree on the sign of every point of it to the last bit. No ray slips
+/// between them.
+inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& crossing)
 {
   Vector3 p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double above = ray.Coordinate(axis, place.T) - box.Lower[axis];
+    const double above = ray.Coordinate(axis, crossing.T) - box.Lower[axis];
     const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
     p[axis] = ClampToCell(share);
   }
@@ -59,7 +59,7 @@ inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& p
 }
 
 /// The segment of a ray in a cell, computed from the planes of the cell alone. Returns false if the
-/// cell is not among those the ray passes. However the cell was found, the answer is the same.
+/// ray does not pass the cell. The result does not depend on how the cell was found.
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
   const CellBox box = GetBox(cell, ray.Planes);

@@ -13,8 +13,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The largest value of a cubic on [0, 1]: at one end, or where it turns; the first of equals. It
-/// is never larger than all coefficients.
+/// The largest value of a cubic on [0, 1]: at one end, or where it turns; the first of equal
+/// values. It never exceeds all coefficients.
 SegmentValue FindLargest(const BernsteinCubic& cubic)
 {
   double turns[2];

@@ -17,8 +17,8 @@ struct SegmentValue
   double Value;
 };
 
-/// The largest value of the trilinear interpolant along a segment, the first of equals. It is never
-/// larger than all corners, of which the largest is given.
+/// The largest value of the trilinear interpolant along a segment, the first of equal values. It
+/// never exceeds the corners, the largest of which is given.
 SegmentValue FindLargest(CellCorners corners, double largest, const CellSegment& segment);
 
 }

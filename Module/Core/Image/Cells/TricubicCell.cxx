@@ -18,7 +18,7 @@ void ForEachLine(const Visit& visit)
   }
 }
 
-/// Makes coefficients of samples, along one axis.
+/// Makes coefficients from samples, along one axis.
 template <int Axis>
 void InterpolateAlong(const CubicEdge& edge, TricubicCell& c)
 {

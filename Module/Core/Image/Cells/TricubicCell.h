@@ -4,10 +4,10 @@
 #ifndef TricubicCell_h
 #define TricubicCell_h
 
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Math/NonicRoots.h"
 #include "Math/TrilinearCell.h"
 #include "Math/Vector.h"
-#include "Rays/UnevenPlanes.h"
 
 #include <algorithm>
 #include <array>
@@ -24,14 +24,14 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What the rises to the samples at both ends of a cell along an axis, and between them, are
-/// multiplied by to make a third of the slopes there, per width of the cell.
+/// The weights of the differences to the samples at both ends of a cell along an axis, and between
+/// them, in a third of the slopes there, per width of the cell.
 struct CubicEdge
 {
-  /// At the lower end: the rise before the cell and that in it.
+  /// At the lower end: of the difference before the cell and of that in it.
   double LowerBefore;
   double LowerWithin;
-  /// At the upper end: the rise in the cell and that behind it.
+  /// At the upper end: of the difference in the cell and of that behind it.
   double UpperWithin;
   double UpperBehind;
 
@@ -66,7 +66,7 @@ public:
       }
       product *= largest;
     }
-    // A little more than can be, for rounding.
+    // A little more than exact, for rounding.
     this->Overshoot = 0.5 * (product - 1.0) + 1e-9;
   }
 
@@ -119,7 +119,7 @@ private:
 /// same, to the last bit.
 using TricubicCell = std::array<double, 64>;
 
-/// Makes the coefficients of a cell of the 4^3 samples around it, in the same order.
+/// Makes the coefficients of a cell from the 4^3 samples around it, in the same order.
 void InterpolateSamples(const CubicEdges& edges, const Index3& cell, TricubicCell& samples);
 
 /// The interpolant along the straight line from p to q, as a polynomial of the fraction of the way:

@@ -32,8 +32,8 @@ public:
   {
   }
 
-  /// Takes the spacing of the samples; null planes stand at whole numbers. Returns whether it is
-  /// another one than before.
+  /// Sets the spacing of the samples; null planes stand at whole numbers. Returns whether it
+  /// differs from the one before.
   bool SetPlanes(const UnevenPlanes* planes)
   {
     CubicEdges edges(this->TheSamples.GetDimensions(), planes);
@@ -75,7 +75,7 @@ public:
     mask.CompleteSlices();
   }
 
-  /// Makes the coefficients of a cell, with an isovalue taken off. Returns whether the surface may
+  /// Makes the coefficients of a cell, with an isovalue subtracted. Returns whether the surface may
   /// pass the cell: all samples are finite, and coefficients are on both sides.
   bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
   {
@@ -88,8 +88,8 @@ public:
     return inside > 0 && inside < 64;
   }
 
-  /// The value at a point of a cell, less an isovalue: the very one that the polynomials along rays
-  /// which begin or end there begin or end with. None if the cell is empty.
+  /// The value at a point of a cell, less an isovalue: exactly the one with which the polynomials
+  /// along rays begin or end there. None if the cell is empty.
   std::optional<double> GetDifference(
     const Index3& cell, const Vector3& parametric, const ScaledIsovalue& isovalue) const
   {
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  /// Reads the 4^3 samples around a cell. (Those outside of the volume count for nothing.) Returns
+  /// Reads the 4^3 samples around a cell. (Those outside of the volume have no weight.) Returns
   /// whether all are finite.
   bool Load(const Index3& cell, TricubicCell& samples) const
   {
@@ -127,7 +127,7 @@ private:
       }
     }
     const T* origin = this->TheSamples.At({ 0, 0, 0 });
-    // Not a number, if one of them is none.
+    // NaN, if one of them is not finite.
     double check = 0.0;
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -138,7 +138,7 @@ private:
     return check == 0.0;
   }
 
-  /// Turns samples to coefficients, with an isovalue taken off.
+  /// Turns samples into coefficients, with an isovalue subtracted.
   void TakeOff(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
   {
     for (double& sample : coefficients)

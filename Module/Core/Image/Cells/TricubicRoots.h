@@ -12,8 +12,8 @@ namespace vtkIsosurfaceRayTracing
 
 class RootSet;
 
-/// Adds the roots of a surface along a segment, where its isovalue is taken off the coefficients;
-/// all of them, or the first.
+/// Adds the roots of a surface along a segment, given the coefficients less its isovalue; all of
+/// them, or the first.
 void AddTricubicRoots(const TricubicCell& coefficients, const CellSegment& segment, int surface,
   bool firstOnly, RootSet& roots);
 

@@ -4,14 +4,14 @@
 #ifndef TrilinearGradients_h
 #define TrilinearGradients_h
 
-#include "Image/Samples/CellLattice.h"
+#include "Image/Lattice/CellLattice.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/Kernels.h"
 #include "Math/TrilinearCell.h"
 #include "Rays/Hit.h"
 #include "Rays/TraceRequest.h"
-#include "Rays/UnevenPlanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ public:
   }
 
   /// Interpolates central differences with a kernel, where planes are even and there are inner
-  /// cells. What it makes of hits in other cells does not count.
+  /// cells. The results for hits in other cells are not used.
   void InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
     const Kernels& kernels, double (*gradients)[RayPacket::Capacity]) const
   {
@@ -121,7 +121,7 @@ private:
     return gradient;
   }
 
-  /// The slope at a sample: the central difference, or what is that with uneven spacing; at the
+  /// The slope at a sample: the central difference, or its equivalent for uneven spacing; at the
   /// border of the image, the one-sided difference.
   double GetDifference(Index3 sample, std::size_t axis, const UnevenPlanes* planes) const
   {

@@ -14,11 +14,11 @@ namespace vtkIsosurfaceRayTracing
 
 class RootSet;
 
-/// The corners of a cell with an isovalue taken off.
+/// The corners of a cell with an isovalue subtracted.
 CellCorners TakeOff(const CellCorners& corners, const ScaledIsovalue& isovalue);
 
-/// Adds the roots of a surface along a segment, where the corners have its isovalue taken off, as
-/// the requested solver finds them; all of them, or the first.
+/// Adds the roots of a surface along a segment, given the corners less its isovalue, as the
+/// requested solver finds them; all of them, or the first.
 void AddTrilinearRoots(const CellCorners& differences, const CellSegment& segment,
   const TraceRequest& request, int surface, bool firstOnly, RootSet& roots);
 

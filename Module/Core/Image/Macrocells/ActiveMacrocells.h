@@ -13,7 +13,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// How the cells of a volume are gathered in macrocells, and these in larger ones.
+/// How the cells of a volume form macrocells, and these larger ones.
 struct MacrocellLattice
 {
   struct Level
@@ -44,8 +44,8 @@ struct MacrocellLattice
   std::vector<Level> Levels;
 };
 
-/// One bit for every macrocell: whether a surface of the wanted isovalues may pass there. This is
-/// all a ray needs to know of the hierarchy, whatever the type of the samples.
+/// One bit for every macrocell: whether a surface of the selected isovalues may pass it. This is
+/// all that a ray needs to know of the hierarchy, whatever the type of the samples.
 class ActiveMacrocells
 {
 public:

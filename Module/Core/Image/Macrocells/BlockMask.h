@@ -12,8 +12,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// One bit for each member of a block of 8^3: cells, or bricks of them. The same bits three times,
-/// once for each axis a ray may mainly go along, so that a slice of the block across that axis is
+/// One bit for each member of a block of 8^3: cells, or bricks of them. The same bits are kept
+/// three times, once for each major axis of a ray, so that a slice of the block across that axis is
 /// one word.
 struct alignas(64) BlockMask
 {

@@ -13,8 +13,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The active macrocells of 8^3 cells, gathered in blocks of 8^3, these in blocks of 8^3, and so on
-/// to a level that is small. A beam of rays asks a whole slice of a block at once.
+/// The active macrocells of 8^3 cells, in blocks of 8^3, these in blocks of 8^3, and so on to a
+/// level that is small. A frustum of rays reads a whole slice of a block at once.
 class BlockTree
 {
 public:
@@ -34,7 +34,7 @@ public:
 
   BlockTree() = default;
 
-  /// Takes over the bits of the finest macrocells, which must have an edge of 8.
+  /// Copies the bits of the finest macrocells, which must have an edge of 8.
   BlockTree(const ActiveMacrocells& active, int threads);
 
   /// Finest first.
@@ -94,10 +94,10 @@ void BlockTree::AddLevel(const Index3& memberCount, int threads, const GetRow& g
       std::uint64_t word = 0;
       for (int y = 0; y < BlockMask::Edge; ++y)
       {
-        const Index3 place = { first[0], first[1] + y, first[2] + z };
-        if (place[1] < memberCount[1] && place[2] < memberCount[2])
+        const Index3 position = { first[0], first[1] + y, first[2] + z };
+        if (position[1] < memberCount[1] && position[2] < memberCount[2])
         {
-          word |= getRow(place) << (BlockMask::Edge * y);
+          word |= getRow(position) << (BlockMask::Edge * y);
         }
       }
       mask.Slices[2][z] = word;

@@ -24,7 +24,7 @@ namespace vtkIsosurfaceRayTracing
 
 /// For blocks of 8^3 cells, which of the cells a surface passes: those with corners on both sides
 /// of an isovalue and none that is NaN or infinite. The mask of a block is made by the first ray
-/// that comes to it.
+/// that needs it.
 template <typename T>
 class CellMasks
 {
@@ -43,7 +43,7 @@ public:
   /// Makes the mask of a block by another rule.
   using Maker = std::function<void(const Index3& block, BlockMask& mask)>;
 
-  /// Forgets all masks, and takes other isovalues from now on; and another rule, if there is one.
+  /// Discards all masks, and sets the isovalues for new ones; and another rule, if there is one.
   void Select(const std::vector<double>& isovalues, Maker maker = nullptr)
   {
     this->Isovalues = isovalues;
@@ -53,8 +53,7 @@ public:
 
   void Prefetch(const Index3& block) const { this->Masks.Prefetch(Offset(block, this->Blocks)); }
 
-  /// The mask of a block: the one that is kept, or where it cannot be kept, one made in the place
-  /// given.
+  /// The mask of a block: the one that is kept or, where it cannot be kept, one made in own.
   const BlockMask& Get(const Index3& block, BlockMask& own)
   {
     const void* kept = this->Masks.Get(Offset(block, this->Blocks),
@@ -94,7 +93,7 @@ private:
     }
   }
 
-  /// What eight values around a cell have in common, gathered one axis after the other.
+  /// What eight values around a cell have in common, combined one axis after the other.
   struct Corners
   {
     std::uint64_t Any = 0;
@@ -230,7 +229,8 @@ private:
     };
     for (const double isovalue : this->Isovalues)
     {
-      // What no value reaches, or all do, may not be a number of the type either; nor is NaN.
+      // A bound that no value reaches, or that all reach, may not be a number of the type; nor is
+      // NaN.
       constexpr std::numeric_limits<Compared> limits;
       if (!(isovalue > static_cast<double>(limits.lowest()) &&
             isovalue <= static_cast<double>(limits.max())))

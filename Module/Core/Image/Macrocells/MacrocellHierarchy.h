@@ -43,8 +43,8 @@ public:
   /// Finds the macrocells whose range holds one of the isovalues.
   ActiveMacrocells FindActive(const std::vector<double>& isovalues, int threads) const;
 
-  /// The same for an interpolant whose cells know the samples one cell further on every side, and
-  /// may go beyond their range, by so many times its length.
+  /// The same for an interpolant whose cells depend on the samples one cell further on every side,
+  /// and may exceed their range, by a multiple of its length.
   ActiveMacrocells FindActive(
     const std::vector<double>& isovalues, double overshoot, int threads) const;
 
@@ -79,7 +79,7 @@ MacrocellHierarchy<T>::MacrocellHierarchy(
   }
   if (this->Ranges.empty())
   {
-    // One macrocell of all cells, which nobody keeps.
+    // One macrocell of all cells, which is not kept.
     const Index3& cells = this->Lattice.Cells;
     this->Range =
       MacrocellHierarchy<T>(samples, { 8, std::max({ cells[0], cells[1], cells[2] }) }, threads)
@@ -143,8 +143,8 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
         const int xEnd = std::min((i + 1) * edge, dimensions[0] - 1);
         for (int x = i * edge; x <= xEnd; ++x)
         {
-          const auto place = static_cast<std::size_t>(x);
-          ranges[i].Include(low[place], high[place]);
+          const auto index = static_cast<std::size_t>(x);
+          ranges[i].Include(low[index], high[index]);
         }
       }
     }
@@ -205,10 +205,10 @@ ValueRange<T> MacrocellHierarchy<T>::GetRangeAround(std::size_t level, std::size
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto length = static_cast<std::size_t>(size[axis]);
-    const int place = static_cast<int>(macrocell % length);
+    const int position = static_cast<int>(macrocell % length);
     macrocell /= length;
-    first[axis] = std::max(place - 1, 0);
-    last[axis] = std::min(place + 1, size[axis] - 1);
+    first[axis] = std::max(position - 1, 0);
+    last[axis] = std::min(position + 1, size[axis] - 1);
   }
   ValueRange<T> range;
   for (int z = first[2]; z <= last[2]; ++z)

@@ -53,7 +53,7 @@ public:
     {
     }
 
-    /// Says that the cells of the brick of a cell are wanted soon.
+    /// Prefetches the brick of a cell.
     void Prefetch(const Index3& cell) const
     {
       const int size = this->Layout.Size;
@@ -136,8 +136,8 @@ public:
   std::size_t GetMemory() const { return this->Bricks.GetMemory(); }
 
 private:
-  /// The brick, made now if it is not there yet; null if there is no room for it, or another thread
-  /// is about to make it.
+  /// The brick, made now if it is missing; null if there is no room for it, or while another thread
+  /// is making it.
   const Value* GetBrick(const Index3& index)
   {
     return static_cast<const Value*>(this->Bricks.Get(Offset(index, this->BrickDimensions),

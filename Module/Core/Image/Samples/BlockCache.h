@@ -15,19 +15,19 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What is kept of the blocks of a lattice: for each a slot of the same size, made when a ray first
-/// asks for it. Any number of threads may ask at once, and none ever waits.
+/// Data of the blocks of a lattice: a slot of the same size for each, filled at the first access.
+/// Any number of threads may access it at once, and none ever waits.
 ///
-/// The memory may have a ceiling. Within a frame nothing is thrown away: who finds no room does
-/// without. The next frame then begins by giving up what the last one did not use.
+/// The memory may be limited. Within a frame nothing is evicted: without room an access fails. The
+/// next frame begins by evicting what the last one did not use.
 class BlockCache
 {
 public:
-  /// A value of the alignment divides the size of a slot.
+  /// The alignment must divide the size of a slot.
   BlockCache(std::size_t blocks, std::size_t slotSize)
     : SlotSize(slotSize)
     , SlotsPerChunk(std::max<std::size_t>(ChunkSize / slotSize, 1))
-    , Places(blocks)
+    , States(blocks)
     , Chunks((blocks + this->SlotsPerChunk - 1) / this->SlotsPerChunk)
   {
   }
@@ -43,15 +43,15 @@ public:
   BlockCache(const BlockCache&) = delete;
   BlockCache& operator=(const BlockCache&) = delete;
 
-  /// Begins a frame that may take a number of bytes. No thread may be asking.
+  /// Begins a frame that may take a number of bytes. No other thread may access the cache.
   void BeginFrame(std::size_t maximumMemory)
   {
     const std::size_t slots = maximumMemory / this->SlotSize;
-    const bool isLimited = slots < this->Places.size();
+    const bool isLimited = slots < this->States.size();
     if (isLimited && this->LastUse.empty())
     {
-      // Until now nobody counted.
-      this->LastUse = std::vector<std::atomic<std::uint32_t>>(this->Places.size());
+      // Uses were not recorded until now.
+      this->LastUse = std::vector<std::atomic<std::uint32_t>>(this->States.size());
     }
     if (isLimited && (this->IsExhausted.load() || this->Used > slots))
     {
@@ -59,18 +59,18 @@ public:
     }
     this->IsExhausted.store(false);
     this->IsLimited = isLimited;
-    this->MaximumSlots = std::min(slots, this->Places.size());
+    this->MaximumSlots = std::min(slots, this->States.size());
     ++this->Frame;
   }
 
-  /// Forgets all blocks, but keeps the memory for others.
+  /// Empties the cache, but keeps the memory for new blocks.
   void Clear()
   {
     if (this->Used > 0)
     {
-      for (std::atomic<std::uint32_t>& place : this->Places)
+      for (std::atomic<std::uint32_t>& state : this->States)
       {
-        place.store(Missing, std::memory_order_relaxed);
+        state.store(Missing, std::memory_order_relaxed);
       }
       this->Free.clear();
       this->NextFree.store(0);
@@ -84,49 +84,49 @@ public:
   template <typename Make>
   const void* Get(std::size_t block, const Make& make)
   {
-    std::atomic<std::uint32_t>& place = this->Places[block];
-    std::uint32_t slot = place.load(std::memory_order_acquire);
+    std::atomic<std::uint32_t>& state = this->States[block];
+    std::uint32_t slot = state.load(std::memory_order_acquire);
     if (slot >= FirstSlot)
     {
       this->CountUse(block);
       return this->At(slot - FirstSlot);
     }
     if (slot == BeingMade ||
-      !place.compare_exchange_strong(slot, BeingMade, std::memory_order_acquire))
+      !state.compare_exchange_strong(slot, BeingMade, std::memory_order_acquire))
     {
       return nullptr;
     }
     void* memory = this->TakeSlot(slot);
     if (!memory)
     {
-      place.store(Missing, std::memory_order_relaxed);
+      state.store(Missing, std::memory_order_relaxed);
       return nullptr;
     }
     make(memory);
     this->CountUse(block);
-    place.store(slot + FirstSlot, std::memory_order_release);
+    state.store(slot + FirstSlot, std::memory_order_release);
     return memory;
   }
 
-  void Prefetch(std::size_t block) const { __builtin_prefetch(&this->Places[block]); }
+  void Prefetch(std::size_t block) const { __builtin_prefetch(&this->States[block]); }
 
-  /// How many blocks are kept.
+  /// The number of blocks that are kept.
   std::size_t GetNumberOfBlocks() const { return this->Used.load(); }
-  std::size_t GetMaximumNumberOfBlocks() const { return this->Places.size(); }
+  std::size_t GetMaximumNumberOfBlocks() const { return this->States.size(); }
 
-  /// In bytes; of what is not kept any more, the memory stays.
+  /// In bytes; includes the memory of evicted blocks.
   std::size_t GetMemory() const
   {
     const std::size_t slots = std::min<std::size_t>(this->NextSlot.load(), this->MaximumSlots);
     return std::max(slots, this->Used.load()) * this->SlotSize +
-      this->Places.size() * sizeof(std::uint32_t) * (this->LastUse.empty() ? 1 : 2);
+      this->States.size() * sizeof(std::uint32_t) * (this->LastUse.empty() ? 1 : 2);
   }
 
 private:
   static constexpr std::size_t ChunkSize = std::size_t{ 1 } << 18;
   static constexpr std::align_val_t Alignment{ 64 };
 
-  // What is known of a block, or else the number of its slot and this.
+  // The state of a block, or else the number of its slot plus this.
   static constexpr std::uint32_t Missing = 0;
   static constexpr std::uint32_t BeingMade = 1;
   static constexpr std::uint32_t FirstSlot = 2;
@@ -168,7 +168,7 @@ private:
       } while (!this->NextSlot.compare_exchange_weak(slot, slot + 1, std::memory_order_relaxed));
       if (!this->RequireChunk(slot / this->SlotsPerChunk))
       {
-        // The number is lost, which does no harm: there will be no memory for the next one either.
+        // The number is lost, which is harmless: there will be no memory for the next one either.
         this->IsExhausted.store(true, std::memory_order_relaxed);
         return nullptr;
       }
@@ -196,26 +196,26 @@ private:
     return made != nullptr;
   }
 
-  /// Gives up the blocks that the last frame did not use; and if those that it did use are more
-  /// than may stay, as many of them as need be.
+  /// Evicts the blocks that the last frame did not use; and if those that it did use are more than
+  /// the limit allows, as many of them as necessary.
   void EvictUnused(std::size_t slots)
   {
     std::vector<std::uint32_t> freed(this->Free.begin() +
         static_cast<std::ptrdiff_t>(std::min(this->NextFree.load(), this->Free.size())),
       this->Free.end());
-    for (std::size_t block = 0; block < this->Places.size(); ++block)
+    for (std::size_t block = 0; block < this->States.size(); ++block)
     {
-      const std::uint32_t place = this->Places[block].load(std::memory_order_relaxed);
-      const bool mustGo = place >= FirstSlot &&
-        (place - FirstSlot >= slots || this->LastUse[block].load() != this->Frame);
+      const std::uint32_t state = this->States[block].load(std::memory_order_relaxed);
+      const bool mustGo = state >= FirstSlot &&
+        (state - FirstSlot >= slots || this->LastUse[block].load() != this->Frame);
       if (mustGo)
       {
-        this->Places[block].store(Missing, std::memory_order_relaxed);
+        this->States[block].store(Missing, std::memory_order_relaxed);
         this->Used.fetch_sub(1, std::memory_order_relaxed);
-        freed.push_back(place - FirstSlot);
+        freed.push_back(state - FirstSlot);
       }
     }
-    // What lies beyond the ceiling goes back to the system.
+    // Memory beyond the limit goes back to the system.
     freed.erase(std::remove_if(freed.begin(), freed.end(),
                   [slots](std::uint32_t slot) { return slot >= slots; }),
       freed.end());
@@ -234,16 +234,16 @@ private:
 
   std::size_t SlotSize;
   std::size_t SlotsPerChunk;
-  std::vector<std::atomic<std::uint32_t>> Places;
+  std::vector<std::atomic<std::uint32_t>> States;
   std::vector<std::atomic<std::byte*>> Chunks;
   std::atomic<std::uint32_t> NextSlot{ 0 };
   std::atomic<std::size_t> Used{ 0 };
 
-  /// Slots given up, and how many of them are taken again.
+  /// Freed slots, and how many of them are in use again.
   std::vector<std::uint32_t> Free;
   std::atomic<std::size_t> NextFree{ 0 };
 
-  /// The frame that last used a block; empty as long as there is no ceiling.
+  /// The frame that last used a block; empty while there is no limit.
   std::vector<std::atomic<std::uint32_t>> LastUse;
   std::uint32_t Frame = 0;
   bool IsLimited = false;

@@ -12,7 +12,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What a store of bricks has done so far, counted by all threads.
+/// Counters of a store of bricks, shared by all threads.
 struct BrickCounters
 {
   /// The sum over all threads of the time spent making bricks.

@@ -65,7 +65,7 @@ public:
     this->Values.reset(new (std::nothrow) Value[groupStride]);
   }
 
-  /// Has no ceiling: the place of a sample is fixed.
+  /// Has no limit: the address of a sample is fixed.
   void BeginFrame(std::size_t) {}
 
   class Reader
@@ -161,9 +161,9 @@ private:
   void RequireBrick(const Index3& index)
   {
     std::atomic<unsigned char>& state = this->States[Offset(index, this->BrickDimensions)];
-    unsigned char seen = state.load(std::memory_order_acquire);
-    if (seen == Absent &&
-      state.compare_exchange_strong(seen, BeingFilled, std::memory_order_acq_rel))
+    unsigned char found = state.load(std::memory_order_acquire);
+    if (found == Absent &&
+      state.compare_exchange_strong(found, BeingFilled, std::memory_order_acq_rel))
     {
       const BrickTimer timer(this->Counters);
       this->FillBrick(index);
@@ -171,10 +171,10 @@ private:
       state.store(Filled, std::memory_order_release);
       return;
     }
-    while (seen != Filled)
+    while (found != Filled)
     {
       std::this_thread::yield();
-      seen = state.load(std::memory_order_acquire);
+      found = state.load(std::memory_order_acquire);
     }
   }
 

@@ -37,12 +37,12 @@ bool IsFinite(const Value corners[8])
   return true;
 }
 
-/// A layout that is none: rays read the array of the user as it is.
+/// The layout without bricks: rays read the array of the user as it is.
 ///
 /// Every layout has a Reader, made for one ray at a time, that loads the corners of cells, and
-/// makes bricks on the way where they are missing. Readers of all threads work at once. Where the
-/// corners of a whole block of cells are kept in rows, values of type Kept with GetStrides between
-/// neighbours, FindBlock gives the first of them; else null.
+/// makes missing bricks as it goes. Readers of all threads work at once. Where the corners of a
+/// whole block of cells are kept in rows, values of type Kept with GetStrides between neighbours,
+/// FindBlock returns the first of them; else null.
 template <typename T>
 class Unbricked
 {

@@ -13,7 +13,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The types of samples the ray tracer reads in place.
+/// The types of samples that the ray tracer reads without a copy.
 enum class ScalarType
 {
   Int8,
@@ -28,7 +28,7 @@ enum class ScalarType
   Float64
 };
 
-/// The samples of a volume where their owner keeps them. Nothing is copied, nothing is owned.
+/// The samples of a volume in the memory of their owner. Nothing is copied, nothing is owned.
 struct VolumeView
 {
   const void* Samples = nullptr;
@@ -39,7 +39,7 @@ struct VolumeView
   std::ptrdiff_t Stride = 1;
 };
 
-/// The view again, with its type known to the compiler.
+/// The view with its type known to the compiler.
 template <typename T>
 class Samples
 {

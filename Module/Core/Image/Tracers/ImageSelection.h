@@ -5,11 +5,11 @@
 #define ImageSelection_h
 
 #include "Field/HitCollector.h"
+#include "Image/Lattice/CellLattice.h"
+#include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/ActiveMacrocells.h"
 #include "Image/Macrocells/BlockTree.h"
-#include "Image/Samples/CellLattice.h"
 #include "Kernels/Kernels.h"
-#include "Rays/Ray.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
@@ -23,7 +23,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What of an image is traced: the request, and what follows from it for the macrocells.
+/// What is traced of an image: the request, and what follows from it for the macrocells.
 struct ImageSelection
 {
   TraceRequest Request;
@@ -56,25 +56,17 @@ struct ImageSelection
     return HitCollector(this->Request, this->Lattice, hits);
   }
 
-  double GetOpacity(const Hit& hit) const
-  {
-    return this->Request.Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
-  }
-
   /// Whether rays end at a surface, so that only its first root in a cell counts.
   bool EndsRays(std::size_t surface) const
   {
     return this->Request.Surfaces[surface].Opacity >= 1.0 && this->Request.Visible.IsConvex();
   }
 
-  /// Whether a ray ends at the first surface it meets, wherever that is.
-  bool HasOnlyOpaqueSurfaces() const
+  /// Whether any hit of a ray ends it, wherever it is.
+  bool EndsRaysAtAnyHit() const
   {
-    const std::vector<Isosurface>& surfaces = this->Request.Surfaces;
-    return !this->Request.Projection && this->Request.Visible.IsConvex() &&
-      !this->Request.Visible.HasCaps() &&
-      std::all_of(surfaces.begin(), surfaces.end(),
-        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+    return this->Request.HasOnlyOpaqueSurfaces() && this->Request.Visible.IsConvex() &&
+      !this->Request.Visible.HasCaps();
   }
 
   /// A ray of a packet that exists.

@@ -16,9 +16,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Traces rays through an image: a class for each interpolant, of whose surfaces the hits are, and
-/// one for projections. One of them is made when something else is selected; any number of threads
-/// use it at once.
+/// Traces rays through an image: one class for the surfaces of each interpolant, and one for
+/// projections. A new one is made when the selection changes; any number of threads use it at once.
 class ImageTracer
 {
 public:
@@ -29,19 +28,19 @@ public:
   }
   virtual ~ImageTracer() = default;
 
-  /// Takes the spacing of the samples. Returns whether macrocells and cells are active by it, and
-  /// it is another one than before.
+  /// Sets the spacing of the samples. Returns whether macrocells and cells are active by it, and it
+  /// differs from the one before.
   virtual bool SetPlanes(const UnevenPlanes* /*planes*/) { return false; }
 
   /// Finds the macrocells that surfaces of the selected isovalues may pass. Masks of cells are made
-  /// for these isovalues from now on.
+  /// for these isovalues from then on.
   virtual ActiveMacrocells FindActive(int threads) = 0;
 
   /// Appends the hits of rays that are cut to what is visible.
   virtual void Trace(RayPacket& rays, RayHits& hits) = 0;
 
   /// Finds the rays that surfaces stop, which are all opaque and visible. There is a departure for
-  /// each ray. None if there is no other way than by hits.
+  /// each ray. Returns nothing if only hits can tell.
   virtual std::optional<StoppedRays> FindStopped(
     const RayPacket& /*rays*/, const Departure* /*departures*/)
   {
@@ -56,8 +55,8 @@ public:
       : this->GetFieldGradient(hit, mode);
   }
 
-  /// The gradients, in the mode of the request, at up to as many hits as a packet has rays, of
-  /// which the cells are given too.
+  /// The gradients, in the mode of the request, at up to as many hits as a packet has rays, whose
+  /// cells are given too.
   virtual void GetGradients(const Hit* hits, const Index3* /*cells*/, int count,
     double (*gradients)[RayPacket::Capacity]) const
   {

@@ -16,7 +16,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Interpolant::Nearest: rays go from cell to cell, and cross faces between boxes there.
+/// Interpolant::Nearest: rays traverse the cells, and cross faces between boxes there.
 template <typename T, typename Layout>
 class NearestTracer final : public SurfaceTracer
 {

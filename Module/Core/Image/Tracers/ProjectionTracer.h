@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// None: there are no surfaces. Rays look at the ranges of macrocells.
+  /// None: there are no surfaces. Rays use the ranges of macrocells.
   ActiveMacrocells FindActive(int /*threads*/) override
   {
     return ActiveMacrocells(this->Hierarchy.GetLattice());

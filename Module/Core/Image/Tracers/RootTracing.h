@@ -10,24 +10,23 @@
 #include "Image/Macrocells/CellMasks.h"
 #include "Image/Tracers/ImageSelection.h"
 #include "Image/Traversal/CellTraversal.h"
-#include "Image/Traversal/PacketTracer.h"
+#include "Image/Traversal/RayFollower.h"
 
 #include <algorithm>
 #include <vector>
 
-// Surfaces that are found as the roots of polynomials along the segments of rays in cells. What a
-// cell has to say is asked of ImageCells, an object for one thread with these functions:
-//   void Load(const Index3& cell): goes to a cell;
+// Surfaces that are found as the roots of polynomials along the segments of rays in cells. The
+// cells are given by ImageCells, an object for one thread with these functions:
+//   void Load(const Index3& cell): makes a cell the current one;
 //   bool MayHit(): whether a surface may pass the cell, if its macrocell is active;
-//   void FindRoots(const CellSegment& segment, bool all, RootSet& roots): the roots of all surfaces
-//   along a
-//     segment in the cell, in order. Behind one of an opaque surface there may be more;
-//   void Prefetch(const Index3& cell): says that the cells around it are needed soon.
+//   void FindRoots(const CellSegment& segment, bool all, RootSet& roots): finds the roots of all
+//     surfaces along a segment in the cell, in order; some may be behind opaque surfaces;
+//   void Prefetch(const Index3& cell): prefetches the cells around a cell.
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Adds the hits that the roots in a cell are. Returns whether nothing of the ray is left.
+/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left.
 inline bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
   const CellSegment& segment, const RootSet& roots, HitCollector& collector)
 {
@@ -42,7 +41,7 @@ inline bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& ce
   return false;
 }
 
-/// Traces each ray by itself, from cell to cell. This is the reference.
+/// Traces each ray by itself, cell by cell. This is the reference.
 template <typename ImageCells>
 void TraceCellByCell(
   const ImageSelection& selection, const RayPacket& rays, ImageCells& cells, RayHits& hits)
@@ -67,23 +66,16 @@ void TraceCellByCell(
     });
 }
 
-/// Follows each ray of a packet through the cells that the packet tracer finds for it.
+/// The cells of an image for the rays of a packet that are followed.
 template <typename T, typename ImageCells>
-class PacketFollower final : public PacketTracer::FollowedCells
+class FollowedImageCells : public RayFollower::FollowedCells
 {
 public:
-  PacketFollower(
-    const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, ImageCells& cells)
-    : Lattice(selection.Lattice)
-    , Rays(rays)
-    , Masks(masks)
+  FollowedImageCells(const RayPacket& rays, CellMasks<T>& masks, ImageCells& cells)
+    : Rays(rays)
     , TheCells(cells)
-    , Hits(static_cast<std::size_t>(rays.Count))
+    , Masks(masks)
   {
-    for (std::vector<Hit>& own : this->Hits)
-    {
-      this->Collectors.push_back(selection.NewCollector(own));
-    }
   }
 
   void Prefetch(const Index3& block) override
@@ -96,6 +88,31 @@ public:
   const BlockMask& GetMask(const Index3& block, BlockMask& own) override
   {
     return this->Masks.Get(block, own);
+  }
+
+protected:
+  const RayPacket& Rays;
+  ImageCells& TheCells;
+
+private:
+  CellMasks<T>& Masks;
+};
+
+/// Finds the hits of each ray in the cells that it is followed through.
+template <typename T, typename ImageCells>
+class HitFinder final : public FollowedImageCells<T, ImageCells>
+{
+public:
+  HitFinder(
+    const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, ImageCells& cells)
+    : FollowedImageCells<T, ImageCells>(rays, masks, cells)
+    , Lattice(selection.Lattice)
+    , Hits(static_cast<std::size_t>(rays.Count))
+  {
+    for (std::vector<Hit>& own : this->Hits)
+    {
+      this->Collectors.push_back(selection.NewCollector(own));
+    }
   }
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
@@ -127,9 +144,6 @@ public:
 
 private:
   const CellLattice& Lattice;
-  const RayPacket& Rays;
-  CellMasks<T>& Masks;
-  ImageCells& TheCells;
   /// Of each ray.
   std::vector<std::vector<Hit>> Hits;
   std::vector<HitCollector> Collectors;
@@ -138,18 +152,17 @@ private:
   RootSet Roots;
 };
 
-/// Traces rays as packets, and follows each through its cells.
+/// Traces rays as packets, and follows each ray through its cells.
 template <typename T, typename ImageCells>
 void TracePacket(const ImageSelection& selection, RayPacket& rays, CellMasks<T>& masks,
   ImageCells& cells, RayHits& hits)
 {
-  PacketTracer tracer(*selection.PacketKernels, *selection.Tree, selection.Lattice);
-  PacketFollower<T, ImageCells> follower(selection, rays, masks, cells);
-  tracer.FollowRays(rays, follower);
-  follower.GetHits(hits);
+  HitFinder<T, ImageCells> finder(selection, rays, masks, cells);
+  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
+  finder.GetHits(hits);
 }
 
-/// Adds what the crossings of surfaces in a cell are to a ray of a packet.
+/// Adds the effect of the crossings of surfaces in a cell to a ray of a packet.
 template <typename ImageCells>
 void FindStopsInCell(int number, const Ray& ray, const Index3& cell, const Departure& departure,
   ImageCells& cells, RootSet& roots, StoppedRays& stopped)
@@ -171,7 +184,7 @@ void FindStopsInCell(int number, const Ray& ray, const Index3& cell, const Depar
   }
 }
 
-/// Finds the rays that surfaces stop, each ray by itself, from cell to cell. This is the reference.
+/// Finds the rays that surfaces stop, each ray by itself, cell by cell. This is the reference.
 template <typename ImageCells>
 StoppedRays FindStoppedCellByCell(const ImageSelection& selection, const RayPacket& rays,
   const Departure* departures, ImageCells& cells)
@@ -195,30 +208,16 @@ StoppedRays FindStoppedCellByCell(const ImageSelection& selection, const RayPack
   return stopped;
 }
 
-/// Looks for any crossing in the cells that the packet tracer finds for a ray, in whatever order.
+/// Finds any crossing in the cells that the packet tracer finds for a ray, in any order.
 template <typename T, typename ImageCells>
-class StopFinder final : public PacketTracer::FollowedCells
+class StopFinder final : public FollowedImageCells<T, ImageCells>
 {
 public:
   StopFinder(
     const RayPacket& rays, const Departure* departures, CellMasks<T>& masks, ImageCells& cells)
-    : Rays(rays)
+    : FollowedImageCells<T, ImageCells>(rays, masks, cells)
     , Departures(departures)
-    , Masks(masks)
-    , TheCells(cells)
   {
-  }
-
-  void Prefetch(const Index3& block) override
-  {
-    this->Masks.Prefetch(block);
-    this->TheCells.Prefetch(
-      { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge });
-  }
-
-  const BlockMask& GetMask(const Index3& block, BlockMask& own) override
-  {
-    return this->Masks.Get(block, own);
   }
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
@@ -239,15 +238,12 @@ public:
   const StoppedRays& GetStopped() const { return this->Stopped; }
 
 private:
-  const RayPacket& Rays;
   const Departure* Departures;
-  CellMasks<T>& Masks;
-  ImageCells& TheCells;
   StoppedRays Stopped;
   RootSet Roots;
 };
 
-/// Finds the rays that surfaces stop, in packets if it can.
+/// Finds the rays that surfaces stop, in packets where possible.
 template <typename T, typename ImageCells>
 StoppedRays FindStoppedRays(const ImageSelection& selection, const RayPacket& rays,
   const Departure* departures, CellMasks<T>& masks, ImageCells& cells)
@@ -256,9 +252,8 @@ StoppedRays FindStoppedRays(const ImageSelection& selection, const RayPacket& ra
   {
     return FindStoppedCellByCell(selection, rays, departures, cells);
   }
-  PacketTracer tracer(*selection.PacketKernels, *selection.Tree, selection.Lattice);
   StopFinder<T, ImageCells> finder(rays, departures, masks, cells);
-  tracer.FollowRays(rays, finder);
+  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
   return finder.GetStopped();
 }
 

@@ -54,8 +54,8 @@ void SurfaceTracer::TraceBetweenCaps(const RayPacket& rays, RayHits& hits)
 }
 
 //------------------------------------------------------------------------------
-/// Finds the caps of a ray, and cuts it to what is between. If that is nothing, or if the first cap
-/// is opaque, the ray does not exist any more.
+/// Finds the caps of a ray, and cuts it to the part between them. If nothing is left, or if the
+/// first cap is opaque, the ray no longer exists.
 SurfaceTracer::RayCaps SurfaceTracer::CutToCaps(RayPacket& rays, int i) const
 {
   Ray ray = this->Selection.TakeRay(rays, i);
@@ -65,7 +65,8 @@ SurfaceTracer::RayCaps SurfaceTracer::CutToCaps(RayPacket& rays, int i) const
   rays.End[i] = ray.End;
   RayCaps caps;
   caps.First = this->FindCap(ray, RayEnd::Begin, firstPlane);
-  if (!(ray.Begin < ray.End) || (caps.First && this->Selection.GetOpacity(*caps.First) >= 1.0))
+  if (!(ray.Begin < ray.End) ||
+    (caps.First && this->Selection.Request.GetOpacity(*caps.First) >= 1.0))
   {
     Remove(i, rays.Exists);
     return caps;
@@ -76,7 +77,7 @@ SurfaceTracer::RayCaps SurfaceTracer::CutToCaps(RayPacket& rays, int i) const
 
 //------------------------------------------------------------------------------
 /// The half-space with caps in whose plane a ray begins or ends; there may be none. Where other
-/// planes coincide with it, the ray goes on to what the half-space leaves.
+/// planes coincide with it, the ray is extended to what the half-space leaves.
 int SurfaceTracer::GoToPlane(Ray& ray, RayEnd end) const
 {
   const Index3& cells = this->Selection.Lattice.GetCells();

@@ -27,8 +27,8 @@ protected:
   /// Whether samples are boxes, whose faces coincide with planes as those of cells do.
   virtual bool HasBoxes() const { return false; }
 
-  /// Gives a cap at the end of a ray its value, and the innermost of the surfaces it shows the
-  /// inside of; Hit::NoSurface if there is none.
+  /// Sets the value of a cap at the end of a ray, and its surface: the innermost whose inside it
+  /// shows, or Hit::NoSurface.
   virtual void EvaluateCap(const Ray& ray, const EndCell& end, Hit& cap) const = 0;
 
   /// The surface of the largest isovalue whose inside a point is in, or Hit::NoSurface:

@@ -88,8 +88,8 @@ public:
 
   bool SetPlanes(const UnevenPlanes* planes) override { return this->Field.SetPlanes(planes); }
 
-  /// A macrocell is active by the samples around it too, and by what coefficients may overshoot;
-  /// the mask of a block has the cells with coefficients on both sides.
+  /// A macrocell is active also by the samples around it, and by the overshoot of coefficients; the
+  /// mask of a block has the cells with coefficients on both sides.
   ActiveMacrocells FindActive(int threads) override
   {
     const std::vector<double> isovalues = this->GetIsovalues();

@@ -34,7 +34,7 @@ public:
   /// Whether some corners are inside and others not, and all are finite.
   bool MayHit() const
   {
-    // NaN compares false; IsFinite settles what slips through.
+    // NaN compares false; IsFinite then decides.
     Value low = this->Corners[0];
     Value high = this->Corners[0];
     for (int i = 1; i < 8; ++i)

@@ -7,7 +7,7 @@
 #include "Image/Macrocells/CellMasks.h"
 #include "Image/Tracers/RootTracing.h"
 #include "Image/Tracers/TrilinearCells.h"
-#include "Image/Traversal/PacketTracer.h"
+#include "Image/Traversal/FirstHitTracer.h"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace vtkIsosurfaceRayTracing
 /// The cells of an image for a packet of rays, of which the packet tracer finds the first hits with
 /// one surface of the trilinear interpolant.
 template <typename T, typename Layout>
-class TrilinearFirstHits final : public PacketTracer::FirstHitCells
+class TrilinearFirstHits final : public FirstHitTracer::FirstHitCells
 {
 public:
   TrilinearFirstHits(
@@ -55,13 +55,13 @@ public:
 
   void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
   {
-    // Those behind the last, up to a vector, are as the first.
+    // Those behind the last, up to a full vector, repeat the first.
     const int count = cells.Count + PassedCells::Spare;
     this->Copies.resize(8 * static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
     {
       const unsigned int code = cells.Codes[i];
-      const int* first = passages.First[passages.Ways[code & 0xFFFFU].Block];
+      const int* first = passages.First[passages.Segments[code & 0xFFFFU].Block];
       Index3 cell = { first[0], first[1], first[2] };
       cell[static_cast<std::size_t>(axis)] += static_cast<int>(code >> 16 & 7U);
       cell[static_cast<std::size_t>(BlockMask::U[axis])] += static_cast<int>(code >> 24 & 7U);
@@ -88,8 +88,8 @@ public:
   void FindStops(
     int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) override
   {
-    RootSet roots;
-    FindStopsInCell(ray, GetRay(this->Rays, ray), cell, departure, this->Cells, roots, stopped);
+    FindStopsInCell(
+      ray, GetRay(this->Rays, ray), cell, departure, this->Cells, this->Roots, stopped);
   }
 
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
@@ -101,13 +101,12 @@ public:
     {
       return false;
     }
-    RootSet roots;
-    this->Cells.FindRoots(segment, false, roots);
-    if (roots.Get().empty())
+    this->Cells.FindRoots(segment, false, this->Roots);
+    if (this->Roots.Get().empty())
     {
       return false;
     }
-    const Root& root = roots.Get().front();
+    const Root& root = this->Roots.Get().front();
     hit = MakeHit(
       own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering);
     begin = { segment.Begin, segment.BeginAxis };
@@ -137,8 +136,10 @@ private:
   CellMasks<T>& Masks;
   TrilinearCells<Layout> Cells;
   typename Layout::Reader& Reader;
-  /// The eight corners of each cell that is looked at where there are no rows.
+  /// The eight corners of each cell that is classified where there are no rows.
   std::vector<typename Layout::Value> Copies;
+  /// Kept for its memory.
+  RootSet Roots;
 };
 
 }

@@ -40,7 +40,7 @@ public:
   void GetGradients(const Hit* hits, const Index3* cells, int count,
     double (*gradients)[RayPacket::Capacity]) const override
   {
-    // Kernels know even spacing only. Where no cell is inner, none is asked for.
+    // Kernels require even spacing. Where no cell is inner, none is called.
     const Kernels* kernels = this->Selection.PacketKernels;
     if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences ||
       this->Selection.Lattice.GetPlanes() || !this->Gradients.IsInner({ 1, 1, 1 }))
@@ -64,7 +64,7 @@ public:
   {
     if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
     {
-      PacketTracer tracer(
+      FirstHitTracer tracer(
         *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
       TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
       return tracer.FindStopped(rays, cells, this->Selection.Isovalues[0], departures);
@@ -113,7 +113,7 @@ protected:
   }
 
 private:
-  /// Of one opaque surface the first hits are all there is to find.
+  /// Of one opaque surface only the first hits are needed.
   bool CanTraceFirstHits() const
   {
     return this->Selection.Request.Solver == RootSolver::Robust &&
@@ -122,7 +122,7 @@ private:
 
   void TraceFirstHits(RayPacket& rays, RayHits& hits)
   {
-    PacketTracer tracer(
+    FirstHitTracer tracer(
       *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
     TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
     const PacketHits& found = tracer.FindFirstHits(rays, cells, this->Selection.Isovalues[0]);

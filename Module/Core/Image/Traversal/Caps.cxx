@@ -15,8 +15,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// In cells. Planes that are so near to each other coincide: what is visible in them is not left to
-/// rounding.
+/// In cells. Planes that are so near to each other coincide: rounding must not decide what is
+/// visible in them.
 constexpr double PlaneThickness = 1e-6;
 
 /// Whether a ray begins where it enters the box of all cells, or ends where it leaves it.
@@ -60,8 +60,8 @@ int FindCappedPlane(
 //------------------------------------------------------------------------------
 EndCell FindEndCell(const Ray& ray, RayEnd end, const Index3& cells)
 {
-  // Of planes that are crossed right there, those at the begin are behind the ray, and those at the
-  // end before it.
+  // Of planes that are crossed at the same t, those at the begin are behind the ray, and those at
+  // the end before it.
   constexpr int beforeAllAxes = -1;
   const Crossing start = end == RayEnd::Begin ? Crossing{ ray.Begin, Crossing::StartAxis }
                                               : Crossing{ ray.End, beforeAllAxes };

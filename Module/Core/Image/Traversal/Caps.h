@@ -4,16 +4,16 @@
 #ifndef Caps_h
 #define Caps_h
 
-#include "Rays/Ray.h"
+#include "Image/Lattice/Ray.h"
 #include "Rays/Visibility.h"
 
 #include <vector>
 
-// A cap closes the inside of a surface where a half-space cuts it open. A ray meets one where it
-// is cut: at its begin, its end, or both. Whether it is inside there is asked in the cell where its
-// cut part begins (or ends), of the very value that the solvers start from (or come to). So the
-// signs chain from the cap to the hits: a ray that begins with a cap leaves the surface next, one
-// that does not enters it. There is no crack between cap and surface.
+// A cap closes the inside of a surface where a half-space cuts it open. A ray meets one where it is
+// cut: at its begin, its end, or both. Whether it is inside there is decided in the cell where its
+// cut part begins (or ends), by exactly the value that the solvers start from (or end with). So the
+// signs are continuous from the cap to the hits: a ray that begins with a cap leaves the surface
+// next, one that does not enters it. There is no crack between cap and surface.
 
 namespace vtkIsosurfaceRayTracing
 {

@@ -4,8 +4,8 @@
 #ifndef CellTraversal_h
 #define CellTraversal_h
 
+#include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/ActiveMacrocells.h"
-#include "Rays/Ray.h"
 
 #include <algorithm>
 #include <array>
@@ -82,8 +82,7 @@ private:
       axis, (this->TheRay->Step[axis] > 0 ? block + 1 : block) * this->Edge);
   }
 
-  // The floor of a coordinate is a guess, off by one where rounding will have it so; the planes
-  // decide.
+  // The floor of a coordinate is a guess, off by one through rounding; the planes decide.
   int Locate(std::size_t axis, const Crossing& start) const
   {
     const int step = this->TheRay->Step[axis];
@@ -139,13 +138,13 @@ struct CellRegion
 
 /// The active macrocells of the finest level that a ray passes, in order, each as the region of its
 /// cells; without macrocells, the whole volume. The ray and the macrocells must outlive the
-/// traversal. Which ones are active is asked when the traversal comes to them, and may change on
-/// the way.
+/// traversal. Whether a macrocell is active is read when the traversal reaches it, and may change
+/// meanwhile.
 template <typename Macrocells>
 class MacrocellTraversal
 {
 public:
-  /// More than any volume has use for.
+  /// More than any volume needs.
   static constexpr std::size_t MaximumLevels = 8;
 
   MacrocellTraversal(const Ray& ray, const Macrocells& active)
@@ -198,7 +197,7 @@ public:
   }
 
 private:
-  /// Moves to the next block of the level, or of the level above where there is none.
+  /// Moves to the next block of the level, or of the level above if it has none.
   void Advance()
   {
     while (this->Level < this->Top)

@@ -13,13 +13,13 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Leads a frustum of rays through a tree of blocks, slice by slice across its axis, to the
-/// active macrocells it may pass. Those of one slice come together, in no order; a ray meets
-/// nothing in a later slice that is not behind everything it meets in an earlier one.
+/// Traverses a tree of blocks with a frustum of rays, slice by slice across its axis, to the active
+/// macrocells it may pass. Those of one slice come together, in no order; everything that a ray
+/// meets in a later slice is behind everything it meets in an earlier one.
 class FrustumTraversal
 {
 public:
-  /// No frustum may be wider, in cells.
+  /// The maximum width of a frustum, in cells.
   static constexpr double LargestWidth = 96.0;
 
   /// The tree must outlive the traversal.
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  /// Members of a slice, by their places across the axis.
+  /// Members of a slice, by their positions across the axis.
   struct Members
   {
     static constexpr int Capacity = 256;
@@ -86,7 +86,7 @@ private:
   };
 
   /// Calls function(i) for count numbers from first on, in the order of the frustum, until it
-  /// returns true; and returns whether it did.
+  /// returns true; returns whether it did.
   template <typename Function>
   bool ForEachMember(int first, int count, const Function& function) const
   {
@@ -107,7 +107,7 @@ private:
       [&](int slice) { return this->EnterSlice(level, slice, blocks, visit); });
   }
 
-  /// Goes on with the members of blocks that are active and that the frustum may pass in a slice.
+  /// Continues with the members of blocks that are active and that the frustum may pass in a slice.
   template <typename Visit>
   bool EnterSlice(std::size_t level, int slice, const Members& blocks, const Visit& visit) const
   {

@@ -6,9 +6,9 @@
 
 #include "Image/Cells/CellSegment.h"
 #include "Image/Cells/LargestValue.h"
+#include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Traversal/CellTraversal.h"
-#include "Rays/Ray.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
@@ -56,12 +56,12 @@ void ForEachVisiblePiece(const Ray& ray, const CroppingRegions& regions, const V
   }
 }
 
-/// Finds the extreme values of rays: in every cell that may exceed what was found so far, the
-/// largest value of the cubic. What macrocells cannot exceed it are stepped over, on all levels.
-/// The smallest value is minus the largest of the negated samples, to the last bit.
+/// Finds the extreme values of rays: in every cell that may exceed the largest value so far, the
+/// largest value of the cubic. Macrocells that cannot exceed it are skipped, on all levels. The
+/// smallest value is minus the largest of the negated samples, to the last bit.
 ///
-/// The value of a cell depends on ray and cell alone and never exceeds the corners, so it makes no
-/// difference to the result which cells are not looked at, and what is known beforehand.
+/// The value of a cell depends on ray and cell alone and never exceeds the corners, so the result
+/// depends neither on which cells are skipped nor on what is known beforehand.
 template <typename T, typename Layout, Extremum Kind>
 class Projector
 {
@@ -92,7 +92,7 @@ public:
     }
   }
 
-  // What MacrocellTraversal asks.
+  // The interface of MacrocellTraversal.
   const MacrocellLattice& GetLattice() const { return this->Hierarchy.GetLattice(); }
   bool IsActive(std::size_t level, const Index3& macrocell) const
   {
@@ -134,9 +134,9 @@ private:
     }
   }
 
-  /// Looks where the ray before had its extreme value: the nearer to that of this ray, the more
-  /// there is to step over. What is found is not the result yet, which may lie before it and be the
-  /// same.
+  /// Starts where the ray before had its extreme value: the nearer that is to the value of this
+  /// ray, the more can be skipped. What is found is not the result yet, which may lie before it
+  /// with an equal value.
   void Guess(const Ray& ray)
   {
     const double t =
@@ -160,8 +160,7 @@ private:
     }
   }
 
-  /// Takes the largest value of a cell, if it exceeds what was found so far. Returns whether it
-  /// does.
+  /// Takes the largest value of a cell, if it exceeds the largest so far. Returns whether it does.
   bool Visit(const Ray& ray, const Index3& cell, Hit& hit)
   {
     Value corners[8];
@@ -197,7 +196,7 @@ private:
   const Visibility& Visible;
   const CellLattice& Lattice;
   const UnevenPlanes* Planes;
-  /// Only what exceeds this is of interest.
+  /// Only values above this matter.
   double Best = 0.0;
   /// Where the ray before had its extreme value.
   Vector3 Last = { 0.0, 0.0, 0.0 };

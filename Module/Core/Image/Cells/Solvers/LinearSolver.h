@@ -10,10 +10,10 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The signs at the two ends of the segment decide, and linear interpolation between them places
+/// The signs at the two ends of the segment decide, and linear interpolation between the ends gives
 /// the hit: A. Neubauer, L. Mroz, H. Hauser, R. Wegenkittl: Cell-Based First-Hit Ray Casting,
-/// VisSym 2002, in its cheapest form. Two crossings in one cell are missed, of three the first may
-/// be. For previews.
+/// VisSym 2002, in its cheapest form. Two crossings in one cell are missed; of three, the first may
+/// be missed. For previews.
 namespace Linear
 {
 

@@ -68,7 +68,8 @@ inline BernsteinCubic Normalize(BernsteinCubic b)
 }
 
 /// Calls visit(u, entering) for every root of the cubic in [0, 1], in order, until visit returns
-/// true. Entering tells whether the ray goes in (from below the isovalue to at or above it).
+/// true. Entering says whether the ray enters the surface (from below the isovalue to at or above
+/// it).
 template <typename Visit>
 void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
 {

@@ -14,24 +14,24 @@ namespace vtkIsosurfaceRayTracing
 
 /// Where the lattice planes of a volume stand whose samples are not evenly spaced.
 ///
-/// Rays go through the space that these places are in, in straight lines. A cell is a box there,
-/// and its interpolant is trilinear in the coordinates of the box, so that all that is said of a
-/// ray in a cell holds as it does where planes stand at whole numbers. The first plane of an axis
-/// stands at 0 and the last, plane n, at n: the spacing is 1 in the mean, and the box of the volume
-/// is the same as with even spacing.
+/// Rays are straight lines in the space of these coordinates. A cell is a box there, and its
+/// interpolant is trilinear in the coordinates of the box, so that all that is said of a ray in a
+/// cell holds as it does where planes stand at whole numbers. The first plane of an axis stands at
+/// 0 and the last, plane n, at n: the mean spacing is 1, and the box of the volume is the same as
+/// with even spacing.
 ///
-/// Places never fall. Where two planes coincide, the cell between them is flat: a ray crosses it in
-/// no time, from the one face to the other, and meets a surface there if it has one.
+/// Coordinates never decrease. Where two planes coincide, the cell between them is flat: a ray
+/// crosses it at one t, from one face to the other, and meets a surface there if it has one.
 class UnevenPlanes
 {
 public:
-  /// For each axis at least two places, which do not fall, from 0 to the number of the last plane.
-  explicit UnevenPlanes(std::array<std::vector<double>, 3> places)
-    : Places(std::move(places))
+  /// At least two coordinates for each axis, non-decreasing from 0 to the number of the last plane.
+  explicit UnevenPlanes(std::array<std::vector<double>, 3> coordinates)
+    : Coordinates(std::move(coordinates))
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const int planes = static_cast<int>(this->Places[axis].size());
+      const int planes = static_cast<int>(this->Coordinates[axis].size());
       for (int plane = 0; plane < planes; ++plane)
       {
         const double below = plane > 0 ? this->GetWidth(axis, plane - 1) : 0.0;
@@ -41,11 +41,12 @@ public:
     }
   }
 
-  /// Where a plane stands. Beyond the last plane it is the last one: macrocells may reach further.
+  /// The coordinate of a plane. Beyond the last plane it is that of the last: macrocells may extend
+  /// further.
   double Get(std::size_t axis, int plane) const
   {
-    const std::vector<double>& places = this->Places[axis];
-    return places[std::min(static_cast<std::size_t>(plane), places.size() - 1)];
+    const std::vector<double>& coordinates = this->Coordinates[axis];
+    return coordinates[std::min(static_cast<std::size_t>(plane), coordinates.size() - 1)];
   }
 
   double GetWidth(std::size_t axis, int cell) const
@@ -59,8 +60,8 @@ public:
       this->GetWidth(2, cell[2]) > 0.0);
   }
 
-  /// What the rises of a field from the plane below and to the plane above are multiplied by, to
-  /// make its slope at a plane: that of the parabola through the three.
+  /// The weights of the differences of a field to the plane below and to the plane above in its
+  /// slope at a plane: that of the parabola through the three values.
   struct SlopeWeights
   {
     double Below;
@@ -72,12 +73,14 @@ public:
     return this->Slopes[axis][static_cast<std::size_t>(plane)];
   }
 
-  /// The cell that a place is in; in a plane, that above. Beside the volume, the nearest.
-  int FindCell(std::size_t axis, double place) const
+  /// The cell that contains a coordinate; in a plane, the cell above it. Outside the volume, the
+  /// nearest cell.
+  int FindCell(std::size_t axis, double coordinate) const
   {
-    const std::vector<double>& places = this->Places[axis];
+    const std::vector<double>& coordinates = this->Coordinates[axis];
     return static_cast<int>(
-      std::upper_bound(places.begin() + 1, places.end() - 1, place) - places.begin() - 1);
+      std::upper_bound(coordinates.begin() + 1, coordinates.end() - 1, coordinate) -
+      coordinates.begin() - 1);
   }
 
   /// A point given in the coordinates of a cell.
@@ -95,8 +98,8 @@ public:
 private:
   /// The slope is the mean of those to both sides, of which the nearer counts more. (The rise
   /// between the neighbours over their distance would be off by half the difference of the two
-  /// widths, times the second derivative; one would see it.) At the border of the volume and beside
-  /// a flat cell, the slope to the other side.
+  /// widths, times the second derivative, which is visible.) At the border of the volume and beside
+  /// a flat cell, it is the slope to the other side.
   static SlopeWeights ParabolaWeights(double below, double above)
   {
     if (below > 0.0 && above > 0.0)
@@ -106,7 +109,7 @@ private:
     return { below > 0.0 ? 1.0 / below : 0.0, above > 0.0 ? 1.0 / above : 0.0 };
   }
 
-  std::array<std::vector<double>, 3> Places;
+  std::array<std::vector<double>, 3> Coordinates;
   std::array<std::vector<SlopeWeights>, 3> Slopes;
 };
 

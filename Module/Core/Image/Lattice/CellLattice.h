@@ -5,8 +5,8 @@
 #define CellLattice_h
 
 #include "Field/HitCollector.h"
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Rays/Hit.h"
-#include "Rays/UnevenPlanes.h"
 
 #include <cstdint>
 #include <limits>
@@ -14,11 +14,11 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The cells between the samples of an image: where they are and how they are numbered, x fastest.
+/// The cells between the samples of an image: their planes, and their numbers, x fastest.
 class CellLattice final : public HitLocator
 {
 public:
-  /// Of so many samples.
+  /// Given the numbers of samples.
   explicit CellLattice(const Index3& dimensions)
     : Dimensions(dimensions)
     , Cells{ dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }
@@ -28,7 +28,7 @@ public:
   const Index3& GetDimensions() const { return this->Dimensions; }
   const Index3& GetCells() const { return this->Cells; }
 
-  /// Where the lattice planes stand; null, as at first, if at whole numbers. They must outlive the
+  /// The lattice planes; null, as at first, stands for whole numbers. They must outlive the
   /// lattice.
   void SetPlanes(const UnevenPlanes* planes) { this->Planes = planes; }
   const UnevenPlanes* GetPlanes() const { return this->Planes; }

@@ -4,9 +4,10 @@
 #ifndef Ray_h
 #define Ray_h
 
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Math/Vector.h"
+#include "Rays/CellCrossings.h"
 #include "Rays/RayPacket.h"
-#include "Rays/UnevenPlanes.h"
 
 #include <optional>
 
@@ -24,9 +25,9 @@ struct Ray
   Vector3 Origin;
   /// In cells (uneven: cells of mean size) per unit of t.
   Vector3 Direction;
-  /// One over the direction. Where the ray is parallel to the planes of an axis there is no such
-  /// number; there it is the place of the cells along the axis that the ray stays in. (In a face
-  /// between cells it stays in those above; at the border of the volume, in the last ones.)
+  /// One over the direction. Along an axis whose planes the ray is parallel to, it is instead the
+  /// coordinate of the cells that the ray stays in. (In a face between cells it stays in those
+  /// above; at the border of the volume, in the last ones.)
   Vector3 Inverse;
   /// The sign of the direction; 0 where the ray is parallel to the lattice planes of that axis.
   Index3 Step;
@@ -47,42 +48,23 @@ struct Ray
     return this->CrossingTAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
   }
 
-  /// The same for the plane at a place.
-  double CrossingTAt(std::size_t axis, double place) const
+  /// The same for the plane at a coordinate.
+  double CrossingTAt(std::size_t axis, double coordinate) const
   {
-    return (place - this->Origin[axis]) * this->Inverse[axis];
+    return (coordinate - this->Origin[axis]) * this->Inverse[axis];
   }
 
   /// The same for the plane in the middle between the lattice planes k and k + 1.
   double MiddleCrossingT(std::size_t axis, int k) const
   {
-    const double place =
+    const double coordinate =
       this->Planes ? this->Planes->Get(axis, k) + 0.5 * this->Planes->GetWidth(axis, k) : k + 0.5;
-    return (place - this->Origin[axis]) * this->Inverse[axis];
+    return (coordinate - this->Origin[axis]) * this->Inverse[axis];
   }
 
   double Coordinate(std::size_t axis, double t) const
   {
     return this->Origin[axis] + t * this->Direction[axis];
-  }
-};
-
-/// A place on a ray: every plane whose crossing comes before it, or is it, has been crossed.
-///
-/// Planes crossed at the same t (the ray meets an edge or a vertex) are crossed in the order x, y,
-/// z. So every ray has one sequence of cells, in which neighbours share a face, and every cell of
-/// it can be recognised without knowing the others.
-struct Crossing
-{
-  double T;
-  /// The axis of the plane crossed; StartAxis where the place is no crossing but a mere t.
-  int Axis;
-
-  static constexpr int StartAxis = 3;
-
-  bool operator<(const Crossing& other) const
-  {
-    return this->T < other.T || (this->T == other.T && this->Axis < other.Axis);
   }
 };
 
@@ -92,40 +74,40 @@ struct Crossing
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
   double tEnd, const Index3& dimensions, const UnevenPlanes* planes = nullptr);
 
-/// Puts a ray at the end of a packet that has room for it.
-inline void AddRay(const std::optional<Ray>& ray, RayPacket& packet)
+/// Appends a ray to a packet that has room for it.
+inline void AppendRay(const std::optional<Ray>& ray, RayPacket& packet)
 {
-  const int place = packet.Count++;
+  const int index = packet.Count++;
   if (!ray)
   {
     return;
   }
-  Add(place, packet.Exists);
+  Add(index, packet.Exists);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    packet.Origin[axis][place] = ray->Origin[axis];
-    packet.Direction[axis][place] = ray->Direction[axis];
-    packet.Inverse[axis][place] = ray->Inverse[axis];
+    packet.Origin[axis][index] = ray->Origin[axis];
+    packet.Direction[axis][index] = ray->Direction[axis];
+    packet.Inverse[axis][index] = ray->Inverse[axis];
   }
-  packet.Begin[place] = ray->Begin;
-  packet.End[place] = ray->End;
-  packet.Base[place] = ray->Base;
+  packet.Begin[index] = ray->Begin;
+  packet.End[index] = ray->End;
+  packet.Base[index] = ray->Base;
 }
 
 /// A ray of a packet that exists.
-inline Ray GetRay(const RayPacket& packet, int place)
+inline Ray GetRay(const RayPacket& packet, int index)
 {
   Ray ray;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ray.Origin[axis] = packet.Origin[axis][place];
-    ray.Direction[axis] = packet.Direction[axis][place];
-    ray.Inverse[axis] = packet.Inverse[axis][place];
+    ray.Origin[axis] = packet.Origin[axis][index];
+    ray.Direction[axis] = packet.Direction[axis][index];
+    ray.Inverse[axis] = packet.Inverse[axis][index];
     ray.Step[axis] = ray.Direction[axis] > 0.0 ? 1 : (ray.Direction[axis] < 0.0 ? -1 : 0);
   }
-  ray.Begin = packet.Begin[place];
-  ray.End = packet.End[place];
-  ray.Base = packet.Base[place];
+  ray.Begin = packet.Begin[index];
+  ray.End = packet.End[index];
+  ray.Base = packet.Base[index];
   return ray;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Rays/Ray.h"
+#include "Image/Lattice/Ray.h"
 
 #include "Rays/ClippedRays.h"
 

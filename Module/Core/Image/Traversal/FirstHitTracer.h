@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef FirstHitTracer_h
+#define FirstHitTracer_h
+
+#include "Field/Departure.h"
+#include "Image/Lattice/CellLattice.h"
+#include "Image/Lattice/Ray.h"
+#include "Image/Traversal/PacketTracer.h"
+#include "Rays/Hit.h"
+
+#include <array>
+#include <cstddef>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The first hits of the rays of a packet.
+struct PacketHits
+{
+  /// The rays that hit.
+  RaySet Found;
+  std::array<Hit, RayPacket::Capacity> Hits;
+  /// Where each ray enters the cell of its hit.
+  std::array<Crossing, RayPacket::Capacity> Begin;
+};
+
+/// Finds the first hits of a packet with one opaque surface, or whether there is any.
+///
+/// Single precision classifies most of the cells that the rays pass as sure misses or sure hits;
+/// the remaining candidates are solved together, exactly as for a single ray.
+class FirstHitTracer final : public PacketTracer
+{
+public:
+  /// Cells in which the first hits with one surface are found.
+  class FirstHitCells : public Cells
+  {
+  public:
+    /// The address of the first corner of the first cell of a block; null unless all its corners
+    /// are kept in rows.
+    virtual const void* FindCorner(const Index3& block) = 0;
+    /// The strides from there to the next corner along each axis, in bytes.
+    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
+    /// Copies the corners of cells, wherever they are kept; valid until the next copy.
+    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
+    /// Calls the kernels for corners that are kept in rows, or were copied.
+    virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
+      Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
+    virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
+    /// Adds the effect of the crossings of the surface in a cell to a ray of the packet.
+    virtual void FindStops(
+      int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) = 0;
+    /// Solves a cell that the kernels do not: the first hit of a ray of the packet in it, and where
+    /// the ray enters the cell. Returns false if there is none.
+    virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
+  };
+
+  /// All must outlive the tracer.
+  FirstHitTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
+    : PacketTracer(kernels, tree, RayPacket::Capacity)
+    , Lattice(lattice)
+  {
+  }
+
+  /// Finds the first hits of all rays of a packet that exist, with one surface. The candidates of
+  /// many rays are solved at once.
+  const PacketHits& FindFirstHits(
+    const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
+
+  /// Finds the rays of a packet that one surface stops, wherever that is. There is a departure for
+  /// each ray.
+  const StoppedRays& FindStopped(const RayPacket& packet, FirstHitCells& cells,
+    const ScaledIsovalue& isovalue, const Departure* departures);
+
+private:
+  void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
+  void BeginFrustum(const Frustum& frustum) override;
+  void AddBlock(const Frustum& frustum, const Index3& block) override;
+  void EndSlice(const Frustum& frustum) override;
+  void ClassifyPassages(const Frustum& frustum);
+  bool IsOver(int passage) const;
+  void AddCellsOfSlice(int axis, int passage, int slice);
+  void ClassifyQueue(const Frustum& frustum);
+  void SolveCandidates();
+  void DropStoppedCandidates();
+  void StopAtSureHits(const Frustum& frustum);
+  void StopAtCandidate(int candidate);
+  void StopInCell(int ray, const Index3& cell);
+  Index3 GetCell(int candidate) const;
+  Hit GetHit(int candidate) const;
+  void FindFirstHit(int ray, const Index3& cell);
+  void Keep(int ray, const Hit& hit, const Crossing& begin);
+
+  const CellLattice& Lattice;
+  FirstHitCells* Source = nullptr;
+  ScaledIsovalue Isovalue = {};
+  PacketHits Hits;
+  /// Where rays start, if only whether they are stopped is requested; else null.
+  const Departure* Departures = nullptr;
+  StoppedRays Stopped;
+  /// The rays that surely hit something, at any t: where values fall, and where they rise along the
+  /// axis of the frustum.
+  RaySet SurelyHit[2] = {};
+  /// Whether the corners of all passages are kept in rows.
+  bool AllInRows = true;
+  PassedCells Queue;
+  /// Whether the corners of the candidates were copied.
+  bool AreCopied = false;
+  Candidates Waiting;
+  Solutions Solved;
+  std::array<std::ptrdiff_t, 3> CornerSteps = {};
+  /// From the first corner of a slice of cells to that of each of its cells.
+  std::array<std::ptrdiff_t, 64> StepsInSlice = {};
+};
+
+}
+
+#endif
