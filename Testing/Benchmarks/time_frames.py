@@ -5,8 +5,9 @@
 
     time_frames.py interpolation VOLUME ISOVALUE   tricubic beside trilinear isosurfaces
     time_frames.py projection VOLUME               maximum intensity beside the fixed-point mapper
+    time_frames.py secondary VOLUME ISOVALUE...    shadows and ambient occlusion beside neither
 
-The first in time of the processors, all threads together; the second in time of the clock."""
+The second in time of the clock, the others in time of the processors, all threads together."""
 
 import statistics
 import sys
@@ -128,11 +129,29 @@ def time_projection(file_name):
     print_table(["frame, ms"], [frames])
 
 
+def time_secondary(file_name, *isovalues):
+    """All isosurfaces are opaque."""
+    image = read(file_name)
+    volumes = {name: new_isosurface(image, float(isovalues[0]), vtkIsosurfaceRayTraceMapper.TRILINEAR)
+               for name in ("neither", "shadows", "ambient occlusion, 16 rays")}
+    for volume in volumes.values():
+        for i, isovalue in enumerate(isovalues):
+            volume.GetProperty().GetIsoSurfaceValues().SetValue(i, float(isovalue))
+    volumes["shadows"].GetMapper().ShadowsOn()
+    occluded = volumes["ambient occlusion, 16 rays"].GetMapper()
+    occluded.AmbientOcclusionOn()
+    occluded.SetNumberOfAmbientOcclusionRays(16)
+    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
+    print_table(["processor ms per frame"], [frames])
+
+
 def main():
     if len(sys.argv) == 4 and sys.argv[1] == "interpolation":
         time_interpolation(*sys.argv[2:])
     elif len(sys.argv) == 3 and sys.argv[1] == "projection":
         time_projection(sys.argv[2])
+    elif len(sys.argv) >= 4 and sys.argv[1] == "secondary":
+        time_secondary(*sys.argv[2:])
     else:
         sys.exit(__doc__)
 

@@ -255,7 +255,7 @@ void PixelBlockRenderer::WriteHits()
       Hit& kept =
         this->Picture.Hits[this->GetOffset(index % this->Block.Width, index / this->Block.Width)];
       const Hit& hit = hits.Hits[hits.First[ray]];
-      if (kept.Surface == Hit::NoSurface || hit.T < kept.T)
+      if (i == 0 || kept.Surface == Hit::NoSurface || hit.T < kept.T)
       {
         kept = hit;
       }

@@ -14,6 +14,31 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// Divides numbers of 32 bits by the same one, at least 1, by a multiplication. (D. Lemire, O.
+/// Kaser, N. Kurz: Faster Remainder by Direct Computation. Software: Practice and Experience 49(6),
+/// 2019.)
+class Divisor
+{
+public:
+  explicit Divisor(int divisor)
+    : IsOne(divisor == 1)
+    , Inverse(~std::uint64_t{ 0 } / static_cast<std::uint64_t>(divisor) + 1)
+  {
+  }
+
+  std::uint32_t Divide(std::uint32_t number) const
+  {
+    const std::uint64_t low = (this->Inverse & 0xFFFFFFFFU) * number;
+    const std::uint64_t high = (this->Inverse >> 32) * number;
+    return this->IsOne ? number : static_cast<std::uint32_t>((high + (low >> 32)) >> 32);
+  }
+
+private:
+  bool IsOne;
+  /// 2^64 over the divisor, rounded up.
+  std::uint64_t Inverse;
+};
+
 /// The cells between the samples of an image: their planes, and their numbers, x fastest.
 class CellLattice final : public HitLocator
 {
@@ -22,6 +47,8 @@ public:
   explicit CellLattice(const Index3& dimensions)
     : Dimensions(dimensions)
     , Cells{ dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }
+    , Columns(this->Cells[0])
+    , Rows(this->Cells[1])
   {
   }
 
@@ -42,11 +69,18 @@ public:
 
   Index3 GetCell(std::int64_t number) const
   {
-    // Division of 32 bits takes a fraction of the time.
-    const auto all = static_cast<std::uint64_t>(number);
-    return all <= std::numeric_limits<std::uint32_t>::max()
-      ? this->Divide(static_cast<std::uint32_t>(all))
-      : this->Divide(all);
+    if (number <= std::numeric_limits<std::uint32_t>::max())
+    {
+      const auto rest = static_cast<std::uint32_t>(number);
+      const std::uint32_t row = this->Columns.Divide(rest);
+      const std::uint32_t slice = this->Rows.Divide(row);
+      return { static_cast<int>(rest) - static_cast<int>(row) * this->Cells[0],
+        static_cast<int>(row) - static_cast<int>(slice) * this->Cells[1], static_cast<int>(slice) };
+    }
+    const std::int64_t row = number / this->Cells[0];
+    const std::int64_t slice = row / this->Cells[1];
+    return { static_cast<int>(number - row * this->Cells[0]),
+      static_cast<int>(row - slice * this->Cells[1]), static_cast<int>(slice) };
   }
   Index3 GetCell(const Hit& hit) const { return this->GetCell(hit.Cell); }
 
@@ -72,19 +106,10 @@ private:
     return { cell[0] + parametric[0], cell[1] + parametric[1], cell[2] + parametric[2] };
   }
 
-  template <typename Integer>
-  Index3 Divide(Integer number) const
-  {
-    const auto columns = static_cast<Integer>(this->Cells[0]);
-    const auto rows = static_cast<Integer>(this->Cells[1]);
-    const Integer row = number / columns;
-    const Integer slice = row / rows;
-    return { static_cast<int>(number - row * columns), static_cast<int>(row - slice * rows),
-      static_cast<int>(slice) };
-  }
-
   Index3 Dimensions;
   Index3 Cells;
+  Divisor Columns;
+  Divisor Rows;
   const UnevenPlanes* Planes = nullptr;
 };
 
