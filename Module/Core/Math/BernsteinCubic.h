@@ -21,7 +21,10 @@ template <typename Number>
 SIMD_INLINE auto MayHaveRoot(const Number b[4])
 {
   const auto inside = IsInside(b[0]);
-  return (IsInside(b[1]) ^ inside) | (IsInside(b[2]) ^ inside) | (IsInside(b[3]) ^ inside);
+  const auto changesAt1 = IsInside(b[1]) ^ inside;
+  const auto changesAt2 = IsInside(b[2]) ^ inside;
+  const auto changesAt3 = IsInside(b[3]) ^ inside;
+  return changesAt1 | changesAt2 | changesAt3;
 }
 
 /// The size of the largest coefficient.

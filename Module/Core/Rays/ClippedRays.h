@@ -65,7 +65,9 @@ SIMD_INLINE auto ClipToVolume(
   for (int axis = 0; axis < 3; ++axis)
   {
     const Number direction = rays.Direction[axis];
-    isFinite = isFinite & (Abs(rays.Origin[axis]) < infinity) & (Abs(direction) < infinity);
+    const Mask isOriginFinite = Abs(rays.Origin[axis]) < infinity;
+    const Mask isDirectionFinite = Abs(direction) < infinity;
+    isFinite = isFinite & isOriginFinite & isDirectionFinite;
     // A component so small that its inverse is infinite does not move the ray across any volume.
     rays.Inverse[axis] = 1.0 / direction;
     const Mask moves = Abs(rays.Inverse[axis]) < infinity;
