@@ -30,10 +30,13 @@ constexpr bool IsSigned = static_cast<T>(-1) < 0;
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #include "Kernels/VectorsAvx512.h"
-#elif defined(__AVX2__) && defined(__FMA__)
+#else
+#if defined(__AVX2__) && defined(__FMA__)
 #include "Kernels/VectorsAvx2.h"
 #else
 #include "Kernels/VectorsGeneric.h"
+#endif
+#include "Kernels/VectorsComposed.h"
 #endif
 
 namespace vtkIsosurfaceRayTracing

@@ -148,36 +148,6 @@ SIMD_INLINE double ReduceMin(Doubles a)
     _mm_min_pd(_mm256_castpd256_pd128(a.Value), _mm256_extractf128_pd(a.Value, 1));
   return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
 }
-SIMD_INLINE Mask ToMask(unsigned int bits)
-{
-  double lanes[DoubleWidth];
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    lanes[lane] = static_cast<double>(bits >> lane & 1U);
-  }
-  return Doubles(0.0) < Load(lanes);
-}
-SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
-{
-  double lanes[2][DoubleWidth];
-  Store(first, lanes[0]);
-  Store(second, lanes[1]);
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
-    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
-  }
-}
-SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
-{
-  int count = 0;
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    numbers[count] = first + lane;
-    count += static_cast<int>(lanes >> lane & 1U);
-  }
-  return count;
-}
 
 constexpr int FloatWidth = 8;
 
@@ -257,10 +227,6 @@ SIMD_INLINE Floats Min(Floats a, Floats b)
 SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm256_max_ps(b.Value, a.Value) };
-}
-SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
-{
-  return Max(Abs(a), Abs(b));
 }
 SIMD_INLINE Floats CopySign(Floats a, Floats b)
 {

@@ -150,36 +150,6 @@ SIMD_INLINE double ReduceMin(Doubles a)
 {
   return a.Value[1] < a.Value[0] ? a.Value[1] : a.Value[0];
 }
-SIMD_INLINE Mask ToMask(unsigned int bits)
-{
-  double lanes[DoubleWidth];
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    lanes[lane] = static_cast<double>(bits >> lane & 1U);
-  }
-  return Doubles(0.0) < Load(lanes);
-}
-SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
-{
-  double lanes[2][DoubleWidth];
-  Store(first, lanes[0]);
-  Store(second, lanes[1]);
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
-    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
-  }
-}
-SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
-{
-  int count = 0;
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    numbers[count] = first + lane;
-    count += static_cast<int>(lanes >> lane & 1U);
-  }
-  return count;
-}
 
 constexpr int FloatWidth = 4;
 
@@ -265,10 +235,6 @@ SIMD_INLINE Floats Min(Floats a, Floats b)
 SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { a.Value < b.Value ? b.Value : a.Value };
-}
-SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
-{
-  return Max(Abs(a), Abs(b));
 }
 SIMD_INLINE Floats CopySign(Floats a, Floats b)
 {
