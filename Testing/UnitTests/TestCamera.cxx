@@ -5,6 +5,7 @@
 // geometry.
 
 #include "Math/Matrix.h"
+#include "Math/Vector.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
 #include "Rays/Camera.h"
@@ -37,11 +38,6 @@ Matrix4 RandomWorldFromIndex(RandomNumbers& random)
     { random.Uniform(0.1, 5.0) * mirrored, random.Uniform(0.1, 5.0), random.Uniform(0.1, 5.0) });
   return Multiply(Translation({ random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0), 3.0 }),
     Multiply(Rotation(random.Uniform(0.0, 6.0), random.Uniform(0.0, 6.0)), spacing));
-}
-
-double Length(const Vector3& v)
-{
-  return std::sqrt(Dot(v, v));
 }
 
 //------------------------------------------------------------------------------

@@ -243,7 +243,7 @@ public:
         << this->What << ": " << ToText(line);
       return;
     }
-    const double speed = std::sqrt(Dot(line.Direction, line.Direction));
+    const double speed = Length(line.Direction);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
       ++this->Hits;
@@ -251,8 +251,7 @@ public:
       ASSERT_LE(error, exact[i].Slack) << this->What << ": " << ToText(line);
       const Vector3 off =
         traced.GetPointInCells(hits[i]) - (line.Origin + line.Direction * exact[i].T);
-      ASSERT_LE(std::sqrt(Dot(off, off)), exact[i].Slack * (1.0 + speed))
-        << this->What << ": " << ToText(line);
+      ASSERT_LE(Length(off), exact[i].Slack * (1.0 + speed)) << this->What << ": " << ToText(line);
       if (exact[i].Slack < 1e-9)
       {
         this->LargestError = std::max(this->LargestError, error * speed);
@@ -896,7 +895,7 @@ TEST(ImageField, HitsFromFarAwayMatchThoseFromNear)
       ++compared;
       const Vector3 off =
         traced->GetPointInCells(nearHits[k]) - traced->GetPointInCells(farHits[k]);
-      largest = std::max(largest, std::sqrt(Dot(off, off)));
+      largest = std::max(largest, Length(off));
       ASSERT_NEAR(farHits[k].T, exact[k].T, 2.5e-7);
     }
   }
@@ -938,7 +937,7 @@ TEST(ImageField, NoHitIsLostFromFarAway)
         traced->GetPointInCells(nearHits[k]) - traced->GetPointInCells(farHits[k]);
       const double steep = std::abs(
         Dot(traced->GetGradient(nearHits[k], NormalMode::InterpolantGradient), line.Direction));
-      largest = std::max(largest, std::sqrt(Dot(off, off)) * std::min(1.0, steep));
+      largest = std::max(largest, Length(off) * std::min(1.0, steep));
     }
   }
   std::cout << "[ tried    ] " << compared << " hits from 2^30 cells away; off by up to " << largest
