@@ -4,6 +4,7 @@
 #include "Picture/Shader.h"
 
 #include "Math/Matrix.h"
+#include "Math/PhongReflection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +42,6 @@ Illumination Illuminate(const Light& light, const Vector3& point)
       : 0.0;
   }
   return { direction, strength };
-}
-
-Vector3 Product(const Vector3& a, const Vector3& b)
-{
-  return { a[0] * b[0], a[1] * b[1], a[2] * b[2] };
 }
 
 Vector3 Clamped(Vector3 color)
@@ -289,18 +285,8 @@ void Shader::ShadeSome(
 //------------------------------------------------------------------------------
 double Shader::Highlight(double cosine) const
 {
-  if (this->WholePower < 0)
-  {
-    return std::pow(cosine, this->Own.Surface.SpecularPower);
-  }
-  double result = 1.0;
-  double square = cosine;
-  for (int power = this->WholePower; power > 0; power /= 2)
-  {
-    result *= power % 2 == 1 ? square : 1.0;
-    square *= square;
-  }
-  return result;
+  return this->WholePower < 0 ? std::pow(cosine, this->Own.Surface.SpecularPower)
+                              : Power(cosine, this->WholePower);
 }
 
 //------------------------------------------------------------------------------
@@ -326,24 +312,24 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const IncomingLi
   }
 
   const Vector3 point = TransformPoint(toWorld, this->Field.GetPoint(hit));
-  Vector3 diffuse = { 0.0, 0.0, 0.0 };
-  Vector3 specular = { 0.0, 0.0, 0.0 };
+  PhongReflection<double> reflection;
   for (std::size_t i = 0; i < scene.Lights.size(); ++i)
   {
-    Illumination illumination = Illuminate(scene.Lights[i], point);
-    const double cosine = Dot(normal, illumination.Direction);
-    if (cosine <= 0.0)
-    {
-      continue;
-    }
-    illumination.Strength *= light.Lights ? light.Lights[i] : 1.0;
-    diffuse = diffuse + scene.Lights[i].DiffuseColor * (cosine * illumination.Strength);
-    const Vector3 mirrored = normal * (2.0 * cosine) - illumination.Direction;
-    const double highlight = this->Highlight(std::max(0.0, Dot(mirrored, toViewer)));
-    specular = specular + scene.Lights[i].SpecularColor * (highlight * illumination.Strength);
+    const Light& source = scene.Lights[i];
+    const Illumination illumination = Illuminate(source, point);
+    reflection.Add(normal.data(), toViewer.data(), illumination.Direction.data(),
+      source.DiffuseColor.data(), source.SpecularColor.data(),
+      illumination.Strength * (light.Lights ? light.Lights[i] : 1.0),
+      [this](double cosine) { return this->Highlight(cosine); });
   }
-  return color * (surface.Ambient * light.Ambient) + Product(color, diffuse) * surface.Diffuse +
-    specular * surface.Specular;
+  Vector3 shaded;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    shaded[k] = reflection.GetChannel(
+      i, color[k], surface.Ambient * light.Ambient, surface.Diffuse, surface.Specular);
+  }
+  return shaded;
 }
 
 }
