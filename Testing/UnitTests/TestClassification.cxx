@@ -322,9 +322,18 @@ double FindHardIsovalue(
   if (SegmentInCell(ray, cell, segment))
   {
     const auto cubic = CubicAlongSegment(corners, segment.Entry, segment.Exit);
-    double points[4] = { 0.0, 1.0 };
-    const int turns = Robust::Extrema(cubic, points + 2);
-    value = Robust::Evaluate(cubic, points[random.Integer(0, 1 + turns)]);
+    TurningPoints<double> turns;
+    turns.Find(cubic.data());
+    std::vector<double> points = { 0.0, 1.0 };
+    for (int i = 0; i < 2; ++i)
+    {
+      if (turns.Exists[i])
+      {
+        points.push_back(turns.At[i]);
+      }
+    }
+    const int last = static_cast<int>(points.size()) - 1;
+    value = Robust::Evaluate(cubic, points[static_cast<std::size_t>(random.Integer(0, last))]);
   }
   return value + random.WideMagnitude(-9.0, -3.0) * (*range.second - *range.first);
 }

@@ -10,6 +10,7 @@
 #include "Kernels/Vectors.h"
 #include "Math/BernsteinCubic.h"
 #include "Math/ByteColor.h"
+#include "Math/MonotonePieces.h"
 #include "Math/PhongReflection.h"
 #include "Math/TrilinearCell.h"
 #include "Math/ValueRange.h"

@@ -48,95 +48,47 @@ SIMD_INLINE void FindDifferences(
   }
 }
 
-/// The part of rays in cells; see CellSegment.
-struct Segments
+/// The segments of the rays of candidates in their cells. Returns which exist.
+SIMD_INLINE Mask FindSegments(
+  const RayPacket& packet, const Candidates& candidates, int first, CellSegments<Doubles>& segments)
 {
-  Mask Exists;
-  Doubles Begin;
-  Doubles BeginAxis;
-  Doubles End;
-  Doubles Entry[3];
-  Doubles Exit[3];
-};
-
-SIMD_INLINE Segments FindSegments(const RayPacket& packet, const int* rays, const Doubles cell[3])
-{
-  const Doubles zero = 0.0;
-  const Doubles one = 1.0;
-  Doubles origin[3];
-  Doubles direction[3];
-  Mask up[3];
-  CellCrossings<Doubles> crossings;
-  Mask staysOutside = FirstLanes(0);
+  const int* numbers = &candidates.Ray[first];
+  RaysInCells<Doubles> rays;
   for (int axis = 0; axis < 3; ++axis)
   {
-    origin[axis] = Gather(packet.Origin[axis], rays);
-    direction[axis] = Gather(packet.Direction[axis], rays);
-    const Doubles inverse = Gather(packet.Inverse[axis], rays);
-    up[axis] = zero < direction[axis];
-    const Mask moves = up[axis] | (direction[axis] < zero);
-    const Doubles next = cell[axis] + one;
-    const Doubles in = (Select(up[axis], cell[axis], next) - origin[axis]) * inverse;
-    const Doubles out = (Select(up[axis], next, cell[axis]) - origin[axis]) * inverse;
-    staysOutside = staysOutside | AndNot((inverse < cell[axis]) | (cell[axis] < inverse), moves);
-    crossings.Narrow(axis, moves, in, out);
+    rays.Origin[axis] = Gather(packet.Origin[axis], numbers);
+    rays.Direction[axis] = Gather(packet.Direction[axis], numbers);
+    rays.Inverse[axis] = Gather(packet.Inverse[axis], numbers);
+    rays.Cell[axis] = LoadIntegers(&candidates.Cell[axis][first]);
+    rays.Lower[axis] = rays.Cell[axis];
+    rays.Upper[axis] = rays.Cell[axis] + 1.0;
   }
-  Segments result;
-  result.Exists = AndNot(
-    crossings.CutToRay(Gather(packet.Begin, rays), Gather(packet.End, rays), false), staysOutside);
-  result.Begin = crossings.Begin;
-  result.BeginAxis = crossings.BeginAxis;
-  result.End = crossings.End;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Doubles entry = ClampToCell(origin[axis] + result.Begin * direction[axis] - cell[axis]);
-    const Doubles exit = ClampToCell(origin[axis] + result.End * direction[axis] - cell[axis]);
-    // On the plane it crosses there, the coordinate is exactly 0 or 1.
-    result.Entry[axis] = Select(crossings.BeginAxis == axis, Select(up[axis], zero, one), entry);
-    result.Exit[axis] = Select(crossings.EndAxis == axis, Select(up[axis], one, zero), exit);
-  }
-  return result;
+  rays.Begin = Gather(packet.Begin, numbers);
+  rays.End = Gather(packet.End, numbers);
+  rays.Even = true;
+  return segments.Find(rays);
 }
 
-/// A piece of the interval on which a cubic is monotone and changes its sign.
-struct Brackets
+/// The first piece of each cubic in which its sign changes. Returns where there is one.
+SIMD_INLINE Mask FindFirstSignChange(const Doubles b[4], MonotonePiece<Doubles>& first)
 {
-  Mask Exists;
-  Doubles Low;
-  Doubles High;
-  Doubles AtLow;
-  Doubles AtHigh;
-};
-
-/// The first of the pieces that ForEachSignChange goes through. (It calls a function for each root;
-/// here lanes wait for each other.)
-SIMD_INLINE Brackets FindFirstSignChange(const Doubles b[4])
-{
-  const CubicDerivative<Doubles> derivative = GetDerivative(b);
-  const Doubles discriminant = derivative.GetDiscriminant();
-  const Mask turns = AndNot(0.0 < discriminant, IsMonotone(b));
-
-  Brackets result = { FirstLanes(0), 0.0, 1.0, b[0], b[3] };
-  if (Any(turns))
-  {
-    Doubles roots[2];
-    derivative.FindRoots(Select(turns, discriminant, 0.0), roots);
-    for (int i = 0; i < 2; ++i)
+  TurningPoints<Doubles> turns;
+  turns.Find(b);
+  Mask exists = {};
+  first = { 0.0, 1.0, b[0], b[3] };
+  ForEachSignChange(
+    turns, b[0], b[3], [b](Doubles u) { return EvaluateBernstein(b, u); },
+    [&exists, &first](Mask changes, const MonotonePiece<Doubles>& piece)
     {
-      const Doubles turn = roots[i];
-      const Mask isTurn = AndNot(turns & (0.0 < turn) & (turn < 1.0), result.Exists);
-      const Doubles value = EvaluateBernstein(b, turn);
-      const Mask changes = isTurn & (IsInside(value) ^ IsInside(result.AtLow));
-      result.High = Select(changes, turn, result.High);
-      result.AtHigh = Select(changes, value, result.AtHigh);
-      result.Exists = result.Exists | changes;
-      const Mask passes = AndNot(isTurn, changes);
-      result.Low = Select(passes, turn, result.Low);
-      result.AtLow = Select(passes, value, result.AtLow);
-    }
-  }
-  result.Exists = result.Exists | (IsInside(result.AtHigh) ^ IsInside(result.AtLow));
-  return result;
+      const Mask isFirst = AndNot(changes, exists);
+      first.Low = Select(isFirst, piece.Low, first.Low);
+      first.High = Select(isFirst, piece.High, first.High);
+      first.AtLow = Select(isFirst, piece.AtLow, first.AtLow);
+      first.AtHigh = Select(isFirst, piece.AtHigh, first.AtHigh);
+      exists = exists | changes;
+      return false;
+    });
+  return exists;
 }
 
 SIMD_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
@@ -147,27 +99,27 @@ SIMD_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
 /// A vector of candidates that are being solved.
 struct CellCubics
 {
-  Segments Segment;
+  CellSegments<Doubles> Segment;
   /// Bernstein coefficients along the segment.
   Doubles B[4];
-  Brackets Bracket;
+  /// Whether there is a root, and the piece with the first.
+  Mask Exists;
+  MonotonePiece<Doubles> Piece;
 };
 
 SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidates, int first,
   const ScaledIsovalue& isovalue, CellCubics& cubics, Solutions& solutions)
 {
-  const Doubles cell[3] = { LoadIntegers(&candidates.Cell[0][first]),
-    LoadIntegers(&candidates.Cell[1][first]), LoadIntegers(&candidates.Cell[2][first]) };
-  cubics.Segment = FindSegments(packet, &candidates.Ray[first], cell);
+  const Mask exists = FindSegments(packet, candidates, first, cubics.Segment);
   Doubles values[8];
   FindDifferences(candidates, first, isovalue, values);
   const Doubles* b = cubics.B;
   FindCubicAlongSegment(values, cubics.Segment.Entry, cubics.Segment.Exit, cubics.B);
   const int lanes = SmallerOf(LargerOf(candidates.Count - first, 0), DoubleWidth);
-  const Mask mayHaveRoot = cubics.Segment.Exists & FirstLanes(lanes) & MayHaveRoot(b);
+  const Mask mayHaveRoot = exists & FirstLanes(lanes) & MayHaveRoot(b);
   const Mask ordinary = IsOrdinarySize(GetSize(b));
-  cubics.Bracket = FindFirstSignChange(b);
-  cubics.Bracket.Exists = cubics.Bracket.Exists & mayHaveRoot & ordinary;
+  const Mask changesSign = FindFirstSignChange(b, cubics.Piece);
+  cubics.Exists = changesSign & mayHaveRoot & ordinary;
   SetBits(ToBits(AndNot(mayHaveRoot, ordinary)), first, solutions.Extreme);
 }
 
@@ -180,10 +132,9 @@ SIMD_INLINE void RefineRoots(const CellCubics cubics[2], Doubles u[2])
   Mask going[2];
   for (int j = 0; j < 2; ++j)
   {
-    const Brackets& bracket = cubics[j].Bracket;
-    refinements[j] =
-      Refinement(cubics[j].B, bracket.Low, bracket.High, bracket.AtLow, bracket.AtHigh);
-    going[j] = bracket.Exists;
+    const MonotonePiece<Doubles>& piece = cubics[j].Piece;
+    refinements[j] = Refinement(cubics[j].B, piece.Low, piece.High, piece.AtLow, piece.AtHigh);
+    going[j] = cubics[j].Exists;
   }
   for (int i = 0; i < Refinement::MaximumIterations && Any(going[0] | going[1]); ++i)
   {
@@ -199,9 +150,9 @@ SIMD_INLINE void RefineRoots(const CellCubics cubics[2], Doubles u[2])
 SIMD_INLINE void StoreSolutions(const RayPacket& packet, const Candidates& candidates, int first,
   const CellCubics& cubics, Doubles u, Solutions& solutions)
 {
-  const Segments& segment = cubics.Segment;
-  SetBits(ToBits(cubics.Bracket.Exists), first, solutions.Found);
-  SetBits(ToBits(IsInside(cubics.Bracket.AtHigh)), first, solutions.Entering);
+  const CellSegments<Doubles>& segment = cubics.Segment;
+  SetBits(ToBits(cubics.Exists), first, solutions.Found);
+  SetBits(ToBits(IsInside(cubics.Piece.AtHigh)), first, solutions.Entering);
   Store(segment.Begin, &solutions.Begin[first]);
   Store(segment.BeginAxis, &solutions.BeginAxis[first]);
   const Doubles t = GetTAt(segment.Begin, segment.End, u);

@@ -9,50 +9,76 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The roots in (0, 1) of the derivative of a cubic, in order: there it may turn. Returns how many
-/// there are, 0 to 2.
-inline int TurningPoints(const CubicDerivative<double>& derivative, double turns[2])
+/// Where functions with a quadratic derivative may turn in (0, 1), in order.
+template <typename Number>
+struct TurningPoints
 {
-  const double discriminant = derivative.GetDiscriminant();
-  if (!(discriminant > 0.0))
-  {
-    return 0;
-  }
-  double roots[2];
-  derivative.FindRoots(discriminant, roots);
-  int count = 0;
-  for (const double u : roots)
-  {
-    // Infinite values and NaN fail the comparisons.
-    if (u > 0.0 && u < 1.0)
-    {
-      turns[count++] = u;
-    }
-  }
-  return count;
-}
+  using Mask = decltype(Number() < Number());
 
-/// Visits the pieces of [0, 1] between the turning points of a function. Where its signs at the two
-/// ends of a piece differ, there is one root: refine(lo, hi, atLo, atHi) finds it, and visit(root,
-/// entering) is called, until it returns true. Entering says whether the function rises from below
-/// zero to zero or above.
-template <typename Evaluate, typename Refine, typename Visit>
-void ForEachSignChange(const double turns[2], int count, double atBegin, double atEnd,
-  const Evaluate& evaluate, const Refine& refine, Visit&& visit)
-{
-  double lo = 0.0;
-  double atLo = atBegin;
-  for (int piece = 0; piece <= count; ++piece)
+  Number At[2] = { 0.0, 0.0 };
+  Mask Exists[2] = {};
+
+  /// Finds the roots of a derivative, except where functions are known to be monotone.
+  SIMD_INLINE void Find(const CubicDerivative<Number>& derivative, Mask isMonotone)
   {
-    const bool isLast = piece == count;
-    const double hi = isLast ? 1.0 : turns[piece];
-    const double atHi = isLast ? atEnd : evaluate(hi);
-    if (IsInside(atLo) != IsInside(atHi) && visit(refine(lo, hi, atLo, atHi), IsInside(atHi)))
+    const Number discriminant = derivative.GetDiscriminant();
+    const Mask hasRoots = AndNot(Number(0.0) < discriminant, isMonotone);
+    if (!Any(hasRoots))
     {
       return;
     }
-    lo = hi;
-    atLo = atHi;
+    derivative.FindRoots(Select(hasRoots, discriminant, Number(0.0)), this->At);
+    for (int i = 0; i < 2; ++i)
+    {
+      // Infinite values and NaN fail the comparisons.
+      this->Exists[i] = hasRoots & (Number(0.0) < this->At[i]) & (this->At[i] < Number(1.0));
+    }
+  }
+
+  /// Finds those of a cubic.
+  SIMD_INLINE void Find(const Number b[4]) { this->Find(GetDerivative(b), IsMonotone(b)); }
+};
+
+/// A piece of [0, 1] on which functions are monotone, and their values at its ends.
+template <typename Number>
+struct MonotonePiece
+{
+  Number Low;
+  Number High;
+  Number AtLow;
+  Number AtHigh;
+};
+
+/// Visits the pieces of [0, 1] between the turning points of functions, in order. Where the signs
+/// at the two ends of a piece differ, there is one root: visit(changes, piece) is called with where
+/// they do, if they do anywhere, until it returns true.
+template <typename Number, typename Evaluate, typename Visit>
+SIMD_INLINE void ForEachSignChange(const TurningPoints<Number>& turns, Number atBegin, Number atEnd,
+  const Evaluate& evaluate, const Visit& visit)
+{
+  Number low = 0.0;
+  Number atLow = atBegin;
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto exists = turns.Exists[i];
+    if (!Any(exists))
+    {
+      continue;
+    }
+    const Number high = turns.At[i];
+    const Number atHigh = evaluate(high);
+    const auto changes = exists & (IsInside(atLow) ^ IsInside(atHigh));
+    if (Any(changes) && visit(changes, MonotonePiece<Number>{ low, high, atLow, atHigh }))
+    {
+      return;
+    }
+    low = Select(exists, high, low);
+    atLow = Select(exists, atHigh, atLow);
+  }
+  const auto changes = IsInside(atLow) ^ IsInside(atEnd);
+  if (Any(changes))
+  {
+    visit(changes, MonotonePiece<Number>{ low, 1.0, atLow, atEnd });
   }
 }
 

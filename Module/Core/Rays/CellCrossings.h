@@ -81,6 +81,87 @@ SIMD_INLINE Number ClampToCell(Number coordinate)
   return Min(Number(1.0), Max(Number(0.0), coordinate));
 }
 
+/// Rays, and cells that they may pass.
+template <typename Number>
+struct RaysInCells
+{
+  Number Origin[3];
+  Number Direction[3];
+  /// One over the direction; or, along an axis whose planes a ray is parallel to, the coordinate of
+  /// the cells that it stays in.
+  Number Inverse[3];
+  Number Begin;
+  Number End;
+  /// The coordinates of the cells, and where their planes stand.
+  Number Cell[3];
+  Number Lower[3];
+  Number Upper[3];
+  /// Whether planes stand at whole numbers.
+  bool Even;
+
+  /// The points of the rays at t, in the cells' own coordinates.
+  SIMD_INLINE Number GetParametric(int axis, Number t) const
+  {
+    const Number above = this->Origin[axis] + t * this->Direction[axis] - this->Lower[axis];
+    return ClampToCell(this->Even ? above : above / (this->Upper[axis] - this->Lower[axis]));
+  }
+};
+
+/// The parts of rays inside cells, with their two ends in the cells' own coordinates, [0, 1]^3.
+template <typename Number>
+struct CellSegments
+{
+  using Mask = decltype(Number() < Number());
+
+  Number Begin;
+  /// The axis of the plane crossed at Begin; see Crossing.
+  Number BeginAxis;
+  Number End;
+  Number Entry[3];
+  Number Exit[3];
+
+  /// Finds the segments from the planes of the cells alone: they do not depend on how a cell was
+  /// found. Returns which rays pass their cells.
+  ///
+  /// On the plane that a ray crosses, the coordinate is exactly 0 or 1: the two cells that share
+  /// the face then interpolate between the same four samples with the same weights, and agree on
+  /// the sign of every point of it to the last bit. No ray slips between them.
+  SIMD_INLINE Mask Find(const RaysInCells<Number>& rays)
+  {
+    const Number zero = 0.0;
+    const Number one = 1.0;
+    Mask up[3];
+    CellCrossings<Number> crossings;
+    Mask staysOutside = {};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Number lower = rays.Lower[axis];
+      const Number upper = rays.Upper[axis];
+      const Number origin = rays.Origin[axis];
+      const Number inverse = rays.Inverse[axis];
+      up[axis] = zero < rays.Direction[axis];
+      const Mask moves = up[axis] | (rays.Direction[axis] < zero);
+      const Number in = (Select(up[axis], lower, upper) - origin) * inverse;
+      const Number out = (Select(up[axis], upper, lower) - origin) * inverse;
+      const Mask isOutside = (inverse < rays.Cell[axis]) | (rays.Cell[axis] < inverse);
+      staysOutside = staysOutside | AndNot(isOutside, moves);
+      crossings.Narrow(axis, moves, in, out);
+    }
+    const Mask exists = AndNot(crossings.CutToRay(rays.Begin, rays.End, !rays.Even), staysOutside);
+    this->Begin = crossings.Begin;
+    this->BeginAxis = crossings.BeginAxis;
+    this->End = crossings.End;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Entry[axis] = Select(crossings.BeginAxis == axis, Select(up[axis], zero, one),
+        rays.GetParametric(axis, this->Begin));
+      this->Exit[axis] = Select(crossings.EndAxis == axis, Select(up[axis], one, zero),
+        rays.GetParametric(axis, this->End));
+    }
+    return exists;
+  }
+};
+
 /// The t at a fraction of a segment. Written so that it never falls as the fraction grows.
 template <typename Number>
 SIMD_INLINE Number GetTAt(Number begin, Number end, Number fraction)

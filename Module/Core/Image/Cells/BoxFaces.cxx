@@ -86,7 +86,7 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& at)
   {
     const auto i = static_cast<std::size_t>(axis);
     const bool isUpper = ray.Step[i] == 0
-      ? PointInCell(ray, GetBox(cell, ray.Planes), { 0.0, Crossing::StartAxis })[i] >= 0.5
+      ? PointInCell(ray, cell, 0.0)[i] >= 0.5
       : (Crossing{ ray.MiddleCrossingT(i, cell[i]), axis } < at) == (ray.Step[i] > 0);
     corner |= isUpper ? 1 << axis : 0;
   }
@@ -108,7 +108,7 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
       }
       const auto axis = static_cast<std::size_t>(crossing.Axis);
       Hit hit{ ray.Base + crossing.T, lattice.GetNumber(cell), 0,
-        PointInCell(ray, GetBox(cell, ray.Planes), crossing), before < behind };
+        PointInCell(ray, cell, crossing.T), before < behind };
       hit.Parametric[axis] = 0.5;
       hit.Jump = hit.Entering == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
       const auto count = static_cast<int>(surfaces.size());

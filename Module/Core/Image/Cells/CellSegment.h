@@ -24,83 +24,43 @@ struct CellSegment
   Vector3 Exit;
 };
 
-/// The planes of a cell.
-struct CellBox
+inline RaysInCells<double> GetRayInCell(const Ray& ray, const Index3& cell)
 {
-  Vector3 Lower;
-  Vector3 Upper;
-};
-
-inline CellBox GetBox(const Index3& cell, const UnevenPlanes* planes)
-{
-  CellBox box;
+  RaysInCells<double> rays;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    box.Lower[axis] = planes ? planes->Get(axis, cell[axis]) : cell[axis];
-    box.Upper[axis] = planes ? planes->Get(axis, cell[axis] + 1) : cell[axis] + 1;
+    rays.Origin[axis] = ray.Origin[axis];
+    rays.Direction[axis] = ray.Direction[axis];
+    rays.Inverse[axis] = ray.Inverse[axis];
+    rays.Cell[axis] = cell[axis];
+    rays.Lower[axis] = ray.GetPlane(axis, cell[axis]);
+    rays.Upper[axis] = ray.GetPlane(axis, cell[axis] + 1);
   }
-  return box;
+  rays.Begin = ray.Begin;
+  rays.End = ray.End;
+  rays.Even = !ray.Planes;
+  return rays;
 }
 
-/// The point of the ray at t in the cell. On the plane it crosses there, the coordinate is exactly
-/// 0 or 1: the two cells that share the face then interpolate between the same four samples with
-/// the same weights, and agree on the sign of every point of it to the last bit. No ray slips
-/// between them.
-inline Vector3 PointInCell(const Ray& ray, const CellBox& box, const Crossing& crossing)
+/// The point of a ray at t, in the coordinates of a cell.
+inline Vector3 PointInCell(const Ray& ray, const Index3& cell, double t)
 {
-  Vector3 p;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double above = ray.Coordinate(axis, crossing.T) - box.Lower[axis];
-    const double share = ray.Planes ? above / (box.Upper[axis] - box.Lower[axis]) : above;
-    p[axis] = ClampToCell(share);
-  }
-  return p;
+  const RaysInCells<double> rays = GetRayInCell(ray, cell);
+  return { rays.GetParametric(0, t), rays.GetParametric(1, t), rays.GetParametric(2, t) };
 }
 
-/// The segment of a ray in a cell, computed from the planes of the cell alone. Returns false if the
-/// ray does not pass the cell. The result does not depend on how the cell was found.
+/// The segment of a ray in a cell; see CellSegments. Returns false if the ray does not pass the
+/// cell.
 inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segment)
 {
-  const CellBox box = GetBox(cell, ray.Planes);
-  CellCrossings<double> crossings;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (ray.Step[axis] == 0)
-    {
-      if (ray.Inverse[axis] != cell[axis])
-      {
-        return false;
-      }
-      continue;
-    }
-    const bool up = ray.Step[axis] > 0;
-    const double in = ray.CrossingTAt(axis, up ? box.Lower[axis] : box.Upper[axis]);
-    const double out = ray.CrossingTAt(axis, up ? box.Upper[axis] : box.Lower[axis]);
-    crossings.Narrow(static_cast<int>(axis), true, in, out);
-  }
-  if (!crossings.CutToRay(ray.Begin, ray.End, ray.Planes != nullptr))
+  CellSegments<double> found;
+  if (!found.Find(GetRayInCell(ray, cell)))
   {
     return false;
   }
-
-  const Crossing begin{ crossings.Begin, static_cast<int>(crossings.BeginAxis) };
-  const Crossing end{ crossings.End, static_cast<int>(crossings.EndAxis) };
-  segment.Begin = begin.T;
-  segment.BeginAxis = begin.Axis;
-  segment.End = end.T;
-  segment.Entry = PointInCell(ray, box, begin);
-  segment.Exit = PointInCell(ray, box, end);
-  if (begin.Axis != Crossing::StartAxis)
-  {
-    const auto axis = static_cast<std::size_t>(begin.Axis);
-    segment.Entry[axis] = ray.Step[axis] > 0 ? 0.0 : 1.0;
-  }
-  if (end.Axis != Crossing::StartAxis)
-  {
-    const auto axis = static_cast<std::size_t>(end.Axis);
-    segment.Exit[axis] = ray.Step[axis] > 0 ? 1.0 : 0.0;
-  }
+  segment = { found.Begin, found.End, static_cast<int>(found.BeginAxis),
+    { found.Entry[0], found.Entry[1], found.Entry[2] },
+    { found.Exit[0], found.Exit[1], found.Exit[2] } };
   return true;
 }
 

@@ -17,8 +17,8 @@ namespace
 /// values. It never exceeds all coefficients.
 SegmentValue FindLargest(const BernsteinCubic& cubic)
 {
-  double turns[2];
-  const int count = Robust::Extrema(Robust::Normalize(cubic), turns);
+  TurningPoints<double> turns;
+  turns.Find(Robust::Normalize(cubic).data());
   SegmentValue best = { 0.0, cubic[0] };
   const auto include = [&best](double fraction, double value)
   {
@@ -29,9 +29,12 @@ SegmentValue FindLargest(const BernsteinCubic& cubic)
   };
   // Rounding may bring an interpolated value above those that it is made of.
   const double largest = *std::max_element(cubic.begin(), cubic.end());
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < 2; ++i)
   {
-    include(turns[i], std::min(largest, Robust::Evaluate(cubic, turns[i])));
+    if (turns.Exists[i])
+    {
+      include(turns.At[i], std::min(largest, Robust::Evaluate(cubic, turns.At[i])));
+    }
   }
   include(1.0, cubic[3]);
   return best;

@@ -39,19 +39,19 @@ struct Ray
   /// Where the lattice planes stand; null if plane k stands at k.
   const UnevenPlanes* Planes = nullptr;
 
+  /// Where the lattice plane k of an axis stands.
+  double GetPlane(std::size_t axis, int k) const
+  {
+    return this->Planes ? this->Planes->Get(axis, k) : k;
+  }
+
   /// The t at which the ray crosses the lattice plane k of an axis it is not parallel to. Every t
   /// of a crossing comes from here, and never from a running sum: neighbouring cells agree on it to
   /// the last bit, and nothing drifts. Rounding is monotone, so it never falls as k moves with
   /// Step.
   double CrossingT(std::size_t axis, int k) const
   {
-    return this->CrossingTAt(axis, this->Planes ? this->Planes->Get(axis, k) : k);
-  }
-
-  /// The same for the plane at a coordinate.
-  double CrossingTAt(std::size_t axis, double coordinate) const
-  {
-    return (coordinate - this->Origin[axis]) * this->Inverse[axis];
+    return (this->GetPlane(axis, k) - this->Origin[axis]) * this->Inverse[axis];
   }
 
   /// The same for the plane in the middle between the lattice planes k and k + 1.

@@ -21,22 +21,22 @@ namespace Marmitt
 
 /// The last of so many linear interpolations in a bracket whose ends differ in sign.
 inline double InterpolateRepeatedly(
-  const PowerCubic& c, double lo, double hi, double atLo, double atHi, int interpolations)
+  const PowerCubic& c, MonotonePiece<double> piece, int interpolations)
 {
-  double u = lo;
+  double u = piece.Low;
   for (int i = 0; i < interpolations; ++i)
   {
-    u = lo + (hi - lo) * (atLo / (atLo - atHi));
+    u = piece.Low + (piece.High - piece.Low) * (piece.AtLow / (piece.AtLow - piece.AtHigh));
     const double f = Evaluate(c, u);
-    if (IsInside(f) == IsInside(atLo))
+    if (IsInside(f) == IsInside(piece.AtLow))
     {
-      lo = u;
-      atLo = f;
+      piece.Low = u;
+      piece.AtLow = f;
     }
     else
     {
-      hi = u;
-      atHi = f;
+      piece.High = u;
+      piece.AtHigh = f;
     }
   }
   return u;
@@ -48,14 +48,13 @@ void ForEachRoot(
   const CellCorners& difference, const CellSegment& segment, int interpolations, Visit&& visit)
 {
   const PowerCubic c = PowerCubicAlongSegment(difference, segment);
-  double turns[2];
-  const int count = TurningPoints({ 3.0 * c[3], c[2], c[1] }, turns);
+  TurningPoints<double> turns;
+  turns.Find({ 3.0 * c[3], c[2], c[1] }, false);
   ForEachSignChange(
-    turns, count, Interpolate(difference, segment.Entry), Interpolate(difference, segment.Exit),
+    turns, Interpolate(difference, segment.Entry), Interpolate(difference, segment.Exit),
     [&c](double u) { return Evaluate(c, u); },
-    [&c, interpolations](double lo, double hi, double atLo, double atHi)
-    { return InterpolateRepeatedly(c, lo, hi, atLo, atHi, interpolations); },
-    visit);
+    [&c, interpolations, &visit](bool /*changes*/, const MonotonePiece<double>& piece)
+    { return visit(InterpolateRepeatedly(c, piece, interpolations), IsInside(piece.AtHigh)); });
 }
 
 }

@@ -29,17 +29,11 @@ inline double Evaluate(const BernsteinCubic& b, double u)
   return EvaluateBernstein(b.data(), u);
 }
 
-/// Where the cubic turns, in (0, 1). Returns how often.
-inline int Extrema(const BernsteinCubic& b, double turns[2])
-{
-  return IsMonotone(b.data()) ? 0 : TurningPoints(GetDerivative(b.data()), turns);
-}
-
-/// The root in [lo, hi], where the cubic is monotone and its signs at the ends differ.
-inline double RefineRoot(const BernsteinCubic& b, double lo, double hi, double atLo, double atHi)
+/// The root in a piece where the cubic is monotone and its signs at the ends differ.
+inline double RefineRoot(const BernsteinCubic& b, const MonotonePiece<double>& piece)
 {
   using Refinement = RootRefinement<double>;
-  Refinement refinement(b.data(), lo, hi, atLo, atHi);
+  Refinement refinement(b.data(), piece.Low, piece.High, piece.AtLow, piece.AtHigh);
   bool isDone = false;
   for (int i = 0; i < Refinement::MaximumIterations && !isDone; ++i)
   {
@@ -78,13 +72,12 @@ void ForEachRoot(const BernsteinCubic& coefficients, Visit&& visit)
     return;
   }
   const BernsteinCubic b = Normalize(coefficients);
-  double turns[2];
-  const int count = Extrema(b, turns);
+  TurningPoints<double> turns;
+  turns.Find(b.data());
   ForEachSignChange(
-    turns, count, b[0], b[3], [&b](double u) { return Evaluate(b, u); },
-    [&b](double lo, double hi, double atLo, double atHi)
-    { return RefineRoot(b, lo, hi, atLo, atHi); },
-    visit);
+    turns, b[0], b[3], [&b](double u) { return Evaluate(b, u); },
+    [&b, &visit](bool /*changes*/, const MonotonePiece<double>& piece)
+    { return visit(RefineRoot(b, piece), IsInside(piece.AtHigh)); });
 }
 
 /// The roots of the interpolant of corner values (isovalue taken off) along a segment of the cell.
