@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -76,32 +77,45 @@ public:
   }
 
   /// Interpolates central differences with a kernel, where planes are even and there are inner
-  /// cells. The results for hits in other cells are not used.
-  void InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
+  /// cells. Returns the hits whose gradients must be found in other ways.
+  RaySet InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
     const Kernels& kernels, double (*gradients)[RayPacket::Capacity]) const
   {
+    RaySet others = {};
     InnerCells cells;
     cells.Count = count;
     for (int i = 0; i < count; ++i)
     {
       const Hit& hit = hits[i];
-      const Index3& cell = cellsOfHits[i];
-      cells.First[i] = this->TheSamples.At(this->IsInner(cell) ? cell : Index3{ 1, 1, 1 });
+      const bool isInner = this->IsInner(cellsOfHits[i]);
+      cells.First[i] = this->TheSamples.At(isInner ? cellsOfHits[i] : Index3{ 1, 1, 1 });
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         cells.Parametric[axis][i] = hit.Parametric[axis];
       }
+      if (!isInner || hit.Plane != Hit::NoPlane)
+      {
+        Add(i, others);
+      }
     }
     const auto type = static_cast<std::size_t>(ScalarTypeOf<T>());
     kernels.InterpolateDifferences[type](cells, this->TheSamples.GetStrides(), gradients);
+    for (int i = 0; std::is_floating_point_v<T> && i < count; ++i)
+    {
+      if (!IsFinite({ gradients[0][i], gradients[1][i], gradients[2][i] }))
+      {
+        Add(i, others);
+      }
+    }
+    return others;
   }
 
+private:
   static bool IsFinite(const Vector3& gradient)
   {
     return std::isfinite(gradient[0]) && std::isfinite(gradient[1]) && std::isfinite(gradient[2]);
   }
 
-private:
   /// Central differences at the corners of a cell, interpolated.
   Vector3 InterpolateDifferences(
     const Index3& cell, const Vector3& parametric, const UnevenPlanes* planes) const

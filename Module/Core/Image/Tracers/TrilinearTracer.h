@@ -48,11 +48,15 @@ public:
       SurfaceTracer::GetGradients(hits, cells, count, gradients);
       return;
     }
-    this->Gradients.InterpolateDifferences(hits, cells, count, *kernels, gradients);
+    const RaySet others =
+      this->Gradients.InterpolateDifferences(hits, cells, count, *kernels, gradients);
+    if (IsEmpty(others))
+    {
+      return;
+    }
     for (int i = 0; i < count; ++i)
     {
-      if (hits[i].Plane != Hit::NoPlane || !this->Gradients.IsInner(cells[i]) ||
-        !TrilinearGradients<T>::IsFinite({ gradients[0][i], gradients[1][i], gradients[2][i] }))
+      if (Has(others, i))
       {
         this->StoreGradient(hits[i], i, gradients);
       }

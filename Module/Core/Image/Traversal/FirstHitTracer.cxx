@@ -8,6 +8,23 @@
 
 namespace vtkIsosurfaceRayTracing
 {
+namespace
+{
+
+/// Calls visit(candidate) for the members of a set of Solutions, in order.
+template <typename Visit>
+void ForEachCandidate(const std::uint64_t (&set)[Solutions::Words], const Visit& visit)
+{
+  for (int word = 0; word < Solutions::Words; ++word)
+  {
+    for (std::uint64_t bits = set[word]; bits != 0; bits &= bits - 1)
+    {
+      visit(64 * word + __builtin_ctzll(bits));
+    }
+  }
+}
+
+}
 
 //------------------------------------------------------------------------------
 const PacketHits& FirstHitTracer::FindFirstHits(
@@ -212,35 +229,38 @@ void FirstHitTracer::SolveCandidates()
   }
   this->Source->LoadCorners(this->AreCopied, this->Waiting);
   this->TheKernels.Solve(*this->Packet, this->Waiting, this->Isovalue, this->Solved);
-  for (int word = 0; word < Solutions::Words; ++word)
+  if (this->Departures)
   {
-    for (std::uint64_t bits = this->Solved.Found[word]; bits != 0; bits &= bits - 1)
-    {
-      const int i = 64 * word + __builtin_ctzll(bits);
-      if (this->Departures)
-      {
-        this->StopAtCandidate(i);
-      }
-      else
-      {
-        this->Keep(this->Waiting.Ray[i], this->GetHit(i),
-          { this->Solved.Begin[i], static_cast<int>(this->Solved.BeginAxis[i]) });
-      }
-    }
-    for (std::uint64_t bits = this->Solved.Extreme[word]; bits != 0; bits &= bits - 1)
-    {
-      const int i = 64 * word + __builtin_ctzll(bits);
-      if (this->Departures)
-      {
-        this->StopInCell(this->Waiting.Ray[i], this->GetCell(i));
-      }
-      else
-      {
-        this->FindFirstHit(this->Waiting.Ray[i], this->GetCell(i));
-      }
-    }
+    this->StopAtSolutions();
+  }
+  else
+  {
+    this->KeepSolutions();
   }
   this->Waiting.Count = 0;
+}
+
+//------------------------------------------------------------------------------
+void FirstHitTracer::KeepSolutions()
+{
+  ForEachCandidate(this->Solved.Found,
+    [this](int candidate)
+    {
+      this->Keep(this->Waiting.Ray[candidate], this->GetHit(candidate),
+        { this->Solved.Begin[candidate], static_cast<int>(this->Solved.BeginAxis[candidate]) });
+    });
+  ForEachCandidate(this->Solved.Extreme,
+    [this](int candidate)
+    { this->FindFirstHit(this->Waiting.Ray[candidate], this->GetCell(candidate)); });
+}
+
+//------------------------------------------------------------------------------
+void FirstHitTracer::StopAtSolutions()
+{
+  ForEachCandidate(this->Solved.Found, [this](int candidate) { this->StopAtCandidate(candidate); });
+  ForEachCandidate(this->Solved.Extreme,
+    [this](int candidate)
+    { this->StopInCell(this->Waiting.Ray[candidate], this->GetCell(candidate)); });
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,8 @@ private:
   void AddCellsOfSlice(int axis, int passage, int slice);
   void ClassifyQueue(const Frustum& frustum);
   void SolveCandidates();
+  void KeepSolutions();
+  void StopAtSolutions();
   void DropStoppedCandidates();
   void StopAtSureHits(const Frustum& frustum);
   void StopAtCandidate(int candidate);
