@@ -25,29 +25,6 @@ void LoadCorners(const std::ptrdiff_t strides[3], Candidates& candidates)
 }
 
 //------------------------------------------------------------------------------
-/// The differences between the corners of cells and the isovalue; see Difference.
-SIMD_INLINE void FindDifferences(
-  const Candidates& candidates, int first, const ScaledIsovalue& isovalue, Doubles values[8])
-{
-  const Doubles scaled = isovalue.Isovalue * isovalue.Scale;
-  Doubles least = Infinity;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const Doubles value = Load(&candidates.Corners[corner][first]);
-    values[corner] = (isovalue.Scale == 1.0 ? value : value * isovalue.Scale) - scaled;
-    least = Min(least, Abs(values[corner]));
-  }
-  if (!Any(least < SmallestDifference))
-  {
-    return;
-  }
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    values[corner] =
-      KeepSign(values[corner], Load(&candidates.Corners[corner][first]), isovalue.Isovalue);
-  }
-}
-
 /// The segments of the rays of candidates in their cells. Returns which exist.
 SIMD_INLINE Mask FindSegments(
   const RayPacket& packet, const Candidates& candidates, int first, CellSegments<Doubles>& segments)
@@ -111,8 +88,13 @@ SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidate
   const ScaledIsovalue& isovalue, CellCubics& cubics, Solutions& solutions)
 {
   const Mask exists = FindSegments(packet, candidates, first, cubics.Segment);
+  Doubles corners[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = Load(&candidates.Corners[i][first]);
+  }
   Doubles values[8];
-  FindDifferences(candidates, first, isovalue, values);
+  FindDifferences(corners, isovalue.Isovalue, isovalue.Scale, values);
   const Doubles* b = cubics.B;
   FindCubicAlongSegment(values, cubics.Segment.Entry, cubics.Segment.Exit, cubics.B);
   const int lanes = SmallerOf(LargerOf(candidates.Count - first, 0), DoubleWidth);

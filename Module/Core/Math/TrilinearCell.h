@@ -36,6 +36,29 @@ inline double Difference(double value, double isovalue, double scale)
   return KeepSign(value * scale - isovalue * scale, value, isovalue);
 }
 
+/// The differences between the corners of cells and an isovalue, finite ones, as Difference has
+/// them.
+template <typename Number>
+SIMD_INLINE void FindDifferences(
+  const Number corners[8], double isovalue, double scale, Number differences[8])
+{
+  const Number scaled = isovalue * scale;
+  Number least = SmallestDifference;
+  for (int i = 0; i < 8; ++i)
+  {
+    differences[i] = (scale == 1.0 ? corners[i] : corners[i] * scale) - scaled;
+    least = Min(least, Abs(differences[i]));
+  }
+  if (!Any(least < SmallestDifference))
+  {
+    return;
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    differences[i] = KeepSign(differences[i], corners[i], isovalue);
+  }
+}
+
 /// The trilinear interpolant of the corners v at a point of the cell.
 template <typename Number>
 SIMD_INLINE Number Interpolate(const Number v[8], const Number p[3])

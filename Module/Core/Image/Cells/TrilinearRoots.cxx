@@ -9,8 +9,6 @@
 #include "Image/Cells/Solvers/MarmittSolver.h"
 #include "Image/Cells/Solvers/RobustSolver.h"
 
-#include <algorithm>
-
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -18,8 +16,7 @@ namespace vtkIsosurfaceRayTracing
 CellCorners TakeOff(const CellCorners& corners, const ScaledIsovalue& isovalue)
 {
   CellCorners differences;
-  std::transform(corners.begin(), corners.end(), differences.begin(),
-    [&isovalue](double value) { return Difference(value, isovalue.Isovalue, isovalue.Scale); });
+  FindDifferences(corners.data(), isovalue.Isovalue, isovalue.Scale, differences.data());
   return differences;
 }
 
