@@ -11,6 +11,7 @@ set(core_sources
   Image/Cells/TricubicRoots.cxx
   Image/Cells/TrilinearRoots.cxx
   Image/ImageField.cxx
+  Image/Tracers/RootTracing.cxx
   Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/Caps.cxx
   Image/Traversal/FirstHitTracer.cxx

@@ -50,8 +50,7 @@ public:
     const Index3& block, const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
   {
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
-    const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
-      block[2] * BlockMask::Edge };
+    const Index3 first = BlockMask::GetFirstCell(block);
     const BlockRanges ranges = this->GetRanges(first);
     const Index3& dimensions = this->TheSamples.GetDimensions();
     for (int z = 0; z < std::min(BlockMask::Edge, dimensions[2] - 1 - first[2]); ++z)

@@ -24,6 +24,11 @@ struct alignas(64) BlockMask
 
   std::uint64_t Slices[3][Edge];
 
+  static Index3 GetFirstCell(const Index3& block)
+  {
+    return { block[0] * Edge, block[1] * Edge, block[2] * Edge };
+  }
+
   bool IsEmpty() const
   {
     std::uint64_t any = 0;

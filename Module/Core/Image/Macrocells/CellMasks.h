@@ -200,8 +200,7 @@ private:
       this->MakeOther(block, mask);
       return;
     }
-    const Index3 first = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
-      block[2] * BlockMask::Edge };
+    const Index3 first = BlockMask::GetFirstCell(block);
     const Index3& dimensions = this->TheSamples.GetDimensions();
     Index3 count;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -4,19 +4,20 @@
 #ifndef TricubicTracer_h
 #define TricubicTracer_h
 
-#include "Field/RootSet.h"
 #include "Image/Cells/TricubicField.h"
 #include "Image/Cells/TricubicRoots.h"
 #include "Image/Cells/TrilinearGradients.h"
+#include "Image/Macrocells/CellMasks.h"
+#include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Tracers/RootTracing.h"
 #include "Image/Tracers/SurfaceTracer.h"
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The cells of an image for one thread (see RootTracing.h), by the tricubic interpolant.
+/// The cells of an image, by the tricubic interpolant.
 template <typename T>
-class TricubicCells
+class TricubicCells final : public RootCells
 {
 public:
   TricubicCells(const ImageSelection& selection, const TricubicField<T>& field, CellMasks<T>& masks)
@@ -26,15 +27,17 @@ public:
   {
   }
 
-  /// Samples are read where the user keeps them.
-  void Prefetch(const Index3& /*cell*/) {}
+  const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+  {
+    return this->Masks.Get(block, own);
+  }
 
-  void Load(const Index3& cell) { this->Cell = cell; }
+  /// Samples are read where the user keeps them.
+  void Prefetch(const Index3& block) override { this->Masks.Prefetch(block); }
 
   /// Whether the cell is in the mask of its block.
-  bool MayHit()
+  bool MayHit(const Index3& cell) override
   {
-    const Index3& cell = this->Cell;
     constexpr int edge = BlockMask::Edge;
     const Index3 block = { cell[0] / edge, cell[1] / edge, cell[2] / edge };
     if (!this->Mask || block != this->Block)
@@ -45,14 +48,14 @@ public:
     return this->Mask->Has({ cell[0] % edge, cell[1] % edge, cell[2] % edge });
   }
 
-  void FindRoots(const CellSegment& segment, bool all, RootSet& roots) const
+  void FindRoots(const Index3& cell, const CellSegment& segment, bool all, RootSet& roots) override
   {
     roots.Clear();
     for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
     {
       roots.NextSurface();
       TricubicCell coefficients;
-      if (this->Field.Load(this->Cell, this->Selection.Isovalues[i], coefficients))
+      if (this->Field.Load(cell, this->Selection.Isovalues[i], coefficients))
       {
         AddTricubicRoots(
           coefficients, segment, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
@@ -64,7 +67,6 @@ private:
   const ImageSelection& Selection;
   const TricubicField<T>& Field;
   CellMasks<T>& Masks;
-  Index3 Cell = {};
   /// The block of the last mask, and the mask; Own is where it is made if it cannot be kept.
   Index3 Block = {};
   const BlockMask* Mask = nullptr;
@@ -103,21 +105,14 @@ public:
     const RayPacket& rays, const Departure* departures) override
   {
     TricubicCells<T> cells(this->Selection, this->Field, this->Masks);
-    return FindStoppedRays(this->Selection, rays, departures, this->Masks, cells);
+    return FindStoppedRays(this->Selection, rays, departures, cells);
   }
 
 protected:
   void TraceSurfaces(RayPacket& rays, RayHits& hits) override
   {
     TricubicCells<T> cells(this->Selection, this->Field, this->Masks);
-    if (this->Selection.CanTracePacket(rays))
-    {
-      TracePacket(this->Selection, rays, this->Masks, cells, hits);
-    }
-    else
-    {
-      TraceCellByCell(this->Selection, rays, cells, hits);
-    }
+    TraceRoots(this->Selection, rays, cells, hits);
   }
 
   void EvaluateCap(const Ray& /*ray*/, const EndCell& end, Hit& cap) const override

@@ -4,43 +4,54 @@
 #ifndef TrilinearCells_h
 #define TrilinearCells_h
 
-#include "Field/RootSet.h"
 #include "Image/Cells/TrilinearRoots.h"
+#include "Image/Macrocells/CellMasks.h"
 #include "Image/Samples/Unbricked.h"
-#include "Image/Tracers/ImageSelection.h"
+#include "Image/Tracers/RootTracing.h"
 
 #include <algorithm>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The cells of an image for one thread (see RootTracing.h), by the trilinear interpolant.
-template <typename Layout>
-class TrilinearCells
+/// The cells of an image, by the trilinear interpolant.
+template <typename T, typename Layout>
+class TrilinearCells final : public RootCells
 {
 public:
-  TrilinearCells(const ImageSelection& selection, Layout& bricks)
+  /// All must outlive the cells.
+  TrilinearCells(const ImageSelection& selection, CellMasks<T>& masks, Layout& bricks)
     : Selection(selection)
+    , Masks(masks)
     , TheReader(bricks)
   {
   }
 
   typename Layout::Reader& GetReader() { return this->TheReader; }
 
-  void Prefetch(const Index3& cell) { this->TheReader.Prefetch(cell); }
+  const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+  {
+    return this->Masks.Get(block, own);
+  }
 
-  void Load(const Index3& cell) { this->TheReader.Load(cell, this->Corners); }
+  void Prefetch(const Index3& block) override
+  {
+    this->Masks.Prefetch(block);
+    this->TheReader.Prefetch(BlockMask::GetFirstCell(block));
+  }
 
   /// Whether some corners are inside and others not, and all are finite.
-  bool MayHit() const
+  bool MayHit(const Index3& cell) override
   {
+    Value corners[8];
+    this->TheReader.Load(cell, corners);
     // NaN compares false; IsFinite then decides.
-    Value low = this->Corners[0];
-    Value high = this->Corners[0];
+    Value low = corners[0];
+    Value high = corners[0];
     for (int i = 1; i < 8; ++i)
     {
-      low = std::min(low, this->Corners[i]);
-      high = std::max(high, this->Corners[i]);
+      low = std::min(low, corners[i]);
+      high = std::max(high, corners[i]);
     }
     const std::vector<Isosurface>& surfaces = this->Selection.Request.Surfaces;
     return std::any_of(surfaces.begin(), surfaces.end(),
@@ -49,13 +60,15 @@ public:
                return static_cast<double>(low) < surface.Isovalue &&
                  surface.Isovalue <= static_cast<double>(high);
              }) &&
-      IsFinite(this->Corners);
+      IsFinite(corners);
   }
 
-  void FindRoots(const CellSegment& segment, bool all, RootSet& roots) const
+  void FindRoots(const Index3& cell, const CellSegment& segment, bool all, RootSet& roots) override
   {
+    Value corners[8];
+    this->TheReader.Load(cell, corners);
     CellCorners values;
-    std::copy(this->Corners, this->Corners + 8, values.begin());
+    std::copy(corners, corners + 8, values.begin());
     roots.Clear();
     for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
     {
@@ -69,8 +82,8 @@ private:
   using Value = typename Layout::Value;
 
   const ImageSelection& Selection;
+  CellMasks<T>& Masks;
   typename Layout::Reader TheReader;
-  Value Corners[8];
 };
 
 }

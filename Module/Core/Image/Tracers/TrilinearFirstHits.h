@@ -4,8 +4,6 @@
 #ifndef TrilinearFirstHits_h
 #define TrilinearFirstHits_h
 
-#include "Image/Macrocells/CellMasks.h"
-#include "Image/Tracers/RootTracing.h"
 #include "Image/Tracers/TrilinearCells.h"
 #include "Image/Traversal/FirstHitTracer.h"
 
@@ -24,26 +22,21 @@ public:
     const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, Layout& bricks)
     : Selection(selection)
     , Rays(rays)
-    , Masks(masks)
-    , Cells(selection, bricks)
+    , Cells(selection, masks, bricks)
     , Reader(this->Cells.GetReader())
   {
   }
 
-  void Prefetch(const Index3& block) override
-  {
-    this->Masks.Prefetch(block);
-    this->Reader.Prefetch(GetFirstCell(block));
-  }
+  void Prefetch(const Index3& block) override { this->Cells.Prefetch(block); }
 
   const BlockMask& GetMask(const Index3& block, BlockMask& own) override
   {
-    return this->Masks.Get(block, own);
+    return this->Cells.GetMask(block, own);
   }
 
   const void* FindCorner(const Index3& block) override
   {
-    return this->Reader.FindBlock(GetFirstCell(block), BlockMask::Edge);
+    return this->Reader.FindBlock(BlockMask::GetFirstCell(block), BlockMask::Edge);
   }
 
   std::array<std::ptrdiff_t, 3> GetCornerSteps() const override
@@ -96,12 +89,11 @@ public:
   {
     const Ray own = GetRay(this->Rays, ray);
     CellSegment segment;
-    this->Cells.Load(cell);
-    if (!this->Cells.MayHit() || !SegmentInCell(own, cell, segment))
+    if (!SegmentInCell(own, cell, segment))
     {
       return false;
     }
-    this->Cells.FindRoots(segment, false, this->Roots);
+    this->Cells.FindRoots(cell, segment, false, this->Roots);
     if (this->Roots.Get().empty())
     {
       return false;
@@ -114,11 +106,6 @@ public:
   }
 
 private:
-  static Index3 GetFirstCell(const Index3& block)
-  {
-    return { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge, block[2] * BlockMask::Edge };
-  }
-
   static std::size_t GetType(bool areCopied)
   {
     return static_cast<std::size_t>(
@@ -133,8 +120,7 @@ private:
 
   const ImageSelection& Selection;
   const RayPacket& Rays;
-  CellMasks<T>& Masks;
-  TrilinearCells<Layout> Cells;
+  TrilinearCells<T, Layout> Cells;
   typename Layout::Reader& Reader;
   /// The eight corners of each cell that is classified where there are no rows.
   std::vector<typename Layout::Value> Copies;

@@ -73,8 +73,8 @@ public:
       TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
       return tracer.FindStopped(rays, cells, this->Selection.Isovalues[0], departures);
     }
-    TrilinearCells<Layout> cells(this->Selection, this->Bricks);
-    return FindStoppedRays(this->Selection, rays, departures, this->Masks, cells);
+    TrilinearCells<T, Layout> cells(this->Selection, this->Masks, this->Bricks);
+    return FindStoppedRays(this->Selection, rays, departures, cells);
   }
 
 protected:
@@ -85,15 +85,8 @@ protected:
       this->TraceFirstHits(rays, hits);
       return;
     }
-    TrilinearCells<Layout> cells(this->Selection, this->Bricks);
-    if (this->Selection.CanTracePacket(rays))
-    {
-      TracePacket(this->Selection, rays, this->Masks, cells, hits);
-    }
-    else
-    {
-      TraceCellByCell(this->Selection, rays, cells, hits);
-    }
+    TrilinearCells<T, Layout> cells(this->Selection, this->Masks, this->Bricks);
+    TraceRoots(this->Selection, rays, cells, hits);
   }
 
   void EvaluateCap(const Ray& /*ray*/, const EndCell& end, Hit& cap) const override

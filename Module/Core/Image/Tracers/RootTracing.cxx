@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Image/Tracers/RootTracing.h"
+
+#include "Image/Cells/CellsOnRay.h"
+#include "Image/Traversal/CellTraversal.h"
+#include "Image/Traversal/RayFollower.h"
+
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left.
+bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
+  const CellSegment& segment, const RootSet& roots, HitCollector& collector)
+{
+  for (const Root& root : roots.Get())
+  {
+    if (collector.Add(
+          MakeHit(ray, lattice, cell, segment, root.Fraction, root.Surface, root.Entering)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// The cells for the rays of a packet that are followed.
+class FollowedRootCells : public RayFollower::FollowedCells
+{
+public:
+  FollowedRootCells(const RayPacket& rays, RootCells& cells)
+    : Rays(rays)
+    , TheCells(cells)
+  {
+  }
+
+  void Prefetch(const Index3& block) override { this->TheCells.Prefetch(block); }
+
+  const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+  {
+    return this->TheCells.GetMask(block, own);
+  }
+
+protected:
+  const RayPacket& Rays;
+  RootCells& TheCells;
+  /// Kept for its memory.
+  RootSet Roots;
+};
+
+//------------------------------------------------------------------------------
+/// Finds the hits of each ray in the cells that it is followed through.
+class HitFinder final : public FollowedRootCells
+{
+public:
+  HitFinder(const ImageSelection& selection, const RayPacket& rays, RootCells& cells)
+    : FollowedRootCells(rays, cells)
+    , Lattice(selection.Lattice)
+    , Hits(static_cast<std::size_t>(rays.Count))
+  {
+    for (std::vector<Hit>& own : this->Hits)
+    {
+      this->Collectors.push_back(selection.NewCollector(own));
+    }
+  }
+
+  bool Follow(int ray, const std::vector<Index3>& cells) override
+  {
+    const Ray own = GetRay(this->Rays, ray);
+    FindCellsOnRay(own, cells, this->OnRay);
+    for (const CellOnRay& passed : this->OnRay)
+    {
+      this->TheCells.FindRoots(passed.Cell, passed.Segment, false, this->Roots);
+      if (AddHits(own, this->Lattice, passed.Cell, passed.Segment, this->Roots,
+            this->Collectors[static_cast<std::size_t>(ray)]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Appends the hits of the rays that were followed.
+  void GetHits(RayHits& hits) const
+  {
+    for (const std::vector<Hit>& own : this->Hits)
+    {
+      hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
+      hits.EndRay();
+    }
+  }
+
+private:
+  const CellLattice& Lattice;
+  /// Of each ray.
+  std::vector<std::vector<Hit>> Hits;
+  std::vector<HitCollector> Collectors;
+  /// Kept for its memory.
+  std::vector<CellOnRay> OnRay;
+};
+
+//------------------------------------------------------------------------------
+/// Finds any crossing in the cells that a ray is followed through, in any order.
+class StopFinder final : public FollowedRootCells
+{
+public:
+  StopFinder(const RayPacket& rays, const Departure* departures, RootCells& cells)
+    : FollowedRootCells(rays, cells)
+    , Departures(departures)
+  {
+  }
+
+  bool Follow(int ray, const std::vector<Index3>& cells) override
+  {
+    const Ray own = GetRay(this->Rays, ray);
+    for (const Index3& cell : cells)
+    {
+      FindStopsInCell(
+        ray, own, cell, this->Departures[ray], this->TheCells, this->Roots, this->Stopped);
+      if (Has(this->Stopped.Stopped, ray))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const StoppedRays& GetStopped() const { return this->Stopped; }
+
+private:
+  const Departure* Departures;
+  StoppedRays Stopped;
+};
+
+//------------------------------------------------------------------------------
+/// Traces each ray by itself, cell by cell. This is the reference.
+void TraceCellByCell(
+  const ImageSelection& selection, const RayPacket& rays, RootCells& cells, RayHits& hits)
+{
+  RootSet roots;
+  selection.ForEachRay(rays, hits,
+    [&](const Ray& ray)
+    {
+      HitCollector collector = selection.NewCollector(hits.Hits);
+      TraverseCells(ray, selection.Active,
+        [&](const Index3& cell)
+        {
+          CellSegment segment;
+          if (!cells.MayHit(cell) || !SegmentInCell(ray, cell, segment))
+          {
+            return false;
+          }
+          cells.FindRoots(cell, segment, false, roots);
+          return AddHits(ray, selection.Lattice, cell, segment, roots, collector);
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The same for rays that surfaces stop.
+StoppedRays FindStoppedCellByCell(const ImageSelection& selection, const RayPacket& rays,
+  const Departure* departures, RootCells& cells)
+{
+  StoppedRays stopped;
+  RootSet roots;
+  for (int i = 0; i < rays.Count; ++i)
+  {
+    if (!Has(rays.Exists, i))
+    {
+      continue;
+    }
+    const Ray ray = selection.TakeRay(rays, i);
+    TraverseCells(ray, selection.Active,
+      [&](const Index3& cell)
+      {
+        if (cells.MayHit(cell))
+        {
+          FindStopsInCell(i, ray, cell, departures[i], cells, roots, stopped);
+        }
+        return Has(stopped.Stopped, i);
+      });
+  }
+  return stopped;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void TraceRoots(
+  const ImageSelection& selection, const RayPacket& rays, RootCells& cells, RayHits& hits)
+{
+  if (!selection.CanTracePacket(rays))
+  {
+    TraceCellByCell(selection, rays, cells, hits);
+    return;
+  }
+  HitFinder finder(selection, rays, cells);
+  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
+  finder.GetHits(hits);
+}
+
+//------------------------------------------------------------------------------
+StoppedRays FindStoppedRays(const ImageSelection& selection, const RayPacket& rays,
+  const Departure* departures, RootCells& cells)
+{
+  if (!selection.CanTracePacket(rays))
+  {
+    return FindStoppedCellByCell(selection, rays, departures, cells);
+  }
+  StopFinder finder(rays, departures, cells);
+  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
+  return finder.GetStopped();
+}
+
+//------------------------------------------------------------------------------
+void FindStopsInCell(int number, const Ray& ray, const Index3& cell, const Departure& departure,
+  RootCells& cells, RootSet& roots, StoppedRays& stopped)
+{
+  CellSegment segment;
+  if (!SegmentInCell(ray, cell, segment))
+  {
+    return;
+  }
+  cells.FindRoots(cell, segment, true, roots);
+  for (const Root& root : roots.Get())
+  {
+    if (!departure.Is(root.Surface, root.Entering))
+    {
+      const double t = ray.Base + GetTAt(segment.Begin, segment.End, root.Fraction);
+      stopped.AddCrossing(number, t, ray.Direction);
+    }
+  }
+}
+
+}
