@@ -84,67 +84,74 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
   {
     return this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper);
   }
-  double position[3];
-  double parametric[3];
-  double normal[3];
-  double isovalue;
-  vtkIdType cell;
-  int isHit = 0;
-  if (this->IsPixel)
-  {
-    isHit = isosurfaces->PickPixel(this->Renderer, volume, this->Pixel[0], this->Pixel[1], position,
-      parametric, cell, isovalue, normal);
-  }
-  else
-  {
-    double from[3];
-    double to[3];
-    double t;
-    this->Transform->TransformPoint(p1, from);
-    this->Transform->TransformPoint(p2, to);
-    isHit = isosurfaces->IntersectWithLine(
-      volume, from, to, t, position, parametric, cell, isovalue, normal);
-  }
-  if (isHit == 0)
+  SurfaceHit hit;
+  if (!this->FindHit(isosurfaces, volume, p1, p2, hit))
   {
     return VTK_DOUBLE_MAX;
   }
-
   double inData[3];
-  this->Transform->GetLinearInverse()->TransformPoint(position, inData);
+  this->Transform->GetLinearInverse()->TransformPoint(hit.Position, inData);
   double along[3];
   double way[3];
   vtkMath::Subtract(p2, p1, along);
   vtkMath::Subtract(inData, p1, way);
   const double t = vtkMath::Dot(way, along) / vtkMath::Dot(along, along);
-  if (!(t < this->GlobalTMin))
+  if (t < this->GlobalTMin)
   {
-    return t;
+    this->SetPickInfo(isosurfaces, hit, inData);
   }
+  return t;
+}
+
+//------------------------------------------------------------------------------
+/// Finds the first hit at the pixel, or along the line from p1 to p2 in the coordinates of the
+/// data.
+bool vtkIsosurfacePicker::FindHit(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume* volume,
+  const double p1[3], const double p2[3], SurfaceHit& hit)
+{
+  if (this->IsPixel)
+  {
+    return mapper->PickPixel(this->Renderer, volume, this->Pixel[0], this->Pixel[1], hit.Position,
+             hit.Parametric, hit.Cell, hit.Isovalue, hit.Normal) != 0;
+  }
+  double from[3];
+  double to[3];
+  double t;
+  this->Transform->TransformPoint(p1, from);
+  this->Transform->TransformPoint(p2, to);
+  return mapper->IntersectWithLine(volume, from, to, t, hit.Position, hit.Parametric, hit.Cell,
+           hit.Isovalue, hit.Normal) != 0;
+}
+
+//------------------------------------------------------------------------------
+/// Makes a hit what was picked; position is that in the coordinates of the data.
+void vtkIsosurfacePicker::SetPickInfo(
+  vtkIsosurfaceRayTraceMapper* mapper, const SurfaceHit& hit, const double position[3])
+{
   this->ResetPickInfo();
+  vtkIdType cell;
   unsigned int flatIndex = 0;
-  vtkDataSet* grid = isosurfaces->FindBlock(cell, cell, flatIndex);
+  vtkDataSet* grid = mapper->FindBlock(hit.Cell, cell, flatIndex);
   this->Mapper = mapper;
-  this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(isosurfaces->GetDataObjectInput());
+  this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
   this->FlatBlockIndex = this->CompositeDataSet ? static_cast<vtkIdType>(flatIndex) : -1;
   this->DataSet = grid;
-  this->Isovalue = isovalue;
-  std::copy_n(position, 3, this->SurfacePosition);
-  std::copy_n(normal, 3, this->SurfaceNormal);
-  std::copy_n(inData, 3, this->MapperPosition);
-  this->Transform->GetLinearInverse()->TransformNormal(normal, this->MapperNormal);
+  this->Isovalue = hit.Isovalue;
+  std::copy_n(hit.Position, 3, this->SurfacePosition);
+  std::copy_n(hit.Normal, 3, this->SurfaceNormal);
+  std::copy_n(position, 3, this->MapperPosition);
+  this->Transform->GetLinearInverse()->TransformNormal(hit.Normal, this->MapperNormal);
   // From the cell of the grid to an index in its extent.
   const int* extent = grid->GetInformation()->Get(vtkDataObject::DATA_EXTENT());
   const auto dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const vtkIdType columns = dimensions[0] - 1;
   const vtkIdType rows = dimensions[1] - 1;
-  const double index[3] = { extent[0] + cell % columns + parametric[0],
-    extent[2] + cell / columns % rows + parametric[1],
-    extent[4] + cell / columns / rows + parametric[2] };
+  const double index[3] = { extent[0] + cell % columns + hit.Parametric[0],
+    extent[2] + cell / columns % rows + hit.Parametric[1],
+    extent[4] + cell / columns / rows + hit.Parametric[2] };
   this->SetImageDataPickInfo(index, extent);
   this->CellId = cell;
-  std::copy_n(parametric, 3, this->PCoords);
-  return t;
+  std::copy_n(hit.Parametric, 3, this->PCoords);
 }
 
 //------------------------------------------------------------------------------

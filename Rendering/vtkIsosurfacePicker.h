@@ -27,6 +27,9 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkIsosurfaceRayTraceMapper;
+class vtkVolume;
+
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfacePicker : public vtkVolumePicker
 {
 public:
@@ -60,6 +63,21 @@ protected:
 private:
   vtkIsosurfacePicker(const vtkIsosurfacePicker&) = delete;
   void operator=(const vtkIsosurfacePicker&) = delete;
+
+  /// See vtkIsosurfaceRayTraceMapper::PickPixel.
+  struct SurfaceHit
+  {
+    double Position[3];
+    double Parametric[3];
+    vtkIdType Cell;
+    double Isovalue;
+    double Normal[3];
+  };
+
+  bool FindHit(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume* volume, const double p1[3],
+    const double p2[3], SurfaceHit& hit);
+  void SetPickInfo(
+    vtkIsosurfaceRayTraceMapper* mapper, const SurfaceHit& hit, const double position[3]);
 
   double Isovalue;
   /// Of the last surface found, in world coordinates.

@@ -144,43 +144,15 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
     {
       continue;
     }
-    Block block = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
+    const Block block = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
       this->NumberOfCells, nullptr, nullptr, {} };
     this->NumberOfPoints += data->GetNumberOfPoints();
     this->NumberOfCells += data->GetNumberOfCells();
-    if (!vtkImageData::SafeDownCast(data) && !vtkRectilinearGrid::SafeDownCast(data))
+    const std::string problem = this->Append(block, choice, blocks);
+    if (!problem.empty())
     {
-      return NameBlock(block) + " is a " + data->GetClassName() +
-        ". Give blocks of vtkImageData, or one vtkRectilinearGrid.";
+      return problem;
     }
-    int association = 0;
-    block.Scalars = vtkAbstractMapper::GetScalars(data, choice.ScalarMode, choice.ArrayAccessMode,
-      choice.ArrayId, choice.ArrayName, association);
-    const vtkirt::Index3 points = block.GetPoints();
-    if (!block.Scalars || association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
-      std::min({ points[0], points[1], points[2] }) < 2)
-    {
-      continue;
-    }
-    if (blocks.empty())
-    {
-      this->OfCells = association == 1;
-    }
-    const vtkIdType tuples =
-      association == 1 ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-    if (this->OfCells != (association == 1) || block.Scalars->GetNumberOfTuples() != tuples ||
-      (!blocks.empty() &&
-        block.Scalars->GetNumberOfComponents() != blocks[0].Scalars->GetNumberOfComponents()))
-    {
-      return NameBlock(block) +
-        " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
-        "point, or for every cell, with the same number of components.";
-    }
-    if (!choice.ColorArrayName.empty())
-    {
-      block.Colors = vtkIsosurfaceRayTraceColors::FindArray(data, choice.ColorArrayName);
-    }
-    blocks.push_back(block);
   }
   if (blocks.empty())
   {
@@ -192,6 +164,49 @@ std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, con
     blocks[i].First = this->Blocks[i].First;
   }
   this->Blocks = std::move(blocks);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+/// Appends a block with its arrays, if it has a volume and the scalars. Returns why it cannot be
+/// traced; else empty.
+std::string vtkIsosurfaceRayTraceBlocks::Append(
+  Block block, const Choice& choice, std::vector<Block>& blocks)
+{
+  vtkDataSet* data = block.Data;
+  if (!vtkImageData::SafeDownCast(data) && !vtkRectilinearGrid::SafeDownCast(data))
+  {
+    return NameBlock(block) + " is a " + data->GetClassName() +
+      ". Give blocks of vtkImageData, or one vtkRectilinearGrid.";
+  }
+  int association = 0;
+  block.Scalars = vtkAbstractMapper::GetScalars(
+    data, choice.ScalarMode, choice.ArrayAccessMode, choice.ArrayId, choice.ArrayName, association);
+  const vtkirt::Index3 points = block.GetPoints();
+  if (!block.Scalars || association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
+    std::min({ points[0], points[1], points[2] }) < 2)
+  {
+    return "";
+  }
+  const bool areOfCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (blocks.empty())
+  {
+    this->OfCells = areOfCells;
+  }
+  const vtkIdType tuples = areOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  if (this->OfCells != areOfCells || block.Scalars->GetNumberOfTuples() != tuples ||
+    (!blocks.empty() &&
+      block.Scalars->GetNumberOfComponents() != blocks[0].Scalars->GetNumberOfComponents()))
+  {
+    return NameBlock(block) +
+      " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
+      "point, or for every cell, with the same number of components.";
+  }
+  if (!choice.ColorArrayName.empty())
+  {
+    block.Colors = vtkIsosurfaceRayTraceColors::FindArray(data, choice.ColorArrayName);
+  }
+  blocks.push_back(block);
   return "";
 }
 

@@ -65,6 +65,7 @@ public:
 
 private:
   std::string Collect(vtkCompositeDataSet* input, const Choice& choice);
+  std::string Append(Block block, const Choice& choice, std::vector<Block>& blocks);
   std::string PlaceBlocks();
   void Join();
   const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
