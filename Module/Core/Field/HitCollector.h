@@ -4,7 +4,7 @@
 #ifndef HitCollector_h
 #define HitCollector_h
 
-#include "Rays/TraceRequest.h"
+#include "Field/TracedField.h"
 
 #include <vector>
 
@@ -15,22 +15,14 @@ namespace vtkIsosurfaceRayTracing
 /// colour.
 constexpr double NegligibleTransmittance = 1.0 / 1024.0;
 
-/// Where hits are, in the object space of their field.
-class HitLocator
-{
-public:
-  virtual ~HitLocator() = default;
-  virtual Vector3 GetPoint(const Hit& hit) const = 0;
-};
-
 /// Collects the hits of one ray, which come front to back, until no transmittance is left.
 class HitCollector
 {
 public:
   /// Hits are appended.
-  HitCollector(const TraceRequest& request, const HitLocator& locator, std::vector<Hit>& hits)
-    : Request(&request)
-    , Locator(&locator)
+  HitCollector(const TracedField& field, std::vector<Hit>& hits)
+    : Field(&field)
+    , Request(&field.GetRequest())
     , Hits(&hits)
   {
   }
@@ -39,7 +31,7 @@ public:
   bool Add(const Hit& hit)
   {
     if (!this->Request->Visible.IsConvex() &&
-      !this->Request->Visible.Shows(hit, this->Locator->GetPoint(hit)))
+      !this->Request->Visible.Shows(hit, this->Field->GetPoint(hit)))
     {
       return false;
     }
@@ -49,8 +41,8 @@ public:
   }
 
 private:
+  const TracedField* Field;
   const TraceRequest* Request;
-  const HitLocator* Locator;
   std::vector<Hit>* Hits;
   double Transmittance = 1.0;
 };

@@ -49,7 +49,7 @@ std::unique_ptr<ImageField> ImageField::New(
 //------------------------------------------------------------------------------
 ImageField::ImageField(std::unique_ptr<ImageStructures> structures)
   : Structures(std::move(structures))
-  , Selection(this->Structures->GetLattice())
+  , Selection(*this, this->Structures->GetLattice())
   , Tracer(this->Structures->NewTracer(this->Selection))
 {
 }

@@ -4,7 +4,6 @@
 #ifndef CellLattice_h
 #define CellLattice_h
 
-#include "Field/HitCollector.h"
 #include "Image/Lattice/UnevenPlanes.h"
 #include "Rays/Hit.h"
 
@@ -40,7 +39,7 @@ private:
 };
 
 /// The cells between the samples of an image: their planes, and their numbers, x fastest.
-class CellLattice final : public HitLocator
+class CellLattice
 {
 public:
   /// Given the numbers of samples.
@@ -89,7 +88,7 @@ public:
     return this->Planes ? this->Planes->GetPoint(cell, parametric)
                         : GetPointInCells(cell, parametric);
   }
-  Vector3 GetPoint(const Hit& hit) const override
+  Vector3 GetPoint(const Hit& hit) const
   {
     return this->GetPoint(this->GetCell(hit), hit.Parametric);
   }

@@ -26,6 +26,7 @@ namespace vtkIsosurfaceRayTracing
 /// What is traced of an image: the request, and what follows from it for the macrocells.
 struct ImageSelection
 {
+  const TracedField& Field;
   TraceRequest Request;
   CellLattice Lattice;
   /// See Execution.
@@ -37,8 +38,9 @@ struct ImageSelection
   /// The same for packets of rays; none unless the finest macrocells have 8^3 cells.
   std::optional<BlockTree> Tree;
 
-  explicit ImageSelection(const MacrocellLattice& lattice)
-    : Lattice({ lattice.Cells[0] + 1, lattice.Cells[1] + 1, lattice.Cells[2] + 1 })
+  ImageSelection(const TracedField& field, const MacrocellLattice& lattice)
+    : Field(field)
+    , Lattice({ lattice.Cells[0] + 1, lattice.Cells[1] + 1, lattice.Cells[2] + 1 })
     , Active(lattice)
   {
   }
@@ -53,7 +55,7 @@ struct ImageSelection
 
   HitCollector NewCollector(std::vector<Hit>& hits) const
   {
-    return HitCollector(this->Request, this->Lattice, hits);
+    return HitCollector(this->Field, hits);
   }
 
   /// Whether rays end at a surface, so that only its first root in a cell counts.
