@@ -247,7 +247,7 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   // Ids and points cannot be averaged, and a coarse picture is soon replaced.
   if (!settings.ProgressiveAccumulation || scene.KeepHits || drawing.Sampling.Pixels != 1)
   {
-    return this->Trace(drawing, keepGoing);
+    return this->Trace(request.Execution, drawing, keepGoing);
   }
   std::vector<vtkObject*> objects = request.Input.GetObjects();
   objects.insert(objects.end(), { target.Mapper, request.Property });
@@ -259,7 +259,7 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   if (this->NumberOfAccumulatedFrames < settings.MaximumNumberOfAccumulatedFrames)
   {
     vtkIsosurfaceRayTraceAccumulation::SetFrame(this->NumberOfAccumulatedFrames, scene);
-    if (!this->Trace(drawing, keepGoing))
+    if (!this->Trace(request.Execution, drawing, keepGoing))
     {
       return false;
     }
@@ -272,10 +272,10 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
 
 //------------------------------------------------------------------------------
 /// Renders the picture. If hits are kept, it has a pixel for every ray.
-bool vtkIsosurfaceRayTraceFrame::Trace(
-  const Drawing& drawing, const std::function<bool(double)>& keepGoing)
+bool vtkIsosurfaceRayTraceFrame::Trace(const vtkirt::Execution& execution, const Drawing& drawing,
+  const std::function<bool(double)>& keepGoing)
 {
-  if (!this->Picture.Trace(keepGoing))
+  if (!this->Picture.Trace(execution, keepGoing))
   {
     return false;
   }

@@ -82,7 +82,8 @@ private:
   bool Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
-  bool Trace(const Drawing& drawing, const std::function<bool(double)>& keepGoing);
+  bool Trace(const vtkIsosurfaceRayTracing::Execution& execution, const Drawing& drawing,
+    const std::function<bool(double)>& keepGoing);
   void DisplayColors(const Drawing& drawing);
   void DisplayIds(const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing);
   void DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,

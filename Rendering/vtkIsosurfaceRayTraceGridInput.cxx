@@ -126,14 +126,18 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceGridInput::Update(
-  vtkVolumeMapper* mapper, const vtkirt::ImageSettings& settings, int threads)
+bool vtkIsosurfaceRayTraceGridInput::Update(const vtkirt::ImageSettings& settings, int threads)
 {
-  const bool isBuilt = this->Source.Update(this->Grid, this->Scalars, settings, threads);
-  this->Visible = {};
-  this->Visible.HiddenCells = this->Source.GetHiddenCells();
-  vtkIsosurfaceRayTraceCropping::Apply(mapper, this->Source.GetGeometry(), this->Visible);
-  return isBuilt;
+  return this->Source.Update(this->Grid, this->Scalars, settings, threads);
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible(vtkVolumeMapper* mapper) const
+{
+  vtkirt::Visibility visible;
+  visible.HiddenCells = this->Source.GetHiddenCells();
+  vtkIsosurfaceRayTraceCropping::Apply(mapper, this->Source.GetGeometry(), visible);
+  return visible;
 }
 
 //------------------------------------------------------------------------------
@@ -148,14 +152,6 @@ vtkDataSet* vtkIsosurfaceRayTraceGridInput::FindBlock(
   cellInBlock = cellId - block->FirstCell;
   flatIndex = block->FlatIndex;
   return block->Data;
-}
-
-//------------------------------------------------------------------------------
-vtkirt::TraceRequest vtkIsosurfaceRayTraceGridInput::MakeTraceRequest() const
-{
-  vtkirt::TraceRequest request;
-  request.Visible = this->Visible;
-  return request;
 }
 
 //------------------------------------------------------------------------------

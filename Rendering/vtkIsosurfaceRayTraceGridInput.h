@@ -36,8 +36,10 @@ public:
   std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
 
   /// Builds what tracing the selection needs. Returns whether macrocells had to be built.
-  bool Update(
-    vtkVolumeMapper* mapper, const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
+  bool Update(const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
+
+  /// What of the data is visible: by blanking, ghosts, and the cropping of a mapper.
+  vtkIsosurfaceRayTracing::Visibility FindVisible(vtkVolumeMapper* mapper) const;
 
   /// See vtkIsosurfaceRayTraceMapper::FindBlock. Null if the input is not composite, or no block
   /// has the cell.
@@ -51,7 +53,6 @@ public:
   {
     return this->Source.GetGeometry().GetPhysicalFromObject();
   }
-  vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const override;
   int GetPropertyComponent() const override { return this->PropertyComponent; }
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
     vtkVolumeProperty* property) const override;
@@ -79,7 +80,6 @@ private:
   vtkDataArray* ColorArray = nullptr;
 
   vtkIsosurfaceRayTraceSource Source;
-  vtkIsosurfaceRayTracing::Visibility Visible;
 };
 
 VTK_ABI_NAMESPACE_END

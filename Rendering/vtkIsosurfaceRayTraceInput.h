@@ -30,9 +30,6 @@ public:
   /// From the object space of the field to the coordinates of the data.
   virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const = 0;
 
-  /// A request without surfaces yet, with what the data determine: what of them is visible.
-  virtual vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest() const = 0;
-
   /// The component of the volume property that gives the colours of the surfaces.
   virtual int GetPropertyComponent() const = 0;
 

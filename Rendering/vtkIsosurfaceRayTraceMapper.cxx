@@ -182,12 +182,12 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeR
 
   const vtkIsosurfaceRayTraceSettings settings = this->GetSettings();
   const Clock::time_point start = Clock::now();
-  if (this->Input->Update(this, layout, settings.NumberOfThreads))
+  if (this->Input->Update(layout, settings.NumberOfThreads))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
   return std::make_unique<vtkIsosurfaceRayTraceRequest>(
-    settings, *this->Input, volume, this->ClippingPlanes);
+    settings, *this->Input, this->Input->FindVisible(this), volume, this->ClippingPlanes);
 }
 
 //------------------------------------------------------------------------------
@@ -376,7 +376,7 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   }
   picture.Scene.Pixels = { pixelX, pixelY, 1, 1 };
   picture.Scene.KeepHits = true;
-  picture.Trace([](double) { return true; });
+  picture.Trace(request->Execution, [](double) { return true; });
   this->SetTimes(picture.Times);
   if (!picture.IsVisible(0))
   {
@@ -415,7 +415,7 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   }
   vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, picture.Scene);
   picture.Scene.KeepHits = true;
-  picture.Trace(
+  picture.Trace(request->Execution,
     [this](double fraction)
     {
       this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);

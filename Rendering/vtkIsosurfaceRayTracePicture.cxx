@@ -19,7 +19,6 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
 {
   const vtkirt::TraceRequest& trace = request.GetTraceRequest();
-  this->Execution = request.Execution;
   vtkirt::SceneField field;
   field.Field = request.Input.GetField();
   for (const vtkirt::Isosurface& surface : trace.Surfaces)
@@ -59,9 +58,10 @@ void vtkIsosurfaceRayTracePicture::AddLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTracePicture::Trace(const std::function<bool(double)>& keepGoing)
+bool vtkIsosurfaceRayTracePicture::Trace(
+  const vtkirt::Execution& execution, const std::function<bool(double)>& keepGoing)
 {
-  return vtkirt::RenderTiles(this->Scene, this->Execution, this->Frame, this->Times, keepGoing);
+  return vtkirt::RenderTiles(this->Scene, execution, this->Frame, this->Times, keepGoing);
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,8 @@ public:
   void AddLights(vtkRenderer* renderer);
 
   /// Renders the picture. Returns false if keepGoing, called with the fraction done, stopped it.
-  bool Trace(const std::function<bool(double)>& keepGoing);
+  bool Trace(const vtkIsosurfaceRayTracing::Execution& execution,
+    const std::function<bool(double)>& keepGoing);
 
   /// Whether the picture, which must have kept its hits, shows anything at a pixel. A value of a
   /// projection may have no opacity.
@@ -58,7 +59,6 @@ private:
     return this->Scene.Fields[static_cast<std::size_t>(hit.Field)];
   }
 
-  vtkIsosurfaceRayTracing::Execution Execution;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
   std::unique_ptr<vtkIsosurfaceRayTracing::ValueColors> ColorsOfValues;
 };

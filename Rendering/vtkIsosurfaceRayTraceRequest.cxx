@@ -13,6 +13,8 @@
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <utility>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
@@ -57,7 +59,7 @@ std::string vtkIsosurfaceRayTraceRequest::FindProblem(
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   const vtkIsosurfaceRayTraceSettings& settings, const vtkIsosurfaceRayTraceInput& input,
-  vtkVolume* volume, vtkPlaneCollection* clippingPlanes)
+  vtkirt::Visibility visible, vtkVolume* volume, vtkPlaneCollection* clippingPlanes)
   : Input(input)
   , Property(volume->GetProperty())
   , Component(input.GetPropertyComponent())
@@ -65,7 +67,8 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
       vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, input.GetPhysicalFromObject()))
 {
   this->Execution.Threads = settings.NumberOfThreads;
-  vtkirt::TraceRequest request = input.MakeTraceRequest();
+  vtkirt::TraceRequest request;
+  request.Visible = std::move(visible);
   request.Projection = settings.Projection;
   if (!settings.Projection)
   {

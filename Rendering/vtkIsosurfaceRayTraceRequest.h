@@ -26,10 +26,11 @@ struct vtkIsosurfaceRayTraceRequest
   /// Why a blend mode of vtkVolumeMapper cannot be drawn; empty if it can.
   static std::string FindProblem(int blendMode, const vtkIsosurfaceRayTraceSettings& settings);
 
-  /// Selects what the field of the input traces from now on. The input must be up to date, and
-  /// outlive the request. The clipping planes may be null.
+  /// Selects what the field of the input traces from now on: of what is visible, and not cut off by
+  /// clipping planes (which may be null). The input must be up to date, and outlive the request.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
-    const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
+    const vtkIsosurfaceRayTraceInput& input, vtkIsosurfaceRayTracing::Visibility visible,
+    vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
 
   /// What was selected.
   const vtkIsosurfaceRayTracing::TraceRequest& GetTraceRequest() const;
