@@ -60,6 +60,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceGridInput
   Rendering/vtkIsosurfaceRayTraceHits
+  Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
@@ -67,6 +68,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSource
+  Rendering/vtkIsosurfaceRayTraceUse
   Rendering/vtkIsosurfaceRayTraceValueColors)
 
 set(private_headers

@@ -117,6 +117,7 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
   this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(image ? image : this->Grid, name);
   if (this->ColorArray)
   {
+    this->NumberOfColors = this->ColorArray->GetNumberOfTuples();
     return "";
   }
   return "There are no point data " +
@@ -195,6 +196,13 @@ vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfCells() const
 vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfPoints() const
 {
   return this->IsComposite ? this->Blocks.GetNumberOfPoints() : this->Grid->GetNumberOfPoints();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridInput::IsIntact() const
+{
+  return this->Source.IsIntact() &&
+    (!this->ColorArray || this->ColorArray->GetNumberOfTuples() >= this->NumberOfColors);
 }
 
 //------------------------------------------------------------------------------

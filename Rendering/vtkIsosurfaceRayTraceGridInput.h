@@ -61,6 +61,7 @@ public:
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
   vtkIdType GetNumberOfCells() const override;
   vtkIdType GetNumberOfPoints() const override;
+  bool IsIntact() const override;
   std::vector<vtkObject*> GetObjects() const override;
 
 private:
@@ -78,6 +79,8 @@ private:
   /// the array belongs to the grid.
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;
+  /// The number of its tuples.
+  vtkIdType NumberOfColors = 0;
 
   vtkIsosurfaceRayTraceSource Source;
 };

@@ -45,6 +45,10 @@ public:
   virtual vtkIdType GetNumberOfCells() const = 0;
   virtual vtkIdType GetNumberOfPoints() const = 0;
 
+  /// Whether the arrays that are traced are still where they were, and as long. (An observer may
+  /// have released their memory.)
+  virtual bool IsIntact() const = 0;
+
   /// The objects that a picture of the input depends on. Some may be null.
   virtual std::vector<vtkObject*> GetObjects() const = 0;
 };

@@ -4,13 +4,14 @@
 
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceFrame.h"
-#include "vtkIsosurfaceRayTraceGridInput.h"
 #include "vtkIsosurfaceRayTraceHits.h"
+#include "vtkIsosurfaceRayTraceHolder.h"
 #include "vtkIsosurfaceRayTraceOutput.h"
 #include "vtkIsosurfaceRayTracePicture.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceRayTraceUse.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -76,7 +77,7 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceMapper);
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
-  : Input(std::make_unique<vtkIsosurfaceRayTraceGridInput>())
+  : Uses(std::make_unique<vtkIsosurfaceRayTraceUseState>())
   , Frame(std::make_unique<vtkIsosurfaceRayTraceFrame>())
 {
   this->BlendMode = vtkVolumeMapper::ISOSURFACE_BLEND;
@@ -111,29 +112,30 @@ void vtkIsosurfaceRayTraceMapper::SetColorInputData(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMacrocellMemory()
 {
-  return static_cast<vtkIdType>(GetStatistics(*this->Input).HierarchyMemory);
+  return static_cast<vtkIdType>(GetStatistics(this->Uses->Input).HierarchyMemory);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetBrickMemory()
 {
-  return static_cast<vtkIdType>(GetStatistics(*this->Input).CacheMemory);
+  return static_cast<vtkIdType>(GetStatistics(this->Uses->Input).CacheMemory);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetNumberOfBricks()
 {
-  return static_cast<vtkIdType>(GetStatistics(*this->Input).NumberOfBricks);
+  return static_cast<vtkIdType>(GetStatistics(this->Uses->Input).NumberOfBricks);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 {
-  return static_cast<vtkIdType>(GetStatistics(*this->Input).MaximumNumberOfBricks);
+  return static_cast<vtkIdType>(GetStatistics(this->Uses->Input).MaximumNumberOfBricks);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMapper::SelectInput(vtkVolumeProperty* property)
+std::string vtkIsosurfaceRayTraceMapper::SelectInput(
+  vtkIsosurfaceRayTraceGridInput& input, vtkVolumeProperty* property)
 {
   const std::string problem =
     vtkIsosurfaceRayTraceRequest::FindProblem(this->BlendMode, this->GetSettings());
@@ -149,7 +151,7 @@ std::string vtkIsosurfaceRayTraceMapper::SelectInput(vtkVolumeProperty* property
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : this->VectorComponent;
   }
-  return this->Input->Select(this, choice, property);
+  return input.Select(this, choice, property);
 }
 
 //------------------------------------------------------------------------------
@@ -166,10 +168,11 @@ void vtkIsosurfaceRayTraceMapper::UpdateInputs()
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeRequest(
-  vtkVolume* volume)
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
 {
   this->UpdateInputs();
-  if (this->ReportOnce(this->SelectInput(volume->GetProperty())))
+  vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
+  if (this->ReportOnce(this->SelectInput(input, volume->GetProperty())))
   {
     return nullptr;
   }
@@ -182,12 +185,28 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeR
 
   const vtkIsosurfaceRayTraceSettings settings = this->GetSettings();
   const Clock::time_point start = Clock::now();
-  if (this->Input->Update(layout, settings.NumberOfThreads))
+  if (input.Update(layout, settings.NumberOfThreads))
   {
     this->MacrocellBuildTime = SecondsSince(start);
   }
   return std::make_unique<vtkIsosurfaceRayTraceRequest>(
-    settings, *this->Input, this->Input->FindVisible(this), volume, this->ClippingPlanes);
+    settings, input, input.FindVisible(this), volume, this->ClippingPlanes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::SendEvent(const vtkIsosurfaceRayTraceUse& use,
+  const vtkIsosurfaceRayTraceRequest& request, unsigned long event, double* progress)
+{
+  // The observers of an event whose observer traces something are not asked again, without end.
+  if (use.IsNested())
+  {
+    return true;
+  }
+  this->InvokeEvent(event, progress);
+  return request.Input.IsIntact() ||
+    !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
+                      "that were being traced, so the picture is not complete. Change them between "
+                      "frames.");
 }
 
 //------------------------------------------------------------------------------
@@ -218,7 +237,7 @@ double* vtkIsosurfaceRayTraceMapper::GetBounds()
 vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
   vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
 {
-  if (vtkDataSet* block = this->Input->FindBlock(cellId, cellInBlock, flatIndex))
+  if (vtkDataSet* block = this->Uses->GetLastInput().FindBlock(cellId, cellInBlock, flatIndex))
   {
     return block;
   }
@@ -230,14 +249,19 @@ vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
 {
-  this->UpdateInputs();
-  if (!volume || this->BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND ||
-    !this->SelectInput(volume->GetProperty()).empty())
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  if (!use.IsAllowed() || !volume || this->BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     return false;
   }
-  const std::vector<vtkirt::Isosurface> surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(
-    volume->GetProperty(), this->Input->GetPropertyComponent());
+  this->UpdateInputs();
+  vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
+  if (!this->SelectInput(input, volume->GetProperty()).empty())
+  {
+    return false;
+  }
+  const std::vector<vtkirt::Isosurface> surfaces =
+    vtkIsosurfaceRayTraceScene::GetSurfaces(volume->GetProperty(), input.GetPropertyComponent());
   return !surfaces.empty() && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
 }
 
@@ -252,41 +276,62 @@ void vtkIsosurfaceRayTraceMapper::SetTimes(const vtkIsosurfaceRayTracing::FrameT
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  this->MacrocellBuildTime = 0.0;
-  this->SetTimes({});
-  this->DisplayTime = 0.0;
-  this->NumberOfAccumulatedFrames = 0;
   const Clock::time_point start = Clock::now();
-  const std::string problem = vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume);
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  if (!use.IsAllowed())
+  {
+    return;
+  }
+  const std::string problem = use.IsNested()
+    ? "An observer of this mapper's events renders it, which is tracing already. Render when the "
+      "frame is complete: the render window sends vtkCommand::EndEvent then."
+    : vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume);
   if (!problem.empty())
   {
     this->ReportOnce(problem);
     return;
   }
-  const auto request = this->MakeRequest(volume);
+  this->MacrocellBuildTime = 0.0;
+  this->SetTimes({});
+  this->DisplayTime = 0.0;
+  this->NumberOfAccumulatedFrames = 0;
+  const vtkIsosurfaceRayTraceHolder holder(renderer, volume, this);
+  const auto request = this->MakeRequest(use, volume);
   if (!request)
   {
     return;
   }
 
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
-  this->ImageSampleDistance =
-    this->Frame->ChooseSampleDistance(this->GetSettings(), renderer, volume);
   const bool isComplete =
-    this->Frame->Render(this->GetSettings(), *request, { renderer, volume, this },
-      [this, renderer](double fraction)
-      {
-        this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
-        return renderer->GetRenderWindow()->CheckAbortStatus() == 0;
-      });
-  this->SetTimes(this->Frame->GetTimes());
-  this->DisplayTime = this->Frame->GetDisplayTime();
-  this->NumberOfAccumulatedFrames = this->Frame->GetNumberOfAccumulatedFrames();
+    this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderStartEvent, nullptr) &&
+    holder.CanDraw() && this->DrawFrame(use, *request, holder);
   if (isComplete)
   {
     this->TimeToDraw = SecondsSince(start);
   }
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
+  const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTraceHolder& holder)
+{
+  vtkRenderer* renderer = holder.GetRenderer();
+  vtkVolume* volume = holder.GetVolume();
+  this->ImageSampleDistance =
+    this->Frame->ChooseSampleDistance(this->GetSettings(), renderer, volume);
+  const bool isComplete =
+    this->Frame->Render(this->GetSettings(), request, { renderer, volume, this },
+      [this, &use, &request, &holder](double fraction)
+      {
+        return this->SendEvent(
+                 use, request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction) &&
+          holder.GetWindow()->CheckAbortStatus() == 0 && holder.CanDraw();
+      });
+  this->SetTimes(this->Frame->GetTimes());
+  this->DisplayTime = this->Frame->GetDisplayTime();
+  this->NumberOfAccumulatedFrames = this->Frame->GetNumberOfAccumulatedFrames();
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------
@@ -301,7 +346,8 @@ int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const doub
   const double p2[3], double& t, double x[3], double pcoords[3], vtkIdType& cellId,
   double& isovalue, double normal[3])
 {
-  const auto request = volume ? this->MakeRequest(volume) : nullptr;
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  const auto request = use.IsAllowed() && volume ? this->MakeRequest(use, volume) : nullptr;
   if (!request)
   {
     return 0;
@@ -332,7 +378,8 @@ bool vtkIsosurfaceRayTraceMapper::CastRays(
     return false;
   }
   output->Initialize();
-  const auto request = this->MakeRequest(volume);
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
   if (!request)
   {
     return false;
@@ -355,7 +402,9 @@ bool vtkIsosurfaceRayTraceMapper::CastRays(
 int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
   int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
 {
-  const auto request = renderer && volume ? this->MakeRequest(volume) : nullptr;
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  const bool isPossible = use.IsAllowed() && renderer && volume;
+  const auto request = isPossible ? this->MakeRequest(use, volume) : nullptr;
   if (!request)
   {
     return 0;
@@ -397,7 +446,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
       "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and an output.");
     return false;
   }
-  const auto request = this->MakeRequest(volume);
+  const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
   if (!request)
   {
     return false;
@@ -415,13 +465,15 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   }
   vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, picture.Scene);
   picture.Scene.KeepHits = true;
-  picture.Trace(request->Execution,
-    [this](double fraction)
-    {
-      this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
-      return true;
+  const bool isComplete = picture.Trace(request->Execution,
+    [this, &use, &request](double fraction) {
+      return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
     });
   this->SetTimes(picture.Times);
+  if (!isComplete)
+  {
+    return false;
+  }
   vtkIsosurfaceRayTraceOutput::WriteImage(*request, picture, width, height, output);
   return true;
 }

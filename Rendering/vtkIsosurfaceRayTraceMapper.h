@@ -81,6 +81,25 @@
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
  * @sa vtkIsosurfaceVolume vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
+ * While it draws, the mapper sends VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent
+ * (up to fifty times a second, with the fraction done) and VolumeMapperRenderEndEvent, on the
+ * thread that called it and while no other thread is at work. Observers may do what they like:
+ * - Changes of inputs, settings, properties and isovalues are seen in the next frame. What is drawn
+ *   stays as it is, and its data are kept until the frame ends.
+ * - Casting, picking and RenderToImage work, on the state as it is then. They send no events of
+ *   their own, and build macrocells of their own.
+ * - The mapper may be taken out of its volume, the volume out of its renderer, the renderer out of
+ *   its window, and the window may be finalized. VTK goes on to use them, so all this takes effect
+ *   when the window sends EndEvent.
+ * - To render the mapper again, in another window, is an error. (To call Render() of the window has
+ *   no effect. To call that of the renderer is not allowed by VTK.)
+ * - To release the memory of the very arrays that are traced, or to make them shorter, is an error,
+ *   and the frame is not drawn.
+ *
+ * A mapper is used by one thread at a time: to call a method that traces while another thread is in
+ * one is an error. Several threads may each use a mapper of their own, with a shallow copy of the
+ * data.
+ *
  * @sa vtkIsosurfaceComparisonFilter
  */
 
@@ -107,12 +126,15 @@ class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceFrame;
 class vtkIsosurfaceRayTraceGridInput;
+class vtkIsosurfaceRayTraceHolder;
+class vtkIsosurfaceRayTraceUse;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
 class vtkVolumeProperty;
 struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
+struct vtkIsosurfaceRayTraceUseState;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMapper : public vtkVolumeMapper
 {
@@ -696,14 +718,22 @@ private:
   void SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times);
   void UpdateInputs();
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
-  /// Selects what to trace. Returns why it cannot be traced; empty if it can.
-  std::string SelectInput(vtkVolumeProperty* property);
+  /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
+  std::string SelectInput(vtkIsosurfaceRayTraceGridInput& input, vtkVolumeProperty* property);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
-  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(vtkVolume* volume);
+  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
+    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+  /// Draws a frame. Returns whether it is complete.
+  bool DrawFrame(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
+    const vtkIsosurfaceRayTraceHolder& holder);
+  /// Sends an event of a use to observers, unless one of them began it. Returns whether what is
+  /// traced has outlived it.
+  bool SendEvent(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
+    unsigned long event, double* progress);
 
   int InterpolationMode = TRILINEAR;
   int RootSolver = ROBUST;
@@ -739,7 +769,7 @@ private:
   double ShadeTime = 0.0;
   double DisplayTime = 0.0;
 
-  std::unique_ptr<vtkIsosurfaceRayTraceGridInput> Input;
+  std::unique_ptr<vtkIsosurfaceRayTraceUseState> Uses;
   std::unique_ptr<vtkIsosurfaceRayTraceFrame> Frame;
   std::string LastProblem;
 };

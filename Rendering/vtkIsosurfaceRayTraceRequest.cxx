@@ -66,6 +66,11 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   , WorldFromObject(
       vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, input.GetPhysicalFromObject()))
 {
+  for (vtkObject* object : input.GetObjects())
+  {
+    this->Objects.emplace_back(object);
+  }
+  this->Objects.emplace_back(this->Property);
   this->Execution.Threads = settings.NumberOfThreads;
   vtkirt::TraceRequest request;
   request.Visible = std::move(visible);

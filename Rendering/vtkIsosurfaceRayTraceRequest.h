@@ -8,13 +8,17 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
+#include "vtkSmartPointer.h" // for ivars
+
 #include "Field/TracedField.h"
 
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkIsosurfaceRayTraceInput;
+class vtkObject;
 class vtkPlaneCollection;
 class vtkVolume;
 class vtkVolumeProperty;
@@ -42,6 +46,9 @@ struct vtkIsosurfaceRayTraceRequest
   /// From the object space of the field to the world.
   vtkIsosurfaceRayTracing::Matrix4 WorldFromObject;
   vtkIsosurfaceRayTracing::Execution Execution;
+  /// What is traced, and the property: they exist as long as the request, whatever becomes of the
+  /// inputs of the mapper and of the volume.
+  std::vector<vtkSmartPointer<vtkObject>> Objects;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -120,6 +120,7 @@ struct vtkIsosurfaceRayTraceSource::Key
   vtkDataArray* Array;
   vtkMTimeType ArrayTime;
   const void* Buffer;
+  vtkIdType NumberOfValues;
   vtkirt::Index3 Dimensions;
   bool AreOfCells;
   int Component;
@@ -128,9 +129,9 @@ struct vtkIsosurfaceRayTraceSource::Key
   bool operator==(const Key& other) const
   {
     return this->Array == other.Array && this->ArrayTime == other.ArrayTime &&
-      this->Buffer == other.Buffer && this->Dimensions == other.Dimensions &&
-      this->AreOfCells == other.AreOfCells && this->Component == other.Component &&
-      this->Settings == other.Settings;
+      this->Buffer == other.Buffer && this->NumberOfValues == other.NumberOfValues &&
+      this->Dimensions == other.Dimensions && this->AreOfCells == other.AreOfCells &&
+      this->Component == other.Component && this->Settings == other.Settings;
   }
 };
 
@@ -218,6 +219,7 @@ bool vtkIsosurfaceRayTraceSource::Update(
   key.Array = scalars;
   key.ArrayTime = scalars->GetMTime();
   key.Buffer = scalars->HasStandardMemoryLayout() ? scalars->GetVoidPointer(0) : nullptr;
+  key.NumberOfValues = scalars->GetNumberOfValues();
   key.AreOfCells = selection.AreOfCells;
   key.Component = selection.Component;
   key.Settings = settings;
@@ -257,6 +259,14 @@ bool vtkIsosurfaceRayTraceSource::Update(
   this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSource::IsIntact() const
+{
+  const Key& key = *this->Built;
+  return this->PlainScalars ||
+    (key.Array->GetSize() >= key.NumberOfValues && key.Array->GetVoidPointer(0) == key.Buffer);
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,10 @@ public:
   bool Update(vtkDataSet* grid, const Selection& selection,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
+  /// Whether the samples are still where they were at the last update, and as many. Their array
+  /// must exist.
+  bool IsIntact() const;
+
   /// Null before the first update.
   vtkIsosurfaceRayTracing::ImageField* GetField() const { return this->Field.get(); }
 

@@ -3,13 +3,15 @@
 
 #include "Picture/RenderTiles.h"
 
+#include "Field/FirstException.h"
 #include "Picture/PixelBlockRenderer.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-
-#include <omp.h>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -18,9 +20,18 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/// The time between two reports of progress: short for people, long for the threads, which must all
+/// come to rest for it.
+constexpr std::chrono::milliseconds ReportInterval{ 20 };
+
 double Seconds(Clock::duration duration)
 {
   return std::chrono::duration<double>(duration).count();
+}
+
+std::int64_t Nanoseconds(Clock::duration duration)
+{
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
 }
 
 std::size_t Area(const PixelRectangle& pixels)
@@ -39,8 +50,32 @@ double GetBrickSeconds(const Scene& scene)
   return seconds;
 }
 
-/// Calls visit for the parts of a tile that make a packet of rays each: as square as may be, since
-/// the rays of a packet are traced together.
+/// A tile of the picture.
+struct Tile
+{
+  /// In pixels from the lower left of the rectangle drawn.
+  PixelRectangle Pixels;
+  /// The number of blocks that are done: the first ones.
+  int BlocksDone = 0;
+  bool IsDone = false;
+};
+
+std::vector<Tile> MakeTiles(const Scene& scene)
+{
+  std::vector<Tile> tiles;
+  for (int y = 0; y < scene.Pixels.Height; y += scene.TileHeight)
+  {
+    for (int x = 0; x < scene.Pixels.Width; x += scene.TileWidth)
+    {
+      tiles.push_back({ { x, y, std::min(scene.TileWidth, scene.Pixels.Width - x),
+        std::min(scene.TileHeight, scene.Pixels.Height - y) } });
+    }
+  }
+  return tiles;
+}
+
+/// Calls visit for the parts of a tile that make a packet of rays each, until it returns false: as
+/// square as may be, since the rays of a packet are traced together.
 template <typename Visit>
 void ForEachBlock(const PixelRectangle& tile, const Visit& visit)
 {
@@ -51,19 +86,13 @@ void ForEachBlock(const PixelRectangle& tile, const Visit& visit)
   {
     for (int x = 0; x < tile.Width; x += columns)
     {
-      visit(PixelRectangle{ tile.X + x, tile.Y + y, std::min(columns, tile.Width - x),
-        std::min(rows, tile.Height - y) });
+      if (!visit(PixelRectangle{ tile.X + x, tile.Y + y, std::min(columns, tile.Width - x),
+            std::min(rows, tile.Height - y) }))
+      {
+        return;
+      }
     }
   }
-}
-
-/// Tile number i of the image, in pixels from the lower left of the rectangle drawn.
-PixelRectangle GetTile(const Scene& scene, int i, int tilesPerRow)
-{
-  const int x = i % tilesPerRow * scene.TileWidth;
-  const int y = i / tilesPerRow * scene.TileHeight;
-  return { x, y, std::min(scene.TileWidth, scene.Pixels.Width - x),
-    std::min(scene.TileHeight, scene.Pixels.Height - y) };
 }
 
 void Clear(const Scene& scene, Frame& frame)
@@ -76,69 +105,158 @@ void Clear(const Scene& scene, Frame& frame)
   frame.Hits.assign(scene.KeepHits ? count : 0, none);
 }
 
+std::vector<Shader> MakeShaders(const Scene& scene, const Kernels* kernels)
+{
+  std::vector<Shader> shaders;
+  shaders.reserve(scene.Fields.size());
+  for (std::size_t field = 0; field < scene.Fields.size(); ++field)
+  {
+    shaders.emplace_back(scene, field, kernels);
+  }
+  return shaders;
+}
+
+//------------------------------------------------------------------------------
+/// Renders a frame in steps. Between them no thread is at work, so that whoever is told of the
+/// progress may do anything.
+class FrameRenderer
+{
+public:
+  /// All must outlive the renderer.
+  FrameRenderer(const Scene& scene, const Execution& execution, Frame& frame, FrameTimes& times)
+    : TheScene(scene)
+    , TheExecution(execution)
+    , Picture(frame)
+    , Times(times)
+    , Shaders(MakeShaders(scene, execution.PacketKernels))
+    , Tiles(MakeTiles(scene))
+  {
+  }
+
+  bool IsDone() const { return this->Tiles.empty(); }
+
+  double GetFractionDone() const
+  {
+    return static_cast<double>(this->PixelsDone) / static_cast<double>(Area(this->TheScene.Pixels));
+  }
+
+  /// Renders tiles until the progress is to be reported, or all are done.
+  void TakeStep();
+
+private:
+  void Render(Tile& tile, PixelBlockRenderer& renderer);
+
+  const Scene& TheScene;
+  const Execution& TheExecution;
+  Frame& Picture;
+  FrameTimes& Times;
+  std::vector<Shader> Shaders;
+  /// Those that are not done.
+  std::vector<Tile> Tiles;
+  std::atomic<std::size_t> PixelsDone{ 0 };
+  Clock::time_point StepStart;
+  std::atomic<bool> IsStepOver{ false };
+  // Summed over the threads.
+  std::atomic<std::int64_t> TraceNanoseconds{ 0 };
+  std::atomic<std::int64_t> ShadeNanoseconds{ 0 };
+};
+
+//------------------------------------------------------------------------------
+void FrameRenderer::TakeStep()
+{
+  this->StepStart = Clock::now();
+  this->IsStepOver = false;
+  this->TraceNanoseconds = 0;
+  this->ShadeNanoseconds = 0;
+  const double brickSecondsBefore = GetBrickSeconds(this->TheScene);
+  const auto tiles = static_cast<std::int64_t>(this->Tiles.size());
+  FirstException exception;
+#pragma omp parallel num_threads(this->TheExecution.Threads)
+  {
+    std::optional<PixelBlockRenderer> renderer;
+    exception.Guard([&] { renderer.emplace(this->TheScene, this->Shaders, this->Picture); });
+#pragma omp for schedule(dynamic)
+    for (std::int64_t i = 0; i < tiles; ++i)
+    {
+      exception.Guard([&] { this->Render(this->Tiles[static_cast<std::size_t>(i)], *renderer); });
+    }
+  }
+  exception.Rethrow();
+  this->Tiles.erase(std::remove_if(this->Tiles.begin(), this->Tiles.end(),
+                      [](const Tile& tile) { return tile.IsDone; }),
+    this->Tiles.end());
+
+  const double brickSeconds = GetBrickSeconds(this->TheScene) - brickSecondsBefore;
+  const double traceSeconds = 1e-9 * static_cast<double>(this->TraceNanoseconds.load());
+  const double shadeSeconds = 1e-9 * static_cast<double>(this->ShadeNanoseconds.load());
+  const double threadSeconds = traceSeconds + shadeSeconds;
+  const double share =
+    threadSeconds > 0.0 ? Seconds(Clock::now() - this->StepStart) / threadSeconds : 0.0;
+  this->Times.Bricks += share * brickSeconds;
+  this->Times.Trace += share * (traceSeconds - brickSeconds);
+  this->Times.Shade += share * shadeSeconds;
+}
+
+//------------------------------------------------------------------------------
+/// Renders the blocks of a tile that are left, until the step is over. (A loop of OpenMP cannot be
+/// left early: the remaining tiles do nothing.)
+void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
+{
+  int number = 0;
+  Clock::duration traceTime{};
+  Clock::duration shadeTime{};
+  std::size_t pixels = 0;
+  tile.IsDone = true;
+  ForEachBlock(tile.Pixels,
+    [&](const PixelRectangle& block)
+    {
+      if (number++ < tile.BlocksDone)
+      {
+        return true;
+      }
+      if (this->IsStepOver.load(std::memory_order_relaxed))
+      {
+        tile.IsDone = false;
+        return false;
+      }
+      const Clock::time_point begin = Clock::now();
+      renderer.Trace(block);
+      const Clock::time_point traced = Clock::now();
+      renderer.Shade();
+      const Clock::time_point end = Clock::now();
+      traceTime += traced - begin;
+      shadeTime += end - traced;
+      pixels += Area(block);
+      ++tile.BlocksDone;
+      if (end - this->StepStart >= ReportInterval)
+      {
+        this->IsStepOver.store(true, std::memory_order_relaxed);
+      }
+      return true;
+    });
+  this->PixelsDone.fetch_add(pixels, std::memory_order_relaxed);
+  this->TraceNanoseconds.fetch_add(Nanoseconds(traceTime), std::memory_order_relaxed);
+  this->ShadeNanoseconds.fetch_add(Nanoseconds(shadeTime), std::memory_order_relaxed);
+}
+
 }
 
 //------------------------------------------------------------------------------
 bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing)
 {
-  const PixelRectangle& pixels = scene.Pixels;
-  const std::size_t count = Area(pixels);
   Clear(scene, frame);
-  std::vector<Shader> shaders;
-  shaders.reserve(scene.Fields.size());
-  for (std::size_t field = 0; field < scene.Fields.size(); ++field)
+  times = {};
+  FrameRenderer renderer(scene, execution, frame, times);
+  while (!renderer.IsDone())
   {
-    shaders.emplace_back(scene, field, execution.PacketKernels);
-  }
-  const int tilesPerRow = (pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
-  const int tiles = tilesPerRow * ((pixels.Height + scene.TileHeight - 1) / scene.TileHeight);
-  const double brickSecondsBefore = GetBrickSeconds(scene);
-  const Clock::time_point start = Clock::now();
-  double traceSeconds = 0.0;
-  double shadeSeconds = 0.0;
-  std::atomic<std::size_t> done{ 0 };
-  std::atomic<bool> going{ true };
-
-#pragma omp parallel num_threads(execution.Threads) reduction(+ : traceSeconds, shadeSeconds)
-  {
-    PixelBlockRenderer renderer(scene, shaders, frame);
-#pragma omp for schedule(dynamic)
-    for (int i = 0; i < tiles; ++i)
+    renderer.TakeStep();
+    if (!renderer.IsDone() && !keepGoing(renderer.GetFractionDone()))
     {
-      ForEachBlock(GetTile(scene, i, tilesPerRow),
-        [&](const PixelRectangle& block)
-        {
-          // A loop of OpenMP cannot be left early: remaining iterations do nothing.
-          if (!going.load(std::memory_order_relaxed))
-          {
-            return;
-          }
-          const Clock::time_point begin = Clock::now();
-          renderer.Trace(block);
-          const Clock::time_point traced = Clock::now();
-          renderer.Shade();
-          traceSeconds += Seconds(traced - begin);
-          shadeSeconds += Seconds(Clock::now() - traced);
-          const std::size_t some = Area(block);
-          const std::size_t finished = done.fetch_add(some, std::memory_order_relaxed) + some;
-          if (omp_get_thread_num() == 0 && finished < count &&
-            !keepGoing(static_cast<double>(finished) / static_cast<double>(count)))
-          {
-            going.store(false, std::memory_order_relaxed);
-          }
-        });
+      return false;
     }
   }
-
-  const double brickSeconds = GetBrickSeconds(scene) - brickSecondsBefore;
-  const double threadSeconds = traceSeconds + shadeSeconds;
-  const double share = threadSeconds > 0.0 ? Seconds(Clock::now() - start) / threadSeconds : 0.0;
-  times.Bricks = share * brickSeconds;
-  times.Trace = share * (traceSeconds - brickSeconds);
-  times.Shade = share * shadeSeconds;
-  // The end of the progress is reported, whichever thread traced the last pixels.
-  return going.load() && keepGoing(1.0);
+  return keepGoing(1.0);
 }
 
 }

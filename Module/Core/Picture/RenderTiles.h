@@ -36,8 +36,8 @@ struct FrameTimes
 };
 
 /// Traces and shades a scene, tile by tile, on all threads. The fields must be selected. Now and
-/// then keepGoing is called with the fraction done, on the calling thread only; if it returns
-/// false, the frame is abandoned. Returns whether the frame is complete.
+/// then keepGoing is called with the fraction done, on the calling thread and while no other is at
+/// work; if it returns false, the frame is abandoned. Returns whether the frame is complete.
 bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, FrameTimes& times,
   const std::function<bool(double)>& keepGoing);
 

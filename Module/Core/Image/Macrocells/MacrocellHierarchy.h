@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <omp.h>
+
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -106,10 +108,14 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
   const auto length = static_cast<std::size_t>(dimensions[0]);
   const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
 
+  // Of each thread, allocated here: no exception may leave a parallel region.
+  std::vector<std::vector<T>> lows(static_cast<std::size_t>(threads), std::vector<T>(length));
+  std::vector<std::vector<T>> highs = lows;
+
 #pragma omp parallel num_threads(threads)
   {
-    std::vector<T> low(length);
-    std::vector<T> high(length);
+    std::vector<T>& low = lows[static_cast<std::size_t>(omp_get_thread_num())];
+    std::vector<T>& high = highs[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(dynamic)
     for (int row = 0; row < rows; ++row)
     {

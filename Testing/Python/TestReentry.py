@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever an observer does while a frame is traced, the process lives, and the next frame is right."""
+
+import subprocess
+import sys
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkPolyData
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkRenderingCore import (
+    vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty,
+    vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
+from vtkIsosurfaceRayTracing import (
+    vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceVolume)
+
+EVENTS = ("VolumeMapperRenderProgressEvent", "VolumeMapperRenderStartEvent", "VolumeMapperRenderEndEvent")
+VOLUMES = {"vtkVolume": vtkVolume, "vtkIsosurfaceVolume": vtkIsosurfaceVolume}
+
+
+def make_image(extent=24):
+    source = vtkRTAnalyticSource()
+    source.SetWholeExtent(-extent, extent, -extent, extent, -extent, extent)
+    source.Update()
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def make_property(isovalue=157.0):
+    prop = vtkVolumeProperty()
+    prop.GetIsoSurfaceValues().SetValue(0, isovalue)
+    prop.GetScalarOpacity().AddPoint(0.0, 1.0)
+    prop.GetRGBTransferFunction().AddRGBPoint(0.0, 0.9, 0.8, 0.7)
+    prop.ShadeOn()
+    return prop
+
+
+class Scene:
+    """A window with one volume, which takes long enough to trace that progress is reported."""
+
+    def __init__(self, volume_class=vtkVolume, size=200):
+        self.image = make_image()
+        self.mapper = vtkIsosurfaceRayTraceMapper()
+        self.mapper.SetInputData(self.image)
+        self.mapper.AmbientOcclusionOn()
+        self.mapper.SetNumberOfAmbientOcclusionRays(32)
+        self.volume = volume_class()
+        self.volume.SetMapper(self.mapper)
+        self.volume.SetProperty(make_property())
+        self.renderer = vtkRenderer()
+        self.renderer.AddVolume(self.volume)
+        self.renderer.ResetCamera()
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(size, size)
+        self.window.AddRenderer(self.renderer)
+        self.events = 0
+
+    def render_with(self, attack, event):
+        """Renders, and calls attack(self) at the first event."""
+        def call(caller, name):
+            self.events += 1
+            if self.events == 1:
+                attack(self)
+        self.mapper.AddObserver(event, call)
+        self.window.Render()
+        assert self.events > 0, "no event came"
+
+    def capture(self):
+        """The picture in the window as it is."""
+        capture = vtkWindowToImageFilter()
+        capture.SetInput(self.window)
+        capture.ReadFrontBufferOff()
+        capture.ShouldRerenderOff()
+        capture.Update()
+        return bytes(memoryview(capture.GetOutput().GetPointData().GetScalars()))
+
+    def cast(self):
+        """The cells that rays through the middle hit."""
+        origins = vtkPoints()
+        directions = vtkDoubleArray()
+        directions.SetNumberOfComponents(3)
+        for i in range(-20, 21):
+            origins.InsertNextPoint(0.5 * i, 0.1, 200.0)
+            directions.InsertNextTuple3(0.0, 0.0, -1.0)
+        output = vtkPolyData()
+        assert self.mapper.CastRays(self.volume, origins, directions, output)
+        cells = output.GetPointData().GetArray("CellId") or output.GetPointData().GetArray(0)
+        return [cells.GetTuple1(i) for i in range(cells.GetNumberOfTuples())]
+
+    def pick(self):
+        picker = vtkIsosurfacePicker()
+        hit = picker.Pick(100, 100, 0, self.renderer)
+        return hit, picker.GetCellId(), picker.GetPickPosition()
+
+
+# Attacks, by name ---------------------------------------------------------------------------------
+def set_input(scene):
+    scene.image = make_image(10)
+    scene.mapper.SetInputData(scene.image)
+
+
+def set_input_and_cast(scene):
+    set_input(scene)
+    assert scene.cast()
+
+
+def cast(scene):
+    assert scene.cast()
+
+
+def render_to_image(scene):
+    output = vtkImageData()
+    assert scene.mapper.RenderToImage(scene.volume, scene.renderer.GetActiveCamera(), None, 40, 40, output)
+    assert output.GetNumberOfPoints() == 1600
+
+
+def pick(scene):
+    assert scene.pick()[0] == 1
+
+
+def change_isovalue_and_cast(scene):
+    scene.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 120.0)
+    assert scene.cast()
+
+
+def change_property(scene):
+    scene.volume.SetProperty(make_property(100.0))
+
+
+def clear_functions(scene):
+    scene.volume.GetProperty().GetRGBTransferFunction().RemoveAllPoints()
+    scene.volume.GetProperty().GetScalarOpacity().RemoveAllPoints()
+
+
+def change_settings(scene):
+    scene.mapper.SetInterpolationModeToCubic()
+    scene.mapper.SetBrickSize(3)
+    scene.mapper.SetNumberOfMacrocellLevels(1)
+    scene.mapper.SetTileSize(64, 64)
+    scene.mapper.SetNumberOfThreads(1)
+    scene.mapper.ShadowsOn()
+    scene.mapper.AmbientOcclusionOff()
+
+
+def add_clipping_plane(scene):
+    scene.mapper.AddClippingPlane(vtkPlane())
+
+
+def reallocate(scene):
+    scene.image.SetDimensions(3, 3, 3)
+    scene.image.AllocateScalars(10, 1)
+
+
+def initialize(scene):
+    scene.image.Initialize()
+
+
+def shrink_scalars(scene):
+    scene.image.GetPointData().GetScalars().SetNumberOfTuples(8)
+    scene.image.GetPointData().GetScalars().Squeeze()
+
+
+def release_scalars(scene):
+    scene.image.GetPointData().GetScalars().Initialize()
+
+
+def remove_scalars(scene):
+    scene.image.GetPointData().SetScalars(None)
+
+
+def remove_input(scene):
+    scene.mapper.SetInputData(None)
+    scene.image = None
+
+
+def take_mapper(scene):
+    scene.volume.SetMapper(None)
+    scene.mapper = None
+
+
+def take_volume(scene):
+    scene.renderer.RemoveVolume(scene.volume)
+    scene.volume = None
+    scene.mapper = None
+
+
+def take_all_props(scene):
+    scene.renderer.RemoveAllViewProps()
+    scene.volume = None
+    scene.mapper = None
+
+
+def take_renderer(scene):
+    scene.window.RemoveRenderer(scene.renderer)
+    scene.renderer = None
+
+
+def render_window(scene):
+    scene.window.Render()
+
+
+def render_other_window(scene):
+    other = vtkRenderWindow()
+    other.SetOffScreenRendering(1)
+    renderer = vtkRenderer()
+    other.AddRenderer(renderer)
+    renderer.AddVolume(scene.volume)
+    other.Render()
+    scene.other = other
+
+
+def release_resources(scene):
+    scene.mapper.ReleaseGraphicsResources(scene.window)
+
+
+def resize(scene):
+    scene.window.SetSize(50, 60)
+
+
+def select(scene):
+    selector = vtkHardwareSelector()
+    selector.SetRenderer(scene.renderer)
+    selector.SetArea(0, 0, 10, 10)
+    selector.Select()
+
+
+def finalize(scene):
+    scene.window.Finalize()
+
+
+def abort(scene):
+    scene.window.SetAbortRender(1)
+
+
+ATTACKS = {name: function for name, function in list(globals().items())
+           if callable(function) and getattr(function, "__code__", None)
+           and function.__code__.co_varnames[:1] == ("scene",)}
+
+
+# What is not seen in the frame in which it is done.
+PUT_OFF = {"set_input", "set_input_and_cast", "cast", "render_to_image", "pick", "change_isovalue_and_cast",
+           "change_property", "clear_functions", "change_settings", "add_clipping_plane", "reallocate", "initialize",
+           "remove_scalars", "remove_input", "render_window", "render_other_window", "take_mapper",
+           "take_volume", "take_all_props"}
+# What changes nothing at all.
+HARMLESS = {"cast", "render_to_image", "pick", "render_window", "render_other_window", "release_resources",
+            "select", "abort"}
+ERRORS = {"shrink_scalars": "has released or made shorter", "release_scalars": "has released or made shorter",
+          "render_other_window": "tracing already"}
+
+
+def run(name, event, volume_class):
+    reference = Scene(volume_class)
+    reference.window.Render()
+    expected = reference.capture()
+    scene = Scene(volume_class)
+    scene.render_with(ATTACKS[name], event)
+    if name in PUT_OFF:
+        assert scene.capture() == expected, "the frame shows what was put off"
+    if name in HARMLESS:
+        scene.window.SetAbortRender(0)
+        scene.window.Render()
+        assert scene.capture() == expected, "the next frame differs"
+    print("survived")
+
+
+class TestReentry(unittest.TestCase):
+    pass
+
+
+def add_test(name, event, volume):
+    def test(self):
+        run = subprocess.run([sys.executable, __file__, "--attack", name, event, volume],
+                             capture_output=True, text=True, timeout=100)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("survived", run.stdout)
+        if name in ERRORS:
+            self.assertIn(ERRORS[name], run.stderr)
+        else:
+            self.assertNotIn("ERR|", run.stderr)
+    setattr(TestReentry, f"test_{name}_{event}_{volume}", test)
+
+
+for attack in ATTACKS:
+    add_test(attack, EVENTS[0], "vtkVolume")
+# Those that take something away, at other moments too.
+for attack in ("set_input", "remove_input", "release_scalars", "take_mapper", "take_volume", "take_renderer",
+               "finalize"):
+    add_test(attack, EVENTS[0], "vtkIsosurfaceVolume")
+    add_test(attack, EVENTS[1], "vtkVolume")
+    add_test(attack, EVENTS[2], "vtkIsosurfaceVolume")
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--attack"]:
+        run(sys.argv[2], sys.argv[3], VOLUMES[sys.argv[4]])
+    else:
+        unittest.main()
