@@ -5,6 +5,8 @@
 #include "vtkIsosurfaceRayTraceGeometry.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -12,6 +14,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkProp3D.h"
 #include "vtkTransform.h"
 #include "vtkVolume.h"
 
@@ -64,7 +67,17 @@ double vtkIsosurfacePicker::IntersectWithLine(const double p1[3], const double p
   vtkAssemblyPath* path, vtkProp3D* prop, vtkAbstractMapper3D* mapper)
 {
   const double before = this->GlobalTMin;
+  // A part of an assembly is drawn with the matrix of its path.
+  const bool isPart = path->GetNumberOfItems() > 1;
+  if (isPart)
+  {
+    prop->PokeMatrix(path->GetLastNode()->GetMatrix());
+  }
   const double t = this->Superclass::IntersectWithLine(p1, p2, tol, path, prop, mapper);
+  if (isPart)
+  {
+    prop->PokeMatrix(nullptr);
+  }
   if (t < before && std::isfinite(this->Isovalue) && this->Mapper == mapper)
   {
     // A round trip through the coordinates of the data would change the last bits.

@@ -18,6 +18,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
@@ -25,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -157,13 +159,37 @@ std::string vtkIsosurfaceRayTraceMapper::SelectInput(
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::UpdateInputs()
 {
-  for (int port = 0; port < 2; ++port)
+  // Without an input, the pipeline would report an error besides ours.
+  if (this->GetNumberOfInputConnections(0) > 0)
   {
-    if (this->GetNumberOfInputConnections(port) > 0)
+    this->Update();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkIsosurfaceRayTraceMapper::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  }
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
-      this->GetInputAlgorithm(port, 0)->Update();
+      vtkInformation* input = inputVector[port]->GetInformationObject(i);
+      if (input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
   }
+  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -689,6 +689,13 @@ public:
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /**
+   * Requests the whole extent of the inputs, in one piece, whatever other consumers have requested
+   * before.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Trace the isosurfaces of the volume into the window of the renderer.
    */

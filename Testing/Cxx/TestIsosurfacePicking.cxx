@@ -13,6 +13,9 @@
 
 #include "vtkIsosurfacePicker.h"
 
+#include <vtkAssembly.h>
+#include <vtkAssemblyNode.h>
+#include <vtkAssemblyPath.h>
 #include <vtkCellPicker.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -59,6 +62,47 @@ void Furnish(Scene& scene)
   plane->SetNormal(0.2, 0.3, -1.0);
   plane->SetOrigin(0.0, 0.0, 0.3);
   scene.Mapper->AddClippingPlane(plane);
+}
+
+/// A volume in an assembly is picked where it is drawn.
+void CheckAssembly(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  Scene scene(image, Size, Size);
+  Furnish(scene);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(scene.Volume);
+  inner->RotateY(20.0);
+  vtkNew<vtkAssembly> outer;
+  outer->AddPart(inner);
+  outer->SetPosition(0.3, -0.1, 0.2);
+  outer->SetScale(0.8);
+  scene.Renderer->AddViewProp(outer);
+  scene.Window->Render();
+  vtkNew<vtkIsosurfacePicker> picker;
+  vtkNew<vtkWorldPointPicker> depthPicker; // the point that the depth buffer shows
+  int picked = 0;
+  for (int x = Size / 2 - 20; x <= Size / 2 + 20; x += 5)
+  {
+    depthPicker->Pick(x, Size / 2, 0.0, scene.Renderer);
+    const double z = static_cast<double>(scene.Renderer->GetZ(x, Size / 2));
+    if (picker->Pick(x, Size / 2, 0.0, scene.Renderer) == 0)
+    {
+      check.Equal(z, 1.0, "the depth where nothing is picked in an assembly");
+      continue;
+    }
+    ++picked;
+    check.That(picker->GetPath()->GetLastNode()->GetViewProp() == scene.Volume.Get(),
+      "the volume in the assembly is picked");
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      check.Near(picker->GetPickPosition()[axis], depthPicker->GetPickPosition()[axis], 2e-2,
+        "the position picked in an assembly");
+    }
+  }
+  check.That(picked >= 5, "the volume in the assembly is found");
+  check.That(scene.Volume->GetUserMatrix() == nullptr, "the volume is as before");
 }
 
 /// Pictures without a window, made where there is no display, are those of a window.
@@ -375,6 +419,7 @@ void CheckLargeIds(Checks& check)
 int TestIsosurfacePicking(int, char*[])
 {
   Checks check;
+  CheckAssembly(check);
   CheckPictures(check);
   CheckPicker(check);
   CheckSelector(check);

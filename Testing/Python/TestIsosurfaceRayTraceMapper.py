@@ -6,10 +6,12 @@
 import unittest
 
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter, vtkIsosurfaceRayTraceMapper
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, reference, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkTableAlgorithm
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
+    vtkCamera,
     vtkColorTransferFunction,
     vtkRenderer,
     vtkRenderWindow,
@@ -69,6 +71,41 @@ class TestIsosurfaceRayTraceMapper(unittest.TestCase):
         red, green, blue = pixels.GetTuple(32 * 64 + 32)
         self.assertGreater(red, 0)
         self.assertEqual((green, blue), (0, 0))
+
+    def test_whole_extent_whoever_asked_for_a_part(self):
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 157.0)
+        volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 1.0)
+
+        def cast():
+            t, x, pcoords = reference(0.0), [0.0] * 3, [0.0] * 3
+            hit = mapper.IntersectWithLine(volume, (0.5, 0.5, 60.0), (0.5, 0.5, -60.0), t, x, pcoords,
+                                           reference(0), reference(0.0), [0.0] * 3)
+            return hit, t.get()
+
+        def render():
+            camera = vtkCamera()
+            camera.SetPosition(10.0, 20.0, 90.0)
+            camera.SetClippingRange(1.0, 200.0)
+            output = vtkImageData()
+            self.assertTrue(mapper.RenderToImage(volume, camera, None, 40, 40, output))
+            return bytes(memoryview(output.GetPointData().GetArray("Colors")))
+
+        calls = (cast, render, lambda: mapper.HasOnlyOpaqueSurfaces(volume), mapper.GetBounds)
+        expected = [call() for call in calls]
+        self.assertEqual(expected[0][0], 1)
+        self.assertTrue(expected[2])
+        for part in ((0, 0, -16, 16, -16, 16), (-16, 0, -16, 16, -16, 3)):
+            for call, value in zip(calls, expected):
+                source.Modified()
+                source.UpdateExtent(part)
+                self.assertEqual(source.GetOutput().GetExtent(), part)
+                self.assertEqual(call(), value)
 
 
 if __name__ == "__main__":
