@@ -73,7 +73,16 @@ set(private_headers
   Rendering/vtkIsosurfaceRayTraceInput.h
   Rendering/vtkIsosurfaceRayTraceSettings.h)
 
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(OpenMP COMPONENTS CXX)
+if (NOT OpenMP_CXX_FOUND)
+  message(FATAL_ERROR
+    "VTK::IsosurfaceRayTracing needs OpenMP, and the C++ compiler has none. Install it (Debian's clang: "
+    "libomp-dev), or build VTK without this module (-DVTK_MODULE_ENABLE_VTK_IsosurfaceRayTracing=NO).")
+endif ()
+if (NOT BUILD_SHARED_LIBS)
+  # Who links a static VTK needs OpenMP, too: VTK's package will look for it.
+  vtk_module_find_package(PACKAGE OpenMP COMPONENTS CXX)
+endif ()
 
 # Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers and
 # instruction sets. Much of the core is in headers, so all who include them do the same.
