@@ -20,10 +20,12 @@
 #include "vtkImageData.h"
 #include "vtkMarchingCubes.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkSynchronizedTemplates3D.h"
 #include "vtkTable.h"
@@ -615,6 +617,51 @@ void TestPictures(bool isPossible)
   }
 }
 
+//------------------------------------------------------------------------------
+// Windows that are not drawn with OpenGL, as of WebGPU or ANARI.
+class OtherWindow : public vtkRenderWindow
+{
+public:
+  static OtherWindow* New() { VTK_STANDARD_NEW_BODY(OtherWindow); }
+
+protected:
+  const char* GetClassNameInternal() const override { return "OtherWindow"; }
+};
+
+VTK_CREATE_CREATE_FUNCTION(OtherWindow)
+
+class OtherFactory : public vtkObjectFactory
+{
+public:
+  static OtherFactory* New() { VTK_STANDARD_NEW_BODY(OtherFactory); }
+  const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() override { return "other windows"; }
+
+protected:
+  OtherFactory()
+  {
+    this->RegisterOverride(
+      "vtkRenderWindow", "OtherWindow", "not OpenGL", 1, vtkObjectFactoryCreateOtherWindow);
+  }
+};
+
+//------------------------------------------------------------------------------
+void TestOtherWindows()
+{
+  const auto check = [](const std::string& words)
+  {
+    const std::string why = vtkIsosurfaceComparisonFilter::WhyNoPictures();
+    Check(why.find(words) != std::string::npos, "it should say \"" + words + "\": " + why);
+  };
+  vtkObjectFactory::SetAllEnableFlags(false, "vtkRenderWindow");
+  check("vtkRenderingOpenGL2 is not initialized");
+  vtkNew<OtherFactory> factory;
+  vtkObjectFactory::RegisterFactory(factory);
+  check("windows of the class OtherWindow");
+  vtkObjectFactory::UnRegisterFactory(factory);
+  vtkObjectFactory::SetAllEnableFlags(true, "vtkRenderWindow");
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -643,6 +690,7 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   TestProgressAndAbort();
   TestSettings();
   TestPictures(true);
+  TestOtherWindows();
 #ifdef __linux__
   unsetenv("DISPLAY");
   TestPictures(false);
