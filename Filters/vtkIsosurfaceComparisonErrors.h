@@ -6,15 +6,18 @@
 #ifndef vtkIsosurfaceComparisonErrors_h
 #define vtkIsosurfaceComparisonErrors_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkPoints;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

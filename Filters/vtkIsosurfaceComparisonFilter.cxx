@@ -29,6 +29,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,17 +7,20 @@
 #ifndef vtkIsosurfaceComparisonMethods_h
 #define vtkIsosurfaceComparisonMethods_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkIsosurfaceRayTraceMapper;
 class vtkImageData;
 class vtkPolyData;
 class vtkPolyDataAlgorithm;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

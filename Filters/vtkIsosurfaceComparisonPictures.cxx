@@ -65,10 +65,17 @@ private:
 std::string WhyNoPictures()
 {
   vtkNew<vtkRenderWindow> window;
-  if (!window->IsA("vtkOpenGLRenderWindow"))
+  const std::string name = window->GetClassName();
+  if (name == "vtkRenderWindow") // nothing overrides it
   {
     return "No pictures: the module vtkRenderingOpenGL2 is not initialized (VTK_MODULE_INIT, "
            "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).";
+  }
+  if (!window->IsA("vtkOpenGLRenderWindow"))
+  {
+    return "No pictures: isosurfaces are drawn with OpenGL, and VTK makes windows of the class " +
+      name + ". Leave out the module that makes them (VTK 9.7 and newer: or set the environment " +
+      "variable VTK_FACTORY_PREFER=RenderingBackend=OpenGL).";
   }
   // Without a display, this window would end the program.
   if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))

@@ -6,6 +6,7 @@
 #ifndef vtkIsosurfaceComparisonPictures_h
 #define vtkIsosurfaceComparisonPictures_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -13,11 +14,13 @@
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkImageData;
 class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

@@ -7,15 +7,18 @@
 #ifndef vtkIsosurfaceComparisonRays_h
 #define vtkIsosurfaceComparisonRays_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkNew.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkDoubleArray;
 class vtkImageData;
 class vtkPoints;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

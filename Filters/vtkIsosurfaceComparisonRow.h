@@ -6,12 +6,15 @@
 #ifndef vtkIsosurfaceComparisonRow_h
 #define vtkIsosurfaceComparisonRow_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkType.h"
 
 #include <limits>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTable;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

@@ -6,10 +6,13 @@
 #ifndef vtkIsosurfaceComparisonTopology_h
 #define vtkIsosurfaceComparisonTopology_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
 #include "vtkType.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceComparison
 {

@@ -75,7 +75,16 @@ set(private_headers
   Rendering/vtkIsosurfaceRayTraceInput.h
   Rendering/vtkIsosurfaceRayTraceSettings.h)
 
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(OpenMP COMPONENTS CXX)
+if (NOT OpenMP_CXX_FOUND)
+  message(FATAL_ERROR
+    "VTK::IsosurfaceRayTracing needs OpenMP, and the C++ compiler has none. Install it (Debian's clang: "
+    "libomp-dev), or build VTK without this module (-DVTK_MODULE_ENABLE_VTK_IsosurfaceRayTracing=NO).")
+endif ()
+if (NOT BUILD_SHARED_LIBS)
+  # Who links a static VTK needs OpenMP, too: VTK's package will look for it.
+  vtk_module_find_package(PACKAGE OpenMP COMPONENTS CXX)
+endif ()
 
 # Fusing a*b+c, or not, is the compiler's choice: it would make results differ between compilers and
 # instruction sets. Much of the core is in headers, so all who include them do the same.
@@ -116,7 +125,19 @@ set_target_properties(vtkIsosurfaceRayTracingCore
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
 
+# Headers are installed in their folders, as file sets (VTK 9.4 and newer) do it in any case; includes
+# name no folder.
+set(header_destination "${_vtk_build_HEADERS_DESTINATION}/vtkIsosurfaceRayTracing")
+set(include_folders "$<INSTALL_INTERFACE:${header_destination}>")
+foreach (folder IN ITEMS Filters Module Rendering)
+  list(APPEND include_folders
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>"
+    "$<INSTALL_INTERFACE:${header_destination}/${folder}>")
+endforeach ()
+
 vtk_module_add_module(VTK::IsosurfaceRayTracing
+  HEADER_DIRECTORIES
+  HEADERS_SUBDIR  vtkIsosurfaceRayTracing
   CLASSES         ${classes}
   PRIVATE_CLASSES ${private_classes}
   PRIVATE_HEADERS ${private_headers}
@@ -130,9 +151,14 @@ if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
 endif ()
 vtk_module_include(VTK::IsosurfaceRayTracing
   PUBLIC
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Module>"
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>"
+    ${include_folders}
   PRIVATE
     "${CMAKE_CURRENT_SOURCE_DIR}/Module/Core")
 vtk_module_link(VTK::IsosurfaceRayTracing PRIVATE OpenMP::OpenMP_CXX)
+
+# Who wraps the installed module looks for its headers by this property, in which VTK leaves out folders.
+list(TRANSFORM classes REPLACE "(.+)"
+  "\${_vtk_module_import_prefix}/${header_destination}/\\1.h" OUTPUT_VARIABLE installed_headers)
+vtk_module_set_property(VTK::IsosurfaceRayTracing
+  PROPERTY  INTERFACE_vtk_module_headers_install
+  VALUE     ${installed_headers})

@@ -6,11 +6,11 @@
 #ifndef vtkIsosurfaceRayTracingCompat_h
 #define vtkIsosurfaceRayTracingCompat_h
 
-#include "vtkVersionMacros.h"
+// Defines the namespace since VTK 9.3. Its version is not asked for: VTK warns of more deprecated
+// functions where vtkVersionMacros.h comes first. (VTK's wrapping tools know no __has_include.)
+#include "vtkType.h"
 
-#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
-#include "vtkABINamespace.h"
-#else
+#ifndef VTK_ABI_NAMESPACE_BEGIN
 #define VTK_ABI_NAMESPACE_BEGIN
 #define VTK_ABI_NAMESPACE_END
 #endif

@@ -65,6 +65,25 @@ bool IsSecondEye(vtkRenderer* renderer)
     renderer->GetActiveCamera()->GetLeftEye() == 0;
 }
 
+/// What is the matter with a window that is not drawn with OpenGL, and the remedy.
+std::string WhyNotOpenGL(vtkRenderWindow* window)
+{
+  if (!window)
+  {
+    return "The renderer is not in a render window. Add it to a vtkRenderWindow.";
+  }
+  const std::string name = window->GetClassName();
+  if (name == "vtkRenderWindow") // nothing overrides it
+  {
+    return "The render window draws nothing. Initialize the module vtkRenderingOpenGL2 "
+           "(VTK_MODULE_INIT, vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2) "
+           "before it is made.";
+  }
+  return "Isosurfaces are drawn with OpenGL, and the render window is a " + name +
+    ". Add the renderer to a window of OpenGL (VTK 9.7 and newer: set the environment variable "
+    "VTK_FACTORY_PREFER=RenderingBackend=OpenGL), or call RenderToImage, which needs no window.";
+}
+
 vtkirt::PixelRectangle GetViewport(vtkOpenGLRenderWindow* window)
 {
   const std::array<int, 4> viewport = vtkIsosurfaceRayTraceImageDisplay::GetViewport(window);
@@ -83,11 +102,10 @@ bool MayShowOthers(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (!vtkOpenGLRenderWindow::SafeDownCast(window))
   {
-    return "The renderer is not in an OpenGL render window. Add it to a vtkRenderWindow, "
-           "and initialize the module vtkRenderingOpenGL2 (VTK_MODULE_INIT, "
-           "vtk_module_autoinit, or import vtkmodules.vtkRenderingOpenGL2).";
+    return WhyNotOpenGL(window);
   }
   if (FindPass<vtkDualDepthPeelingPass>(volume))
   {

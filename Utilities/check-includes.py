@@ -48,7 +48,7 @@ def make_rules():
     rules["Rendering"] = [compat, CORE, "Rendering"]
     rules["Filters"] = [compat, CORE, "Filters", "Rendering/vtkIsosurfaceRayTraceMapper.h"]
     public_headers = find_public_headers()
-    rules["Programs"] = ["Programs", *public_headers]
+    rules["Programs"] = [compat, "Programs", *public_headers]
     rules["Examples"] = ["Examples", *public_headers]
     return rules
 

@@ -6,15 +6,19 @@
 
 #include "Crossover.h"
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkImageData;
 class vtkPolyData;
 class vtkTable;
+VTK_ABI_NAMESPACE_END
 
 namespace Compare
 {

@@ -6,11 +6,15 @@
 #ifndef Crossover_h
 #define Crossover_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace Compare
 {

@@ -6,13 +6,17 @@
 #ifndef Pictures_h
 #define Pictures_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkType.h>
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace Compare
 {

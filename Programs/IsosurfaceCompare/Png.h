@@ -6,10 +6,14 @@
 #ifndef Png_h
 #define Png_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace Compare
 {

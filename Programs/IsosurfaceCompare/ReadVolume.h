@@ -4,11 +4,15 @@
 #ifndef ReadVolume_h
 #define ReadVolume_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace Compare
 {

@@ -6,11 +6,15 @@
 
 #include "IsosurfaceRenderer.h"
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <memory>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

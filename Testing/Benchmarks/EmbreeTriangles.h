@@ -6,10 +6,14 @@
 
 #include "Views.h"
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

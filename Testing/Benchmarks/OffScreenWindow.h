@@ -6,15 +6,19 @@
 
 #include "Views.h"
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkNew.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderWindow;
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

@@ -4,11 +4,15 @@
 #ifndef ReadImage_h
 #define ReadImage_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

@@ -7,6 +7,8 @@
 #include "IsosurfaceRenderer.h"
 #include "OffScreenWindow.h"
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <vtkIsosurfaceRayTraceMapper.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -14,9 +16,11 @@
 
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkVolume;
 class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

@@ -4,11 +4,15 @@
 #ifndef Views_h
 #define Views_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
+VTK_ABI_NAMESPACE_END
 
 namespace Benchmark
 {

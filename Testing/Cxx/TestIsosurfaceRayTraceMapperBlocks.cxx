@@ -87,6 +87,8 @@ vtkSmartPointer<vtkImageData> NewPart(vtkImageData* whole, const std::array<int,
   extract->Update();
   auto part = vtkSmartPointer<vtkImageData>::New();
   part->ShallowCopy(extract->GetOutput());
+  // The extent says where the part is. (For images that are turned, VTK 9.7 moves the origin too.)
+  part->SetOrigin(whole->GetOrigin());
   return part;
 }
 

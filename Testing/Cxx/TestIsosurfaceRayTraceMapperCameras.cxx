@@ -85,11 +85,23 @@ std::vector<Setting> GetSettings()
     { "off its axis",
       [](vtkRenderer* renderer)
       {
+        // Screen and eye are in view coordinates before VTK 9.3, and in world coordinates since:
+        // here these are the same. So are both distances of the eyes if they are 0.
         vtkCamera* camera = renderer->GetActiveCamera();
+        camera->SetPosition(0.0, 0.0, 0.0);
+        camera->SetFocalPoint(0.0, 0.0, -1.0);
+        camera->SetViewUp(0.0, 1.0, 0.0);
+        camera->SetClippingRange(1.0, 10.0);
+        camera->SetEyeSeparation(0.0);
+        vtkNew<vtkMatrix4x4> eye;
+        eye->SetElement(0, 3, 0.3);
+        eye->SetElement(1, 3, -0.2);
+        eye->SetElement(2, 3, 4.0);
+        camera->SetEyeTransformMatrix(eye);
         camera->UseOffAxisProjectionOn();
-        camera->SetScreenBottomLeft(-0.4, -0.3, -1.0);
-        camera->SetScreenBottomRight(0.25, -0.3, -1.0);
-        camera->SetScreenTopRight(0.25, 0.35, -1.0);
+        camera->SetScreenBottomLeft(-0.9, -0.8, 1.0);
+        camera->SetScreenBottomRight(0.7, -0.8, 1.0);
+        camera->SetScreenTopRight(0.7, 0.8, 1.0);
       } },
     { "rolled and near",
       [](vtkRenderer* renderer)

@@ -12,6 +12,7 @@
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkObjectFactory.h>
 
 #include <functional>
 #include <limits>
@@ -155,6 +156,47 @@ std::vector<Fault> GetFaults(vtkDataArray* good)
   };
 }
 
+/// A window that is not drawn with OpenGL. Without a name it is as if nothing could draw.
+class OtherWindow : public vtkRenderWindow
+{
+public:
+  static OtherWindow* New() { VTK_STANDARD_NEW_BODY(OtherWindow); }
+  const char* Name = "vtkRenderWindow";
+
+protected:
+  const char* GetClassNameInternal() const override { return this->Name; }
+};
+
+/// Draws in a window and returns what the error says.
+std::string GetErrorIn(vtkRenderWindow* window, Scene& scene)
+{
+  vtkNew<vtkRenderer> renderer;
+  if (window)
+  {
+    window->AddRenderer(renderer);
+  }
+  vtkNew<EventCounter> errors;
+  const unsigned long observer = scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  scene.Mapper->Render(renderer, scene.Volume);
+  scene.Mapper->RemoveObserver(observer);
+  return errors->Text;
+}
+
+/// The error says what is the matter with the window, not something else.
+void CheckWindows(Checks& check, Scene& scene)
+{
+  const auto expect = [&](vtkRenderWindow* window, const std::string& words)
+  {
+    const std::string error = GetErrorIn(window, scene);
+    check.That(error.find(words) != std::string::npos, "it says \"" + words + "\": " + error);
+  };
+  expect(nullptr, "Add it to a vtkRenderWindow");
+  vtkNew<OtherWindow> window;
+  expect(window, "Initialize the module vtkRenderingOpenGL2");
+  window->Name = "vtkWebGPURenderWindow";
+  expect(window, "the render window is a vtkWebGPURenderWindow");
+}
+
 void CheckFault(Checks& check, const Fault& fault, Scene& scene, vtkImageData* image,
   const Picture& good, const Picture& empty)
 {
@@ -200,6 +242,8 @@ int TestIsosurfaceRayTraceMapperErrors(int, char*[])
   {
     CheckFault(check, fault, scene, image, good, empty);
   }
+
+  CheckWindows(check, scene);
 
   // VTK itself skips a volume that reaches to infinity; a direct call reports the problem.
   vtkNew<EventCounter> infinityErrors;
