@@ -644,6 +644,8 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   TestSettings();
   TestPictures(true);
 #ifdef __linux__
+  setenv("DISPLAY", ":9999", 1); // there is no such server
+  TestPictures(false);
   unsetenv("DISPLAY");
   TestPictures(false);
 #endif
