@@ -4,6 +4,7 @@
 // Runs vtkIsosurfaceComparisonFilter from the command line: see --help.
 
 #include "Comparison.h"
+#include "OutputFile.h"
 #include "ReadVolume.h"
 #include "Report.h"
 #include "TableFiles.h"
@@ -158,6 +159,27 @@ Arguments ParseArguments(int argc, char* argv[])
 }
 
 //------------------------------------------------------------------------------
+/// Completes the name of the report, and tells before long measurements what cannot be written.
+void PrepareOutputs(Arguments& arguments)
+{
+  if (!arguments.Report.empty())
+  {
+    if (!vtksys::SystemTools::MakeDirectory(arguments.Report))
+    {
+      throw std::runtime_error("the folder " + arguments.Report + " cannot be created");
+    }
+    arguments.Report += "/report.html";
+  }
+  for (const std::string& fileName : { arguments.Csv, arguments.Json, arguments.Report })
+  {
+    if (!fileName.empty())
+    {
+      CheckOutput(fileName);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void ChooseMethods(const std::vector<std::string>& names, Filter* filter)
 {
   for (const MethodSwitch& method : Methods)
@@ -266,11 +288,13 @@ int main(int argc, char* argv[])
   }
   try
   {
-    const Arguments arguments = ParseArguments(argc, argv);
+    Arguments arguments = ParseArguments(argc, argv);
     if (arguments.Help)
     {
+      FlushStandardOutput();
       return EXIT_SUCCESS;
     }
+    PrepareOutputs(arguments);
     const Comparison comparison = Run(arguments, command);
     Print(comparison.Table);
     if (!arguments.Csv.empty())
@@ -283,8 +307,10 @@ int main(int argc, char* argv[])
     }
     if (!arguments.Report.empty())
     {
-      std::printf("%s\n", WriteReport(comparison, arguments.Report).c_str());
+      WriteReport(comparison, arguments.Report);
+      std::printf("%s\n", arguments.Report.c_str());
     }
+    FlushStandardOutput();
   }
   catch (const std::exception& error)
   {

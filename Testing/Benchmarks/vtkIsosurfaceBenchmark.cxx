@@ -9,6 +9,7 @@
 #include "Environment.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
+#include "IsosurfaceCompare/OutputFile.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "ReadImage.h"
@@ -216,13 +217,15 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
 int main(int argc, char* argv[])
 {
   Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   try
   {
+    if (!ParseArguments(argc, argv, arguments))
+    {
+      Compare::FlushStandardOutput();
+      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
     Run(arguments, { argv, argv + argc });
+    Compare::FlushStandardOutput();
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)

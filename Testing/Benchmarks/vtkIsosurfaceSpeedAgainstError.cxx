@@ -8,6 +8,7 @@
 #include "BenchmarkInputs.h"
 #include "Environment.h"
 #include "HitAccuracy.h"
+#include "IsosurfaceCompare/OutputFile.h"
 #include "OffScreenWindow.h"
 #include "PictureMethods.h"
 #include "RayMethods.h"
@@ -269,6 +270,8 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     throw std::runtime_error("the folder " + arguments.Output + " cannot be created");
   }
+  const std::string results = arguments.Output + "/results.json";
+  Compare::CheckOutput(results); // What cannot be written is known now.
   // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
@@ -280,7 +283,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     kept = MeasureInput(input, arguments, root["inputs"].append({})) && kept;
   }
-  WriteJson(root, arguments.Output + "/results.json");
+  WriteJson(root, results);
   return kept;
 }
 
@@ -290,13 +293,16 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
 int main(int argc, char* argv[])
 {
   Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   try
   {
-    return Run(arguments, { argv, argv + argc }) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!ParseArguments(argc, argv, arguments))
+    {
+      Compare::FlushStandardOutput();
+      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    const bool kept = Run(arguments, { argv, argv + argc });
+    Compare::FlushStandardOutput();
+    return kept ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch (const std::exception& error)
   {
