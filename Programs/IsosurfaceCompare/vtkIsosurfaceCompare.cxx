@@ -68,6 +68,7 @@ struct Arguments
   std::string Json;
   std::string Csv;
   std::string Report;
+  double MaxMemory = GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -105,6 +106,7 @@ Arguments ParseArguments(int argc, char* argv[])
   Arguments arguments;
   std::vector<std::string> isovalues;
   std::string repeats;
+  std::string maxMemory;
   using Parser = vtksys::CommandLineArguments;
   Parser parser;
   parser.Initialize(argc, argv);
@@ -124,6 +126,7 @@ Arguments ParseArguments(int argc, char* argv[])
     "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "Write the table to this file, as CSV.");
   parser.AddArgument("--report", Parser::SPACE_ARGUMENT, &arguments.Report,
     "Write report.html to this folder: tables, plots and pictures in one file.");
+  parser.AddArgument("--max-memory", Parser::SPACE_ARGUMENT, &maxMemory, MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool isParsed = parser.Parse() != 0;
   if (arguments.Help)
@@ -154,6 +157,10 @@ Arguments ParseArguments(int argc, char* argv[])
   if (arguments.Repeats < 1 || arguments.Repeats > 1000)
   {
     throw std::runtime_error("--repeats takes a number from 1 to 1000, not " + repeats);
+  }
+  if (!maxMemory.empty())
+  {
+    arguments.MaxMemory = ToNumber(maxMemory);
   }
   return arguments;
 }
@@ -225,7 +232,7 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   comparison.Input = vtksys::SystemTools::GetFilenameName(arguments.Input);
   comparison.Machine = DescribeMachine();
   comparison.Repeats = arguments.Repeats;
-  comparison.Volume = ReadVolume(arguments.Input);
+  comparison.Volume = ReadVolume(arguments.Input, arguments.MaxMemory);
   comparison.Camera = vtkSmartPointer<vtkCamera>::New();
   Filter::LookAt(comparison.Volume, comparison.Camera);
 

@@ -10,6 +10,7 @@
 #include "GoalMeasurements.h"
 #include "Growth.h"
 #include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "ReadImage.h"
@@ -48,6 +49,7 @@ struct Arguments
   bool Papers = false;
   int Growth = 0;
   std::string Json = "benchmark.json";
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -79,6 +81,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "Measure the growth with the edge of the volume too, from 64 to this; needs no --input.");
   parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
     "The file for the results. Default: benchmark.json.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() == arguments.Isovalues.empty() &&
@@ -203,7 +207,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   setup.Baselines = SelectAvailable(ParseBaselines(arguments.Baselines), report.Environment);
   if (!arguments.Input.empty())
   {
-    setup.Image = ReadImage(arguments.Input);
+    setup.Image = ReadImage(arguments.Input, arguments.MaxMemory);
     DescribeVolume(setup, arguments.Input, report);
   }
   const auto write = [&arguments, &report]() { WriteJson(report.GetJson(), arguments.Json); };

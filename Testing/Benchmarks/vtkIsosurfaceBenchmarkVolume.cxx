@@ -5,6 +5,7 @@
 
 #include "AnalyticFieldSource.h"
 #include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "ReadImage.h"
 
 #include <vtkDataArray.h>
@@ -43,6 +44,7 @@ struct Arguments
   std::string Field;
   std::string Dimensions;
   std::string Output;
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -61,6 +63,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "The number of samples: N for a cube or X,Y,Z. The Visible Woman has 512,512,1734.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The .mhd file to write; its samples go into a .raw file beside it.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() != arguments.Field.empty() &&
@@ -110,7 +114,7 @@ vtkSmartPointer<vtkImageAlgorithm> NewSource(
   vtkNew<vtkImageInterpolator> cubic;
   cubic->SetInterpolationModeToCubic();
   auto resize = vtkSmartPointer<vtkImageResize>::New();
-  resize->SetInputData(Benchmark::ReadImage(arguments.Input));
+  resize->SetInputData(Benchmark::ReadImage(arguments.Input, arguments.MaxMemory));
   resize->SetInterpolator(cubic);
   resize->SetOutputDimensions(dimensions.data());
   return resize;

@@ -9,6 +9,7 @@
 #include "Environment.h"
 #include "HitAccuracy.h"
 #include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PictureMethods.h"
 #include "RayMethods.h"
@@ -47,6 +48,7 @@ struct Arguments
   int Pixels = 256;
   std::string Output = ".";
   bool Quick = false;
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -71,6 +73,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The folder for results.json and the images of errors (.vti). Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool sensible = arguments.Size >= 8 && arguments.Rays >= 8 && arguments.Repeats >= 1 &&
@@ -96,7 +100,7 @@ std::vector<Input> MakeInputs(const Arguments& arguments)
 {
   if (!arguments.Input.empty())
   {
-    return { ReadInput(arguments.Input, arguments.Isovalue) };
+    return { ReadInput(arguments.Input, arguments.Isovalue, arguments.MaxMemory) };
   }
   const int n = arguments.Size;
   return { MakeMarschnerLobb(n), MakeGyroid(n), MakeRandom(n), MakeNearTangent(n),
