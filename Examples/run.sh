@@ -46,6 +46,5 @@ if [[ $interactive == yes ]]; then
   exec "${example[@]}" --interactive
 fi
 mkdir -p "$build/pictures"
-xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
-  "${example[@]}" --output "$build/pictures"
+Utilities/with-display.sh "${example[@]}" --output "$build/pictures"
 echo "The pictures are in $build/pictures"

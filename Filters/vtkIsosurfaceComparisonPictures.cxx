@@ -15,6 +15,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtksys/DynamicLoader.hxx"
 
 #include <cstdlib>
 #include <vector>
@@ -43,6 +44,28 @@ private:
   vtkNew<vtkPolyDataMapper> Mapper;
   vtkNew<vtkActor> Actor;
 };
+
+// Asks the library that vtkXOpenGLRenderWindow connects with, and has loaded.
+bool CanOpenDisplay()
+{
+  using Loader = vtksys::DynamicLoader;
+  const Loader::LibraryHandle library = Loader::OpenLibrary("libX11.so.6");
+  if (!library)
+  {
+    return false;
+  }
+  const auto open =
+    reinterpret_cast<void* (*)(const char*)>(Loader::GetSymbolAddress(library, "XOpenDisplay"));
+  const auto close =
+    reinterpret_cast<int (*)(void*)>(Loader::GetSymbolAddress(library, "XCloseDisplay"));
+  void* display = open && close ? open(nullptr) : nullptr;
+  if (display)
+  {
+    close(display);
+  }
+  Loader::CloseLibrary(library);
+  return display != nullptr;
+}
 
 class IsosurfaceDrawing : public Drawing
 {
@@ -78,9 +101,13 @@ std::string WhyNoPictures()
       "variable VTK_FACTORY_PREFER=RenderingBackend=OpenGL).";
   }
   // Without a display, this window would end the program.
-  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
+  if (window->IsA("vtkXOpenGLRenderWindow") && !CanOpenDisplay())
   {
-    return "No pictures: there is no display. Set DISPLAY, or run under xvfb-run.";
+    const char* display = std::getenv("DISPLAY");
+    const std::string problem = display
+      ? std::string("the display ") + display + " cannot be opened"
+      : std::string("there is no display");
+    return "No pictures: " + problem + ". Set DISPLAY, or run under xvfb-run.";
   }
   return "";
 }

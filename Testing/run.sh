@@ -13,7 +13,4 @@ Utilities/install-dependencies.sh libgtest-dev libgmp-dev libembree-dev clang li
 # Only Debian's Python has the modules of Debian's VTK; another python3 may come before it in PATH.
 cmake --preset release -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build --preset release
-# Without -noreset the server restarts whenever its last client disconnects, and refuses clients that
-# connect meanwhile.
-xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
-  ctest --preset release --parallel 2 "$@"
+Utilities/with-display.sh ctest --preset release --parallel 2 "$@"

@@ -20,6 +20,8 @@ from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
+from whole_file import write_picture
+
 
 class Picture:
     """A volume with one ivory isosurface, a camera that sees it from a corner, and a light."""
@@ -59,10 +61,7 @@ class Picture:
             self.volume, self.camera, self.lights, size, size, output)
         writer = vtkPNGWriter()
         writer.SetInputData(output)
-        writer.SetFileName(file_name)
-        writer.Write()
-        if writer.GetErrorCode():
-            sys.exit(f"{file_name} cannot be written")
+        write_picture(writer, file_name)
 
 
 def plain(picture, image, isovalue):

@@ -13,13 +13,14 @@ A project has no origin and no orientation. In Cranium the face looks along +y a
 
 import argparse
 import math
-import os
 import plistlib
 import shutil
 import sys
 import tarfile
 import zlib
 from pathlib import Path, PurePosixPath
+
+from whole_file import write_whole
 
 BYTES_PER_SAMPLE = 2  # int16, the one type that InVesalius writes
 
@@ -63,17 +64,6 @@ def read_description(archive):
     if len(shape) != 3 or min(shape) < 1 or len(spacing) != 3 or not min(spacing) > 0:
         raise ProjectError(f"its shape {shape} and spacing {spacing} are not those of a volume")
     return file_name, shape, spacing
-
-
-def write_whole(path, write):
-    """Write under another name first, so that the file is complete or absent."""
-    part = path.with_name(path.name + ".part")
-    try:
-        with open(part, "wb") as stream:
-            write(stream)
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
 
 
 def convert(project, folder):

@@ -10,6 +10,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
+from whole_file import write_picture
+
 if len(sys.argv) != 4:
     sys.exit(__doc__)
 volume_file, isovalue, picture_file = sys.argv[1], float(sys.argv[2]), sys.argv[3]
@@ -48,7 +50,4 @@ picture = vtkWindowToImageFilter()
 picture.SetInput(window)
 writer = vtkPNGWriter()
 writer.SetInputConnection(picture.GetOutputPort())
-writer.SetFileName(picture_file)
-writer.Write()
-if writer.GetErrorCode():
-    sys.exit(f"{picture_file} cannot be written")
+write_picture(writer, picture_file)

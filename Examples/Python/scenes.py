@@ -27,6 +27,8 @@ from vtkIsosurfaceRayTracing import (
     vtkIsosurfaceVolume,
 )
 
+from whole_file import write_picture
+
 
 class Scene:
     """A window that shows an ivory isosurface as opaque geometry, seen from a corner."""
@@ -82,10 +84,7 @@ class Scene:
         picture.ReadFrontBufferOff()
         writer = vtkPNGWriter()
         writer.SetInputConnection(picture.GetOutputPort())
-        writer.SetFileName(file_name)
-        writer.Write()
-        if writer.GetErrorCode():
-            sys.exit(f"{file_name} cannot be written")
+        write_picture(writer, file_name)
 
 
 def translucent_polygons(scene):

@@ -17,9 +17,19 @@ VTK_ABI_NAMESPACE_END
 namespace Compare
 {
 
+/// The default of the option --max-memory of all programs, in MiB: the memory of the machine, or
+/// what this process may have of it.
+double GetDefaultMaxMemory();
+/// What --help says of it.
+extern const char* const MaxMemoryHelp;
+
 /// The image in a file, read by the reader of VTK for its extension or its first bytes. Throws
-/// std::runtime_error if there is no such reader or it finds no image.
-vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName);
+/// std::runtime_error if there is no such reader, if it finds no image, or if the header asks for
+/// more samples than there are in the file or than fit into so many MiB.
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory);
+
+/// The image in a folder of DICOM slices; throws as ReadVolume does.
+vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory);
 
 }
 

@@ -5,6 +5,7 @@
 
 #include "Chart.h"
 #include "Comparison.h"
+#include "OutputFile.h"
 #include "Pictures.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
@@ -16,15 +17,12 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
-#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace Compare
 {
@@ -434,12 +432,8 @@ void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw
 }
 
 //------------------------------------------------------------------------------
-std::string WriteReport(const Comparison& comparison, const std::string& folder)
+void WriteReport(const Comparison& comparison, const std::string& fileName)
 {
-  if (!vtksys::SystemTools::MakeDirectory(folder))
-  {
-    throw std::runtime_error("the folder " + folder + " cannot be created");
-  }
   const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
   const int* size = comparison.Volume->GetDimensions();
   std::ostringstream out;
@@ -472,14 +466,7 @@ std::string WriteReport(const Comparison& comparison, const std::string& folder)
   }
   out << "</body>\n</html>\n";
 
-  const std::string fileName = folder + "/report.html";
-  std::ofstream file(fileName);
-  file << out.str() << std::flush;
-  if (!file)
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
-  return fileName;
+  WriteFile(out.str(), fileName);
 }
 
 }

@@ -11,10 +11,9 @@ namespace Compare
 
 struct Comparison;
 
-/// Writes report.html into a folder, which is created if it does not exist: a self-contained file
-/// with tables, plots and pictures. Without a display it says so and has no plots. Returns its
-/// name. Throws std::runtime_error if it cannot be written.
-std::string WriteReport(const Comparison& comparison, const std::string& folder);
+/// Writes a self-contained HTML file with tables, plots and pictures. Without a display it says so
+/// and has no plots. Throws std::runtime_error if it cannot be written.
+void WriteReport(const Comparison& comparison, const std::string& fileName);
 
 }
 

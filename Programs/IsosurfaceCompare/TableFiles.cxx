@@ -4,6 +4,7 @@
 #include "TableFiles.h"
 
 #include "Comparison.h"
+#include "OutputFile.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkDelimitedTextWriter.h>
@@ -14,9 +15,7 @@
 #include <vtk_jsoncpp.h>
 
 #include <cmath>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 namespace Compare
 {
@@ -54,16 +53,6 @@ Json::Value ToJson(const int dimensions[3])
   return value;
 }
 
-void WriteText(const std::string& text, const std::string& fileName)
-{
-  std::ofstream out(fileName);
-  out << text << std::flush;
-  if (!out)
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +63,7 @@ void WriteCsv(const Comparison& comparison, const std::string& fileName)
   writer->WriteToOutputStringOn();
   writer->Write();
   const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
-  WriteText(text.get(), fileName);
+  WriteFile(text.get(), fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +97,7 @@ void WriteJson(const Comparison& comparison, const std::string& fileName)
       Describe(Judge(crossover.GetFreeTriangles(), crossover.Rays));
     root["crossovers"].append(value);
   }
-  WriteText(root.toStyledString(), fileName);
+  WriteFile(root.toStyledString(), fileName);
 }
 
 }

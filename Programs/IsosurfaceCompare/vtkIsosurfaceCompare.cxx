@@ -4,6 +4,7 @@
 // Runs vtkIsosurfaceComparisonFilter from the command line: see --help.
 
 #include "Comparison.h"
+#include "OutputFile.h"
 #include "ReadVolume.h"
 #include "Report.h"
 #include "TableFiles.h"
@@ -67,6 +68,7 @@ struct Arguments
   std::string Json;
   std::string Csv;
   std::string Report;
+  double MaxMemory = GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -104,6 +106,7 @@ Arguments ParseArguments(int argc, char* argv[])
   Arguments arguments;
   std::vector<std::string> isovalues;
   std::string repeats;
+  std::string maxMemory;
   using Parser = vtksys::CommandLineArguments;
   Parser parser;
   parser.Initialize(argc, argv);
@@ -123,6 +126,7 @@ Arguments ParseArguments(int argc, char* argv[])
     "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "Write the table to this file, as CSV.");
   parser.AddArgument("--report", Parser::SPACE_ARGUMENT, &arguments.Report,
     "Write report.html to this folder: tables, plots and pictures in one file.");
+  parser.AddArgument("--max-memory", Parser::SPACE_ARGUMENT, &maxMemory, MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool isParsed = parser.Parse() != 0;
   if (arguments.Help)
@@ -154,7 +158,32 @@ Arguments ParseArguments(int argc, char* argv[])
   {
     throw std::runtime_error("--repeats takes a number from 1 to 1000, not " + repeats);
   }
+  if (!maxMemory.empty())
+  {
+    arguments.MaxMemory = ToNumber(maxMemory);
+  }
   return arguments;
+}
+
+//------------------------------------------------------------------------------
+/// Completes the name of the report, and tells before long measurements what cannot be written.
+void PrepareOutputs(Arguments& arguments)
+{
+  if (!arguments.Report.empty())
+  {
+    if (!vtksys::SystemTools::MakeDirectory(arguments.Report))
+    {
+      throw std::runtime_error("the folder " + arguments.Report + " cannot be created");
+    }
+    arguments.Report += "/report.html";
+  }
+  for (const std::string& fileName : { arguments.Csv, arguments.Json, arguments.Report })
+  {
+    if (!fileName.empty())
+    {
+      CheckOutput(fileName);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -203,7 +232,7 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   comparison.Input = vtksys::SystemTools::GetFilenameName(arguments.Input);
   comparison.Machine = DescribeMachine();
   comparison.Repeats = arguments.Repeats;
-  comparison.Volume = ReadVolume(arguments.Input);
+  comparison.Volume = ReadVolume(arguments.Input, arguments.MaxMemory);
   comparison.Camera = vtkSmartPointer<vtkCamera>::New();
   Filter::LookAt(comparison.Volume, comparison.Camera);
 
@@ -266,11 +295,13 @@ int main(int argc, char* argv[])
   }
   try
   {
-    const Arguments arguments = ParseArguments(argc, argv);
+    Arguments arguments = ParseArguments(argc, argv);
     if (arguments.Help)
     {
+      FlushStandardOutput();
       return EXIT_SUCCESS;
     }
+    PrepareOutputs(arguments);
     const Comparison comparison = Run(arguments, command);
     Print(comparison.Table);
     if (!arguments.Csv.empty())
@@ -283,8 +314,10 @@ int main(int argc, char* argv[])
     }
     if (!arguments.Report.empty())
     {
-      std::printf("%s\n", WriteReport(comparison, arguments.Report).c_str());
+      WriteReport(comparison, arguments.Report);
+      std::printf("%s\n", arguments.Report.c_str());
     }
+    FlushStandardOutput();
   }
   catch (const std::exception& error)
   {

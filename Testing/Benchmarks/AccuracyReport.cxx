@@ -3,6 +3,8 @@
 
 #include "AccuracyReport.h"
 
+#include "IsosurfaceCompare/OutputFile.h"
+
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace Benchmark
 {
@@ -78,11 +79,9 @@ void WriteErrorImage(
   }
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(fileName.c_str());
-  if (!writer->Write())
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  Compare::WriteFile(writer->GetOutputString(), fileName);
 }
 
 }

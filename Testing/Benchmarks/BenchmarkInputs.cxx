@@ -137,9 +137,9 @@ Input MakePlateaus(int n)
 }
 
 //------------------------------------------------------------------------------
-Input ReadInput(const std::string& fileName, double isovalue)
+Input ReadInput(const std::string& fileName, double isovalue, double maxMemory)
 {
-  const vtkSmartPointer<vtkImageData> image = ReadImage(fileName);
+  const vtkSmartPointer<vtkImageData> image = ReadImage(fileName, maxMemory);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   Input input{ vtksys::SystemTools::GetFilenameWithoutExtension(fileName), {}, isovalue, {} };
   image->GetDimensions(input.Field.Dimensions.data());

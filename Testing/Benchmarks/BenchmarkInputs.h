@@ -34,8 +34,8 @@ Input MakeGyroid(int n);
 Input MakeRandom(int n);
 Input MakeNearTangent(int n);
 Input MakePlateaus(int n);
-/// The volume in a file, by the reader of VTK for its extension. Throws std::runtime_error.
-Input ReadInput(const std::string& fileName, double isovalue);
+/// The volume in a file, as ReadImage reads it. Throws std::runtime_error.
+Input ReadInput(const std::string& fileName, double isovalue, double maxMemory);
 
 /// The rays through the centres of pixels of square pictures. All methods trace the same.
 struct Rays

@@ -3,9 +3,10 @@
 
 #include "Json.h"
 
+#include "IsosurfaceCompare/OutputFile.h"
+
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
 namespace Benchmark
 {
@@ -33,12 +34,9 @@ Json::Value ToJson(const Samples& samples)
 //------------------------------------------------------------------------------
 void WriteJson(const Json::Value& value, const std::string& fileName)
 {
-  std::ofstream out(fileName);
-  out << value << "\n";
-  if (!out.flush())
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
+  std::ostringstream text;
+  text << value << "\n";
+  Compare::WriteFile(text.str(), fileName);
 }
 
 }

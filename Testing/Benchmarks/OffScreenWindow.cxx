@@ -4,6 +4,7 @@
 #include "OffScreenWindow.h"
 
 #include "Samples.h"
+#include "vtkIsosurfaceComparisonFilter.h"
 
 #include <vtkCamera.h>
 #include <vtkProp.h>
@@ -12,7 +13,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 namespace Benchmark
@@ -35,8 +35,7 @@ OffScreenWindow::~OffScreenWindow() = default;
 //------------------------------------------------------------------------------
 bool OffScreenWindow::IsPossible()
 {
-  vtkNew<vtkRenderWindow> window;
-  return !window->IsA("vtkXOpenGLRenderWindow") || std::getenv("DISPLAY") != nullptr;
+  return vtkIsosurfaceComparisonFilter::WhyNoPictures().empty();
 }
 
 //------------------------------------------------------------------------------

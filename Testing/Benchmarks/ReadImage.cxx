@@ -5,9 +5,7 @@
 
 #include "IsosurfaceCompare/ReadVolume.h"
 
-#include <vtkDICOMImageReader.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtksys/SystemTools.hxx>
 
@@ -15,25 +13,13 @@
 
 namespace Benchmark
 {
-namespace
-{
-
-vtkSmartPointer<vtkImageData> ReadSlices(const std::string& directory)
-{
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(directory.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-}
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName)
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, double maxMemory)
 {
   const bool isDirectory = vtksys::SystemTools::FileIsDirectory(fileName);
-  vtkSmartPointer<vtkImageData> image =
-    isDirectory ? ReadSlices(fileName) : Compare::ReadVolume(fileName);
+  vtkSmartPointer<vtkImageData> image = isDirectory ? Compare::ReadSlices(fileName, maxMemory)
+                                                    : Compare::ReadVolume(fileName, maxMemory);
   if (!image->GetPointData()->GetScalars() || image->GetDataDimension() != 3)
   {
     throw std::runtime_error(fileName + " is not a volume with point scalars");

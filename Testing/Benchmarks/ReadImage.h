@@ -18,8 +18,9 @@ namespace Benchmark
 {
 
 /// The volume in a file (or in a folder of DICOM slices), by the reader of VTK for its extension or
-/// its first bytes. It has three dimensions and point scalars. Throws std::runtime_error.
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName);
+/// its first bytes. It has three dimensions and point scalars, and takes at most so many MiB (see
+/// ReadVolume.h). Throws std::runtime_error.
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, double maxMemory);
 
 }
 

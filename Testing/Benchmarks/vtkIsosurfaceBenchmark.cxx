@@ -9,6 +9,8 @@
 #include "Environment.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
+#include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "ReadImage.h"
@@ -47,6 +49,7 @@ struct Arguments
   bool Papers = false;
   int Growth = 0;
   std::string Json = "benchmark.json";
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -78,6 +81,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "Measure the growth with the edge of the volume too, from 64 to this; needs no --input.");
   parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
     "The file for the results. Default: benchmark.json.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() == arguments.Isovalues.empty() &&
@@ -202,7 +207,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   setup.Baselines = SelectAvailable(ParseBaselines(arguments.Baselines), report.Environment);
   if (!arguments.Input.empty())
   {
-    setup.Image = ReadImage(arguments.Input);
+    setup.Image = ReadImage(arguments.Input, arguments.MaxMemory);
     DescribeVolume(setup, arguments.Input, report);
   }
   const auto write = [&arguments, &report]() { WriteJson(report.GetJson(), arguments.Json); };
@@ -216,13 +221,15 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
 int main(int argc, char* argv[])
 {
   Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   try
   {
+    if (!ParseArguments(argc, argv, arguments))
+    {
+      Compare::FlushStandardOutput();
+      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
     Run(arguments, { argv, argv + argc });
+    Compare::FlushStandardOutput();
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)

@@ -4,6 +4,8 @@
 // Writes a large volume to measure on, slab by slab: see --help.
 
 #include "AnalyticFieldSource.h"
+#include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "ReadImage.h"
 
 #include <vtkDataArray.h>
@@ -24,9 +26,9 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +44,7 @@ struct Arguments
   std::string Field;
   std::string Dimensions;
   std::string Output;
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -60,6 +63,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "The number of samples: N for a cube or X,Y,Z. The Visible Woman has 512,512,1734.");
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The .mhd file to write; its samples go into a .raw file beside it.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() != arguments.Field.empty() &&
@@ -109,7 +114,7 @@ vtkSmartPointer<vtkImageAlgorithm> NewSource(
   vtkNew<vtkImageInterpolator> cubic;
   cubic->SetInterpolationModeToCubic();
   auto resize = vtkSmartPointer<vtkImageResize>::New();
-  resize->SetInputData(Benchmark::ReadImage(arguments.Input));
+  resize->SetInputData(Benchmark::ReadImage(arguments.Input, arguments.MaxMemory));
   resize->SetInterpolator(cubic);
   resize->SetOutputDimensions(dimensions.data());
   return resize;
@@ -133,13 +138,12 @@ const char* GetElementType(int vtkType)
 
 //------------------------------------------------------------------------------
 // The type of MetaImage: its own names, and numbers as they are in memory here.
-void WriteHeader(const std::string& fileName, const std::string& rawName, vtkImageData* slab,
-  const Dimensions& dimensions)
+std::string MakeHeader(const std::string& rawName, vtkImageData* slab, const Dimensions& dimensions)
 {
   const double* spacing = slab->GetSpacing();
   const double* origin = slab->GetOrigin();
   const double* direction = slab->GetDirectionMatrix()->GetData();
-  std::ofstream out(fileName);
+  std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
 #ifdef VTK_WORDS_BIGENDIAN
@@ -161,10 +165,7 @@ void WriteHeader(const std::string& fileName, const std::string& rawName, vtkIma
       << "\nElementNumberOfChannels = " << slab->GetNumberOfScalarComponents()
       << "\nElementType = " << GetElementType(slab->GetScalarType())
       << "\nElementDataFile = " << vtksys::SystemTools::GetFilenameName(rawName) << "\n";
-  if (!out.flush())
-  {
-    throw std::runtime_error(fileName + " cannot be written");
-  }
+  return out.str();
 }
 
 //------------------------------------------------------------------------------
@@ -181,35 +182,48 @@ void CheckSpace(const std::string& fileName, std::uintmax_t bytes)
 }
 
 //------------------------------------------------------------------------------
-// Makes the volume a slab at a time, so that no more is in memory, and writes the header last:
-// there is none as long as samples are missing.
-void WriteVolume(vtkImageAlgorithm* source, const Dimensions& dimensions,
-  const std::string& headerName, const std::string& rawName, std::ofstream& raw)
+// Makes the samples a slab at a time, so that no more is in memory. Returns their range.
+std::array<double, 2> WriteSamples(vtkImageAlgorithm* source, const Dimensions& dimensions,
+  const std::string& rawName, Compare::OutputFile& raw)
 {
   constexpr int samplesInSlab = 1 << 24;
   const int thickness = std::max(1, samplesInSlab / dimensions[0] / dimensions[1]);
-  double range[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
   for (int z = 0; z < dimensions[2]; z += thickness)
   {
     const int last = std::min(z + thickness, dimensions[2]) - 1;
     const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, z, last };
     source->UpdateExtent(extent);
     vtkDataArray* samples = source->GetOutput()->GetPointData()->GetScalars();
-    const std::streamsize bytes =
-      static_cast<std::streamsize>(samples->GetDataSize()) * samples->GetDataTypeSize();
+    const std::size_t bytes = static_cast<std::size_t>(samples->GetDataSize()) *
+      static_cast<std::size_t>(samples->GetDataTypeSize());
     if (z == 0)
     {
-      CheckSpace(rawName, static_cast<std::uintmax_t>(bytes / (last + 1) * dimensions[2]));
+      CheckSpace(rawName,
+        static_cast<std::uintmax_t>(bytes) / static_cast<std::uintmax_t>(last + 1) *
+          static_cast<std::uintmax_t>(dimensions[2]));
     }
-    if (!raw.write(static_cast<const char*>(samples->GetVoidPointer(0)), bytes).flush())
-    {
-      throw std::runtime_error(rawName + " cannot be written any further: is the disk full?");
-    }
+    raw.Write(samples->GetVoidPointer(0), bytes);
     range[0] = std::min(range[0], samples->GetRange(0)[0]);
     range[1] = std::max(range[1], samples->GetRange(0)[1]);
     std::fprintf(stderr, "%d of %d slices\n", last + 1, dimensions[2]);
   }
-  WriteHeader(headerName, rawName, source->GetOutput(), dimensions);
+  return range;
+}
+
+//------------------------------------------------------------------------------
+// Both files take their names when both are whole.
+void WriteVolume(
+  vtkImageAlgorithm* source, const Dimensions& dimensions, const std::string& headerName)
+{
+  const std::string rawName = headerName.substr(0, headerName.size() - 3) + "raw";
+  Compare::OutputFile header(headerName);
+  Compare::OutputFile raw(rawName);
+  const std::array<double, 2> range = WriteSamples(source, dimensions, rawName, raw);
+  const std::string text = MakeHeader(rawName, source->GetOutput(), dimensions);
+  header.Write(text.data(), text.size());
+  raw.Finish();
+  header.Finish();
   std::printf("%s: %d x %d x %d samples from %g to %g\n", headerName.c_str(), dimensions[0],
     dimensions[1], dimensions[2], range[0], range[1]);
 }
@@ -222,26 +236,11 @@ void Run(const Arguments& arguments)
   {
     throw std::runtime_error("--output " + arguments.Output + ": the name must end in .mhd");
   }
-  const std::string rawName = arguments.Output.substr(0, arguments.Output.size() - 3) + "raw";
   if (vtksys::SystemTools::SameFile(arguments.Input, arguments.Output))
   {
     throw std::runtime_error("--output " + arguments.Output + " is the input: give another name");
   }
-  const vtkSmartPointer<vtkImageAlgorithm> source = NewSource(arguments, dimensions);
-  std::ofstream raw(rawName, std::ios::binary);
-  if (!raw)
-  {
-    throw std::runtime_error(rawName + " cannot be written: does its folder exist?");
-  }
-  try
-  {
-    WriteVolume(source, dimensions, arguments.Output, rawName, raw);
-  }
-  catch (...)
-  {
-    std::remove(rawName.c_str());
-    throw;
-  }
+  WriteVolume(NewSource(arguments, dimensions), dimensions, arguments.Output);
 }
 
 }
@@ -250,13 +249,15 @@ void Run(const Arguments& arguments)
 int main(int argc, char* argv[])
 {
   Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   try
   {
+    if (!ParseArguments(argc, argv, arguments))
+    {
+      Compare::FlushStandardOutput();
+      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
     Run(arguments);
+    Compare::FlushStandardOutput();
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)

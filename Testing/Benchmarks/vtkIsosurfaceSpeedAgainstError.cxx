@@ -8,6 +8,8 @@
 #include "BenchmarkInputs.h"
 #include "Environment.h"
 #include "HitAccuracy.h"
+#include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PictureMethods.h"
 #include "RayMethods.h"
@@ -46,6 +48,7 @@ struct Arguments
   int Pixels = 256;
   std::string Output = ".";
   bool Quick = false;
+  double MaxMemory = Compare::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -70,6 +73,8 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The folder for results.json and the images of errors (.vti). Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool sensible = arguments.Size >= 8 && arguments.Rays >= 8 && arguments.Repeats >= 1 &&
@@ -95,7 +100,7 @@ std::vector<Input> MakeInputs(const Arguments& arguments)
 {
   if (!arguments.Input.empty())
   {
-    return { ReadInput(arguments.Input, arguments.Isovalue) };
+    return { ReadInput(arguments.Input, arguments.Isovalue, arguments.MaxMemory) };
   }
   const int n = arguments.Size;
   return { MakeMarschnerLobb(n), MakeGyroid(n), MakeRandom(n), MakeNearTangent(n),
@@ -269,6 +274,8 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     throw std::runtime_error("the folder " + arguments.Output + " cannot be created");
   }
+  const std::string results = arguments.Output + "/results.json";
+  Compare::CheckOutput(results); // What cannot be written is known now.
   // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;
@@ -280,7 +287,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
   {
     kept = MeasureInput(input, arguments, root["inputs"].append({})) && kept;
   }
-  WriteJson(root, arguments.Output + "/results.json");
+  WriteJson(root, results);
   return kept;
 }
 
@@ -290,13 +297,16 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
 int main(int argc, char* argv[])
 {
   Arguments arguments;
-  if (!ParseArguments(argc, argv, arguments))
-  {
-    return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
   try
   {
-    return Run(arguments, { argv, argv + argc }) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!ParseArguments(argc, argv, arguments))
+    {
+      Compare::FlushStandardOutput();
+      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    const bool kept = Run(arguments, { argv, argv + argc });
+    Compare::FlushStandardOutput();
+    return kept ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch (const std::exception& error)
   {

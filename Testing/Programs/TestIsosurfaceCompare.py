@@ -195,6 +195,14 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(len(page.pictures), 1)  # the difference, which needs no OpenGL
         self.assertEqual(read_png(page.pictures[0])[:2], (512, 512))
 
+    def test_display_that_cannot_be_opened(self):
+        result = self.run_program(
+            "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges",
+            environment=dict(os.environ, DISPLAY=":9999"),
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("the display :9999 cannot be opened", result.stdout)
+
     def test_no_surface(self):
         result = self.run_program(
             "--input", self.ball, "--isovalue", 5000, "--report", self.folder / "nothing"

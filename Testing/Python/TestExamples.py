@@ -6,11 +6,13 @@
 import os
 import plistlib
 import re
+import signal
 import subprocess
 import sys
 import tarfile
 import tempfile
 import unittest
+from pathlib import Path
 
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
@@ -70,12 +72,32 @@ class TestExamples(unittest.TestCase):
         picture = os.path.join(self.folder, "absent", "picture.png")
         result = self.run_script("ray_trace_isosurface.py", volume, str(ISOVALUE), picture)
         self.assertNotEqual(result.returncode, 0)
-        self.assertIn("picture.png cannot be written", result.stderr)
+        self.assertIn("picture.png cannot be written: No such file or directory", result.stderr)
         for script, first in (("gallery.py", "plain.png"), ("scenes.py", "translucent_polygons.png")):
             os.mkdir(os.path.join(self.folder, first))  # where a file of that name should go
             result = self.run_script(script, volume, str(ISOVALUE), self.folder)
             self.assertNotEqual(result.returncode, 0)
-            self.assertIn(f"{first} cannot be written", result.stderr)
+            self.assertIn(f"{first} cannot be written: Is a directory", result.stderr)
+            self.assertEqual(list(Path(self.folder).glob("*.part")), [])
+
+    def test_files_are_whole_or_absent(self):
+        """Of a file whose writing a signal ends, nothing is left but the old one."""
+        target = Path(self.folder, "old.txt")
+        target.write_text("old", encoding="ascii")
+        program = ("import sys, time; from whole_file import write_whole\n"
+                   "def write(stream): stream.write(b'new'); print(flush=True); time.sleep(60)\n"
+                   "write_whole(sys.argv[1], write)")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen(
+                    [sys.executable, "-c", program, target], cwd=EXAMPLES, stdout=subprocess.PIPE,
+                    stderr=subprocess.DEVNULL,
+                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler)
+            ) as process:
+                process.stdout.readline()
+                process.send_signal(number)
+            self.assertNotEqual(process.returncode, 0)
+            self.assertEqual(os.listdir(self.folder), ["old.txt"])
+            self.assertEqual(target.read_text(encoding="ascii"), "old")
 
     def test_usage(self):
         for script, arguments in (

@@ -47,8 +47,10 @@ class TestRayTraceIsosurface(unittest.TestCase):
         cls.lines = [cells(line) for line in result.stdout.splitlines()]
 
     @staticmethod
-    def run_program(*arguments):
-        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
+    def run_program(*arguments, **options):
+        return subprocess.run(
+            [PROGRAM, *arguments], stderr=subprocess.PIPE, text=True, check=False,
+            **{"stdout": subprocess.PIPE, **options})
 
     def check_amount(self, text, unit=""):
         """The text is a number above 0 that is shown as such, and its unit."""
@@ -101,6 +103,25 @@ class TestRayTraceIsosurface(unittest.TestCase):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)
             self.assertIn(words, result.stderr)
+
+    def test_pictures_that_cannot_be_written(self):
+        """They are told with the reason, and nothing unfinished is left."""
+        arguments = ("--input", self.volume, "--isovalue", "200", "--size", "64")
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, "bone.png"))  # where the picture should go
+            result = self.run_program(*arguments, "--output", folder)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("bone.png cannot be written: Is a directory.", result.stderr)
+            self.assertEqual(sorted(os.listdir(folder)), ["bone.png", "cone.png"])
+            with open("/dev/full", "wb") as full:
+                result = self.run_program(*arguments, "--output", folder, stdout=full)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("standard output cannot be written: No space left", result.stderr)
+
+    def test_display_that_cannot_be_opened(self):
+        result = self.run_program("--input", self.volume, env=dict(os.environ, DISPLAY=":9999"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("the display :9999 cannot be opened", result.stderr)
 
 
 if __name__ == "__main__":

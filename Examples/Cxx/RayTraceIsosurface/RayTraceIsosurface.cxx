@@ -36,6 +36,7 @@
 #include <vtkTable.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -45,10 +46,13 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -391,6 +395,24 @@ void ReportComparison(vtkImageData* volume, double isovalue, const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
+// Under another name first, so that the file is whole or absent.
+bool WriteFile(vtkUnsignedCharArray* bytes, const std::string& fileName)
+{
+  const std::string part = fileName + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  file.close();
+  if (file && std::rename(part.c_str(), fileName.c_str()) == 0)
+  {
+    return true;
+  }
+  const int error = errno;
+  std::remove(part.c_str());
+  errno = error;
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool WritePicture(vtkRenderWindow* window, const std::string& fileName)
 {
   window->Render();
@@ -400,11 +422,11 @@ bool WritePicture(vtkRenderWindow* window, const std::string& fileName)
   picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(fileName.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0)
+  if (!WriteFile(writer->GetResult(), fileName))
   {
-    std::fprintf(stderr, "%s cannot be written.\n", fileName.c_str());
+    std::fprintf(stderr, "%s cannot be written: %s.\n", fileName.c_str(), std::strerror(errno));
     return false;
   }
   std::printf("  %s\n", fileName.c_str());
@@ -592,6 +614,12 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
+  const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
+  if (!whyNot.empty())
+  {
+    std::fprintf(stderr, "%s\n", whyNot.c_str());
+    return EXIT_FAILURE;
+  }
   const double* range = volume->GetScalarRange();
   const double isovalue =
     std::isnan(arguments.Isovalue) ? 0.5 * (range[0] + range[1]) : arguments.Isovalue;
@@ -606,5 +634,11 @@ int main(int argc, char* argv[])
   scene.Window->SetOffScreenRendering(true);
   ReportRayTracing(scene, isovalue);
   ReportComparison(volume, isovalue, scene);
-  return WritePictures(scene, isovalue, arguments) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool written = WritePictures(scene, isovalue, arguments);
+  if (std::fflush(stdout) != 0)
+  {
+    std::fprintf(stderr, "The standard output cannot be written: %s.\n", std::strerror(errno));
+    return EXIT_FAILURE;
+  }
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

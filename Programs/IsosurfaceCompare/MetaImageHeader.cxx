@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MetaImageHeader.h"
+
+#include <vtksys/RegularExpression.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace Compare
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using vtksys::SystemTools;
+
+// A header has about a dozen short lines.
+constexpr std::size_t LongestHeader = 1 << 16;
+constexpr int MostFiles = 1 << 16;
+
+std::string Trim(const std::string& text)
+{
+  const char* const spaces = " \t\r";
+  const std::size_t first = text.find_first_not_of(spaces);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
+}
+
+//------------------------------------------------------------------------------
+/// The lines "name = value" up to ElementDataFile, and what follows them.
+struct Header
+{
+  std::string FileName;
+  std::map<std::string, std::string> Fields;
+  std::string Rest;
+
+  [[noreturn]] void Throw(const std::string& problem) const
+  {
+    throw std::runtime_error(this->FileName + " cannot be read: " + problem);
+  }
+
+  /// Empty if it is not there.
+  std::string Get(const std::string& name) const
+  {
+    const auto found = this->Fields.find(name);
+    return found == this->Fields.end() ? "" : found->second;
+  }
+
+  bool IsTrue(const std::string& name) const
+  {
+    const std::string value = this->Get(name);
+    return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
+  }
+};
+
+//------------------------------------------------------------------------------
+Header ReadHeader(const std::string& fileName)
+{
+  Header header{ fileName, {}, {} };
+  std::string text(LongestHeader, '\0');
+  std::ifstream file(fileName, std::ios::binary);
+  file.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    const std::size_t separator = line.find_first_of("=:");
+    const std::string name = Trim(line.substr(0, separator));
+    const std::string value =
+      separator == std::string::npos ? "" : Trim(line.substr(separator + 1));
+    if (!name.empty() && !header.Fields.emplace(name, value).second)
+    {
+      header.Throw("its header has " + name + " twice");
+    }
+    if (name == "ElementDataFile")
+    {
+      const std::streamoff end = lines.tellg();
+      header.Rest = end < 0 ? "" : text.substr(static_cast<std::size_t>(end));
+      return header;
+    }
+  }
+  header.Throw("its header has no ElementDataFile");
+}
+
+//------------------------------------------------------------------------------
+/// Whole numbers, separated by spaces; throws if there is anything else.
+std::vector<int> GetNumbers(const Header& header, const std::string& name)
+{
+  std::istringstream words(header.Get(name));
+  std::vector<int> numbers;
+  int number;
+  while (words >> number)
+  {
+    numbers.push_back(number);
+  }
+  if (!words.eof() || numbers.empty())
+  {
+    header.Throw("its header has " + name + " = " + header.Get(name));
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+/// What VTK's reader takes as it is.
+void CheckFields(const Header& header)
+{
+  const std::vector<int> dimensionality = GetNumbers(header, "NDims");
+  if (dimensionality.size() != 1 || (dimensionality[0] != 2 && dimensionality[0] != 3))
+  {
+    header.Throw("its header has NDims = " + header.Get("NDims") + ", a volume has 3");
+  }
+  const std::vector<int> size = GetNumbers(header, "DimSize");
+  if (static_cast<int>(size.size()) != dimensionality[0] ||
+    *std::min_element(size.begin(), size.end()) < 1)
+  {
+    header.Throw("its header has DimSize = " + header.Get("DimSize"));
+  }
+  const std::string channels = "ElementNumberOfChannels";
+  if (!header.Get(channels).empty() && GetNumbers(header, channels) < std::vector<int>{ 1 })
+  {
+    header.Throw("its header has " + channels + " = " + header.Get(channels));
+  }
+  const char* const types[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT",
+    "MET_UINT", "MET_LONG", "MET_ULONG", "MET_FLOAT", "MET_DOUBLE" };
+  if (std::find(std::begin(types), std::end(types), header.Get("ElementType")) == std::end(types))
+  {
+    header.Throw("VTK reads no samples of ElementType = " + header.Get("ElementType"));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The files of "name%03d.raw first last step".
+std::vector<std::string> ExpandPattern(const Header& header, const std::string& value)
+{
+  // It becomes a format of printf.
+  vtksys::RegularExpression form(
+    "^([^%]*)%(0?[1-9]?)d([^% ]*) +([0-9]+) +([0-9]+)( +([1-9][0-9]*))?$");
+  if (!form.find(value))
+  {
+    header.Throw("its header has ElementDataFile = " + value);
+  }
+  const auto width = static_cast<std::size_t>(std::atoi(form.match(2).c_str()));
+  const char fill = form.match(2)[0] == '0' ? '0' : ' ';
+  const long last = std::atol(form.match(5).c_str());
+  const long step = std::max(1L, std::atol(form.match(7).c_str()));
+  std::vector<std::string> files;
+  for (long i = std::atol(form.match(4).c_str()); i <= last; i += step)
+  {
+    std::string number = std::to_string(i);
+    number.insert(0, width > number.size() ? width - number.size() : 0, fill);
+    files.push_back(form.match(1) + number + form.match(3));
+    if (files.size() > MostFiles)
+    {
+      header.Throw("it has more than " + std::to_string(MostFiles) + " files");
+    }
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+/// The files of the samples; none if they are in the file of the header.
+std::vector<std::string> FindDataFiles(const Header& header)
+{
+  const std::string value = header.Get("ElementDataFile");
+  if (value == "LOCAL" || value == "Local" || value == "local")
+  {
+    return {};
+  }
+  std::vector<std::string> files;
+  if (SystemTools::StringStartsWith(value, "LIST"))
+  {
+    std::istringstream lines(header.Rest);
+    std::string line;
+    while (std::getline(lines, line))
+    {
+      files.push_back(Trim(line));
+    }
+  }
+  else if (value.find('%') != std::string::npos)
+  {
+    files = ExpandPattern(header, value);
+  }
+  else
+  {
+    files.push_back(value);
+  }
+  if (files.empty())
+  {
+    header.Throw("its header names no file of samples");
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+double GetSize(const Header& header, const fs::path& file)
+{
+  std::error_code error;
+  const std::uintmax_t size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
+  if (error || size == 0)
+  {
+    header.Throw("there are no samples in the file " + file.string() + " that its header names");
+  }
+  return static_cast<double>(size);
+}
+
+//------------------------------------------------------------------------------
+/// The bytes of samples, compressed or as text if they are.
+double GetSizeOfSamples(const Header& header)
+{
+  const std::vector<std::string> files = FindDataFiles(header);
+  if (files.empty())
+  {
+    const double size = GetSize(header, header.FileName);
+    const auto text = std::min(static_cast<std::size_t>(size), LongestHeader) - header.Rest.size();
+    return size - static_cast<double>(text);
+  }
+  // All files have as many samples.
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const std::string& file : files)
+  {
+    smallest = std::min(smallest, GetSize(header, fs::path(header.FileName).parent_path() / file));
+  }
+  return smallest * static_cast<double>(files.size());
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool IsMetaImage(const std::string& fileName)
+{
+  const std::string name = SystemTools::LowerCase(fileName);
+  return SystemTools::StringEndsWith(name, ".mhd") || SystemTools::StringEndsWith(name, ".mha");
+}
+
+//------------------------------------------------------------------------------
+double GetCapacityOfMetaImage(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  CheckFields(header);
+  double skipped = 0.0;
+  if (!header.Get("HeaderSize").empty())
+  {
+    skipped = std::max(0, GetNumbers(header, "HeaderSize")[0]);
+  }
+  const double size = GetSizeOfSamples(header) - skipped;
+  if (header.IsTrue("CompressedData"))
+  {
+    return size * MostInflated;
+  }
+  // As text, a sample of up to eight bytes is at least a digit and a space.
+  return header.IsTrue("BinaryData") ? size : 4.0 * size + 8.0;
+}
+
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Looks at a MetaImage (.mhd, .mha) before VTK's reader does, which trusts its header: of a damaged
+// one it counts dimensions for minutes, or writes beyond its memory.
+
+#ifndef MetaImageHeader_h
+#define MetaImageHeader_h
+
+#include <string>
+
+namespace Compare
+{
+
+/// Of one byte, deflate makes no more than so many.
+constexpr double MostInflated = 1032.0;
+
+bool IsMetaImage(const std::string& fileName);
+
+/// The most bytes of samples that can be in the file, or in the file its header names; infinite
+/// where that is not known (text, a list of files). Throws std::runtime_error if the header is
+/// damaged.
+double GetCapacityOfMetaImage(const std::string& fileName);
+
+}
+
+#endif

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Programs read damaged files: TestDamagedVolumes.py VTKISOSURFACECOMPARE VTKISOSURFACEBENCHMARKVOLUME
+
+Each run ends soon, in little memory, well or with an error. ATTACK_FILES says how many files there are
+(300), ATTACK_SEED with which they begin (0); a failure names its seed."""
+
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from DamagedVolumes import METAIMAGE, EDGE, damage, make_whole_files
+
+BENCHMARK_VOLUME = sys.argv.pop()
+COMPARE = sys.argv.pop()
+FILES = int(os.environ.get("ATTACK_FILES", "300"))
+SEED = int(os.environ.get("ATTACK_SEED", "0"))
+SECONDS = 20  # on a machine that does much else
+ADDRESS_SPACE = 2 << 30
+MEBIBYTES = 64
+
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE, ADDRESS_SPACE))
+
+
+def run(command, limit=limit_memory):
+    return subprocess.run(
+        command, capture_output=True, env=ENVIRONMENT, timeout=SECONDS, preexec_fn=limit, check=False)
+
+
+def find_limit():
+    """None where the sanitizers need all addresses."""
+    return limit_memory if run([BENCHMARK_VOLUME, "--help"]).returncode == 0 else None
+
+
+class TestDamagedVolumes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.files = make_whole_files(cls.folder)
+        cls.limit = staticmethod(find_limit())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def read(self, path, with_compare=False):
+        """Both programs read by the same code; the comparison takes longer."""
+        memory = ["--max-memory", str(MEBIBYTES)]
+        if with_compare:
+            command = [COMPARE, "--input", path, "--isovalue", "40", "--repeats", "1",
+                       "--methods", "flying-edges", *memory]  # fmt: skip
+        else:
+            command = [BENCHMARK_VOLUME, "--input", path, "--dimensions", "4",
+                       "--output", f"{path}-output.mhd", *memory]  # fmt: skip
+        return run(command, self.limit)
+
+    def find_fault(self, path, with_compare=False):
+        """What is wrong with the end of a run; empty if nothing is."""
+        try:
+            result = self.read(path, with_compare)
+        except subprocess.TimeoutExpired:
+            return "it does not end"
+        if result.returncode == 1 and b"error: " in result.stderr or result.returncode == 0:
+            return ""
+        return f"it ends with {result.returncode}: {result.stderr[-300:]}"
+
+    def attack(self, seed):
+        name, data = damage(self.files, seed)
+        path = self.folder / name
+        path.write_bytes(data)
+        fault = self.find_fault(path, with_compare=seed % 10 == 0)
+        path.unlink()
+        return f"seed {seed}, {name}: {fault}" if fault else ""
+
+    def check_seeds(self, seeds):
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            faults = [fault for fault in pool.map(self.attack, seeds) if fault]
+        self.assertEqual(faults, [])
+
+    def test_whole_files_are_read(self):
+        for name, data in self.files.items():
+            path = self.folder / name
+            path.write_bytes(data)
+            result = self.read(path)
+            self.assertEqual(result.returncode, 0, f"{name}: {result.stderr}")
+
+    def test_damaged_files(self):
+        self.check_seeds(range(SEED, SEED + FILES))
+
+    def assert_refused(self, name, data, words):
+        path = self.folder / name
+        path.write_bytes(data)
+        result = self.read(path)
+        self.assertEqual(result.returncode, 1, (name, result.stderr))
+        self.assertIn(words, result.stderr.decode("utf-8", "replace"))
+
+    def refuse_header(self, line, words):
+        """The line takes the place of the one with its name."""
+        name = line.split(" = ")[0]
+        header = METAIMAGE.format(compressed=False, edge=EDGE, data_file="ball.raw")
+        lines = [line if old.startswith(name + " ") else old for old in header.splitlines()]
+        self.assert_refused("refused.mhd", ("\n".join(lines) + "\n").encode("ascii"), words)
+
+    def test_headers_that_vtk_trusts(self):
+        """Of these VTK's reader counted for minutes, wrote beyond its memory, or made a volume."""
+        for line, words in (
+            ("NDims = -2147483648", "NDims"),
+            ("NDims = 99", "NDims"),
+            ("NDims = 1e9", "NDims"),
+            ("DimSize = 12 12", "DimSize"),
+            ("DimSize = 12 12 -12", "DimSize"),
+            ("DimSize = 12 12 13", "12 x 12 x 13 samples"),
+            ("DimSize = 60000 60000 60000", "its file has no more than"),
+            ("ElementType = MET_LONG_LONG", "MET_LONG_LONG"),
+            ("ElementType = MET_DOUBLE", "its file has no more than"),
+            ("ElementNumberOfChannels = many", "ElementNumberOfChannels"),
+            ("ElementNumberOfChannels = -3", "ElementNumberOfChannels"),
+            ("ElementSpacing = 1 nan 1", "cannot be read"),
+            ("ElementSpacing = 1 0 1", "its spacing is"),
+            ("ElementSpacing = 1 1e308 1", "its place in space"),
+            ("HeaderSize = 2000", "its file has no more than"),
+            ("ElementDataFile = .", "no samples in the file"),
+            ("ElementDataFile = /dev/zero", "no samples in the file"),
+            ("ElementDataFile = LIST", "no file of samples"),
+            ("ElementDataFile = ball%s%n.raw 1 3 1", "ElementDataFile"),
+            ("ElementDataFile = ball%d.raw 1 999999999 1", "more than 65536 files"),
+        ):
+            with self.subTest(line):
+                self.refuse_header(line, words)
+
+    def test_dimensions_of_nifti(self):
+        """VTK's reader wrote beyond its memory."""
+        header = bytearray(self.files["raw.nii"])
+        header[44:48] = bytes((0, 0, 128, 0))  # 12 x 0 x 128
+        self.assert_refused("flat.nii", header, "its header has a dimension of 0")
+
+    def test_limit_of_memory(self):
+        """A header that a compressed file could keep: it is believed up to the limit."""
+        header = METAIMAGE.format(compressed=True, edge=1024, data_file="LOCAL").encode("ascii")
+        self.assert_refused("large.mha", header + bytes(3 << 20), "--max-memory sets this limit")
+
+
+if __name__ == "__main__":
+    unittest.main()
