@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceColors.h"
 
 #include "vtkIsosurfaceRayTraceScene.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 #include "vtkIsosurfaceRayTraceSource.h"
 
 #include "vtkDataArray.h"
@@ -27,14 +28,13 @@ vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-  const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component)
+  const vtkIsosurfaceRayTraceSource& source, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
   : Image(image)
   , Array(array)
   , Source(source)
   , Dimensions(
       image ? vtkIsosurfaceRayTraceGeometry::GetDimensions(image) : source.GetNumberOfPoints())
-  , Property(property)
-  , Component(component)
+  , ColorsOfValues(colorsOfValues)
   , IsDirect(array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
 {
 }
@@ -96,8 +96,7 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceColors::Get(const vtkirt::Hit& hit) const
   const vtkirt::Vector3 index = this->GetIndex(hit);
   if (!this->IsDirect)
   {
-    return vtkIsosurfaceRayTraceScene::GetColor(
-      this->Property, this->Component, this->Sample(index, 0));
+    return this->ColorsOfValues.GetColor(this->Sample(index, 0));
   }
   vtkirt::Vector3 color;
   for (int channel = 0; channel < 3; ++channel)

@@ -156,14 +156,14 @@ vtkDataSet* vtkIsosurfaceRayTraceGridInput::FindBlock(
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceGridInput::MakeColors(
-  vtkVolumeProperty* property) const
+  const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
 {
   if (!this->ColorArray)
   {
     return nullptr;
   }
   return std::make_unique<vtkIsosurfaceRayTraceColors>(
-    this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
+    this->ColorImage, this->ColorArray, this->Source, colorsOfValues);
 }
 
 //------------------------------------------------------------------------------

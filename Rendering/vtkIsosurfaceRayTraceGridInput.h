@@ -18,6 +18,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
 class vtkVolumeMapper;
+class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceGridInput final : public vtkIsosurfaceRayTraceInput
 {
@@ -55,7 +56,7 @@ public:
   }
   int GetPropertyComponent() const override { return this->PropertyComponent; }
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
-    vtkVolumeProperty* property) const override;
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const override;
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;

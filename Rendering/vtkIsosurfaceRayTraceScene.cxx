@@ -4,7 +4,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -107,21 +106,6 @@ int FindIsovalue(vtkVolumeProperty* property, double isovalue)
     }
   }
   return -1;
-}
-
-//------------------------------------------------------------------------------
-vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
-{
-  vtkirt::Vector3 color;
-  if (property->GetColorChannels(component) == 1)
-  {
-    color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
-  }
-  else
-  {
-    property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
-  }
-  return color;
 }
 
 //------------------------------------------------------------------------------
