@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceColors.h"
 
-#include "vtkIsosurfaceRayTraceScene.h"
-#include "vtkIsosurfaceRayTraceValueColors.h"
 #include "vtkIsosurfaceRayTraceSource.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -23,7 +22,9 @@ vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std
 {
   vtkPointData* data = grid->GetPointData();
   vtkDataArray* array = name.empty() ? data->GetScalars() : data->GetArray(name.c_str());
-  return array && array->GetNumberOfTuples() == grid->GetNumberOfPoints() ? array : nullptr;
+  const bool hasAll = array && array->GetNumberOfTuples() > 0 &&
+    array->GetNumberOfTuples() == grid->GetNumberOfPoints();
+  return hasAll ? array : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -64,9 +65,10 @@ double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int com
   double weights[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // Border values extend beyond the image.
+    // Border values extend beyond the image. (NaN, from numbers that overflow, is at its begin.)
     const int dimension = this->Dimensions[axis];
-    const double coordinate = std::clamp(index[axis], 0.0, static_cast<double>(dimension - 1));
+    const double coordinate =
+      std::min(std::max(0.0, index[axis]), static_cast<double>(dimension - 1));
     const int first = std::min(static_cast<int>(coordinate), std::max(0, dimension - 2));
     weights[axis] = coordinate - first;
     corner += first * stride;

@@ -117,7 +117,8 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
   this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(image ? image : this->Grid, name);
   if (this->ColorArray)
   {
-    return "";
+    const std::string problem = image ? vtkIsosurfaceRayTraceGeometry::FindProblem(image) : "";
+    return problem.empty() ? "" : "The image to colour by (port 1): " + problem;
   }
   return "There are no point data " +
     (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +

@@ -36,6 +36,13 @@ public:
   /// why they cannot be traced; empty if they can.
   std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
 
+  /// From the object space of what was selected to the coordinates of the data, before Update.
+  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const
+  {
+    return vtkIsosurfaceRayTraceGeometry(this->Grid, this->Scalars.AreOfCells)
+      .GetPhysicalFromObject();
+  }
+
   /// Builds what tracing the selection needs. Returns whether macrocells had to be built.
   bool Update(const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 

@@ -121,7 +121,7 @@ void AddLights(
   vtkLightCollection* lights, vtkCamera* camera, bool areFollowing, vtkirt::Scene& scene)
 {
   // The model transform of a camera moves the props and not the lights.
-  vtkirt::Matrix4 worldFromLights;
+  vtkirt::Matrix4 worldFromLights = {};
   vtkMatrix4x4::Invert(camera->GetModelTransformMatrix()->GetData(), worldFromLights.data());
   for (vtkLight* light : vtk::Range(lights))
   {
@@ -179,7 +179,8 @@ vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
 {
   vtkirt::Matrix4 clipFromObject;
   vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromObject.data(), clipFromObject.data());
-  vtkirt::Matrix4 objectFromClip;
+  // Without an inverse, VTK leaves it as it is: no ray hits anything then.
+  vtkirt::Matrix4 objectFromClip = {};
   vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
   return { clipFromObject, objectFromClip, worldFromObject, width, height };
 }
