@@ -45,6 +45,14 @@ namespace
 constexpr const char* RayTracingName = "vtkIsosurfaceRayTraceMapper";
 
 //------------------------------------------------------------------------------
+bool IsFinite(vtkMatrix4x4* matrix)
+{
+  const double* elements = matrix->GetData();
+  return std::all_of(
+    elements, elements + 16, [](double element) { return std::isfinite(element); });
+}
+
+//------------------------------------------------------------------------------
 // What is wrong with the input and how to mend it, or nullptr if it can be contoured.
 const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
 {
@@ -76,13 +84,18 @@ const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
     return "The scalars are bits, which VTK's contour filters do not support: convert them with "
            "vtkImageCast.";
   }
-  const double* matrix = image->GetIndexToPhysicalMatrix()->GetData();
-  const bool isFinite =
-    std::all_of(matrix, matrix + 16, [](double element) { return std::isfinite(element); });
-  if (!isFinite || image->GetIndexToPhysicalMatrix()->Determinant() == 0.0)
+  if (image->GetIndexToPhysicalMatrix()->Determinant() == 0.0 ||
+    !IsFinite(image->GetIndexToPhysicalMatrix()) || !IsFinite(image->GetPhysicalToIndexMatrix()))
   {
     return "The image has no finite volume: its origin, spacing and direction matrix must be "
            "finite, the spacing not 0 and the matrix of full rank.";
+  }
+  const double* bounds = image->GetBounds();
+  if (std::any_of(bounds, bounds + 6,
+        [](double coordinate) { return !(std::abs(coordinate) <= VTK_FLOAT_MAX); }))
+  {
+    return "The image has coordinates beyond the range of single precision, in which VTK's contour "
+           "filters store points: give it another origin or spacing.";
   }
   return nullptr;
 }
@@ -478,6 +491,12 @@ void vtkIsosurfaceComparisonFilter::SetImageSize(int width, int height)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceComparisonFilter::SetValue(int i, double value)
 {
+  if (i >= MaximumNumberOfContours)
+  {
+    vtkErrorMacro("There is no isovalue " << i << ": they are numbered from 0 to "
+                                          << MaximumNumberOfContours - 1 << ".");
+    return;
+  }
   this->ContourValues->SetValue(i, value);
 }
 
@@ -502,7 +521,7 @@ void vtkIsosurfaceComparisonFilter::GetValues(double* contourValues)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceComparisonFilter::SetNumberOfContours(int number)
 {
-  this->ContourValues->SetNumberOfContours(number);
+  this->ContourValues->SetNumberOfContours(std::min(number, MaximumNumberOfContours));
 }
 
 //------------------------------------------------------------------------------
@@ -514,14 +533,15 @@ int vtkIsosurfaceComparisonFilter::GetNumberOfContours()
 //------------------------------------------------------------------------------
 void vtkIsosurfaceComparisonFilter::GenerateValues(int numberOfContours, double range[2])
 {
-  this->ContourValues->GenerateValues(numberOfContours, range);
+  this->GenerateValues(numberOfContours, range[0], range[1]);
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceComparisonFilter::GenerateValues(
   int numberOfContours, double rangeStart, double rangeEnd)
 {
-  this->ContourValues->GenerateValues(numberOfContours, rangeStart, rangeEnd);
+  this->ContourValues->GenerateValues(
+    std::min(numberOfContours, MaximumNumberOfContours), rangeStart, rangeEnd);
 }
 
 //------------------------------------------------------------------------------

@@ -115,10 +115,14 @@ public:
   vtkTypeMacro(vtkIsosurfaceComparisonFilter, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The largest number of isovalues: each has a row in the table for every method.
+  static constexpr int MaximumNumberOfContours = 4096;
+
   ///@{
   /**
-   * Set/Get the isovalues, as in vtkContourFilter. They are kept in a vtkContourValues.
-   * Default: the single isovalue 0.
+   * Set/Get the isovalues, as in vtkContourFilter. They are kept in a vtkContourValues. There are
+   * at most MaximumNumberOfContours; an index beyond them is an error, and a larger number of
+   * contours is this one. Default: the single isovalue 0.
    */
   void SetValue(int i, double value);
   double GetValue(int i);

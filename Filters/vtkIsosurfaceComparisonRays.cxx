@@ -176,6 +176,11 @@ std::vector<double> PictureRays::CastAt(vtkPolyData* triangles) const
   {
     return ts;
   }
+  // vtkPolyData makes its cells at their first use, which must not be on several threads.
+  if (triangles->NeedToBuildCells())
+  {
+    triangles->BuildCells();
+  }
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(triangles);
   locator->BuildLocator();

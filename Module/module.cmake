@@ -64,6 +64,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
+  Rendering/vtkIsosurfaceRayTraceProblems
   Rendering/vtkIsosurfaceRayTraceRequest
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSelection

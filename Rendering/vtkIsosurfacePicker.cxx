@@ -24,6 +24,17 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace
+{
+
+/// The pixel at a coordinate; one that no window has if the coordinate is beyond all of them.
+int ToPixel(double coordinate)
+{
+  return std::abs(coordinate) < 0x1p30 ? static_cast<int>(std::floor(coordinate)) : -1;
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkIsosurfacePicker);
 
@@ -55,8 +66,8 @@ int vtkIsosurfacePicker::Pick(
   double selectionX, double selectionY, double selectionZ, vtkRenderer* renderer)
 {
   this->IsPixel = true;
-  this->Pixel[0] = static_cast<int>(std::floor(selectionX));
-  this->Pixel[1] = static_cast<int>(std::floor(selectionY));
+  this->Pixel[0] = ToPixel(selectionX);
+  this->Pixel[1] = ToPixel(selectionY);
   const int picked = this->Superclass::Pick(selectionX, selectionY, selectionZ, renderer);
   this->IsPixel = false;
   return picked;

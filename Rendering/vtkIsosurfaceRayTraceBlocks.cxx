@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceBlockJoin.h"
 #include "vtkIsosurfaceRayTraceColors.h"
+#include "vtkIsosurfaceRayTraceProblems.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
@@ -202,9 +203,22 @@ std::string vtkIsosurfaceRayTraceBlocks::Append(
       " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
       "point, or for every cell, with the same number of components.";
   }
+  const std::string problem = vtkIsosurfaceRayTraceProblems::FindInGhosts(data);
+  if (!problem.empty())
+  {
+    return NameBlock(block) + ": " + problem;
+  }
   if (!choice.ColorArrayName.empty())
   {
     block.Colors = vtkIsosurfaceRayTraceColors::FindArray(data, choice.ColorArrayName);
+  }
+  if (block.Colors && !blocks.empty() && blocks[0].Colors &&
+    block.Colors->GetNumberOfComponents() != blocks[0].Colors->GetNumberOfComponents())
+  {
+    return NameBlock(block) + " has " + std::to_string(block.Colors->GetNumberOfComponents()) +
+      " components to colour by (" + choice.ColorArrayName + "), others have " +
+      std::to_string(blocks[0].Colors->GetNumberOfComponents()) +
+      ". Give all blocks the same number.";
   }
   blocks.push_back(block);
   return "";

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceColors.h"
 
-#include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSource.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -22,19 +22,20 @@ vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std
 {
   vtkPointData* data = grid->GetPointData();
   vtkDataArray* array = name.empty() ? data->GetScalars() : data->GetArray(name.c_str());
-  return array && array->GetNumberOfTuples() == grid->GetNumberOfPoints() ? array : nullptr;
+  const bool hasAll = array && array->GetNumberOfTuples() > 0 &&
+    array->GetNumberOfTuples() == grid->GetNumberOfPoints();
+  return hasAll ? array : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-  const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component)
+  const vtkIsosurfaceRayTraceSource& source, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
   : Image(image)
   , Array(array)
   , Source(source)
   , Dimensions(
       image ? vtkIsosurfaceRayTraceGeometry::GetDimensions(image) : source.GetNumberOfPoints())
-  , Property(property)
-  , Component(component)
+  , ColorsOfValues(colorsOfValues)
   , IsDirect(array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
 {
 }
@@ -64,9 +65,10 @@ double vtkIsosurfaceRayTraceColors::Sample(const vtkirt::Vector3& index, int com
   double weights[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // Border values extend beyond the image.
+    // Border values extend beyond the image. (NaN, from numbers that overflow, is at its begin.)
     const int dimension = this->Dimensions[axis];
-    const double coordinate = std::clamp(index[axis], 0.0, static_cast<double>(dimension - 1));
+    const double coordinate =
+      std::min(std::max(0.0, index[axis]), static_cast<double>(dimension - 1));
     const int first = std::min(static_cast<int>(coordinate), std::max(0, dimension - 2));
     weights[axis] = coordinate - first;
     corner += first * stride;
@@ -96,8 +98,7 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceColors::Get(const vtkirt::Hit& hit) const
   const vtkirt::Vector3 index = this->GetIndex(hit);
   if (!this->IsDirect)
   {
-    return vtkIsosurfaceRayTraceScene::GetColor(
-      this->Property, this->Component, this->Sample(index, 0));
+    return this->ColorsOfValues.GetColor(this->Sample(index, 0));
   }
   vtkirt::Vector3 color;
   for (int channel = 0; channel < 3; ++channel)

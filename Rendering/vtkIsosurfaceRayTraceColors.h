@@ -18,7 +18,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceSource;
-class vtkVolumeProperty;
+class vtkIsosurfaceRayTraceValueColors;
 
 class vtkIsosurfaceRayTraceColors : public vtkIsosurfaceRayTracing::HitColors
 {
@@ -27,10 +27,11 @@ public:
   /// none.
   static vtkDataArray* FindArray(vtkDataSet* grid, const std::string& name);
 
-  /// The array belongs to an image of its own; with null, to the grid that is traced. A component
-  /// of the property maps values to colours, unless the array has colours of 8 bits.
+  /// The array belongs to an image of its own; with null, to the grid that is traced. Its values
+  /// have colours, unless it has colours of 8 bits itself.
   vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-    const vtkIsosurfaceRayTraceSource& source, vtkVolumeProperty* property, int component);
+    const vtkIsosurfaceRayTraceSource& source,
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues);
 
   vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const override;
 
@@ -44,8 +45,7 @@ private:
   const vtkIsosurfaceRayTraceSource& Source;
   /// The number of points.
   vtkIsosurfaceRayTracing::Index3 Dimensions;
-  vtkVolumeProperty* Property;
-  int Component;
+  const vtkIsosurfaceRayTraceValueColors& ColorsOfValues;
   bool IsDirect;
 };
 

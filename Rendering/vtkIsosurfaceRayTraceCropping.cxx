@@ -42,8 +42,8 @@ std::string FindProblem(vtkVolumeMapper* mapper)
   return mapper->GetCropping() == 0 || isOrdered
     ? ""
     : "Cropping is on, but a lower one of CroppingRegionPlanes (xmin, xmax, ymin, ymax, zmin, "
-      "zmax) "
-      "is greater than the upper one. Call SetCroppingRegionPlanes with planes in order.";
+      "zmax) is greater than the upper one, or one of them is NaN. Call SetCroppingRegionPlanes "
+      "with numbers in order.";
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSelection.h"
@@ -113,7 +114,10 @@ std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVo
            "UseDepthPeelingForVolumesOff() of the renderer, or, if every isosurface is "
            "opaque, put the mapper in a vtkIsosurfaceVolume.";
   }
-  return "";
+  return vtkIsosurfaceRayTraceProblems::FindInView(
+    vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
+      renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
+    renderer->GetLights());
 }
 
 //------------------------------------------------------------------------------

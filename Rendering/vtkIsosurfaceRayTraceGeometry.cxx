@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceGeometry.h"
 
+#include "vtkIsosurfaceRayTraceProblems.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkRectilinearGrid.h"
 
@@ -143,14 +144,10 @@ std::string vtkIsosurfaceRayTraceGeometry::FindProblem(vtkDataSet* grid)
     return problem;
   }
   const vtkIsosurfaceRayTraceGeometry geometry(grid, false);
-  const vtkirt::Matrix4& m = geometry.PhysicalFromObject;
-  const bool isUsable =
-    std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }) &&
-    vtkMath::Determinant3x3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]) != 0.0;
-  return isUsable ? ""
-                  : "The origin, spacing and direction of the input leave it without a finite "
-                    "volume. Give finite "
-                    "numbers, a spacing other than 0 and a direction matrix of full rank.";
+  return vtkIsosurfaceRayTraceProblems::IsInvertible(geometry.PhysicalFromObject)
+    ? ""
+    : "The origin, spacing and direction of the input leave it without a finite volume. Give "
+      "finite numbers, a spacing other than 0 and a direction matrix of full rank.";
 }
 
 //------------------------------------------------------------------------------

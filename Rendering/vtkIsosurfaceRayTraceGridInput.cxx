@@ -118,7 +118,8 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
   if (this->ColorArray)
   {
     this->NumberOfColors = this->ColorArray->GetNumberOfTuples();
-    return "";
+    const std::string problem = image ? vtkIsosurfaceRayTraceGeometry::FindProblem(image) : "";
+    return problem.empty() ? "" : "The image to colour by (port 1): " + problem;
   }
   return "There are no point data " +
     (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +
@@ -157,14 +158,14 @@ vtkDataSet* vtkIsosurfaceRayTraceGridInput::FindBlock(
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceGridInput::MakeColors(
-  vtkVolumeProperty* property) const
+  const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
 {
   if (!this->ColorArray)
   {
     return nullptr;
   }
   return std::make_unique<vtkIsosurfaceRayTraceColors>(
-    this->ColorImage, this->ColorArray, this->Source, property, this->PropertyComponent);
+    this->ColorImage, this->ColorArray, this->Source, colorsOfValues);
 }
 
 //------------------------------------------------------------------------------

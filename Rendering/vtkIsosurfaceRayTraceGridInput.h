@@ -18,6 +18,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
 class vtkVolumeMapper;
+class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceGridInput final : public vtkIsosurfaceRayTraceInput
 {
@@ -34,6 +35,13 @@ public:
   /// Finds the data in the inputs of a mapper, which must be up to date, and their scalars. Returns
   /// why they cannot be traced; empty if they can.
   std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
+
+  /// From the object space of what was selected to the coordinates of the data, before Update.
+  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const
+  {
+    return vtkIsosurfaceRayTraceGeometry(this->Grid, this->Scalars.AreOfCells)
+      .GetPhysicalFromObject();
+  }
 
   /// Builds what tracing the selection needs. Returns whether macrocells had to be built.
   bool Update(const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
@@ -55,7 +63,7 @@ public:
   }
   int GetPropertyComponent() const override { return this->PropertyComponent; }
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
-    vtkVolumeProperty* property) const override;
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const override;
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;

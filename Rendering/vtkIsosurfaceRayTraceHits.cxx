@@ -22,7 +22,7 @@ vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector
   const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
 {
   const vtkirt::Matrix4& worldFromObject = this->Request.WorldFromObject;
-  vtkirt::Matrix4 objectFromWorld;
+  vtkirt::Matrix4 objectFromWorld = {};
   vtkMatrix4x4::Invert(worldFromObject.data(), objectFromWorld.data());
   // Differences first: no digits are lost in a volume far from the origin of the world.
   const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });

@@ -16,8 +16,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
-class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceInput
 {
@@ -33,10 +33,10 @@ public:
   /// The component of the volume property that gives the colours of the surfaces.
   virtual int GetPropertyComponent() const = 0;
 
-  /// The colours of an array, by the transfer function of the property; null if surfaces are
-  /// coloured by their isovalues. The input and the property must outlive them.
+  /// The colours of an array, by those of its values; null if surfaces are coloured by their
+  /// isovalues. The input and the colours of values must outlive them.
   virtual std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
-    vtkVolumeProperty* property) const = 0;
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const = 0;
 
   /// The cell that a hit is in, and the point nearest to it, by their ids in the data.
   virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,

@@ -8,6 +8,7 @@
 #include "vtkIsosurfaceRayTraceHolder.h"
 #include "vtkIsosurfaceRayTraceOutput.h"
 #include "vtkIsosurfaceRayTracePicture.h"
+#include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -48,10 +50,13 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-bool Contains(const vtkirt::PixelRectangle& pixels, int x, int y)
+/// Whether a rectangle in a viewport has a pixel of the window, which may be any number.
+bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle& viewport,
+  std::int64_t column, std::int64_t row)
 {
-  return x >= pixels.X && x < pixels.X + pixels.Width && y >= pixels.Y &&
-    y < pixels.Y + pixels.Height;
+  const std::int64_t x = column - viewport.X - pixels.X;
+  const std::int64_t y = row - viewport.Y - pixels.Y;
+  return x >= 0 && x < pixels.Width && y >= 0 && y < pixels.Height;
 }
 
 /// All zero before the input is first traced.
@@ -137,9 +142,9 @@ vtkIdType vtkIsosurfaceRayTraceMapper::GetMaximumNumberOfBricks()
 
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceMapper::SelectInput(
-  vtkIsosurfaceRayTraceGridInput& input, vtkVolumeProperty* property)
+  vtkIsosurfaceRayTraceGridInput& input, vtkVolume* volume)
 {
-  const std::string problem =
+  std::string problem =
     vtkIsosurfaceRayTraceRequest::FindProblem(this->BlendMode, this->GetSettings());
   if (!problem.empty())
   {
@@ -153,7 +158,15 @@ std::string vtkIsosurfaceRayTraceMapper::SelectInput(
       ? vtkIsosurfaceRayTraceSource::Selection::Magnitude
       : this->VectorComponent;
   }
-  return input.Select(this, choice, property);
+  problem = input.Select(this, choice, volume->GetProperty());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = vtkIsosurfaceRayTraceProblems::FindInVolume(
+    volume, input.GetPropertyComponent(), input.FindPhysicalFromObject());
+  return problem.empty() ? vtkIsosurfaceRayTraceProblems::FindInPlanes(this->ClippingPlanes)
+                         : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -198,7 +211,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeR
 {
   this->UpdateInputs();
   vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
-  if (this->ReportOnce(this->SelectInput(input, volume->GetProperty())))
+  if (this->ReportOnce(this->SelectInput(input, volume)))
   {
     return nullptr;
   }
@@ -282,7 +295,7 @@ bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
   }
   this->UpdateInputs();
   vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
-  if (!this->SelectInput(input, volume->GetProperty()).empty())
+  if (!this->SelectInput(input, volume).empty())
   {
     return false;
   }
@@ -435,21 +448,25 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   {
     return 0;
   }
+  const vtkirt::Matrix4 clipFromWorld = vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+    renderer->GetActiveCamera(), renderer->GetTiledAspectRatio());
+  if (this->ReportOnce(
+        vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, renderer->GetLights())))
+  {
+    return 0;
+  }
   vtkirt::PixelRectangle viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   vtkIsosurfaceRayTracePicture picture;
   picture.SetScene(this->GetSettings(), *request,
-    { vtkIsosurfaceRayTraceScene::GetClipFromWorld(
-        renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
-      static_cast<double>(viewport.Width), static_cast<double>(viewport.Height) });
+    { clipFromWorld, static_cast<double>(viewport.Width), static_cast<double>(viewport.Height) });
   picture.AddLights(renderer);
-  const int pixelX = column - viewport.X;
-  const int pixelY = row - viewport.Y;
-  if (!Contains(picture.Scene.Pixels, pixelX, pixelY))
+  vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  if (!Contains(pixels, viewport, column, row))
   {
     return 0;
   }
-  picture.Scene.Pixels = { pixelX, pixelY, 1, 1 };
+  pixels = { column - viewport.X, row - viewport.Y, 1, 1 };
   picture.Scene.KeepHits = true;
   picture.Trace(request->Execution, [](double) { return true; });
   this->SetTimes(picture.Times);
@@ -478,10 +495,15 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   {
     return false;
   }
+  const vtkirt::Matrix4 clipFromWorld =
+    vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height);
+  if (this->ReportOnce(vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, lights)))
+  {
+    return false;
+  }
   vtkIsosurfaceRayTracePicture picture;
   picture.SetScene(this->GetSettings(), *request,
-    { vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height),
-      static_cast<double>(width), static_cast<double>(height) });
+    { clipFromWorld, static_cast<double>(width), static_cast<double>(height) });
   vtkNew<vtkLightCollection> headlight;
   if (!lights)
   {

@@ -40,7 +40,16 @@
  * ScalarMode and SelectScalarArray set the array. Cell scalars are samples at the centres of the
  * cells, so that their surfaces end half a cell inside the border. Nothing is drawn in cells that
  * are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are duplicates of those
- * of another piece.
+ * of another piece. An array vtkGhostType that is no vtkUnsignedCharArray is ignored, as by VTK.
+ *
+ * What cannot be traced is an error, reported once and not in every frame, and the rest of the
+ * scene is drawn as without the volume: arrays (scalars, vtkGhostType, colours) whose number of
+ * tuples or components is not that of the data, and numbers that are not finite in the matrix of
+ * the volume, the geometry of the data, the camera, the lights that are on, clipping planes or the
+ * material; NaN in cropping planes; and matrices without an inverse. Isovalues that are not
+ * finite, and those whose opacity is NaN, have no surface; a colour that is NaN is black. A
+ * clipping plane whose normal is 0 clips nothing. A setting that is a number has a range, to which
+ * it is clamped; NaN is an error, and leaves it as it is.
  *
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
  * repeat: where they repeat and the values differ, the surface is a wall, as in
@@ -110,8 +119,34 @@
 #include "vtkIsosurfaceRayTracingModule.h" // for export macro
 #include "vtkVolumeMapper.h"
 
+#include <cmath>  // for std::isnan
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+
+/// As vtkSetClampMacro, but NaN, which passes its comparisons, is an error and changes nothing.
+#define vtkIsosurfaceSetClampMacro(name, type, min, max)                                           \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    if (std::isnan(value))                                                                         \
+    {                                                                                              \
+      vtkErrorMacro(#name " cannot be NaN, and remains " << this->name << ". Give a number.");     \
+      return;                                                                                      \
+    }                                                                                              \
+    const type clamped = value < (min) ? (min) : (value > (max) ? (max) : value);                  \
+    if (this->name != clamped)                                                                     \
+    {                                                                                              \
+      this->name = clamped;                                                                        \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual type Get##name##MinValue()                                                               \
+  {                                                                                                \
+    return min;                                                                                    \
+  }                                                                                                \
+  virtual type Get##name##MaxValue()                                                               \
+  {                                                                                                \
+    return max;                                                                                    \
+  }
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -131,7 +166,6 @@ class vtkIsosurfaceRayTraceUse;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
-class vtkVolumeProperty;
 struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
 struct vtkIsosurfaceRayTraceUseState;
@@ -384,7 +418,7 @@ public:
    * Set/Get the length of the ambient occlusion rays, in world coordinates; what is farther away
    * occludes nothing. 0 sets no limit. Range: from 0. Default: 0.
    */
-  vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkIsosurfaceSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
   ///@}
 
@@ -499,7 +533,7 @@ public:
    * mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100. Default:
    * 1.
    */
-  vtkSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
+  vtkIsosurfaceSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
   vtkGetMacro(ImageSampleDistance, float);
   ///@}
 
@@ -508,9 +542,9 @@ public:
    * Set/Get the range from which AutoAdjustSampleDistances chooses. Ranges: 0.1 to 100. Defaults: 1
    * and 10.
    */
-  vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkIsosurfaceSetClampMacro(MinimumImageSampleDistance, float, 0.1F, 100.0F);
   vtkGetMacro(MinimumImageSampleDistance, float);
-  vtkSetClampMacro(MaximumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkIsosurfaceSetClampMacro(MaximumImageSampleDistance, float, 0.1F, 100.0F);
   vtkGetMacro(MaximumImageSampleDistance, float);
   ///@}
 
@@ -726,7 +760,7 @@ private:
   void UpdateInputs();
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
   /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
-  std::string SelectInput(vtkIsosurfaceRayTraceGridInput& input, vtkVolumeProperty* property);
+  std::string SelectInput(vtkIsosurfaceRayTraceGridInput& input, vtkVolume* volume);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);

@@ -6,7 +6,6 @@
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
-#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkRenderer.h"
 
@@ -18,23 +17,21 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
 {
-  const vtkirt::TraceRequest& trace = request.GetTraceRequest();
   vtkirt::SceneField field;
   field.Field = request.Input.GetField();
-  for (const vtkirt::Isosurface& surface : trace.Surfaces)
-  {
-    field.Colors.push_back(
-      vtkIsosurfaceRayTraceScene::GetColor(request.Property, request.Component, surface.Isovalue));
-  }
   field.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
-  this->ColorsOfHits = request.Input.MakeColors(request.Property);
-  field.ColorsOfHits = this->ColorsOfHits.get();
-  if (trace.Projection || trace.Visible.HasCaps())
+  if (!this->ColorsOfValues || !this->ColorsOfValues->AreOf(request.Property, request.Component))
   {
     this->ColorsOfValues =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(request.Property, request.Component);
-    field.ColorsOfValues = this->ColorsOfValues.get();
   }
+  field.ColorsOfValues = this->ColorsOfValues.get();
+  for (const vtkirt::Isosurface& surface : request.GetTraceRequest().Surfaces)
+  {
+    field.Colors.push_back(this->ColorsOfValues->GetColor(surface.Isovalue));
+  }
+  this->ColorsOfHits = request.Input.MakeColors(*this->ColorsOfValues);
+  field.ColorsOfHits = this->ColorsOfHits.get();
   field.View = vtkIsosurfaceRayTraceScene::MakeCamera(
     view.ClipFromWorld, request.WorldFromObject, view.Width, view.Height);
 

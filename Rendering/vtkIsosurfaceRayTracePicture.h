@@ -6,7 +6,8 @@
 #ifndef vtkIsosurfaceRayTracePicture_h
 #define vtkIsosurfaceRayTracePicture_h
 
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTraceValueColors.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
 
 #include "Picture/RenderTiles.h"
 
@@ -60,7 +61,7 @@ private:
   }
 
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
-  std::unique_ptr<vtkIsosurfaceRayTracing::ValueColors> ColorsOfValues;
+  std::unique_ptr<vtkIsosurfaceRayTraceValueColors> ColorsOfValues;
 };
 
 VTK_ABI_NAMESPACE_END

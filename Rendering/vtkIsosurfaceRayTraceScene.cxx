@@ -4,7 +4,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -110,21 +109,6 @@ int FindIsovalue(vtkVolumeProperty* property, double isovalue)
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Vector3 GetColor(vtkVolumeProperty* property, int component, double isovalue)
-{
-  vtkirt::Vector3 color;
-  if (property->GetColorChannels(component) == 1)
-  {
-    color.fill(property->GetGrayTransferFunction(component)->GetValue(isovalue));
-  }
-  else
-  {
-    property->GetRGBTransferFunction(component)->GetColor(isovalue, color.data());
-  }
-  return color;
-}
-
-//------------------------------------------------------------------------------
 vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
 {
   return { property->GetShade(component) != 0, property->GetAmbient(component),
@@ -137,7 +121,7 @@ void AddLights(
   vtkLightCollection* lights, vtkCamera* camera, bool areFollowing, vtkirt::Scene& scene)
 {
   // The model transform of a camera moves the props and not the lights.
-  vtkirt::Matrix4 worldFromLights;
+  vtkirt::Matrix4 worldFromLights = {};
   vtkMatrix4x4::Invert(camera->GetModelTransformMatrix()->GetData(), worldFromLights.data());
   for (vtkLight* light : vtk::Range(lights))
   {
@@ -195,7 +179,8 @@ vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
 {
   vtkirt::Matrix4 clipFromObject;
   vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromObject.data(), clipFromObject.data());
-  vtkirt::Matrix4 objectFromClip;
+  // Without an inverse, VTK leaves it as it is: no ray hits anything then.
+  vtkirt::Matrix4 objectFromClip = {};
   vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
   return { clipFromObject, objectFromClip, worldFromObject, width, height };
 }

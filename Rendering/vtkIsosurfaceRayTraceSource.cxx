@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceSource.h"
 
+#include "vtkIsosurfaceRayTraceProblems.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -180,7 +182,8 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(vtkDataSet* grid, const Sel
   }
   else
   {
-    problem << vtkIsosurfaceRayTraceGeometry::FindProblem(grid);
+    const std::string ofGhosts = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
+    problem << (ofGhosts.empty() ? vtkIsosurfaceRayTraceGeometry::FindProblem(grid) : ofGhosts);
   }
   return problem.str();
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceValueColors.h"
 
-#include "vtkIsosurfaceRayTraceScene.h"
-
+#include "vtkColorTransferFunction.h"
+#include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
@@ -13,23 +13,87 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
+namespace
+{
+
+/// A copy with all that GetColor uses, some of which DeepCopy of VTK 9.1 leaves out.
+vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* function)
+{
+  auto copy = vtk::TakeSmartPointer(function->NewInstance());
+  copy->DeepCopy(function);
+  copy->SetNanColor(function->GetNanColor());
+  copy->SetBelowRangeColor(function->GetBelowRangeColor());
+  copy->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
+  copy->SetAboveRangeColor(function->GetAboveRangeColor());
+  copy->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
+  auto* discrete = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
+  if (discrete)
+  {
+    auto* copyOfDiscrete = vtkDiscretizableColorTransferFunction::SafeDownCast(copy);
+    copyOfDiscrete->SetDiscretize(discrete->GetDiscretize());
+    copyOfDiscrete->SetNumberOfValues(discrete->GetNumberOfValues());
+    copyOfDiscrete->SetUseLogScale(discrete->GetUseLogScale());
+  }
+  copy->Build();
+  return copy;
+}
+
+vtkSmartPointer<vtkPiecewiseFunction> Copy(vtkPiecewiseFunction* function)
+{
+  auto copy = vtk::TakeSmartPointer(function->NewInstance());
+  copy->DeepCopy(function);
+  copy->SetUseLogScale(function->GetUseLogScale());
+  return copy;
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceValueColors::vtkIsosurfaceRayTraceValueColors(
   vtkVolumeProperty* property, int component)
   : Property(property)
   , Component(component)
 {
-  // A property creates missing functions when they are first used, which must not happen on
-  // threads.
-  this->Get(0.0);
+  // A property makes missing functions at their first use, and is modified by that.
+  if (property->GetColorChannels(component) == 1)
+  {
+    this->Gray = Copy(property->GetGrayTransferFunction(component));
+  }
+  else
+  {
+    this->Color = Copy(property->GetRGBTransferFunction(component));
+  }
+  this->Opacity = Copy(property->GetScalarOpacity(component));
+  this->PropertyTime = property->GetMTime();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceValueColors::AreOf(vtkVolumeProperty* property, int component) const
+{
+  return this->Property == property && this->PropertyTime == property->GetMTime() &&
+    this->Component == component;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 vtkIsosurfaceRayTraceValueColors::GetColor(double value) const
+{
+  vtkirt::Vector3 color;
+  if (this->Gray)
+  {
+    color.fill(this->Gray->GetValue(value));
+  }
+  else
+  {
+    this->Color->GetColor(value, color.data());
+  }
+  return color;
 }
 
 //------------------------------------------------------------------------------
 std::array<double, 4> vtkIsosurfaceRayTraceValueColors::Get(double value) const
 {
-  const vtkirt::Vector3 color =
-    vtkIsosurfaceRayTraceScene::GetColor(this->Property, this->Component, value);
-  const double opacity = this->Property->GetScalarOpacity(this->Component)->GetValue(value);
+  const vtkirt::Vector3 color = this->GetColor(value);
+  const double opacity = this->Opacity->GetValue(value);
   return { color[0], color[1], color[2], std::clamp(opacity, 0.0, 1.0) };
 }
 

@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The colours and opacities of values by a volume property.
+// The colours and opacities of values by a volume property. They are copies of its transfer
+// functions: threads read no object of VTK that makes or builds something at its first use, and an
+// observer that edits the functions while a frame is traced changes nothing in that frame.
 
 #ifndef vtkIsosurfaceRayTraceValueColors_h
 #define vtkIsosurfaceRayTraceValueColors_h
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"               // for ivars
+#include "vtkType.h"                       // for vtkMTimeType
 
 #include "Picture/Scene.h"
 
@@ -14,19 +18,32 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceValueColors final : public vtkIsosurfaceRayTracing::ValueColors
 {
 public:
-  /// The property must outlive this and not change.
   vtkIsosurfaceRayTraceValueColors(vtkVolumeProperty* property, int component);
 
+  /// Whether they are still those of a component of a property. (A copy of large functions takes
+  /// time, and need not be made for every frame.)
+  bool AreOf(vtkVolumeProperty* property, int component) const;
+
+  /// The colour of a value, without its opacity.
+  vtkIsosurfaceRayTracing::Vector3 GetColor(double value) const;
   std::array<double, 4> Get(double value) const override;
 
 private:
-  vtkVolumeProperty* Property;
+  /// To compare with, not to use.
+  const vtkVolumeProperty* Property;
+  vtkMTimeType PropertyTime;
   int Component;
+  /// One of the two is null.
+  vtkSmartPointer<vtkColorTransferFunction> Color;
+  vtkSmartPointer<vtkPiecewiseFunction> Gray;
+  vtkSmartPointer<vtkPiecewiseFunction> Opacity;
 };
 
 VTK_ABI_NAMESPACE_END
