@@ -17,11 +17,14 @@
 #include "TestVolume.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -444,62 +447,114 @@ TEST(RenderTiles, IdenticalForAllThreadsAndTiles)
 }
 
 //------------------------------------------------------------------------------
+/// Finds no memory for the colour of any hit.
+class FailingColors : public HitColors
+{
+public:
+  Vector3 Get(const Hit& /*hit*/) const override { throw std::bad_alloc(); }
+};
+
+//------------------------------------------------------------------------------
+/// A scene that takes many times as long as it takes from one report of progress to the next.
+class SlowScene
+{
+public:
+  SlowScene(int threads, int tile)
+    : Field(AnalyticFields::Gyroid{ 5.0 })
+    , TheScene(NewSceneFromAbove())
+  {
+    this->TheScene.Shown.View = NewCamera(Orthographic(1.0, 31.0, 4.0),
+      Translation({ 4.0, 4.0, 20.0 }), Scaling({ 1.0, 1.0, 1.0 }), 150, 150);
+    this->TheScene.Shown.Surface.Shade = true;
+    this->TheScene.Pixels = { 0, 0, 150, 150 };
+    this->TheScene.OcclusionRays = 80;
+    this->TheScene.TileWidth = tile;
+    this->TheScene.TileHeight = tile;
+    this->TheScene.Threads = threads;
+  }
+
+  bool Render(Frame& picture, const std::function<bool(double)>& keepGoing)
+  {
+    FrameTimes times;
+    return RenderTiles(this->TheScene.Show(*this->Field.Traced), this->TheScene.GetExecution(),
+      picture, times, keepGoing);
+  }
+
+private:
+  SampledField<AnalyticFields::Gyroid> Field;
+  OneFieldScene TheScene;
+};
+
+//------------------------------------------------------------------------------
 TEST(RenderTiles, StopsWhenAborted)
 {
-  const SampledField field(AnalyticFields::Sphere{ { 4.1, 3.9, 4.2 }, 3.0 });
-  OneFieldScene scene = NewSceneFromAbove();
-  scene.TileWidth = 1;
-  scene.TileHeight = 1;
-  for (int calls = 1; calls <= 64; ++calls)
+  for (const int tile : { 8, 4096 })
   {
-    Frame frame;
-    FrameTimes times;
-    std::vector<double> fractions;
-    const bool complete = RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), frame, times,
-      [&](double done)
-      {
-        fractions.push_back(done);
-        return static_cast<int>(fractions.size()) < calls;
-      });
-    ASSERT_FALSE(complete);
-    ASSERT_EQ(fractions.size(), static_cast<std::size_t>(calls));
-    for (std::size_t i = 0; i < fractions.size(); ++i)
+    SlowScene scene(2, tile);
+    for (int calls = 1; calls <= 3; ++calls)
     {
-      ASSERT_EQ(fractions[i], static_cast<double>(i + 1) / 64.0);
+      Frame picture;
+      std::vector<double> fractions;
+      EXPECT_FALSE(scene.Render(picture,
+        [&](double done)
+        {
+          fractions.push_back(done);
+          return static_cast<int>(fractions.size()) < calls;
+        }));
+      ASSERT_EQ(fractions.size(), static_cast<std::size_t>(calls));
+      EXPECT_LT(fractions.back(), 1.0);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-TEST(RenderTiles, AbortIsCheckedOnTheCallingThreadOnly)
+/// On the calling thread, and while no other is at work.
+TEST(RenderTiles, ReportsProgressWhileNothingHappens)
 {
-  const SampledField field(AnalyticFields::Gyroid{ 5.0 });
-  OneFieldScene scene = NewSceneFromAbove();
-  scene.Shown.View = NewCamera(Orthographic(1.0, 31.0, 4.0), Translation({ 4.0, 4.0, 20.0 }),
-    Scaling({ 1.0, 1.0, 1.0 }), 300, 300);
-  scene.Pixels = { 0, 0, 300, 300 };
-  scene.Threads = 4;
-  const auto caller = std::this_thread::get_id();
-  int calls = 0;
-  bool onlyHere = true;
-  // On a busy machine the other threads may do all of a frame.
-  for (int i = 0; i < 5 || (calls == 0 && i < 100); ++i)
+  Frame whole;
+  SlowScene(1, 16).Render(whole, [](double /*done*/) { return true; });
+  for (const int tile : { 16, 4096 })
   {
-    Frame frame;
-    FrameTimes times;
+    const auto caller = std::this_thread::get_id();
+    Frame picture;
     double last = 0.0;
-    EXPECT_TRUE(RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), frame, times,
+    int calls = 0;
+    EXPECT_TRUE(SlowScene(4, tile).Render(picture,
       [&](double done)
       {
-        onlyHere = onlyHere && std::this_thread::get_id() == caller;
+        EXPECT_EQ(std::this_thread::get_id(), caller);
         EXPECT_TRUE(done > last && done <= 1.0);
         last = done;
         ++calls;
+        const std::vector<std::uint8_t> before = picture.Colors;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        EXPECT_EQ(picture.Colors, before);
         return true;
       }));
+    EXPECT_GT(calls, 3);
+    EXPECT_EQ(last, 1.0);
+    // In steps, a frame is the same.
+    EXPECT_EQ(picture.Colors, whole.Colors);
+    EXPECT_EQ(picture.Depths, whole.Depths);
   }
-  EXPECT_TRUE(onlyHere);
-  EXPECT_GT(calls, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(RenderTiles, ExceptionsOfThreadsArriveAtTheCaller)
+{
+  for (const int threads : { 1, 4 })
+  {
+    FailingColors colors;
+    const SampledField field(AnalyticFields::Gyroid{ 5.0 });
+    OneFieldScene scene = NewSceneFromAbove();
+    scene.Shown.ColorsOfHits = &colors;
+    scene.Threads = threads;
+    Frame picture;
+    FrameTimes times;
+    EXPECT_THROW(RenderTiles(scene.Show(*field.Traced), scene.GetExecution(), picture, times,
+                   [](double /*done*/) { return true; }),
+      std::bad_alloc);
+  }
 }
 
 //------------------------------------------------------------------------------
