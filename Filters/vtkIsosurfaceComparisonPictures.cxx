@@ -17,7 +17,11 @@
 #include "vtkVolume.h"
 #include "vtksys/DynamicLoader.hxx"
 
+#include <chrono>
 #include <cstdlib>
+#include <map>
+#include <string>
+#include <thread>
 #include <vector>
 
 namespace vtkIsosurfaceComparison
@@ -48,22 +52,25 @@ private:
 // Asks the library that vtkXOpenGLRenderWindow connects with, and has loaded.
 bool CanOpenDisplay()
 {
-  using Loader = vtksys::DynamicLoader;
-  const Loader::LibraryHandle library = Loader::OpenLibrary("libX11.so.6");
-  if (!library)
+  const char* name = std::getenv("DISPLAY");
+  if (!name)
   {
     return false;
   }
-  const auto open =
-    reinterpret_cast<void* (*)(const char*)>(Loader::GetSymbolAddress(library, "XOpenDisplay"));
-  const auto close =
-    reinterpret_cast<int (*)(void*)>(Loader::GetSymbolAddress(library, "XCloseDisplay"));
-  void* display = open && close ? open(nullptr) : nullptr;
-  if (display)
+  static std::map<std::string, void*> displays;
+  void*& display = displays[name];
+  using Loader = vtksys::DynamicLoader;
+  static const Loader::LibraryHandle library = Loader::OpenLibrary("libX11.so.6");
+  static const auto open = library
+    ? reinterpret_cast<void* (*)(const char*)>(Loader::GetSymbolAddress(library, "XOpenDisplay"))
+    : nullptr;
+  // A server that has just lost its last client refuses others for a moment, unless it was started
+  // with -noreset. For the same reason this connection stays open.
+  for (int attempt = 0; open && !display && attempt < 5; ++attempt)
   {
-    close(display);
+    std::this_thread::sleep_for(std::chrono::milliseconds(attempt * 50));
+    display = open(name);
   }
-  Loader::CloseLibrary(library);
   return display != nullptr;
 }
 
