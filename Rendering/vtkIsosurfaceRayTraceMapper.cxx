@@ -34,6 +34,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -249,6 +250,13 @@ bool vtkIsosurfaceRayTraceMapper::SendEvent(const vtkIsosurfaceRayTraceUse& use,
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::ReportBadAlloc()
+{
+  vtkErrorMacro("There is not enough memory. Call SetMaximumBrickMemory() or "
+                "SetBrickLayoutToNoBricks(), or make the picture or the input smaller.");
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::ReportOnce(const std::string& problem)
 {
   if (!problem.empty() && problem != this->LastProblem)
@@ -287,6 +295,7 @@ vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
+try
 {
   const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
   if (!use.IsAllowed() || !volume || this->BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND)
@@ -303,6 +312,11 @@ bool vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
     vtkIsosurfaceRayTraceScene::GetSurfaces(volume->GetProperty(), input.GetPropertyComponent());
   return !surfaces.empty() && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
 }
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
+}
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times)
@@ -314,6 +328,7 @@ void vtkIsosurfaceRayTraceMapper::SetTimes(const vtkIsosurfaceRayTracing::FrameT
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+try
 {
   const Clock::time_point start = Clock::now();
   const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
@@ -350,6 +365,10 @@ void vtkIsosurfaceRayTraceMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   }
   this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+}
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
@@ -384,6 +403,7 @@ void vtkIsosurfaceRayTraceMapper::ReleaseGraphicsResources(vtkWindow* window)
 int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
   const double p2[3], double& t, double x[3], double pcoords[3], vtkIdType& cellId,
   double& isovalue, double normal[3])
+try
 {
   const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
   const auto request = use.IsAllowed() && volume ? this->MakeRequest(use, volume) : nullptr;
@@ -404,10 +424,16 @@ int vtkIsosurfaceRayTraceMapper::IntersectWithLine(vtkVolume* volume, const doub
   Copy(traced.Describe(hit), x, pcoords, cellId, isovalue, normal);
   return 1;
 }
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return 0;
+}
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::CastRays(
   vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output)
+try
 {
   if (!volume || !origins || !directions || !output || directions->GetNumberOfComponents() != 3 ||
     directions->GetNumberOfTuples() != origins->GetNumberOfPoints())
@@ -436,10 +462,16 @@ bool vtkIsosurfaceRayTraceMapper::CastRays(
   vtkIsosurfaceRayTraceOutput::WriteHits(*request, hits, output);
   return true;
 }
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
+}
 
 //------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
   int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
+try
 {
   const vtkIsosurfaceRayTraceUse use(this, *this->Uses);
   const bool isPossible = use.IsAllowed() && renderer && volume;
@@ -478,10 +510,16 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
   Copy(vtkIsosurfaceRayTraceHits(*request).Describe(hit), x, pcoords, cellId, isovalue, normal);
   return 1;
 }
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return 0;
+}
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkImageData* output)
+try
 {
   if (!volume || !camera || !output || width < 1 || height < 1)
   {
@@ -524,6 +562,11 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
   }
   vtkIsosurfaceRayTraceOutput::WriteImage(*request, picture, width, height, output);
   return true;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
 }
 
 VTK_ABI_NAMESPACE_END

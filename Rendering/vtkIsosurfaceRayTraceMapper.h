@@ -764,6 +764,7 @@ private:
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
+  void ReportBadAlloc();
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(

@@ -69,19 +69,19 @@ void ImageField::Select(
 {
   this->Structures->BeginFrame(budget.CacheBytes);
   this->Selection.PacketKernels = execution.PacketKernels;
-  const TraceRequest& before = this->Selection.Request;
-  const bool isOtherTracer =
-    request.Interpolation != before.Interpolation || request.Projection != before.Projection;
-  const bool areSameIsovalues = HaveSameIsovalues(request, before);
   // Whatever throws on the way, the next call starts over.
   const bool wasComplete = std::exchange(this->IsSelectionComplete, false);
+  const TraceRequest& before = this->Selection.Request;
+  const bool isOtherTracer = !wasComplete || request.Interpolation != before.Interpolation ||
+    request.Projection != before.Projection;
+  const bool areSameIsovalues = HaveSameIsovalues(request, before);
   this->Selection.Request = request;
   if (isOtherTracer)
   {
     this->Tracer = this->Structures->NewTracer(this->Selection);
   }
   const bool isOtherSpacing = this->Tracer->SetPlanes(this->Selection.Lattice.GetPlanes());
-  if (wasComplete && areSameIsovalues && !isOtherTracer && !isOtherSpacing)
+  if (areSameIsovalues && !isOtherTracer && !isOtherSpacing)
   {
     this->IsSelectionComplete = true;
     return;
