@@ -6,7 +6,6 @@
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTracePicture.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
-#include "vtkIsosurfaceRayTraceScene.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -185,8 +184,7 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       }
       else
       {
-        arrays.SetIsovalueId(
-          to, vtkIsosurfaceRayTraceScene::FindIsovalue(request.Property, description.Value));
+        arrays.SetIsovalueId(to, request.FindIsovalue(description.Value));
       }
     }
   }

@@ -7,12 +7,14 @@
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkCollectionRange.h"
+#include "vtkContourValues.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -71,6 +73,11 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
     this->Objects.emplace_back(object);
   }
   this->Objects.emplace_back(this->Property);
+  vtkContourValues* isovalues = this->Property->GetIsoSurfaceValues();
+  for (int i = 0; i < isovalues->GetNumberOfContours(); ++i)
+  {
+    this->Isovalues.push_back(isovalues->GetValue(i));
+  }
   this->Execution.Threads = settings.NumberOfThreads;
   vtkirt::TraceRequest request;
   request.Visible = std::move(visible);
@@ -92,6 +99,13 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
     }
   }
   input.GetField()->Select(request, this->Execution, { settings.MaximumMemory });
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceRequest::FindIsovalue(double isovalue) const
+{
+  const auto found = std::find(this->Isovalues.begin(), this->Isovalues.end(), isovalue);
+  return found == this->Isovalues.end() ? -1 : static_cast<int>(found - this->Isovalues.begin());
 }
 
 //------------------------------------------------------------------------------

@@ -36,11 +36,16 @@ struct vtkIsosurfaceRayTraceRequest
     const vtkIsosurfaceRayTraceInput& input, vtkIsosurfaceRayTracing::Visibility visible,
     vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
 
+  /// The number of an isovalue of the property; -1 if it has no such value.
+  int FindIsovalue(double isovalue) const;
+
   /// What was selected.
   const vtkIsosurfaceRayTracing::TraceRequest& GetTraceRequest() const;
 
   const vtkIsosurfaceRayTraceInput& Input;
   vtkVolumeProperty* Property;
+  /// Those of the property, by their numbers.
+  std::vector<double> Isovalues;
   /// That of the property.
   int Component;
   /// From the object space of the field to the world.

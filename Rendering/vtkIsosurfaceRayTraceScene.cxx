@@ -95,20 +95,6 @@ bool AreOpaque(const std::vector<vtkirt::Isosurface>& surfaces)
 }
 
 //------------------------------------------------------------------------------
-int FindIsovalue(vtkVolumeProperty* property, double isovalue)
-{
-  vtkContourValues* isovalues = property->GetIsoSurfaceValues();
-  for (int i = 0; i < isovalues->GetNumberOfContours(); ++i)
-  {
-    if (isovalues->GetValue(i) == isovalue)
-    {
-      return i;
-    }
-  }
-  return -1;
-}
-
-//------------------------------------------------------------------------------
 vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
 {
   return { property->GetShade(component) != 0, property->GetAmbient(component),

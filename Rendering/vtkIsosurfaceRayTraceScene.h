@@ -31,9 +31,6 @@ std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
 
 bool AreOpaque(const std::vector<vtkIsosurfaceRayTracing::Isosurface>& surfaces);
 
-/// The number of an isovalue among those of the property; -1 if it is not one of them.
-int FindIsovalue(vtkVolumeProperty* property, double isovalue);
-
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
 
 /// Adds the lights that are on. On request, headlights and lights of the camera follow it, as a

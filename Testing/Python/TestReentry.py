@@ -274,6 +274,28 @@ class TestReentry(unittest.TestCase):
     pass
 
 
+def describe(scene):
+    """The arrays of a picture without a window."""
+    output = vtkImageData()
+    assert scene.mapper.RenderToImage(scene.volume, scene.renderer.GetActiveCamera(), None, 200, 200, output)
+    data = output.GetPointData()
+    return {name: bytes(memoryview(data.GetArray(name)))
+            for name in ("Colors", "Depth", "CellId", "IsovalueId")}
+
+
+class TestRenderToImage(unittest.TestCase):
+    def test_changes_are_put_off(self):
+        for attack in (change_property, set_input, lambda scene:
+                       scene.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 120.0)):
+            scene = Scene()
+            expected = describe(scene)
+            self.assertIn(0, expected["IsovalueId"])
+            observer = scene.mapper.AddObserver(EVENTS[0], lambda caller, event: attack(scene))
+            self.assertEqual(describe(scene), expected)
+            scene.mapper.RemoveObserver(observer)
+            self.assertNotEqual(describe(scene), expected)
+
+
 def add_test(name, event, volume):
     def test(self):
         run = subprocess.run([sys.executable, __file__, "--attack", name, event, volume],
