@@ -50,6 +50,7 @@ public:
 vtkIsosurfaceRayTraceHolder::vtkIsosurfaceRayTraceHolder(
   vtkRenderer* renderer, vtkVolume* volume, vtkAbstractVolumeMapper* mapper)
   : Window(renderer->GetRenderWindow())
+  , TellsContext(this->Window->IsCurrent())
   , Renderer(renderer)
   , Volume(volume)
   , Mapper(mapper)
@@ -63,8 +64,7 @@ vtkIsosurfaceRayTraceHolder::vtkIsosurfaceRayTraceHolder(
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceHolder::~vtkIsosurfaceRayTraceHolder()
 {
-  this->Window->MakeCurrent();
-  if (!this->Window->IsCurrent())
+  if (!this->HasContext())
   {
     this->Window->Start();
   }
@@ -86,8 +86,14 @@ vtkIsosurfaceRayTraceHolder::~vtkIsosurfaceRayTraceHolder()
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceHolder::CanDraw() const
 {
+  return this->HasContext() && this->Renderer->GetRenderWindow() == this->Window;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceHolder::HasContext() const
+{
   this->Window->MakeCurrent();
-  return this->Renderer->GetRenderWindow() == this->Window && this->Window->IsCurrent();
+  return this->Window->IsCurrent() || !this->TellsContext;
 }
 
 //------------------------------------------------------------------------------

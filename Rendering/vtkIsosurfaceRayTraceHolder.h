@@ -49,9 +49,13 @@ public:
   vtkVolume* GetVolume() const { return this->Volume; }
 
 private:
+  bool HasContext() const;
   bool IsAnythingGone() const;
 
   vtkSmartPointer<vtkRenderWindow> Window;
+  /// Whether the window tells if its context is current. (Some that applications make the context
+  /// for do not.)
+  bool TellsContext;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkVolume> Volume;
   vtkSmartPointer<vtkAbstractVolumeMapper> Mapper;
