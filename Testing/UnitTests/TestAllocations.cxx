@@ -54,7 +54,7 @@ void Free(void* memory)
 
 }
 
-// The other forms call these.
+// Those that the core calls. (The other forms call these, except with sanitizers.)
 void* operator new(std::size_t size)
 {
   return Allocate(size, alignof(std::max_align_t));
@@ -62,6 +62,18 @@ void* operator new(std::size_t size)
 void* operator new(std::size_t size, std::align_val_t alignment)
 {
   return Allocate(size, static_cast<std::size_t>(alignment));
+}
+void* operator new(
+  std::size_t size, std::align_val_t alignment, const std::nothrow_t& /*tag*/) noexcept
+{
+  try
+  {
+    return Allocate(size, static_cast<std::size_t>(alignment));
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
 }
 void operator delete(void* memory) noexcept
 {
