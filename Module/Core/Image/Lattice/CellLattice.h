@@ -73,8 +73,10 @@ public:
       const auto rest = static_cast<std::uint32_t>(number);
       const std::uint32_t row = this->Columns.Divide(rest);
       const std::uint32_t slice = this->Rows.Divide(row);
-      return { static_cast<int>(rest) - static_cast<int>(row) * this->Cells[0],
-        static_cast<int>(row) - static_cast<int>(slice) * this->Cells[1], static_cast<int>(slice) };
+      // Unsigned: products may be larger than an int.
+      return { static_cast<int>(rest - row * static_cast<std::uint32_t>(this->Cells[0])),
+        static_cast<int>(row - slice * static_cast<std::uint32_t>(this->Cells[1])),
+        static_cast<int>(slice) };
     }
     const std::int64_t row = number / this->Cells[0];
     const std::int64_t slice = row / this->Cells[1];
