@@ -5,11 +5,11 @@
 
 import unittest
 
+from Waves import make_waves
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter, vtkIsosurfaceRayTraceMapper
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, reference, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkTableAlgorithm
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
     vtkCamera,
     vtkColorTransferFunction,
@@ -73,14 +73,7 @@ class TestIsosurfaceRayTraceMapper(unittest.TestCase):
         self.assertEqual((green, blue), (0, 0))
 
     def test_whole_extent_whoever_asked_for_a_part(self):
-        source = vtkRTAnalyticSource()
-        source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
-        mapper = vtkIsosurfaceRayTraceMapper()
-        mapper.SetInputConnection(source.GetOutputPort())
-        volume = vtkVolume()
-        volume.SetMapper(mapper)
-        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 157.0)
-        volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 1.0)
+        source, mapper, volume = make_waves()
 
         def cast():
             t, x, pcoords = reference(0.0), [0.0] * 3, [0.0] * 3

@@ -8,10 +8,9 @@ import subprocess
 import sys
 import unittest
 
+from Waves import make_waves
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkVolume
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 
 def limit_memory(mebibytes):
@@ -22,14 +21,7 @@ def limit_memory(mebibytes):
 
 
 def run():
-    source = vtkRTAnalyticSource()
-    source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
-    mapper = vtkIsosurfaceRayTraceMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 157.0)
-    volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 1.0)
+    _, mapper, volume = make_waves()
     camera = vtkCamera()
     camera.SetPosition(10.0, 20.0, 60.0)
     camera.SetClippingRange(1.0, 200.0)
