@@ -60,6 +60,7 @@ public:
   std::size_t GetInBandRays() const { return this->InBandRays; }
   std::size_t GetInBandHits() const { return this->InBandHits; }
   std::size_t GetHits() const { return this->Hits; }
+  std::size_t GetFailures() const { return this->Failures; }
 
 private:
   struct LocatedHit;

@@ -124,6 +124,26 @@ bool LoadCorners(const Field& field, const Index& cell, std::array<double, 8>& c
   return isFinite;
 }
 
+/// Whether all cells of the block between two are there.
+bool AreFiniteBetween(const Field& field, const Index& a, const Index& b)
+{
+  std::array<double, 8> corners;
+  for (int z = std::min(a[2], b[2]); z <= std::max(a[2], b[2]); ++z)
+  {
+    for (int y = std::min(a[1], b[1]); y <= std::max(a[1], b[1]); ++y)
+    {
+      for (int x = std::min(a[0], b[0]); x <= std::max(a[0], b[0]); ++x)
+      {
+        if (!LoadCorners(field, { x, y, z }, corners))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 bool Straddles(const std::array<double, 8>& corners, double isovalue)
 {
   const auto isInside = [isovalue](double value) { return value >= isovalue; };
@@ -264,13 +284,22 @@ double Length(const Triple& v)
 //------------------------------------------------------------------------------
 std::vector<Piece> FindPieces(const Field& field, double isovalue, const Line& line)
 {
+  // Through an edge or a vertex the line may go from cell to cell by any of those that meet there:
+  // rounding decides by which, and if one is empty, whether the line is interrupted.
+  constexpr double throughEdge = 1e-12;
   std::vector<Piece> pieces;
   bool continues = false;
+  Index last = { -1, 0, 0 };
   for (const Segment& segment : CutIntoCells(field, line))
   {
     if (IsNeedle(line, segment))
     {
       continue;
+    }
+    if ((segment.End - segment.Begin) * Length(line.Direction) > throughEdge)
+    {
+      continues = continues && (last[0] < 0 || AreFiniteBetween(field, last, segment.Cell));
+      last = segment.Cell;
     }
     std::array<double, 8> corners;
     if (!LoadCorners(field, segment.Cell, corners))
@@ -351,6 +380,35 @@ Quad SlopeAt(
     slope += gradient[axis] * static_cast<Quad>(line.Direction[axis]);
   }
   return slope / Length(line.Direction);
+}
+
+//------------------------------------------------------------------------------
+bool IsAtBorder(
+  const Field& field, const Line& line, const Index& cell, const Quad& t, double distance)
+{
+  const auto isEmpty = [&field](const Index& other)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (other[axis] < 0 || other[axis] + 1 >= field.Dimensions[axis])
+      {
+        return true;
+      }
+    }
+    std::array<double, 8> corners;
+    return !LoadCorners(field, other, corners);
+  };
+  const QuadTriple p = PointInCell(line, cell, t);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Index beside = cell;
+    beside[axis] += p[axis] < 0.5 ? -1 : 1;
+    if (std::min(Absolute(p[axis]), Absolute(1 - p[axis])) <= distance && isEmpty(beside))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -90,6 +90,11 @@ Quad SlopeAt(
 QuadTriple GradientAt(
   const Field& field, double isovalue, const Line& line, const Index& cell, const Quad& t);
 
+/// Whether the line at t is as near as this, in cells, to a face beyond which the field has no
+/// cell, or an empty one.
+bool IsAtBorder(
+  const Field& field, const Line& line, const Index& cell, const Quad& t, double distance);
+
 /// The angle between a vector and an exact one.
 double AngleBetween(const Triple& claimed, const QuadTriple& exact);
 
