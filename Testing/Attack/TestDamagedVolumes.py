@@ -6,8 +6,10 @@
 Each run ends soon, in little memory, well or with an error. ATTACK_FILES says how many files there are
 (300), ATTACK_SEED with which they begin (0); a failure names its seed."""
 
+import gzip
 import os
 import resource
+import struct
 import subprocess
 import sys
 import tempfile
@@ -26,6 +28,32 @@ ADDRESS_SPACE = 2 << 30
 MEBIBYTES = 64
 
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+
+
+def new_nifti(order, code):
+    """A file of version 1 of the format, with the byte order and the type of data."""
+    header = bytearray(352)
+    struct.pack_into(order + "i", header, 0, 348)
+    struct.pack_into(order + "8h", header, 40, 3, EDGE, EDGE, EDGE, 1, 1, 1, 1)
+    struct.pack_into(order + "2h", header, 70, code, 16)
+    struct.pack_into(order + "9f", header, 76, *8 * (1.0,), len(header))
+    struct.pack_into("4s", header, 344, b"n+1")
+    return header + bytes(2 * EDGE**3)
+
+
+def new_nifti_2(order, code):
+    header = bytearray(544)
+    struct.pack_into(order + "i8s2h", header, 0, 540, b"n+2\0\r\n\032\n", code, 16)
+    struct.pack_into(order + "8q", header, 16, 3, EDGE, EDGE, EDGE, 1, 1, 1, 1)
+    struct.pack_into(order + "8dq", header, 104, *8 * (1.0,), len(header))
+    return header + bytes(2 * EDGE**3)
+
+
+NEW_NIFTI = {
+    "old.nii": new_nifti,
+    "new.nii": new_nifti_2,
+    "packed.nii.gz": lambda order, code: gzip.compress(new_nifti(order, code)),
+}
 
 
 def limit_memory():
@@ -144,6 +172,17 @@ class TestDamagedVolumes(unittest.TestCase):
         header = bytearray(self.files["raw.nii"])
         header[44:48] = bytes((0, 0, 128, 0))  # 12 x 0 x 128
         self.assert_refused("flat.nii", header, "its header has a dimension of 0")
+
+    def test_types_of_nifti(self):
+        """VTK 9.1's reader crashed for one that it does not know."""
+        for order in ("<", ">"):
+            for name, new in NEW_NIFTI.items():
+                path = self.folder / name
+                path.write_bytes(new(order, 4))
+                result = self.read(path)
+                self.assertEqual(result.returncode, 0, (order, name, result.stderr))
+                for code in (0, 1, 127, -23804):
+                    self.assert_refused(name, new(order, code), f"the type of data {code}, which VTK")
 
     def test_limit_of_memory(self):
         """A header that a compressed file could keep: it is believed up to the limit."""
