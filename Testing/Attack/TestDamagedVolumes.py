@@ -167,6 +167,16 @@ class TestDamagedVolumes(unittest.TestCase):
             with self.subTest(line):
                 self.refuse_header(line, words)
 
+    def test_compressed_samples_that_are_cut(self):
+        """VTK's reader leaves the rest as it was in memory."""
+        packed = self.files["packed.mha"].split(b"LOCAL\n")[1]
+        header = METAIMAGE.format(compressed=True, edge=EDGE, data_file="LOCAL").encode("ascii")
+        sized = header.replace(b"HeaderSize", f"CompressedDataSize = {len(packed)}\nHeaderSize".encode("ascii"))
+        path = self.folder / "sized.mha"
+        path.write_bytes(sized + packed)
+        self.assertEqual(self.read(path).returncode, 0)
+        self.assert_refused("cut.mha", sized + packed[:-1], "is cut off")
+
     def test_dimensions_of_nifti(self):
         """VTK's reader wrote beyond its memory."""
         header = bytearray(self.files["raw.nii"])
