@@ -8,6 +8,7 @@ Each run ends soon, in little memory, well or with an error. ATTACK_FILES says h
 
 import gzip
 import os
+import re
 import resource
 import struct
 import subprocess
@@ -71,6 +72,7 @@ def find_limit():
 
 
 class TestDamagedVolumes(unittest.TestCase):
+    maxDiff = None  # every seed is named
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
@@ -139,6 +141,24 @@ class TestDamagedVolumes(unittest.TestCase):
         header = METAIMAGE.format(compressed=False, edge=EDGE, data_file="ball.raw")
         lines = [line if old.startswith(name + " ") else old for old in header.splitlines()]
         self.assert_refused("refused.mhd", ("\n".join(lines) + "\n").encode("ascii"), words)
+
+    def resample(self, name, data):
+        """Where the first sample is, and the samples."""
+        path = self.folder / name
+        path.write_bytes(data)
+        result = self.read(path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        header = (self.folder / f"{name}-output.mhd").read_text(encoding="ascii")
+        (offset,) = re.findall("Offset = (.*)", header)
+        return list(map(float, offset.split())), (self.folder / f"{name}-output.raw").read_bytes()
+
+    def test_extents_that_do_not_begin_with_0(self):
+        """Of whole files; for a damaged one vtkIsosurfaceBenchmarkVolume crashed."""
+        whole = self.files["text.vti"]
+        offset, samples = self.resample("from_0.vti", whole)
+        moved = whole.replace(b'Extent="0 11 0 11 0 11"', b'Extent="-1 10 5 16 0 11"')
+        self.assertEqual(
+            self.resample("moved.vti", moved), ([offset[0] - 1, offset[1] + 5, offset[2]], samples))
 
     def test_headers_that_vtk_trusts(self):
         """Of these VTK's reader counted for minutes, wrote beyond its memory, or made a volume."""
