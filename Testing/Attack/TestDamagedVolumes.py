@@ -73,6 +73,7 @@ def find_limit():
 
 class TestDamagedVolumes(unittest.TestCase):
     maxDiff = None  # every seed is named
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
