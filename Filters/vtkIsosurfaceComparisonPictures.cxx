@@ -10,6 +10,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
@@ -74,6 +75,18 @@ bool CanOpenDisplay()
   return display != nullptr;
 }
 
+// Where neither X nor EGL gives a context, VTK 9.4 and newer makes this window without looking for
+// OSMesa's library. (It also says that it supports OpenGL, whatever there is.)
+bool IsWithoutOSMesa(vtkRenderWindow* window)
+{
+  if (!window->IsA("vtkOSOpenGLRenderWindow"))
+  {
+    return false;
+  }
+  vtkOpenGLRenderWindow::SafeDownCast(window)->Initialize();
+  return window->GetGenericContext() == nullptr;
+}
+
 class IsosurfaceDrawing : public Drawing
 {
 public:
@@ -115,6 +128,11 @@ std::string WhyNoPictures()
       ? std::string("the display ") + display + " cannot be opened"
       : std::string("there is no display");
     return "No pictures: " + problem + ". Set DISPLAY, or run under xvfb-run.";
+  }
+  if (IsWithoutOSMesa(window))
+  {
+    return "No pictures: there is no display, no EGL and no OSMesa. Set DISPLAY, run under "
+           "xvfb-run, or install libOSMesa.";
   }
   return "";
 }

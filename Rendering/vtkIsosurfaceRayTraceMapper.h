@@ -46,10 +46,11 @@
  * scene is drawn as without the volume: arrays (scalars, vtkGhostType, colours) whose number of
  * tuples or components is not that of the data, and numbers that are not finite in the matrix of
  * the volume, the geometry of the data, the camera, the lights that are on, clipping planes or the
- * material; NaN in cropping planes; and matrices without an inverse. Isovalues that are not
- * finite, and those whose opacity is NaN, have no surface; a colour that is NaN is black. A
- * clipping plane whose normal is 0 clips nothing. A setting that is a number has a range, to which
- * it is clamped; NaN is an error, and leaves it as it is.
+ * material; NaN in cropping planes; matrices without an inverse; and a matrix of the volume with
+ * perspective (a last row other than 0 0 0 1). Isovalues that are not finite, and those whose
+ * opacity is NaN, have no surface; a colour that is NaN is black. A clipping plane whose normal is
+ * 0 clips nothing. A setting that is a number has a range, to which it is clamped; NaN is an error,
+ * and leaves it as it is.
  *
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
  * repeat: where they repeat and the values differ, the surface is a wall, as in

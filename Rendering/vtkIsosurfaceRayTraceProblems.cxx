@@ -46,13 +46,29 @@ bool IsFinite(vtkLight* light)
     AreFinite(light->GetAttenuationValues(), 3);
 }
 
+bool HasPerspective(const double* matrix)
+{
+  constexpr double affine[] = { 0.0, 0.0, 0.0, 1.0 };
+  constexpr double rounding = 1e-12; // of those who made the matrix
+  return !std::equal(affine, affine + 4, matrix + 12,
+    [](double one, double other) { return std::abs(one - other) <= rounding; });
+}
+
 std::string FindInMatrix(vtkVolume* volume, const vtkirt::Matrix4& physicalFromObject)
 {
-  return IsInvertible(vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, physicalFromObject))
-    ? ""
-    : "The matrix of the volume has numbers that are not finite, or no inverse. Give SetPosition, "
-      "SetOrigin, SetOrientation, SetScale and SetUserMatrix of the vtkVolume finite numbers, and "
-      "a scale other than 0.";
+  if (!IsInvertible(vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, physicalFromObject)))
+  {
+    return "The matrix of the volume has numbers that are not finite, or no inverse. Give "
+           "SetPosition, SetOrigin, SetOrientation, SetScale and SetUserMatrix of the vtkVolume "
+           "finite numbers, and a scale other than 0.";
+  }
+  // VTK's pickers ignore perspective, and so do distances along rays.
+  if (HasPerspective(volume->GetMatrix()->GetData()))
+  {
+    return "The matrix of the volume has a perspective part. Give SetUserMatrix of the vtkVolume a "
+           "matrix whose last row is 0 0 0 1.";
+  }
+  return "";
 }
 
 std::string FindInMaterial(vtkVolumeProperty* property, int component)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What is wrong with the numbers of a scene that others set: nothing can be traced with numbers
-// that are not finite, or with matrices that have no inverse. The functions Find return the
-// problem and its remedy; empty if there is none.
+// that are not finite, or with matrices that have no inverse, and nothing with the perspective of
+// a volume's own matrix. The functions Find return the problem and its remedy; empty if there is
+// none.
 
 #ifndef vtkIsosurfaceRayTraceProblems_h
 #define vtkIsosurfaceRayTraceProblems_h

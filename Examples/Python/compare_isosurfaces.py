@@ -5,19 +5,16 @@
 
 import sys
 
-from vtkmodules.vtkIOImage import vtkImageReader2Factory
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for the times of pictures
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
+from read_volume import read_volume
+
 if len(sys.argv) != 3:
     sys.exit(__doc__)
-reader = vtkImageReader2Factory.CreateImageReader2(sys.argv[1])
-if reader is None:
-    sys.exit(f"VTK has no image reader for {sys.argv[1]}")
-reader.SetFileName(sys.argv[1])
 
 comparison = vtkIsosurfaceComparisonFilter()
-comparison.SetInputConnection(reader.GetOutputPort())
+comparison.SetInputData(read_volume(sys.argv[1]))
 comparison.SetValue(0, float(sys.argv[2]))
 comparison.Update()
 table = comparison.GetOutput()

@@ -14,12 +14,13 @@ from vtkmodules.vtkCommonDataModel import (
     vtkRectilinearGrid,
     vtkUniformGrid,
 )
-from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
 from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
+from read_volume import read_volume
 from whole_file import write_picture
 
 
@@ -288,12 +289,7 @@ def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
     volume_file, isovalue, folder = sys.argv[1], float(sys.argv[2]), sys.argv[3]
-    reader = vtkImageReader2Factory.CreateImageReader2(volume_file)
-    if reader is None:
-        sys.exit(f"VTK has no image reader for {volume_file}")
-    reader.SetFileName(volume_file)
-    reader.Update()
-    write_all(reader.GetOutput(), isovalue, folder, 480)
+    write_all(read_volume(volume_file), isovalue, folder, 480)
 
 
 if __name__ == "__main__":

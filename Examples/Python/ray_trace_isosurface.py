@@ -5,24 +5,20 @@
 
 import sys
 
-from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
+from read_volume import read_volume
 from whole_file import write_picture
 
 if len(sys.argv) != 4:
     sys.exit(__doc__)
 volume_file, isovalue, picture_file = sys.argv[1], float(sys.argv[2]), sys.argv[3]
 
-reader = vtkImageReader2Factory.CreateImageReader2(volume_file)
-if reader is None:
-    sys.exit(f"VTK has no image reader for {volume_file}")
-reader.SetFileName(volume_file)
-
 mapper = vtkIsosurfaceRayTraceMapper()
-mapper.SetInputConnection(reader.GetOutputPort())
+mapper.SetInputData(read_volume(volume_file))
 volume = vtkVolume()
 volume.SetMapper(mapper)
 surface = volume.GetProperty()

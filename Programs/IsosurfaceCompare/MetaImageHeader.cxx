@@ -258,6 +258,11 @@ double GetCapacityOfMetaImage(const std::string& fileName)
   const double size = GetSizeOfSamples(header) - skipped;
   if (header.IsTrue("CompressedData"))
   {
+    // The reader would leave the samples undefined that the missing bytes have.
+    if (size < std::strtod(header.Get("CompressedDataSize").c_str(), nullptr))
+    {
+      header.Throw("its file of samples is cut off");
+    }
     return size * MostInflated;
   }
   // As text, a sample of up to eight bytes is at least a digit and a space.

@@ -4,6 +4,7 @@
 #include "ReadVolume.h"
 
 #include "MetaImageHeader.h"
+#include "NiftiHeader.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
@@ -27,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -180,15 +180,6 @@ vtkSmartPointer<vtkImageData> ReadFile(
   return Read(reader, name, capacity, maxMemory);
 }
 
-//------------------------------------------------------------------------------
-double GetCapacityOfNifti(const std::string& fileName)
-{
-  std::ifstream file(fileName, std::ios::binary);
-  const bool isCompressed = file.get() == 0x1f && file.get() == 0x8b;
-  const auto size = static_cast<double>(SystemTools::FileLength(fileName));
-  return isCompressed ? size * MostInflated : size;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -211,13 +202,12 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
     throw std::runtime_error("there is no file " + fileName);
   }
   const double unknown = std::numeric_limits<double>::infinity();
-  const std::string name = SystemTools::LowerCase(fileName);
-  if (SystemTools::StringEndsWith(name, ".vti"))
+  if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {
     return ReadFile(vtkNew<vtkXMLImageDataReader>().Get(), fileName, unknown, maxMemory);
   }
   // The factory does not have this reader.
-  if (SystemTools::StringEndsWith(name, ".nii") || SystemTools::StringEndsWith(name, ".nii.gz"))
+  if (IsNifti(fileName))
   {
     return ReadFile(
       vtkNew<vtkNIFTIImageReader>().Get(), fileName, GetCapacityOfNifti(fileName), maxMemory);

@@ -6,8 +6,11 @@
 Each run ends soon, in little memory, well or with an error. ATTACK_FILES says how many files there are
 (300), ATTACK_SEED with which they begin (0); a failure names its seed."""
 
+import gzip
 import os
+import re
 import resource
+import struct
 import subprocess
 import sys
 import tempfile
@@ -28,6 +31,32 @@ MEBIBYTES = 64
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
 
 
+def new_nifti(order, code):
+    """A file of version 1 of the format, with the byte order and the type of data."""
+    header = bytearray(352)
+    struct.pack_into(order + "i", header, 0, 348)
+    struct.pack_into(order + "8h", header, 40, 3, EDGE, EDGE, EDGE, 1, 1, 1, 1)
+    struct.pack_into(order + "2h", header, 70, code, 16)
+    struct.pack_into(order + "9f", header, 76, *8 * (1.0,), len(header))
+    struct.pack_into("4s", header, 344, b"n+1")
+    return header + bytes(2 * EDGE**3)
+
+
+def new_nifti_2(order, code):
+    header = bytearray(544)
+    struct.pack_into(order + "i8s2h", header, 0, 540, b"n+2\0\r\n\032\n", code, 16)
+    struct.pack_into(order + "8q", header, 16, 3, EDGE, EDGE, EDGE, 1, 1, 1, 1)
+    struct.pack_into(order + "8dq", header, 104, *8 * (1.0,), len(header))
+    return header + bytes(2 * EDGE**3)
+
+
+NEW_NIFTI = {
+    "old.nii": new_nifti,
+    "new.nii": new_nifti_2,
+    "packed.nii.gz": lambda order, code: gzip.compress(new_nifti(order, code)),
+}
+
+
 def limit_memory():
     resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE, ADDRESS_SPACE))
 
@@ -43,6 +72,8 @@ def find_limit():
 
 
 class TestDamagedVolumes(unittest.TestCase):
+    maxDiff = None  # every seed is named
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
@@ -112,6 +143,24 @@ class TestDamagedVolumes(unittest.TestCase):
         lines = [line if old.startswith(name + " ") else old for old in header.splitlines()]
         self.assert_refused("refused.mhd", ("\n".join(lines) + "\n").encode("ascii"), words)
 
+    def resample(self, name, data):
+        """Where the first sample is, and the samples."""
+        path = self.folder / name
+        path.write_bytes(data)
+        result = self.read(path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        header = (self.folder / f"{name}-output.mhd").read_text(encoding="ascii")
+        (offset,) = re.findall("Offset = (.*)", header)
+        return list(map(float, offset.split())), (self.folder / f"{name}-output.raw").read_bytes()
+
+    def test_extents_that_do_not_begin_with_0(self):
+        """Of whole files; for a damaged one vtkIsosurfaceBenchmarkVolume crashed."""
+        whole = self.files["text.vti"]
+        offset, samples = self.resample("from_0.vti", whole)
+        moved = whole.replace(b'Extent="0 11 0 11 0 11"', b'Extent="-1 10 5 16 0 11"')
+        self.assertEqual(
+            self.resample("moved.vti", moved), ([offset[0] - 1, offset[1] + 5, offset[2]], samples))
+
     def test_headers_that_vtk_trusts(self):
         """Of these VTK's reader counted for minutes, wrote beyond its memory, or made a volume."""
         for line, words in (
@@ -139,11 +188,32 @@ class TestDamagedVolumes(unittest.TestCase):
             with self.subTest(line):
                 self.refuse_header(line, words)
 
+    def test_compressed_samples_that_are_cut(self):
+        """VTK's reader leaves the rest as it was in memory."""
+        packed = self.files["packed.mha"].split(b"LOCAL\n")[1]
+        header = METAIMAGE.format(compressed=True, edge=EDGE, data_file="LOCAL").encode("ascii")
+        sized = header.replace(b"HeaderSize", f"CompressedDataSize = {len(packed)}\nHeaderSize".encode("ascii"))
+        path = self.folder / "sized.mha"
+        path.write_bytes(sized + packed)
+        self.assertEqual(self.read(path).returncode, 0)
+        self.assert_refused("cut.mha", sized + packed[:-1], "is cut off")
+
     def test_dimensions_of_nifti(self):
         """VTK's reader wrote beyond its memory."""
         header = bytearray(self.files["raw.nii"])
         header[44:48] = bytes((0, 0, 128, 0))  # 12 x 0 x 128
         self.assert_refused("flat.nii", header, "its header has a dimension of 0")
+
+    def test_types_of_nifti(self):
+        """VTK 9.1's reader crashed for one that it does not know."""
+        for order in ("<", ">"):
+            for name, new in NEW_NIFTI.items():
+                path = self.folder / name
+                path.write_bytes(new(order, 4))
+                result = self.read(path)
+                self.assertEqual(result.returncode, 0, (order, name, result.stderr))
+                for code in (0, 1, 127, -23804):
+                    self.assert_refused(name, new(order, code), f"the type of data {code}, which VTK")
 
     def test_limit_of_memory(self):
         """A header that a compressed file could keep: it is believed up to the limit."""

@@ -3,7 +3,6 @@
 """How the tests of benchmarks run programs: TestX.py FOLDER_OF_THE_PROGRAMS FOLDER_FOR_RESULTS."""
 
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -23,10 +22,6 @@ def new_folder(name):
 
 def read_json(path):
     return json.loads(path.read_text(encoding="utf-8"))
-
-
-def without_display():
-    return {name: value for name, value in os.environ.items() if name != "DISPLAY"}
 
 
 class ProgramTest(unittest.TestCase):

@@ -12,10 +12,12 @@
 #include <vtkImageData.h>
 #include <vtkImageInterpolator.h>
 #include <vtkImageResize.h>
+#include <vtkInformation.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -137,11 +139,24 @@ const char* GetElementType(int vtkType)
 }
 
 //------------------------------------------------------------------------------
-// The type of MetaImage: its own names, and numbers as they are in memory here.
-std::string MakeHeader(const std::string& rawName, vtkImageData* slab, const Dimensions& dimensions)
+// The index of the first sample of a source: a part of an image does not begin with 0.
+std::array<int, 3> FindFirst(vtkImageAlgorithm* source)
 {
+  source->UpdateInformation();
+  const int* extent =
+    source->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  return { extent[0], extent[2], extent[4] };
+}
+
+//------------------------------------------------------------------------------
+// The type of MetaImage: its own names, and numbers as they are in memory here.
+std::string MakeHeader(
+  const std::string& rawName, vtkImageAlgorithm* source, const Dimensions& dimensions)
+{
+  vtkImageData* slab = source->GetOutput();
   const double* spacing = slab->GetSpacing();
-  const double* origin = slab->GetOrigin();
+  double origin[3];
+  slab->TransformIndexToPhysicalPoint(FindFirst(source).data(), origin);
   const double* direction = slab->GetDirectionMatrix()->GetData();
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -188,11 +203,13 @@ std::array<double, 2> WriteSamples(vtkImageAlgorithm* source, const Dimensions& 
 {
   constexpr int samplesInSlab = 1 << 24;
   const int thickness = std::max(1, samplesInSlab / dimensions[0] / dimensions[1]);
+  const std::array<int, 3> first = FindFirst(source);
   std::array<double, 2> range = { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
   for (int z = 0; z < dimensions[2]; z += thickness)
   {
     const int last = std::min(z + thickness, dimensions[2]) - 1;
-    const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, z, last };
+    const int extent[6] = { first[0], first[0] + dimensions[0] - 1, first[1],
+      first[1] + dimensions[1] - 1, first[2] + z, first[2] + last };
     source->UpdateExtent(extent);
     vtkDataArray* samples = source->GetOutput()->GetPointData()->GetScalars();
     const std::size_t bytes = static_cast<std::size_t>(samples->GetDataSize()) *
@@ -220,7 +237,7 @@ void WriteVolume(
   Compare::OutputFile header(headerName);
   Compare::OutputFile raw(rawName);
   const std::array<double, 2> range = WriteSamples(source, dimensions, rawName, raw);
-  const std::string text = MakeHeader(rawName, source->GetOutput(), dimensions);
+  const std::string text = MakeHeader(rawName, source, dimensions);
   header.Write(text.data(), text.size());
   raw.Finish();
   header.Finish();

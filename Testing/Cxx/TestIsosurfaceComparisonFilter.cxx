@@ -16,6 +16,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkImageCast.h"
 #include "vtkImageData.h"
 #include "vtkMarchingCubes.h"
@@ -627,37 +628,59 @@ protected:
   const char* GetClassNameInternal() const override { return "OtherWindow"; }
 };
 
-VTK_CREATE_CREATE_FUNCTION(OtherWindow)
-
-class OtherFactory : public vtkObjectFactory
+//------------------------------------------------------------------------------
+// What VTK 9.4 and newer makes without a display, EGL and OSMesa: a window that has no context.
+class WindowWithoutOSMesa : public vtkGenericOpenGLRenderWindow
 {
 public:
-  static OtherFactory* New() { VTK_STANDARD_NEW_BODY(OtherFactory); }
-  const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() override { return "other windows"; }
-
-protected:
-  OtherFactory()
+  static WindowWithoutOSMesa* New() { VTK_STANDARD_NEW_BODY(WindowWithoutOSMesa); }
+  vtkTypeBool IsA(const char* type) override
   {
-    this->RegisterOverride(
-      "vtkRenderWindow", "OtherWindow", "not OpenGL", 1, vtkObjectFactoryCreateOtherWindow);
+    return type == std::string("vtkOSOpenGLRenderWindow") || this->Superclass::IsA(type);
   }
 };
 
 //------------------------------------------------------------------------------
+template <typename WindowT>
+class WindowFactory : public vtkObjectFactory
+{
+public:
+  static WindowFactory* New() { VTK_STANDARD_NEW_BODY(WindowFactory); }
+  const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() override { return "other windows"; }
+
+protected:
+  WindowFactory()
+  {
+    this->RegisterOverride("vtkRenderWindow", "OtherWindow", "without OpenGL", 1,
+      []() -> vtkObject* { return WindowT::New(); });
+  }
+};
+
+//------------------------------------------------------------------------------
+void CheckWhyNoPictures(const std::string& words)
+{
+  const std::string why = vtkIsosurfaceComparisonFilter::WhyNoPictures();
+  Check(why.find(words) != std::string::npos, "it should say \"" + words + "\": " + why);
+}
+
+//------------------------------------------------------------------------------
+template <typename WindowT>
+void TestWindow(const std::string& words)
+{
+  vtkNew<WindowFactory<WindowT>> factory;
+  vtkObjectFactory::RegisterFactory(factory);
+  CheckWhyNoPictures(words);
+  vtkObjectFactory::UnRegisterFactory(factory);
+}
+
+//------------------------------------------------------------------------------
 void TestOtherWindows()
 {
-  const auto check = [](const std::string& words)
-  {
-    const std::string why = vtkIsosurfaceComparisonFilter::WhyNoPictures();
-    Check(why.find(words) != std::string::npos, "it should say \"" + words + "\": " + why);
-  };
   vtkObjectFactory::SetAllEnableFlags(false, "vtkRenderWindow");
-  check("vtkRenderingOpenGL2 is not initialized");
-  vtkNew<OtherFactory> factory;
-  vtkObjectFactory::RegisterFactory(factory);
-  check("windows of the class OtherWindow");
-  vtkObjectFactory::UnRegisterFactory(factory);
+  CheckWhyNoPictures("vtkRenderingOpenGL2 is not initialized");
+  TestWindow<OtherWindow>("windows of the class OtherWindow");
+  TestWindow<WindowWithoutOSMesa>("no OSMesa");
   vtkObjectFactory::SetAllEnableFlags(true, "vtkRenderWindow");
 }
 

@@ -9,6 +9,7 @@
 #include "TestImages.h"
 #include "TestScene.h"
 
+#include <vtkMatrix4x4.h>
 #include <vtkTransform.h>
 
 #include <functional>
@@ -114,7 +115,10 @@ std::vector<Layout> GetLayouts()
         vtkNew<vtkTransform> transform;
         transform->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
         transform->Scale(-1.0, 1.0, 1.0);
-        volume->SetUserMatrix(transform->GetMatrix());
+        vtkNew<vtkMatrix4x4> matrix;
+        matrix->DeepCopy(transform->GetMatrix());
+        matrix->SetElement(3, 3, 1.0 + 1e-15); // as rounding leaves it
+        volume->SetUserMatrix(matrix);
       } },
   };
 }

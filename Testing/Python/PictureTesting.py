@@ -3,9 +3,11 @@
 """What the tests of pictures share: a volume that every clone can make, baselines, comparisons."""
 
 import os
+import re
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -34,6 +36,23 @@ def write_waves(folder, radius=20):
     writer.SetFileName(file_name)
     writer.Write()
     return file_name
+
+
+def write_bad_volumes(folder):
+    """The names of files that are no whole volumes."""
+    header = Path(write_waves(folder)).read_text(encoding="ascii")
+    files = {
+        "text.mhd": "This is not a volume.\n",
+        "huge.mhd": re.sub("DimSize = .*", "DimSize = 8192 8192 8192", header),  # 2 TB
+        "flat.mhd": re.sub("ElementSpacing = .*", "ElementSpacing = 1 0 1", header),
+        "without_samples.mhd": header.replace("waves.", "absent."),
+        "cut.mhd": header.replace("waves.", "cut."),
+    }
+    for name, text in files.items():
+        Path(folder, name).write_text(text, encoding="ascii")
+    (samples,) = re.findall("ElementDataFile = (.*)", header)
+    Path(folder, samples.replace("waves.", "cut.")).write_bytes(Path(folder, samples).read_bytes()[:999])
+    return [os.path.join(folder, name) for name in files]
 
 
 def read(file_name):

@@ -17,7 +17,7 @@ from pathlib import Path
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 
-from PictureTesting import EXAMPLES, ISOVALUE, read, write_waves
+from PictureTesting import EXAMPLES, ISOVALUE, read, write_bad_volumes, write_waves
 
 METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D", "vtkContourFilter",
            "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
@@ -99,6 +99,20 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(os.listdir(self.folder), ["old.txt"])
             self.assertEqual(target.read_text(encoding="ascii"), "old")
 
+    def test_bad_volumes(self):
+        """One error names the file; nothing is measured or drawn."""
+        picture = os.path.join(self.folder, "picture.png")
+        for file_name in (os.path.join(self.folder, "absent.mhd"), *write_bad_volumes(self.folder)):
+            for script, last in (("compare_isosurfaces.py", ()), ("ray_trace_isosurface.py", (picture,)),
+                                 ("gallery.py", (self.folder,)), ("scenes.py", (self.folder,))):
+                with self.subTest(script, file_name=file_name):
+                    result = self.run_script(script, file_name, str(ISOVALUE), *last)
+                    self.assertEqual(result.returncode, 1, result.stderr)
+                    self.assertEqual(result.stderr.count(file_name), 1, result.stderr)
+                    self.assertIn(file_name, result.stderr.splitlines()[-1])
+                    self.assertEqual(result.stdout, "")
+        self.assertEqual(list(Path(self.folder).glob("*.png")), [])
+
     def test_usage(self):
         for script, arguments in (
             ("compare_isosurfaces.py", "VOLUME.mhd ISOVALUE"),
@@ -107,7 +121,7 @@ class TestExamples(unittest.TestCase):
             for given in ((), ("absent.mhd", "1", "picture.png")[: len(arguments.split())]):
                 result = self.run_script(script, *given)
                 self.assertNotEqual(result.returncode, 0)
-                words = "no image reader for absent.mhd" if given else f"{script} {arguments}"
+                words = "there is no file absent.mhd" if given else f"{script} {arguments}"
                 self.assertIn(words, result.stderr)
 
     def test_readme(self):

@@ -351,6 +351,8 @@ TABLE = [
     ("a matrix with NaN", lambda s: s.matrix.SetElement(0, 0, NAN), "SetUserMatrix"),
     ("a matrix with infinity", lambda s: s.matrix.SetElement(0, 3, INF), "SetUserMatrix"),
     ("a singular matrix", lambda s: s.matrix.SetElement(2, 2, 0.0), "SetUserMatrix"),
+    ("a matrix with perspective", lambda s: s.matrix.SetElement(3, 0, 0.2), "last row is 0 0 0 1"),
+    ("a matrix with a common factor", lambda s: s.matrix.SetElement(3, 3, 2.0), "last row is 0 0 0 1"),
     ("a matrix that overflows", lambda s: s.matrix.SetElement(1, 1, 1e308), ""),
     ("a camera at NaN", lambda s: s.camera.SetPosition(NAN, 0, 0), "vtkCamera"),
     ("a camera at its focal point", put_camera_at_focal_point, ""),

@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-from PictureTesting import SIZE, difference, read, write_waves
+from PictureTesting import SIZE, difference, read, write_bad_volumes, write_waves
 
 PROGRAM = sys.argv.pop(1)
 COLUMNS = ["build", "extraction", "first picture", "next picture", "new isovalue", "memory",
@@ -103,6 +103,14 @@ class TestRayTraceIsosurface(unittest.TestCase):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)
             self.assertIn(words, result.stderr)
+
+    def test_bad_volumes(self):
+        for file_name in write_bad_volumes(self.folder):
+            with self.subTest(file_name):
+                result = self.run_program("--input", file_name)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(file_name, result.stderr.splitlines()[-1])
+                self.assertEqual(result.stdout, "")
 
     def test_pictures_that_cannot_be_written(self):
         """They are told with the reason, and nothing unfinished is left."""

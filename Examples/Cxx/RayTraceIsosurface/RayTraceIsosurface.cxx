@@ -9,16 +9,20 @@
 
 #include <vtkAbstractArray.h>
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkCommand.h>
 #include <vtkConeSource.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
 #include <vtkImageReader2Factory.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLightKit.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -54,6 +58,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -138,6 +143,60 @@ vtkSmartPointer<vtkAlgorithm> NewReader(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+// False if the reader fails; what it says of that is not printed.
+bool Update(vtkAlgorithm* reader)
+{
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&)
+  {
+    ++errors;
+  }
+  reader->RemoveObserver(observer);
+  reader->GetExecutive()->RemoveObserver(observer);
+  return errors == 0;
+}
+
+//------------------------------------------------------------------------------
+// Whether a MetaImage has fewer bytes: VTK's reader leaves the other samples undefined.
+bool IsCut(const std::string& fileName, double bytes)
+{
+  using vtksys::SystemTools;
+  std::ifstream file(fileName);
+  std::string name;
+  std::string equals;
+  std::string value;
+  while (file >> name >> equals && equals == "=" && std::getline(file >> std::ws, value))
+  {
+    if (name == "CompressedData" && SystemTools::LowerCase(value) == "true")
+    {
+      bytes = 0.0; // unless the header has their number
+    }
+    if (name == "CompressedDataSize")
+    {
+      bytes = std::atof(value.c_str());
+    }
+    if (name == "ElementDataFile")
+    {
+      const std::string samples =
+        value == "LOCAL" ? fileName : SystemTools::GetFilenamePath(fileName) + "/" + value;
+      return SystemTools::FileExists(samples, true) &&
+        static_cast<double>(SystemTools::FileLength(samples)) < bytes;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 // The volume in the file; nullptr after an error message.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
 {
@@ -152,11 +211,22 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName)
     std::fprintf(stderr, "VTK has no image reader for %s.\n", fileName.c_str());
     return nullptr;
   }
-  reader->Update();
+  if (!Update(reader))
+  {
+    std::fprintf(stderr, "%s is damaged, or larger than the memory.\n", fileName.c_str());
+    return nullptr;
+  }
   auto* volume = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!volume || !volume->GetPointData()->GetScalars() || volume->GetDataDimension() != 3)
+  vtkDataArray* scalars = volume ? volume->GetPointData()->GetScalars() : nullptr;
+  if (!scalars || volume->GetDataDimension() != 3)
   {
     std::fprintf(stderr, "%s is not a volume with point scalars.\n", fileName.c_str());
+    return nullptr;
+  }
+  if (volume->GetIndexToPhysicalMatrix()->Determinant() == 0.0 ||
+    IsCut(fileName, static_cast<double>(scalars->GetDataSize() * scalars->GetDataTypeSize())))
+  {
+    std::fprintf(stderr, "%s is damaged.\n", fileName.c_str());
     return nullptr;
   }
   return volume;
