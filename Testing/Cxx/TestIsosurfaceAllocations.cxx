@@ -36,8 +36,6 @@ namespace
 
 constexpr int Size = 24;
 constexpr int Samples = 9;
-/// So many allocations fail one by one; of more, there are ever larger gaps between them.
-constexpr long Dense = 20;
 
 /// What an action finds out; empty if it finds nothing.
 using Finding = std::vector<double>;
@@ -255,8 +253,10 @@ bool Fail(Checks& check, const std::string& what, Attacked& scene, const Action&
   return hasFailed;
 }
 
-/// Fails the allocations of an action one after the other. Returns how many.
-int Attack(Checks& check, const std::string& name, Attacked& scene, const Action& action)
+/// Fails the allocations of an action one after the other. Returns how many. So many of them are
+/// dense; between the others there are ever larger gaps.
+int Attack(
+  Checks& check, const std::string& name, Attacked& scene, const Action& action, long dense = 20)
 {
   scene.ReplaceMapper();
   const Finding expected = action(scene);
@@ -264,8 +264,7 @@ int Attack(Checks& check, const std::string& name, Attacked& scene, const Action
   check.Equal(scene.Errors->Count, 0, name + ": the number of errors without failure");
   int failures = 0;
   bool hasFailed = true;
-  // The first ones one by one.
-  for (long number = 1; hasFailed && check.Result() == EXIT_SUCCESS; number += 1 + number / Dense)
+  for (long number = 1; hasFailed && check.Result() == EXIT_SUCCESS; number += 1 + number / dense)
   {
     const std::string what = name + " without allocation " + std::to_string(number);
     long grown = 1;
@@ -330,7 +329,7 @@ int TestIsosurfaceAllocations(int, char*[])
   }
   {
     Attacked scene(NewBall(Samples, 0.7));
-    total += Attack(check, "Render (volume taken away)", scene, RenderAndTakeAway);
+    total += Attack(check, "Render (volume taken away)", scene, RenderAndTakeAway, 1000);
   }
   std::cout << total << " allocations have failed\n";
   check.That(total > 1000, "many allocations fail");
