@@ -133,7 +133,9 @@ void CheckBusyMapper(Checks& check, vtkImageData* image)
   attempt.Drawn.Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, observer);
   vtkNew<ErrorCounter> errors;
   vtkOutputWindow::SetInstance(errors);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   attempt.Drawn.Window->Render();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
   vtkOutputWindow::SetInstance(nullptr);
   check.That(!attempt.HasHit, "a mapper that another thread uses does nothing");
   check.Equal(errors->Expected.load(), 1, "the number of errors of a mapper in use");
