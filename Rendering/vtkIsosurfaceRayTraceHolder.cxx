@@ -5,7 +5,6 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCollectionRange.h"
 #include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
@@ -14,6 +13,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -54,6 +54,7 @@ vtkIsosurfaceRayTraceHolder::vtkIsosurfaceRayTraceHolder(
   , Renderer(renderer)
   , Volume(volume)
   , Mapper(mapper)
+  , End(vtkSmartPointer<EndOfFrame>::New())
 {
   for (vtkObject* prop : vtk::Range(renderer->GetViewProps()))
   {
@@ -72,12 +73,12 @@ vtkIsosurfaceRayTraceHolder::~vtkIsosurfaceRayTraceHolder()
   {
     return;
   }
-  vtkNew<EndOfFrame> end;
+  auto* end = static_cast<EndOfFrame*>(this->End.Get());
   end->Volume = this->Volume;
   end->NextMapper = this->Volume->GetMapper();
   end->Renderer = this->Renderer;
   end->NextWindow = this->Renderer->GetRenderWindow();
-  end->Props = this->Props;
+  end->Props = std::move(this->Props);
   this->Volume->SetMapper(this->Mapper);
   this->Renderer->SetRenderWindow(this->Window);
   this->Window->AddObserver(vtkCommand::EndEvent, end);

@@ -20,6 +20,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractVolumeMapper;
+class vtkCommand;
 class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -61,6 +62,8 @@ private:
   vtkSmartPointer<vtkAbstractVolumeMapper> Mapper;
   /// All of the renderer.
   std::vector<vtkSmartPointer<vtkProp>> Props;
+  /// Made in time: the destructor must not run out of memory.
+  vtkSmartPointer<vtkCommand> End;
 };
 
 VTK_ABI_NAMESPACE_END

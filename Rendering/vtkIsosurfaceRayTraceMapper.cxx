@@ -14,12 +14,12 @@
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTraceUse.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
@@ -171,46 +171,42 @@ std::string vtkIsosurfaceRayTraceMapper::SelectInput(
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMapper::UpdateInputs()
+void vtkIsosurfaceRayTraceMapper::Update()
 {
-  // Without an input, the pipeline would report an error besides ours.
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->Update();
-  }
+  this->Update(-1);
 }
 
 //------------------------------------------------------------------------------
-vtkTypeBool vtkIsosurfaceRayTraceMapper::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkIsosurfaceRayTraceMapper::Update(int /*port*/)
 {
+  // An update of this algorithm itself would stop here, as long as nothing is modified, though
+  // another consumer may have let the producers replace the whole by a piece.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (!request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
-  {
-    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-  }
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      vtkInformation* input = inputVector[port]->GetInformationObject(i);
-      if (input->Has(Pipeline::WHOLE_EXTENT()))
+      vtkAlgorithmOutput* connection = this->GetInputConnection(port, i);
+      vtkAlgorithm* producer = connection->GetProducer();
+      producer->UpdateInformation();
+      vtkInformation* output = producer->GetOutputInformation(connection->GetIndex());
+      if (output->Has(Pipeline::WHOLE_EXTENT()))
       {
-        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+        output->Set(Pipeline::UPDATE_EXTENT(), output->Get(Pipeline::WHOLE_EXTENT()), 6);
       }
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      output->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      output->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      output->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      producer->Update(connection->GetIndex());
     }
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceMapper::MakeRequest(
   const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
 {
-  this->UpdateInputs();
+  this->Update();
   vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
   if (this->ReportOnce(this->SelectInput(input, volume)))
   {
@@ -302,7 +298,7 @@ try
   {
     return false;
   }
-  this->UpdateInputs();
+  this->Update();
   vtkIsosurfaceRayTraceGridInput& input = use.GetInput();
   if (!this->SelectInput(input, volume).empty())
   {

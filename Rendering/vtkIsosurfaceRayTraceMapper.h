@@ -723,12 +723,15 @@ public:
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
+  ///@{
   /**
-   * Requests the whole extent of the inputs, in one piece, whatever other consumers have requested
+   * Updates the whole extent of the inputs, in one piece, whatever other consumers have requested
    * before.
    */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  using vtkVolumeMapper::Update;
+  void Update(int port) override;
+  void Update() override;
+  ///@}
 
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
@@ -758,7 +761,6 @@ private:
   static void VisitSettings(const Visitor& visit);
   vtkIsosurfaceRayTraceSettings GetSettings() const;
   void SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times);
-  void UpdateInputs();
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
   /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
   std::string SelectInput(vtkIsosurfaceRayTraceGridInput& input, vtkVolume* volume);

@@ -7,6 +7,7 @@
 #include "TestImages.h"
 #include "TestScene.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
@@ -107,6 +108,40 @@ void CheckOneMapper(Checks& check, vtkImageData* image, double expected)
   check.That(CastLine(scene.Mapper, scene.Volume, t) && t == expected, "the mapper works after it");
 }
 
+/// As long as one thread uses a mapper, another cannot: it is in an observer of the mapper here.
+void CheckBusyMapper(Checks& check, vtkImageData* image)
+{
+  struct Attempt
+  {
+    Scene Drawn;
+    bool HasHit = false;
+  } attempt{ Scene(image) };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&attempt);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* tried = static_cast<Attempt*>(data);
+      std::thread other(
+        [tried]
+        {
+          double t = 0.0;
+          tried->HasHit = CastLine(tried->Drawn.Mapper, tried->Drawn.Volume, t);
+        });
+      other.join();
+    });
+  attempt.Drawn.Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, observer);
+  vtkNew<ErrorCounter> errors;
+  vtkOutputWindow::SetInstance(errors);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  attempt.Drawn.Window->Render();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
+  vtkOutputWindow::SetInstance(nullptr);
+  check.That(!attempt.HasHit, "a mapper that another thread uses does nothing");
+  check.Equal(errors->Expected.load(), 1, "the number of errors of a mapper in use");
+  check.Equal(errors->Others.load(), 0, "the number of other errors of a mapper in use");
+}
+
 }
 
 int TestIsosurfaceRayTraceMapperThreads(int, char*[])
@@ -118,5 +153,6 @@ int TestIsosurfaceRayTraceMapperThreads(int, char*[])
   check.That(CastLine(scene.Mapper, scene.Volume, expected), "the line hits the ball");
   CheckMapperEach(check, image, expected);
   CheckOneMapper(check, image, expected);
+  CheckBusyMapper(check, image);
   return check.Result();
 }

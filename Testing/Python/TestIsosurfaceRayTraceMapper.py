@@ -93,12 +93,16 @@ class TestIsosurfaceRayTraceMapper(unittest.TestCase):
         expected = [call() for call in calls]
         self.assertEqual(expected[0][0], 1)
         self.assertTrue(expected[2])
-        for part in ((0, 0, -16, 16, -16, 16), (-16, 0, -16, 16, -16, 3)):
-            for call, value in zip(calls, expected):
+        for call, value in zip(calls, expected):
+            for part in ((0, 0, -16, 16, -16, 16), (-16, 0, -16, 16, -16, 3)):
                 source.Modified()
                 source.UpdateExtent(part)
                 self.assertEqual(source.GetOutput().GetExtent(), part)
                 self.assertEqual(call(), value)
+            # Nothing is modified, and yet the source executes again.
+            source.UpdatePiece(1, 4, 0)
+            self.assertNotEqual(source.GetOutput().GetExtent(), (-16, 16) * 3)
+            self.assertEqual(call(), value)
 
 
 if __name__ == "__main__":

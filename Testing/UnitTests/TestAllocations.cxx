@@ -5,6 +5,7 @@
 // changes nothing; nothing leaks; and the same field traces rightly afterwards.
 
 #include "AnalyticFields.h"
+#include "FailingAllocations.h"
 #include "Image/ImageField.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
@@ -13,84 +14,11 @@
 #include "Picture/RenderTiles.h"
 #include "TestVolume.h"
 
-#include <algorithm>
-#include <atomic>
-#include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-namespace
-{
-
-/// The allocation with this number fails; none if it is not positive.
-std::atomic<long> AllocationsLeft{ 0 };
-std::atomic<long> LiveAllocations{ 0 };
-
-void* Allocate(std::size_t size, std::size_t alignment)
-{
-  if (AllocationsLeft.load(std::memory_order_relaxed) > 0 && AllocationsLeft.fetch_sub(1) == 1)
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, std::max(rounded, alignment));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  ++LiveAllocations;
-  return memory;
-}
-
-void Free(void* memory)
-{
-  LiveAllocations -= memory ? 1 : 0;
-  std::free(memory);
-}
-
-}
-
-// Those that the core calls. (The other forms call these, except with sanitizers.)
-void* operator new(std::size_t size)
-{
-  return Allocate(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-  return Allocate(size, static_cast<std::size_t>(alignment));
-}
-void* operator new(
-  std::size_t size, std::align_val_t alignment, const std::nothrow_t& /*tag*/) noexcept
-{
-  try
-  {
-    return Allocate(size, static_cast<std::size_t>(alignment));
-  }
-  catch (const std::bad_alloc&)
-  {
-    return nullptr;
-  }
-}
-void operator delete(void* memory) noexcept
-{
-  Free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/) noexcept
-{
-  Free(memory);
-}
-void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept
-{
-  Free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept
-{
-  Free(memory);
-}
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -151,7 +79,7 @@ struct Attempt
   Attempt(const TestVolume<float>& volume, const OneFieldScene& scene, long number,
     std::unique_ptr<ImageField>& field)
   {
-    AllocationsLeft = number;
+    FailingAllocations::FailAt(number);
     try
     {
       this->Made = Trace(volume, scene, field);
@@ -160,7 +88,7 @@ struct Attempt
     {
       this->HasFailed = true;
     }
-    this->IsReached = AllocationsLeft.exchange(0) <= 0;
+    this->IsReached = FailingAllocations::HasFailed();
   }
 
   Result Made;
@@ -190,7 +118,7 @@ TEST_P(Allocations, MayFailOneByOne)
       // The first ones one by one.
       for (long number = 1; isReached; number += 1 + number / 100)
       {
-        const long before = LiveAllocations;
+        const long before = FailingAllocations::CountLive();
         {
           std::unique_ptr<ImageField> field;
           const Attempt attempt(volume, scene, number, field);
@@ -199,7 +127,7 @@ TEST_P(Allocations, MayFailOneByOne)
           ASSERT_TRUE(attempt.HasFailed || IsSame(attempt.Made, expected)) << number;
           ASSERT_TRUE(IsSame(Trace(volume, scene, field), expected)) << "after " << number;
         }
-        ASSERT_EQ(LiveAllocations, before) << "allocation " << number << " leaks";
+        ASSERT_EQ(FailingAllocations::CountLive(), before) << "allocation " << number << " leaks";
       }
       EXPECT_GT(failures, 20);
       total += failures;
