@@ -143,8 +143,8 @@ void vtkIsosurfaceRayTraceAccumulation::Add(const Key& key, const vtkirt::Frame&
 {
   if (!(this->Of == key))
   {
+    this->Frames = 0; // First: copying the key may fail.
     this->Of = key;
-    this->Frames = 0;
   }
   if (this->Frames == 0)
   {

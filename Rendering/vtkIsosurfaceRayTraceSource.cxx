@@ -240,6 +240,7 @@ bool vtkIsosurfaceRayTraceSource::Update(
   const bool gridChanged = isNewer && geometry.HasSamePoints(this->Geometry);
   if (isNewer || !this->Built || this->Built->AreOfCells != key.AreOfCells)
   {
+    this->GridTime = 0; // Until the hidden cells are there: memory for them may fail.
     this->UpdateHiddenCells(grid, selection.AreOfCells);
   }
   this->GridTime = grid->GetMTime();
