@@ -10,8 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 Utilities/install-dependencies.sh libgtest-dev libgmp-dev clang libomp-dev
 
-targets=(vtkIsosurfaceRayTracingUnitTests vtkIsosurfaceRayTracingAllocationTests
-  vtkIsosurfaceRayTracingHardCases)
+targets=(vtkIsosurfaceRayTracingUnitTests vtkIsosurfaceRayTracingHardCases)
 single_threaded='Kernels|Classification|PacketTracing|Tricubic|Cubic|TestCells|TestRays|TestVolumes|TestMeshes'
 export ATTACK_SCENES="${ATTACK_SCENES:-200}"
 
@@ -20,7 +19,7 @@ if [[ "${ALL:-}" ]]; then
   cmake --build --preset asan
   Utilities/with-display.sh ctest --preset asan --parallel 2
 else
-  cmake --build --preset asan --target "${targets[@]}"
+  cmake --build --preset asan --target "${targets[@]}" vtkIsosurfaceRayTracingAllocationTests
   ctest --preset asan --parallel 2 --tests-regex '^(Unit|HardCases)'
 fi
 
