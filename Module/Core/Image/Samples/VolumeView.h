@@ -4,6 +4,7 @@
 #ifndef VolumeView_h
 #define VolumeView_h
 
+#include "Field/ScalarType.h"
 #include "Math/Vector.h"
 
 #include <cstddef>
@@ -12,21 +13,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// The types of samples that the ray tracer reads without a copy.
-enum class ScalarType
-{
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Int32,
-  UInt32,
-  Int64,
-  UInt64,
-  Float32,
-  Float64
-};
 
 /// The samples of a volume in the memory of their owner. Nothing is copied, nothing is owned.
 struct VolumeView
@@ -74,54 +60,8 @@ private:
 template <typename Function>
 auto DispatchScalarType(const VolumeView& view, Function&& function)
 {
-  switch (view.Type)
-  {
-    case ScalarType::Int8:
-      return function(Samples<std::int8_t>(view));
-    case ScalarType::UInt8:
-      return function(Samples<std::uint8_t>(view));
-    case ScalarType::Int16:
-      return function(Samples<std::int16_t>(view));
-    case ScalarType::UInt16:
-      return function(Samples<std::uint16_t>(view));
-    case ScalarType::Int32:
-      return function(Samples<std::int32_t>(view));
-    case ScalarType::UInt32:
-      return function(Samples<std::uint32_t>(view));
-    case ScalarType::Int64:
-      return function(Samples<std::int64_t>(view));
-    case ScalarType::UInt64:
-      return function(Samples<std::uint64_t>(view));
-    case ScalarType::Float32:
-      return function(Samples<float>(view));
-    case ScalarType::Float64:
-      break;
-  }
-  return function(Samples<double>(view));
-}
-
-/// The name of type T.
-template <typename T>
-constexpr ScalarType ScalarTypeOf()
-{
-  if constexpr (std::is_same_v<T, float>)
-  {
-    return ScalarType::Float32;
-  }
-  else if constexpr (std::is_same_v<T, double>)
-  {
-    return ScalarType::Float64;
-  }
-  else
-  {
-    constexpr ScalarType types[2][4] = { { ScalarType::UInt8, ScalarType::UInt16,
-                                           ScalarType::UInt32, ScalarType::UInt64 },
-      { ScalarType::Int8, ScalarType::Int16, ScalarType::Int32, ScalarType::Int64 } };
-    return types[std::is_signed_v<T> ? 1 : 0][sizeof(T) == 1 ? 0
-        : sizeof(T) == 2                                     ? 1
-        : sizeof(T) == 4                                     ? 2
-                                                             : 3];
-  }
+  return DispatchScalarType(
+    view.Type, [&view, &function](auto value) { return function(Samples<decltype(value)>(view)); });
 }
 
 /// The type in which samples of type T are traced: the smallest of five that holds every value of T
