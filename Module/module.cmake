@@ -17,6 +17,13 @@ set(core_sources
   Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
   Image/Traversal/RayFollower.cxx
+  Mesh/CellHits.cxx
+  Mesh/CellTree.cxx
+  Mesh/FaceCrossing.cxx
+  Mesh/MeshCells.cxx
+  Mesh/MeshField.cxx
+  Mesh/ShapeFunctions.cxx
+  Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx
   Picture/PixelBlockRenderer.cxx
   Picture/RenderTiles.cxx

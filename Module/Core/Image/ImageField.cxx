@@ -6,6 +6,7 @@
 #include "Image/ImageStructures.h"
 #include "Image/Tracers/ImageTracer.h"
 #include "Image/Traversal/PacketTracer.h"
+#include "Math/TrilinearCell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// The power of two by which values are multiplied before the isovalue is subtracted: 1, unless the
-/// values are so large or small that products of differences overflow or vanish.
-double GetScale(const SampleRange& range, double isovalue)
-{
-  const double size = std::max({ std::abs(range.Min), std::abs(range.Max), std::abs(isovalue) });
-  const bool isExtreme = size < 0x1p-400 || size > 0x1p400;
-  return isExtreme && std::isfinite(size) && size > 0.0
-    ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000))
-    : 1.0;
-}
 
 bool HaveSameIsovalues(const TraceRequest& a, const TraceRequest& b)
 {
@@ -86,11 +76,12 @@ void ImageField::Select(
     this->IsSelectionComplete = true;
     return;
   }
+  const SampleRange range = this->Structures->GetRange();
   this->Selection.Isovalues.clear();
   for (const Isosurface& surface : request.Surfaces)
   {
     this->Selection.Isovalues.push_back(
-      { surface.Isovalue, GetScale(this->Structures->GetRange(), surface.Isovalue) });
+      { surface.Isovalue, GetValueScale(range.Min, range.Max, surface.Isovalue) });
   }
   this->Selection.SetActive(this->Tracer->FindActive(execution.Threads), execution.Threads);
   this->IsSelectionComplete = true;

@@ -8,7 +8,9 @@
 #include "Math/BernsteinCubic.h"
 #include "Math/Vector.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -19,6 +21,17 @@ using CellCorners = std::array<double, 8>;
 /// Corners smaller than this, and not zero, could vanish in three interpolations in turn, and their
 /// sign with them.
 constexpr double SmallestDifference = 0x1p-900;
+
+/// The power of two by which values in a range are multiplied before the isovalue is subtracted: 1,
+/// unless the values are so large or small that products of differences overflow or vanish.
+inline double GetValueScale(double low, double high, double isovalue)
+{
+  const double size = std::max({ std::abs(low), std::abs(high), std::abs(isovalue) });
+  const bool isExtreme = size < 0x1p-400 || size > 0x1p400;
+  return isExtreme && std::isfinite(size) && size > 0.0
+    ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000))
+    : 1.0;
+}
 
 /// A difference between a value and the isovalue that keeps its sign in interpolations.
 template <typename Number>

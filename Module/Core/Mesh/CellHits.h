@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellHits_h
+#define CellHits_h
+
+#include "Mesh/FaceCrossing.h"
+#include "Mesh/MeshCell.h"
+#include "Mesh/RayFrame.h"
+
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where a ray meets an isosurface in a cell.
+struct CellHit
+{
+  double T;
+  /// VTK's parametric coordinates of the cell.
+  Vector3 Parametric;
+  bool Entering;
+};
+
+/// Finds the hits of one ray with the isosurfaces in cells.
+///
+/// A ray is inside or outside of a surface where it crosses a face, the same for both cells of the
+/// face. Between its crossings of a cell it has an odd number of hits if and only if it is inside
+/// at one of them alone. So along the ray the hits are as many as these signs ask for, whatever
+/// rounding does to those next to a face: none is lost between two cells, and none is found in
+/// both.
+class CellHits
+{
+public:
+  explicit CellHits(const RayFrame& frame)
+    : Frame(frame)
+  {
+  }
+
+  /// Begins with a cell. Returns whether the ray crosses it.
+  bool Enter(const MeshCell& cell);
+
+  /// Finds the hits with an isosurface, in order. The differences are those between the values at
+  /// the corners and the isovalue: see Difference.
+  const std::vector<CellHit>& Find(const double* differences);
+
+private:
+  void FindOfTetrahedron(const double* differences);
+  void FindOfTrilinear(const double* differences);
+  void AddSegment(
+    std::vector<CellHit> hits, const FaceCrossing* crossings, int count, const double* differences);
+  CellHit MakeHitOnFace(const FaceCrossing& crossing) const;
+  CellHit MakeHit(const Vector3& trilinear) const;
+
+  RayFrame Frame;
+  const MeshCell* Cell = nullptr;
+  FramePoint Points[MaximumCorners];
+  FaceCrossings Faces;
+  std::vector<CellHit> Hits;
+  std::vector<Vector3> Solutions;
+};
+
+}
+
+#endif

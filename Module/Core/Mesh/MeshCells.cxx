@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/MeshCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+template <typename Id>
+bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
+{
+  cell.Shape = static_cast<CellShape>(view.Shapes[number]);
+  cell.Count = GetTraits(cell.Shape).Corners;
+  const Id* ids =
+    static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[number];
+  std::copy_n(ids, cell.Count, cell.Ids);
+  return cell.Count > 0;
+}
+
+template <typename Coordinate>
+void ReadTypedPoints(const MeshView& view, MeshCell& cell)
+{
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    const Coordinate* point = static_cast<const Coordinate*>(view.Points) + 3 * cell.Ids[i];
+    cell.Points[i] = { static_cast<double>(point[0]), static_cast<double>(point[1]),
+      static_cast<double>(point[2]) };
+  }
+}
+
+template <typename Value>
+void ReadTypedValues(const MeshView& view, MeshCell& cell)
+{
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    cell.Values[i] =
+      static_cast<double>(static_cast<const Value*>(view.Values)[cell.Ids[i] * view.ValueStride]);
+  }
+}
+
+/// The number of the first listed cell that has too few or too many corners, or a corner that is no
+/// point; that of cells, if there is none.
+template <typename Id>
+std::int64_t FindBadCell(const MeshView& view, std::int64_t lengthOfConnectivity, int threads)
+{
+  const auto* offsets = static_cast<const Id*>(view.Offsets);
+  const auto* ids = static_cast<const Id*>(view.Connectivity);
+  std::int64_t bad = view.NumberOfCells;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(min : bad)
+  for (std::int64_t cell = 0; cell < view.NumberOfCells; ++cell)
+  {
+    const int corners = GetTraits(static_cast<CellShape>(view.Shapes[cell])).Corners;
+    if (corners == 0)
+    {
+      continue;
+    }
+    const std::int64_t first = offsets[cell];
+    const std::int64_t last = offsets[cell + 1];
+    const bool isList = first >= 0 && last <= lengthOfConnectivity && last - first == corners;
+    if (!isList ||
+      !std::all_of(ids + first, ids + last,
+        [&view](std::int64_t id) { return id >= 0 && id < view.NumberOfPoints; }))
+    {
+      bad = std::min(bad, cell);
+    }
+  }
+  return bad;
+}
+
+}
+
+//------------------------------------------------------------------------------
+MeshCells::MeshCells(const MeshView& view)
+  : View(view)
+  , NumberOfCells(view.NumberOfCells)
+{
+  if (view.IsLattice())
+  {
+    const Index3& n = view.Dimensions;
+    this->NumberOfCells = std::int64_t{ n[0] - 1 } * (n[1] - 1) * (n[2] - 1);
+  }
+  this->ReadIds =
+    view.IdType == ScalarType::Int32 ? ReadListedIds<std::int32_t> : ReadListedIds<std::int64_t>;
+  this->ReadPoints =
+    view.PointType == ScalarType::Float32 ? ReadTypedPoints<float> : ReadTypedPoints<double>;
+  DispatchScalarType(
+    view.ValueType, [this](auto value) { this->ReadValues = ReadTypedValues<decltype(value)>; });
+}
+
+//------------------------------------------------------------------------------
+bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
+{
+  if (!this->View.IsLattice())
+  {
+    return this->ReadIds(this->View, number, cell);
+  }
+  this->LoadLatticeIds(number, cell);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadLatticeIds(std::int64_t number, MeshCell& cell) const
+{
+  const Index3& n = this->View.Dimensions;
+  const std::int64_t x = number % (n[0] - 1);
+  const std::int64_t y = number / (n[0] - 1) % (n[1] - 1);
+  const std::int64_t z = number / (n[0] - 1) / (n[1] - 1);
+  const std::int64_t row = n[0];
+  const std::int64_t slice = row * n[1];
+  const std::int64_t first = x + row * y + slice * z;
+  cell.Shape = CellShape::Hexahedron;
+  cell.Count = 8;
+  for (const int level : { 0, 4 })
+  {
+    const std::int64_t id = first + (level == 0 ? 0 : slice);
+    cell.Ids[level] = id;
+    cell.Ids[level + 1] = id + 1;
+    cell.Ids[level + 2] = id + row + 1;
+    cell.Ids[level + 3] = id + row;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MeshCells::LoadCorners(MeshCell& cell) const
+{
+  this->ReadPoints(this->View, cell);
+  this->ReadValues(this->View, cell);
+  // Zero times a number that is not finite is NaN.
+  double sum = 0.0;
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    const Vector3& p = cell.Points[i];
+    sum += 0.0 * p[0] + 0.0 * p[1] + 0.0 * p[2] + 0.0 * cell.Values[i];
+  }
+  return sum == 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string FindProblem(const MeshView& view, std::int64_t lengthOfConnectivity, int threads)
+{
+  if (view.IsLattice())
+  {
+    return {};
+  }
+  const std::int64_t bad = view.IdType == ScalarType::Int32
+    ? FindBadCell<std::int32_t>(view, lengthOfConnectivity, threads)
+    : FindBadCell<std::int64_t>(view, lengthOfConnectivity, threads);
+  return bad < view.NumberOfCells ? "Cell " + std::to_string(bad) +
+      " has a wrong number of points, or refers to a point that is not there."
+                                  : std::string();
+}
+
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef MeshCells_h
+#define MeshCells_h
+
+#include "Mesh/MeshCell.h"
+#include "Mesh/MeshView.h"
+
+#include <string>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Reads the cells of a mesh, whatever the types of its arrays are.
+class MeshCells
+{
+public:
+  explicit MeshCells(const MeshView& view);
+
+  std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
+  std::int64_t GetNumberOfPoints() const { return this->View.NumberOfPoints; }
+
+  /// Reads the shape and the ids of the corners. Returns whether the cell has a shape that is
+  /// traced.
+  bool LoadIds(std::int64_t number, MeshCell& cell) const;
+
+  /// Reads the points and values of the corners whose ids are there. Returns whether they are
+  /// finite.
+  bool LoadCorners(MeshCell& cell) const;
+
+  /// Both. A cell that is not to be traced returns false.
+  bool Load(std::int64_t number, MeshCell& cell) const
+  {
+    return this->LoadIds(number, cell) && this->LoadCorners(cell);
+  }
+
+private:
+  void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
+
+  MeshView View;
+  std::int64_t NumberOfCells;
+  /// For the types of the arrays.
+  bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
+  void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
+  void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
+};
+
+/// What is wrong with the list of cells of a mesh, as a sentence that names the first bad cell;
+/// empty if nothing is. Everything that reading cells relies on is checked: the number of corners
+/// of each, and that there is a point of every id. The length of the connectivity is that which
+/// its owner allocated.
+std::string FindProblem(const MeshView& view, std::int64_t lengthOfConnectivity, int threads);
+
+}
+
+#endif

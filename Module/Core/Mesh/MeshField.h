@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef MeshField_h
+#define MeshField_h
+
+#include "Field/TracedField.h"
+#include "Mesh/CellTree.h"
+#include "Mesh/MeshCells.h"
+#include "Mesh/MeshView.h"
+
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A mesh of cells as a field: tetrahedra, in which the field is linear, and isoparametric
+/// hexahedra, wedges and pyramids. The tree over its cells is built at once and serves every
+/// isovalue. Its object space is that of its points; the mesh must outlive it and not change.
+///
+/// Parametric coordinates of hits are VTK's. Cells may overlap, have gaps between them, and touch
+/// without sharing points; those with a point or a value that is not finite are left out.
+class MeshField final : public TracedField
+{
+public:
+  MeshField(const MeshView& view, int threads);
+  ~MeshField() override;
+
+  void Select(const TraceRequest& request, const Execution& execution,
+    const MemoryBudget& budget = {}) override;
+  const TraceRequest& GetRequest() const override { return this->Request; }
+
+  Bounds GetBounds() const override { return this->Tree.GetBounds(); }
+  void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+    RayPacket& packet) const override;
+  void Trace(RayPacket& packet, RayHits& hits) override;
+  Vector3 GetPoint(const Hit& hit) const override;
+  Vector3 GetPointInCells(const Hit& hit) const override;
+  Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
+  void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
+    double (*gradients)[RayPacket::Capacity]) const override;
+  FieldStatistics GetStatistics() const override;
+
+private:
+  struct Surface;
+  class RayTracer;
+
+  MeshCells Cells;
+  CellTree Tree;
+  TraceRequest Request;
+  std::vector<Surface> Surfaces;
+};
+
+}
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/ShapeFunctions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// A factor of a weight that is linear in a coordinate, and its derivative.
+struct Factor
+{
+  double Value;
+  double Slope;
+};
+
+Factor Rising(double coordinate)
+{
+  return { coordinate, 1.0 };
+}
+
+Factor Falling(double coordinate)
+{
+  return { 1.0 - coordinate, -1.0 };
+}
+
+/// A weight that is a product of a factor for each coordinate, and its derivatives.
+struct Product
+{
+  double Value;
+  Vector3 Slopes;
+};
+
+Product Multiply(const Factor& r, const Factor& s, const Factor& t)
+{
+  return { r.Value * s.Value * t.Value,
+    { r.Slope * s.Value * t.Value, r.Value * s.Slope * t.Value, r.Value * s.Value * t.Slope } };
+}
+
+/// The weights of one corner after the other.
+template <typename Visit>
+void ForEachWeight(CellShape shape, const Vector3& p, const Visit& visit)
+{
+  constexpr Factor one = { 1.0, 0.0 };
+  const double rest = 1.0 - p[0] - p[1];
+  switch (shape)
+  {
+    case CellShape::Tetrahedron:
+      visit(0, Product{ rest - p[2], { -1.0, -1.0, -1.0 } });
+      visit(1, Product{ p[0], { 1.0, 0.0, 0.0 } });
+      visit(2, Product{ p[1], { 0.0, 1.0, 0.0 } });
+      visit(3, Product{ p[2], { 0.0, 0.0, 1.0 } });
+      return;
+    case CellShape::Wedge:
+      for (const int level : { 0, 3 })
+      {
+        const Factor t = level == 0 ? Falling(p[2]) : Rising(p[2]);
+        visit(level, Product{ rest * t.Value, { -t.Value, -t.Value, rest * t.Slope } });
+        visit(level + 1, Multiply(Rising(p[0]), one, t));
+        visit(level + 2, Multiply(one, Rising(p[1]), t));
+      }
+      return;
+    case CellShape::Pyramid:
+      visit(0, Multiply(Falling(p[0]), Falling(p[1]), Falling(p[2])));
+      visit(1, Multiply(Rising(p[0]), Falling(p[1]), Falling(p[2])));
+      visit(2, Multiply(Rising(p[0]), Rising(p[1]), Falling(p[2])));
+      visit(3, Multiply(Falling(p[0]), Rising(p[1]), Falling(p[2])));
+      visit(4, Multiply(one, one, Rising(p[2])));
+      return;
+    case CellShape::Voxel:
+    case CellShape::Hexahedron:
+      break;
+  }
+  const ShapeTraits& traits = GetTraits(shape);
+  for (int i = 0; i < 8; ++i)
+  {
+    visit(traits.Trilinear[i],
+      Multiply((i & 1) != 0 ? Rising(p[0]) : Falling(p[0]),
+        (i & 2) != 0 ? Rising(p[1]) : Falling(p[1]), (i & 4) != 0 ? Rising(p[2]) : Falling(p[2])));
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+void GetWeights(CellShape shape, const Vector3& parametric, CornerWeights& weights)
+{
+  ForEachWeight(shape, parametric,
+    [&weights](int corner, const Product& weight) { weights[corner] = weight.Value; });
+}
+
+//------------------------------------------------------------------------------
+void GetWeightDerivatives(
+  CellShape shape, const Vector3& parametric, CornerWeights (&derivatives)[3])
+{
+  ForEachWeight(shape, parametric,
+    [&derivatives](int corner, const Product& weight)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        derivatives[axis][corner] = weight.Slopes[axis];
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetParametric(CellShape shape, const CornerWeights& w)
+{
+  switch (shape)
+  {
+    case CellShape::Tetrahedron:
+      return { w[1], w[2], w[3] };
+    case CellShape::Voxel:
+      return { w[1] + w[3] + w[5] + w[7], w[2] + w[3] + w[6] + w[7], w[4] + w[5] + w[6] + w[7] };
+    case CellShape::Hexahedron:
+      return { w[1] + w[2] + w[5] + w[6], w[2] + w[3] + w[6] + w[7], w[4] + w[5] + w[6] + w[7] };
+    case CellShape::Wedge:
+      return { w[1] + w[4], w[2] + w[5], w[3] + w[4] + w[5] };
+    case CellShape::Pyramid:
+      break;
+  }
+  const double base = w[0] + w[1] + w[2] + w[3];
+  return base > 0.0 ? Vector3{ (w[1] + w[2]) / base, (w[2] + w[3]) / base, w[4] }
+                    : Vector3{ 0.5, 0.5, 1.0 };
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric)
+{
+  CornerWeights weights;
+  GetWeights(cell.Shape, parametric, weights);
+  Vector3 point = {};
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    point = point + cell.Points[i] * weights[i];
+  }
+  return point;
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+{
+  Vector3 inside = parametric;
+  if (cell.Shape == CellShape::Pyramid)
+  {
+    // At the apex the other two coordinates do not move the point.
+    inside[2] = std::min(inside[2], 1.0 - 1e-6);
+  }
+  CornerWeights derivatives[3];
+  GetWeightDerivatives(cell.Shape, inside, derivatives);
+  Vector3 edges[3] = {};
+  Vector3 slopes = {};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      edges[axis] = edges[axis] + cell.Points[i] * derivatives[axis][i];
+      // Differences: the derivatives of all weights have the sum zero.
+      slopes[axis] += (cell.Values[i] - cell.Values[0]) * derivatives[axis][i];
+    }
+  }
+  const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
+    Cross(edges[0], edges[1]) };
+  const double volume = Dot(edges[0], normals[0]);
+  const Vector3 gradient =
+    (normals[0] * slopes[0] + normals[1] * slopes[1] + normals[2] * slopes[2]) * (1.0 / volume);
+  const bool isFinite = std::isfinite(gradient[0] + gradient[1] + gradient[2]);
+  return isFinite ? gradient : Vector3{};
+}
+
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef ShapeFunctions_h
+#define ShapeFunctions_h
+
+#include "Mesh/MeshCell.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The weights of the corners of a cell at a point, or their derivatives.
+using CornerWeights = double[MaximumCorners];
+
+/// The weights at a point in VTK's parametric coordinates of the shape.
+void GetWeights(CellShape shape, const Vector3& parametric, CornerWeights& weights);
+
+/// Their derivatives by the three coordinates.
+void GetWeightDerivatives(
+  CellShape shape, const Vector3& parametric, CornerWeights (&derivatives)[3]);
+
+/// The point with these weights.
+Vector3 GetParametric(CellShape shape, const CornerWeights& weights);
+
+Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric);
+
+/// The gradient of the interpolant of the values; zero where the cell is flat.
+Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric);
+
+}
+
+#endif
