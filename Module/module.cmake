@@ -62,6 +62,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceCropping
+  Rendering/vtkIsosurfaceRayTraceEngine
   Rendering/vtkIsosurfaceRayTraceEnumerators
   Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry

@@ -4,6 +4,8 @@
 
 #include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 
 #include "vtkCompositeDataSet.h"
@@ -11,7 +13,6 @@
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -19,15 +20,14 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceGridInput::Select(
-  vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property)
+std::string vtkIsosurfaceRayTraceGridInput::Select(vtkVolumeProperty* property)
 {
-  std::string problem = this->SelectGrid(mapper, choice.ColorArrayName);
+  std::string problem = this->SelectGrid();
   if (!problem.empty())
   {
     return problem;
   }
-  problem = this->SelectComponent(choice.Component, property);
+  problem = this->SelectComponent(property);
   if (!problem.empty())
   {
     return problem;
@@ -37,19 +37,18 @@ std::string vtkIsosurfaceRayTraceGridInput::Select(
   {
     return problem;
   }
-  problem = vtkIsosurfaceRayTraceCropping::FindProblem(mapper);
+  problem = vtkIsosurfaceRayTraceCropping::FindProblem(this->Mapper);
   if (!problem.empty())
   {
     return problem;
   }
-  return this->SelectColors(
-    vtkImageData::SafeDownCast(mapper->GetInputDataObject(1, 0)), choice.ColorArrayName);
+  return this->SelectColors();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceGridInput::SelectGrid(
-  vtkVolumeMapper* mapper, const std::string& colorArrayName)
+std::string vtkIsosurfaceRayTraceGridInput::SelectGrid()
 {
+  vtkIsosurfaceRayTraceMapper* mapper = this->Mapper;
   vtkDataObject* input = mapper->GetDataObjectInput();
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   this->IsComposite = composite != nullptr;
@@ -58,7 +57,7 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectGrid(
   {
     const std::string problem = this->Blocks.Update(composite,
       { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-        mapper->GetArrayName(), colorArrayName });
+        mapper->GetArrayName(), mapper->GetColorArrayName() });
     this->Grid = this->Blocks.GetGrid();
     this->Scalars.Scalars = this->Blocks.GetScalars();
     this->Scalars.AreOfCells = this->Blocks.AreOfCells();
@@ -81,14 +80,19 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectGrid(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(
-  std::optional<int> component, vtkVolumeProperty* property)
+std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(vtkVolumeProperty* property)
 {
   this->PropertyComponent = 0;
-  if (component)
+  switch (this->Mapper->GetVectorMode())
   {
-    this->Scalars.Component = *component;
-    return "";
+    case vtkIsosurfaceRayTraceMapper::MAGNITUDE:
+      this->Scalars.Component = vtkIsosurfaceRayTraceSource::Selection::Magnitude;
+      return "";
+    case vtkIsosurfaceRayTraceMapper::COMPONENT:
+      this->Scalars.Component = this->Mapper->GetVectorComponent();
+      return "";
+    default:
+      break;
   }
   const int count = this->Scalars.Scalars ? this->Scalars.Scalars->GetNumberOfComponents() : 1;
   if (count > VTK_MAX_VRCOMP)
@@ -105,9 +109,10 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
-  vtkImageData* image, const std::string& name)
+std::string vtkIsosurfaceRayTraceGridInput::SelectColors()
 {
+  auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(1, 0));
+  const std::string name = this->Mapper->GetColorArrayName();
   this->ColorImage = image;
   this->ColorArray = nullptr;
   if (!image && name.empty())
@@ -128,17 +133,27 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceGridInput::Update(const vtkirt::ImageSettings& settings, int threads)
+bool vtkIsosurfaceRayTraceGridInput::Update(int threads)
 {
+  vtkIsosurfaceRayTraceMapper* mapper = this->Mapper;
+  vtkirt::ImageSettings settings;
+  settings.MacrocellBranching.clear();
+  for (int level = 0; level < mapper->GetNumberOfMacrocellLevels(); ++level)
+  {
+    settings.MacrocellBranching.push_back(mapper->GetMacrocellBranching(level));
+  }
+  settings.Layout = vtkIsosurfaceRayTraceEnumerators::ToBrickLayout(mapper->GetBrickLayout());
+  settings.BrickSize = mapper->GetBrickSize();
+  settings.BrickGroupSize = mapper->GetBrickGroupSize();
   return this->Source.Update(this->Grid, this->Scalars, settings, threads);
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible(vtkVolumeMapper* mapper) const
+vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible() const
 {
   vtkirt::Visibility visible;
   visible.HiddenCells = this->Source.GetHiddenCells();
-  vtkIsosurfaceRayTraceCropping::Apply(mapper, this->Source.GetGeometry(), visible);
+  vtkIsosurfaceRayTraceCropping::Apply(this->Mapper, this->Source.GetGeometry(), visible);
   return visible;
 }
 

@@ -11,43 +11,31 @@
 #include "vtkIsosurfaceRayTraceSource.h"   // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include <optional> // for std::optional
-#include <string>   // for std::string
+#include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
-class vtkVolumeMapper;
+class vtkIsosurfaceRayTraceMapper;
 class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceGridInput final : public vtkIsosurfaceRayTraceInput
 {
 public:
-  /// What is taken from the inputs of a mapper, besides the settings of all volume mappers.
-  struct Choice
+  /// The mapper owns its inputs.
+  explicit vtkIsosurfaceRayTraceGridInput(vtkIsosurfaceRayTraceMapper* mapper)
+    : Mapper(mapper)
   {
-    /// A component of the scalars, or their magnitude (vtkIsosurfaceRayTraceSource::Selection);
-    /// without one, the weights of the property decide.
-    std::optional<int> Component;
-    std::string ColorArrayName;
-  };
+  }
 
-  /// Finds the data in the inputs of a mapper, which must be up to date, and their scalars. Returns
-  /// why they cannot be traced; empty if they can.
-  std::string Select(vtkVolumeMapper* mapper, const Choice& choice, vtkVolumeProperty* property);
-
-  /// From the object space of what was selected to the coordinates of the data, before Update.
-  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const
+  std::string Select(vtkVolumeProperty* property) override;
+  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override
   {
     return vtkIsosurfaceRayTraceGeometry(this->Grid, this->Scalars.AreOfCells)
       .GetPhysicalFromObject();
   }
-
-  /// Builds what tracing the selection needs. Returns whether macrocells had to be built.
-  bool Update(const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
-
-  /// What of the data is visible: by blanking, ghosts, and the cropping of a mapper.
-  vtkIsosurfaceRayTracing::Visibility FindVisible(vtkVolumeMapper* mapper) const;
+  bool Update(int threads) override;
+  vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
 
   /// See vtkIsosurfaceRayTraceMapper::FindBlock. Null if the input is not composite, or no block
   /// has the cell.
@@ -73,10 +61,11 @@ public:
   std::vector<vtkObject*> GetObjects() const override;
 
 private:
-  std::string SelectGrid(vtkVolumeMapper* mapper, const std::string& colorArrayName);
-  std::string SelectComponent(std::optional<int> component, vtkVolumeProperty* property);
-  std::string SelectColors(vtkImageData* image, const std::string& name);
+  std::string SelectGrid();
+  std::string SelectComponent(vtkVolumeProperty* property);
+  std::string SelectColors();
 
+  vtkIsosurfaceRayTraceMapper* Mapper;
   /// Whether the grid is formed by the blocks of composite data.
   bool IsComposite = false;
   vtkIsosurfaceRayTraceBlocks Blocks;

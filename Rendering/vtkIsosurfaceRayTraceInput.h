@@ -12,17 +12,32 @@
 #include "Picture/Scene.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
+class vtkVolumeProperty;
 
 class vtkIsosurfaceRayTraceInput
 {
 public:
   virtual ~vtkIsosurfaceRayTraceInput() = default;
+
+  /// Finds the data in the inputs of the mapper, which must be up to date, and their scalars.
+  /// Returns why they cannot be traced; empty if they can.
+  virtual std::string Select(vtkVolumeProperty* property) = 0;
+
+  /// From the object space of what was selected to the coordinates of the data, before Update.
+  virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
+
+  /// Builds what tracing the selection needs. Returns whether its hierarchy had to be built.
+  virtual bool Update(int threads) = 0;
+
+  /// What of the data is visible: by blanking, ghosts, and the cropping of the mapper.
+  virtual vtkIsosurfaceRayTracing::Visibility FindVisible() const = 0;
 
   /// Null before the input is first traced.
   virtual vtkIsosurfaceRayTracing::TracedField* GetField() const = 0;

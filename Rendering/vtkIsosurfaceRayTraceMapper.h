@@ -149,27 +149,17 @@
     return max;                                                                                    \
   }
 
-namespace vtkIsosurfaceRayTracing
-{
-struct FrameTimes;
-}
-
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
-class vtkIsosurfaceRayTraceFrame;
-class vtkIsosurfaceRayTraceGridInput;
-class vtkIsosurfaceRayTraceHolder;
-class vtkIsosurfaceRayTraceUse;
+class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
-struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
-struct vtkIsosurfaceRayTraceUseState;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMapper : public vtkVolumeMapper
 {
@@ -585,7 +575,7 @@ public:
    * Get the number of frames whose mean the last Render() showed; 0 if its picture is not
    * accumulated. After a frame that was aborted: the number before it.
    */
-  vtkGetMacro(NumberOfAccumulatedFrames, int);
+  int GetNumberOfAccumulatedFrames();
 
   ///@{
   /**
@@ -604,11 +594,11 @@ public:
    * and shading are interleaved on all threads: the wall-clock time of the three together is
    * divided in proportion to the time the threads spent in each.
    */
-  vtkGetMacro(MacrocellBuildTime, double);
-  vtkGetMacro(BrickBuildTime, double);
-  vtkGetMacro(TraceTime, double);
-  vtkGetMacro(ShadeTime, double);
-  vtkGetMacro(DisplayTime, double);
+  double GetMacrocellBuildTime();
+  double GetBrickBuildTime();
+  double GetTraceTime();
+  double GetShadeTime();
+  double GetDisplayTime();
   ///@}
 
   ///@{
@@ -760,25 +750,7 @@ private:
   template <typename Visitor>
   static void VisitSettings(const Visitor& visit);
   vtkIsosurfaceRayTraceSettings GetSettings() const;
-  void SetTimes(const vtkIsosurfaceRayTracing::FrameTimes& times);
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
-  /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
-  std::string SelectInput(vtkIsosurfaceRayTraceGridInput& input, vtkVolume* volume);
-  /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
-  /// Returns whether there is.
-  bool ReportOnce(const std::string& problem);
-  void ReportBadAlloc();
-  /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
-  /// cannot be traced.
-  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
-    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
-  /// Draws a frame. Returns whether it is complete.
-  bool DrawFrame(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
-    const vtkIsosurfaceRayTraceHolder& holder);
-  /// Sends an event of a use to observers, unless one of them began it. Returns whether what is
-  /// traced has outlived it.
-  bool SendEvent(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
-    unsigned long event, double* progress);
 
   int InterpolationMode = TRILINEAR;
   int RootSolver = ROBUST;
@@ -807,16 +779,7 @@ private:
   int MaximumNumberOfAccumulatedFrames = 16;
   int NumberOfThreads = 0;
 
-  int NumberOfAccumulatedFrames = 0;
-  double MacrocellBuildTime = 0.0;
-  double BrickBuildTime = 0.0;
-  double TraceTime = 0.0;
-  double ShadeTime = 0.0;
-  double DisplayTime = 0.0;
-
-  std::unique_ptr<vtkIsosurfaceRayTraceUseState> Uses;
-  std::unique_ptr<vtkIsosurfaceRayTraceFrame> Frame;
-  std::string LastProblem;
+  std::unique_ptr<vtkIsosurfaceRayTraceEngine> Engine;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -192,6 +192,7 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
 {
   namespace enumerators = vtkIsosurfaceRayTraceEnumerators;
   vtkIsosurfaceRayTraceSettings settings;
+  settings.BlendMode = this->BlendMode;
   settings.Projection = enumerators::FindProjection(this->BlendMode);
   settings.InterpolationMode = enumerators::ToInterpolant(this->InterpolationMode);
   settings.RootSolver = enumerators::ToRootSolver(this->RootSolver);
@@ -237,12 +238,12 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ArrayName", this->ArrayName ? this->ArrayName : "(none)");
   VisitSettings([this, print](const char* name, auto setting, auto... names)
     { print(name, this->*setting, names...); });
-  print("NumberOfAccumulatedFrames", this->NumberOfAccumulatedFrames);
-  print("MacrocellBuildTime", this->MacrocellBuildTime);
-  print("BrickBuildTime", this->BrickBuildTime);
-  print("TraceTime", this->TraceTime);
-  print("ShadeTime", this->ShadeTime);
-  print("DisplayTime", this->DisplayTime);
+  print("NumberOfAccumulatedFrames", this->GetNumberOfAccumulatedFrames());
+  print("MacrocellBuildTime", this->GetMacrocellBuildTime());
+  print("BrickBuildTime", this->GetBrickBuildTime());
+  print("TraceTime", this->GetTraceTime());
+  print("ShadeTime", this->GetShadeTime());
+  print("DisplayTime", this->GetDisplayTime());
   print("MacrocellMemory", this->GetMacrocellMemory());
   print("BrickMemory", this->GetBrickMemory());
   print("NumberOfBricks", this->GetNumberOfBricks());

@@ -41,10 +41,9 @@ vtkirt::HalfSpace ToObjectSpace(vtkPlane* plane, const vtkirt::Matrix4& worldFro
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceRequest::FindProblem(
-  int blendMode, const vtkIsosurfaceRayTraceSettings& settings)
+std::string vtkIsosurfaceRayTraceRequest::FindProblem(const vtkIsosurfaceRayTraceSettings& settings)
 {
-  if (blendMode != vtkVolumeMapper::ISOSURFACE_BLEND && !settings.Projection)
+  if (settings.BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND && !settings.Projection)
   {
     return "This mapper does not support the blend mode. Call SetBlendModeToIsoSurface(), "
            "SetBlendModeToMaximumIntensity() or SetBlendModeToMinimumIntensity(), or use another "

@@ -27,8 +27,8 @@ struct vtkIsosurfaceRayTraceSettings;
 /// Made in every call that traces, from the current state of the volume.
 struct vtkIsosurfaceRayTraceRequest
 {
-  /// Why a blend mode of vtkVolumeMapper cannot be drawn; empty if it can.
-  static std::string FindProblem(int blendMode, const vtkIsosurfaceRayTraceSettings& settings);
+  /// Why the blend mode cannot be drawn; empty if it can.
+  static std::string FindProblem(const vtkIsosurfaceRayTraceSettings& settings);
 
   /// Selects what the field of the input traces from now on: of what is visible, and not cut off by
   /// clipping planes (which may be null). The input must be up to date, and outlive the request.

@@ -7,6 +7,7 @@
 #define vtkIsosurfaceRayTraceSettings_h
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkVolumeMapper.h"               // for blend modes
 
 #include "Rays/TraceRequest.h"
 
@@ -20,7 +21,9 @@ VTK_ABI_NAMESPACE_BEGIN
 /// call.
 struct vtkIsosurfaceRayTraceSettings
 {
-  /// None: surfaces are drawn.
+  /// That of vtkVolumeMapper.
+  int BlendMode = vtkVolumeMapper::ISOSURFACE_BLEND;
+  /// What the blend mode stands for. None: surfaces are drawn.
   std::optional<vtkIsosurfaceRayTracing::Extremum> Projection;
   vtkIsosurfaceRayTracing::Interpolant InterpolationMode =
     vtkIsosurfaceRayTracing::Interpolant::Trilinear;

@@ -18,8 +18,9 @@ vtkIsosurfaceRayTraceUse::vtkIsosurfaceRayTraceUse(
   {
     // Not by the mapper: the other thread may be sending events to its observers.
     vtkErrorWithObjectMacro(nullptr,
-      "Another thread is using the vtkIsosurfaceRayTraceMapper at "
-        << mapper << ". Use it in one thread after the other, or give each thread its own.");
+      "Another thread is using the "
+        << mapper->GetClassName() << " at " << mapper
+        << ". Use it in one thread after the other, or give each thread its own.");
     return;
   }
   this->Nested = state.Depth > 0;
@@ -36,15 +37,15 @@ vtkIsosurfaceRayTraceUse::~vtkIsosurfaceRayTraceUse()
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceGridInput& vtkIsosurfaceRayTraceUse::GetInput() const
+vtkIsosurfaceRayTraceInput& vtkIsosurfaceRayTraceUse::GetInput() const
 {
   if (!this->Nested)
   {
-    return this->State.Input;
+    return *this->State.Input;
   }
   if (!this->State.NestedInput)
   {
-    this->State.NestedInput = std::make_unique<vtkIsosurfaceRayTraceGridInput>();
+    this->State.NestedInput = this->State.NewInput();
   }
   return *this->State.NestedInput;
 }

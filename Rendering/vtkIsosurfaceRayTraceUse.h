@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIsosurfaceRayTraceUse
- * @brief   one use of a vtkIsosurfaceRayTraceMapper: drawing, casting, picking
+ * @brief   one use of a mapper that ray traces isosurfaces: drawing, casting, picking
  *
  * As long as a use lasts, the mapper exists and no other thread may use it. Observers of events
  * that it sends may use the mapper as well: such a use is nested, and has an input of its own, so
@@ -12,30 +12,41 @@
 #ifndef vtkIsosurfaceRayTraceUse_h
 #define vtkIsosurfaceRayTraceUse_h
 
-#include "vtkIsosurfaceRayTraceGridInput.h" // for ivars
-#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkObject.h"                      // for ivars
-#include "vtkSmartPointer.h"                // for ivars
+#include "vtkIsosurfaceRayTraceInput.h"    // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkObject.h"                     // for ivars
+#include "vtkSmartPointer.h"               // for ivars
 
-#include <memory> // for std::unique_ptr
-#include <mutex>  // for std::recursive_mutex
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <mutex>      // for std::recursive_mutex
 
 VTK_ABI_NAMESPACE_BEGIN
 
 /// What the uses of a mapper share.
 struct vtkIsosurfaceRayTraceUseState
 {
-  std::recursive_mutex Mutex;
-  int Depth = 0;
-  vtkIsosurfaceRayTraceGridInput Input;
-  /// Of the nested uses, as long as the outer one lasts.
-  std::unique_ptr<vtkIsosurfaceRayTraceGridInput> NestedInput;
+  /// Makes an input of the mapper.
+  using Maker = std::function<std::unique_ptr<vtkIsosurfaceRayTraceInput>()>;
+
+  explicit vtkIsosurfaceRayTraceUseState(const Maker& newInput)
+    : NewInput(newInput)
+    , Input(newInput())
+  {
+  }
 
   /// That of the last use.
-  const vtkIsosurfaceRayTraceGridInput& GetLastInput() const
+  const vtkIsosurfaceRayTraceInput& GetLastInput() const
   {
-    return this->NestedInput ? *this->NestedInput : this->Input;
+    return this->NestedInput ? *this->NestedInput : *this->Input;
   }
+
+  std::recursive_mutex Mutex;
+  int Depth = 0;
+  Maker NewInput;
+  std::unique_ptr<vtkIsosurfaceRayTraceInput> Input;
+  /// Of the nested uses, as long as the outer one lasts.
+  std::unique_ptr<vtkIsosurfaceRayTraceInput> NestedInput;
 };
 
 class vtkIsosurfaceRayTraceUse
@@ -55,7 +66,7 @@ public:
   bool IsNested() const { return this->Nested; }
 
   /// The input of an allowed use.
-  vtkIsosurfaceRayTraceGridInput& GetInput() const;
+  vtkIsosurfaceRayTraceInput& GetInput() const;
 
 private:
   /// Owns the state, so it goes last.

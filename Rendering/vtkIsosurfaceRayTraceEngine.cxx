@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceEngine.h"
+
+#include "vtkIsosurfaceRayTraceHits.h"
+#include "vtkIsosurfaceRayTraceHolder.h"
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceOutput.h"
+#include "vtkIsosurfaceRayTracePicture.h"
+#include "vtkIsosurfaceRayTraceProblems.h"
+#include "vtkIsosurfaceRayTraceRequest.h"
+#include "vtkIsosurfaceRayTraceScene.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Whether a rectangle in a viewport has a pixel of the window, which may be any number.
+bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle& viewport,
+  std::int64_t column, std::int64_t row)
+{
+  const std::int64_t x = column - viewport.X - pixels.X;
+  const std::int64_t y = row - viewport.Y - pixels.Y;
+  return x >= 0 && x < pixels.Width && y >= 0 && y < pixels.Height;
+}
+
+/// The names of parameters are those of IntersectWithLine.
+void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double pcoords[3],
+  vtkIdType& cellId, double& isovalue, double normal[3])
+{
+  std::copy_n(hit.Position.begin(), 3, x);
+  std::copy_n(hit.Parametric.begin(), 3, pcoords);
+  cellId = hit.CellId;
+  isovalue = hit.Value;
+  std::copy_n(hit.Normal.begin(), 3, normal);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceEngine::vtkIsosurfaceRayTraceEngine(
+  vtkAbstractVolumeMapper* mapper, Client client)
+  : Mapper(mapper)
+  , TheClient(std::move(client))
+  , Uses(this->TheClient.NewInput)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceEngine::~vtkIsosurfaceRayTraceEngine() = default;
+
+//------------------------------------------------------------------------------
+vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
+{
+  const vtkirt::TracedField* field = this->Uses.Input->GetField();
+  return field ? field->GetStatistics() : vtkirt::FieldStatistics();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceEngine::SelectInput(
+  vtkIsosurfaceRayTraceInput& input, vtkVolume* volume) const
+{
+  std::string problem = vtkIsosurfaceRayTraceRequest::FindProblem(this->TheClient.GetSettings());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = input.Select(volume->GetProperty());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = vtkIsosurfaceRayTraceProblems::FindInVolume(
+    volume, input.GetPropertyComponent(), input.FindPhysicalFromObject());
+  return problem.empty()
+    ? vtkIsosurfaceRayTraceProblems::FindInPlanes(this->Mapper->GetClippingPlanes())
+    : problem;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeRequest(
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
+{
+  this->Mapper->Update();
+  vtkIsosurfaceRayTraceInput& input = use.GetInput();
+  if (this->ReportOnce(this->SelectInput(input, volume)))
+  {
+    return nullptr;
+  }
+  const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+  const Clock::time_point start = Clock::now();
+  if (input.Update(settings.NumberOfThreads))
+  {
+    this->HierarchyTime = SecondsSince(start);
+  }
+  return std::make_unique<vtkIsosurfaceRayTraceRequest>(
+    settings, input, input.FindVisible(), volume, this->Mapper->GetClippingPlanes());
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::SendEvent(const vtkIsosurfaceRayTraceUse& use,
+  const vtkIsosurfaceRayTraceRequest& request, unsigned long event, double* progress)
+{
+  // The observers of an event whose observer traces something are not asked again, without end.
+  if (use.IsNested())
+  {
+    return true;
+  }
+  this->Mapper->InvokeEvent(event, progress);
+  return request.Input.IsIntact() ||
+    !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
+                      "that were being traced, so the picture is not complete. Change them between "
+                      "frames.");
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceEngine::ReportBadAlloc() const
+{
+  vtkErrorWithObjectMacro(
+    this->Mapper, "There is not enough memory. " << this->TheClient.MemoryRemedy);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
+{
+  if (!problem.empty() && problem != this->LastProblem)
+  {
+    vtkErrorWithObjectMacro(this->Mapper, << problem);
+  }
+  this->LastProblem = problem;
+  return !problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::HasOnlyOpaqueSurfaces(vtkVolume* volume)
+try
+{
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  if (!use.IsAllowed() || !volume || this->TheClient.GetSettings().Projection)
+  {
+    return false;
+  }
+  this->Mapper->Update();
+  vtkIsosurfaceRayTraceInput& input = use.GetInput();
+  if (!this->SelectInput(input, volume).empty())
+  {
+    return false;
+  }
+  const std::vector<vtkirt::Isosurface> surfaces =
+    vtkIsosurfaceRayTraceScene::GetSurfaces(volume->GetProperty(), input.GetPropertyComponent());
+  return !surfaces.empty() && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceEngine::Render(vtkRenderer* renderer, vtkVolume* volume)
+try
+{
+  const Clock::time_point start = Clock::now();
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  if (!use.IsAllowed())
+  {
+    return 0.0;
+  }
+  const std::string problem = use.IsNested()
+    ? "An observer of this mapper's events renders it, which is tracing already. Render when the "
+      "frame is complete: the render window sends vtkCommand::EndEvent then."
+    : vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume);
+  if (!problem.empty())
+  {
+    this->ReportOnce(problem);
+    return 0.0;
+  }
+  this->HierarchyTime = 0.0;
+  this->Times = {};
+  this->DisplayTime = 0.0;
+  this->NumberOfAccumulatedFrames = 0;
+  const vtkIsosurfaceRayTraceHolder holder(renderer, volume, this->Mapper);
+  const auto request = this->MakeRequest(use, volume);
+  if (!request)
+  {
+    return 0.0;
+  }
+
+  const bool isComplete =
+    this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderStartEvent, nullptr) &&
+    holder.CanDraw() && this->DrawFrame(use, *request, holder);
+  const double seconds = isComplete ? SecondsSince(start) : 0.0;
+  this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  return seconds;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
+  const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTraceHolder& holder)
+{
+  vtkRenderer* renderer = holder.GetRenderer();
+  vtkVolume* volume = holder.GetVolume();
+  this->TheClient.SetImageSampleDistance(
+    this->Frame.ChooseSampleDistance(this->TheClient.GetSettings(), renderer, volume));
+  const bool isComplete =
+    this->Frame.Render(this->TheClient.GetSettings(), request, { renderer, volume, this->Mapper },
+      [this, &use, &request, &holder](double fraction)
+      {
+        return this->SendEvent(
+                 use, request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction) &&
+          holder.GetWindow()->CheckAbortStatus() == 0 && holder.CanDraw();
+      });
+  this->Times = this->Frame.GetTimes();
+  this->DisplayTime = this->Frame.GetDisplayTime();
+  this->NumberOfAccumulatedFrames = this->Frame.GetNumberOfAccumulatedFrames();
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceEngine::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Frame.ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceEngine::IntersectWithLine(vtkVolume* volume, const double p1[3],
+  const double p2[3], double& t, double x[3], double pcoords[3], vtkIdType& cellId,
+  double& isovalue, double normal[3])
+try
+{
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const auto request = use.IsAllowed() && volume ? this->MakeRequest(use, volume) : nullptr;
+  if (!request)
+  {
+    return 0;
+  }
+  const vtkirt::Vector3 from = { p1[0], p1[1], p1[2] };
+  const vtkirt::Vector3 direction = { p2[0] - p1[0], p2[1] - p1[1], p2[2] - p1[2] };
+  const vtkIsosurfaceRayTraceHits traced(*request);
+  const vtkirt::RayHits hits = traced.Cast({ from }, { direction }, 1.0, 1);
+  if (hits.Hits.empty())
+  {
+    return 0;
+  }
+  const vtkirt::Hit& hit = hits.Hits.front();
+  t = hit.T;
+  Copy(traced.Describe(hit), x, pcoords, cellId, isovalue, normal);
+  return 1;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::CastRays(
+  vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output)
+try
+{
+  if (!volume || !origins || !directions || !output || directions->GetNumberOfComponents() != 3 ||
+    directions->GetNumberOfTuples() != origins->GetNumberOfPoints())
+  {
+    vtkErrorWithObjectMacro(this->Mapper,
+      "CastRays needs a volume, origins, as many directions of 3 components, and an "
+      "output.");
+    return false;
+  }
+  output->Initialize();
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
+  if (!request)
+  {
+    return false;
+  }
+  const auto count = static_cast<std::size_t>(origins->GetNumberOfPoints());
+  std::vector<vtkirt::Vector3> from(count);
+  std::vector<vtkirt::Vector3> along(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    origins->GetPoint(static_cast<vtkIdType>(i), from[i].data());
+    directions->GetTuple(static_cast<vtkIdType>(i), along[i].data());
+  }
+  const vtkirt::RayHits hits = vtkIsosurfaceRayTraceHits(*request).Cast(from, along,
+    std::numeric_limits<double>::infinity(), this->TheClient.GetSettings().NumberOfThreads);
+  vtkIsosurfaceRayTraceOutput::WriteHits(*request, hits, output);
+  return true;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceEngine::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
+  int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
+try
+{
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const bool isPossible = use.IsAllowed() && renderer && volume;
+  const auto request = isPossible ? this->MakeRequest(use, volume) : nullptr;
+  if (!request)
+  {
+    return 0;
+  }
+  const vtkirt::Matrix4 clipFromWorld = vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+    renderer->GetActiveCamera(), renderer->GetTiledAspectRatio());
+  if (this->ReportOnce(
+        vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, renderer->GetLights())))
+  {
+    return 0;
+  }
+  vtkirt::PixelRectangle viewport;
+  renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
+  vtkIsosurfaceRayTracePicture picture;
+  picture.SetScene(this->TheClient.GetSettings(), *request,
+    { clipFromWorld, static_cast<double>(viewport.Width), static_cast<double>(viewport.Height) });
+  picture.AddLights(renderer);
+  vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  if (!Contains(pixels, viewport, column, row))
+  {
+    return 0;
+  }
+  pixels = { column - viewport.X, row - viewport.Y, 1, 1 };
+  picture.Scene.KeepHits = true;
+  picture.Trace(request->Execution, [](double) { return true; });
+  this->Times = picture.Times;
+  if (!picture.IsVisible(0))
+  {
+    return 0;
+  }
+  const vtkirt::Hit& hit = picture.Frame.Hits.front();
+  Copy(vtkIsosurfaceRayTraceHits(*request).Describe(hit), x, pcoords, cellId, isovalue, normal);
+  return 1;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::RenderToImage(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+try
+{
+  if (!volume || !camera || !output || width < 1 || height < 1)
+  {
+    vtkErrorWithObjectMacro(this->Mapper,
+      "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and an output.");
+    return false;
+  }
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
+  if (!request)
+  {
+    return false;
+  }
+  const vtkirt::Matrix4 clipFromWorld =
+    vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height);
+  if (this->ReportOnce(vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, lights)))
+  {
+    return false;
+  }
+  vtkIsosurfaceRayTracePicture picture;
+  picture.SetScene(this->TheClient.GetSettings(), *request,
+    { clipFromWorld, static_cast<double>(width), static_cast<double>(height) });
+  vtkNew<vtkLightCollection> headlight;
+  if (!lights)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    headlight->AddItem(light);
+  }
+  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, picture.Scene);
+  picture.Scene.KeepHits = true;
+  const bool isComplete = picture.Trace(request->Execution,
+    [this, &use, &request](double fraction) {
+      return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
+    });
+  this->Times = picture.Times;
+  if (!isComplete)
+  {
+    return false;
+  }
+  vtkIsosurfaceRayTraceOutput::WriteImage(*request, picture, width, height, output);
+  return true;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
+  return false;
+}
+
+VTK_ABI_NAMESPACE_END

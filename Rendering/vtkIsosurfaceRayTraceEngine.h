@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What mappers that ray trace isosurfaces do, whatever kind of data they trace: drawing, casting,
+// picking, pictures without a window; and what they keep between frames.
+
+#ifndef vtkIsosurfaceRayTraceEngine_h
+#define vtkIsosurfaceRayTraceEngine_h
+
+#include "vtkIsosurfaceRayTraceFrame.h"    // for ivars
+#include "vtkIsosurfaceRayTraceUse.h"      // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Field/TracedField.h"
+#include "Picture/RenderTiles.h"
+
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAbstractVolumeMapper;
+class vtkCamera;
+class vtkDataArray;
+class vtkImageData;
+class vtkIsosurfaceRayTraceHolder;
+class vtkIsosurfaceRayTraceInput;
+class vtkLightCollection;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+struct vtkIsosurfaceRayTraceRequest;
+struct vtkIsosurfaceRayTraceSettings;
+
+class vtkIsosurfaceRayTraceEngine
+{
+public:
+  /// What a mapper tells about itself.
+  struct Client
+  {
+    std::function<vtkIsosurfaceRayTraceSettings()> GetSettings;
+    /// Makes an input of the mapper.
+    vtkIsosurfaceRayTraceUseState::Maker NewInput;
+    /// Called with the distance between rays of the frame that begins.
+    std::function<void(float)> SetImageSampleDistance;
+    /// What to do where there is not enough memory, as sentences.
+    const char* MemoryRemedy;
+  };
+
+  /// The mapper owns the engine.
+  vtkIsosurfaceRayTraceEngine(vtkAbstractVolumeMapper* mapper, Client client);
+  ~vtkIsosurfaceRayTraceEngine();
+  vtkIsosurfaceRayTraceEngine(const vtkIsosurfaceRayTraceEngine&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceEngine&) = delete;
+
+  ///@{
+  /// See vtkIsosurfaceRayTraceMapper, which documents them.
+  bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
+  int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
+    double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+  bool CastRays(
+    vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
+  int PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column, int row, double x[3],
+    double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+  bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
+    int height, vtkImageData* output);
+  void ReleaseGraphicsResources(vtkWindow* window);
+  ///@}
+
+  /// Draws a frame into the window of the renderer. Returns the seconds that took; 0 if it is not
+  /// complete.
+  double Render(vtkRenderer* renderer, vtkVolume* volume);
+
+  /// All zero before the input is first traced.
+  vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;
+
+  /// That of the last use.
+  const vtkIsosurfaceRayTraceInput& GetLastInput() const { return this->Uses.GetLastInput(); }
+
+  /// Of the last frame, in seconds.
+  double GetHierarchyTime() const { return this->HierarchyTime; }
+  const vtkIsosurfaceRayTracing::FrameTimes& GetTimes() const { return this->Times; }
+  double GetDisplayTime() const { return this->DisplayTime; }
+  int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
+
+private:
+  /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
+  std::string SelectInput(vtkIsosurfaceRayTraceInput& input, vtkVolume* volume) const;
+  /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
+  /// Returns whether there is.
+  bool ReportOnce(const std::string& problem);
+  void ReportBadAlloc() const;
+  /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
+  /// cannot be traced.
+  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
+    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+  /// Draws a frame. Returns whether it is complete.
+  bool DrawFrame(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
+    const vtkIsosurfaceRayTraceHolder& holder);
+  /// Sends an event of a use to observers, unless one of them began it. Returns whether what is
+  /// traced has outlived it.
+  bool SendEvent(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
+    unsigned long event, double* progress);
+
+  vtkAbstractVolumeMapper* Mapper;
+  Client TheClient;
+  vtkIsosurfaceRayTraceUseState Uses;
+  vtkIsosurfaceRayTraceFrame Frame;
+  std::string LastProblem;
+  double HierarchyTime = 0.0;
+  vtkIsosurfaceRayTracing::FrameTimes Times;
+  double DisplayTime = 0.0;
+  int NumberOfAccumulatedFrames = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif
