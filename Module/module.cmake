@@ -46,6 +46,7 @@ set(classes
   Rendering/vtkIsosurfacePicker
   Rendering/vtkIsosurfaceRayTraceFactory
   Rendering/vtkIsosurfaceRayTraceMapper
+  Rendering/vtkIsosurfaceRayTraceMeshMapper
   Rendering/vtkIsosurfaceVolume)
 
 set(private_classes
@@ -70,10 +71,12 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceMeshInput
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
   Rendering/vtkIsosurfaceRayTraceProblems
   Rendering/vtkIsosurfaceRayTraceRequest
+  Rendering/vtkIsosurfaceRayTraceScalars
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSource
@@ -82,7 +85,8 @@ set(private_classes
 
 set(private_headers
   Rendering/vtkIsosurfaceRayTraceInput.h
-  Rendering/vtkIsosurfaceRayTraceSettings.h)
+  Rendering/vtkIsosurfaceRayTraceSettings.h
+  Rendering/vtkIsosurfaceRayTraceSharedSettings.h)
 
 find_package(OpenMP COMPONENTS CXX)
 if (NOT OpenMP_CXX_FOUND)
@@ -150,7 +154,9 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
   CLASSES         ${classes}
   PRIVATE_CLASSES ${private_classes}
   PRIVATE_HEADERS ${private_headers}
-  NOWRAP_HEADERS  Module/vtkIsosurfaceRayTracingCompat.h
+  NOWRAP_HEADERS
+    Module/vtkIsosurfaceRayTracingCompat.h
+    Rendering/vtkIsosurfaceRayTraceSetMacros.h
   SOURCES         Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
                   $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)

@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfacePicker.h"
 
+#include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceGeometry.h"
-#include "vtkIsosurfaceRayTraceMapper.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
 #include "vtkProp3D.h"
 #include "vtkTransform.h"
 #include "vtkVolume.h"
@@ -31,6 +35,25 @@ namespace
 int ToPixel(double coordinate)
 {
   return std::abs(coordinate) < 0x1p30 ? static_cast<int>(std::floor(coordinate)) : -1;
+}
+
+/// Of the points of a cell.
+vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3])
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  vtkIdType nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
+    if (square < least)
+    {
+      least = square;
+      nearest = ids->GetId(i);
+    }
+  }
+  return nearest;
 }
 
 }
@@ -102,14 +125,14 @@ double vtkIsosurfacePicker::IntersectWithLine(const double p1[3], const double p
 double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const double p2[3],
   double t1, double t2, vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
 {
-  auto* isosurfaces = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper);
+  auto* engine = vtkIsosurfaceRayTraceEngine::Of(mapper);
   auto* volume = vtkVolume::SafeDownCast(prop);
-  if (!isosurfaces || !volume)
+  if (!engine || !volume)
   {
     return this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper);
   }
   SurfaceHit hit;
-  if (!this->FindHit(isosurfaces, volume, p1, p2, hit))
+  if (!this->FindHit(*engine, volume, p1, p2, hit))
   {
     return VTK_DOUBLE_MAX;
   }
@@ -122,7 +145,7 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
   const double t = vtkMath::Dot(way, along) / vtkMath::Dot(along, along);
   if (t < this->GlobalTMin)
   {
-    this->SetPickInfo(isosurfaces, hit, inData);
+    this->SetPickInfo(mapper, hit, inData);
   }
   return t;
 }
@@ -130,12 +153,12 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
 //------------------------------------------------------------------------------
 /// Finds the first hit at the pixel, or along the line from p1 to p2 in the coordinates of the
 /// data.
-bool vtkIsosurfacePicker::FindHit(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume* volume,
+bool vtkIsosurfacePicker::FindHit(vtkIsosurfaceRayTraceEngine& engine, vtkVolume* volume,
   const double p1[3], const double p2[3], SurfaceHit& hit)
 {
   if (this->IsPixel)
   {
-    return mapper->PickPixel(this->Renderer, volume, this->Pixel[0], this->Pixel[1], hit.Position,
+    return engine.PickPixel(this->Renderer, volume, this->Pixel[0], this->Pixel[1], hit.Position,
              hit.Parametric, hit.Cell, hit.Isovalue, hit.Normal) != 0;
   }
   double from[3];
@@ -143,19 +166,19 @@ bool vtkIsosurfacePicker::FindHit(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume
   double t;
   this->Transform->TransformPoint(p1, from);
   this->Transform->TransformPoint(p2, to);
-  return mapper->IntersectWithLine(volume, from, to, t, hit.Position, hit.Parametric, hit.Cell,
+  return engine.IntersectWithLine(volume, from, to, t, hit.Position, hit.Parametric, hit.Cell,
            hit.Isovalue, hit.Normal) != 0;
 }
 
 //------------------------------------------------------------------------------
 /// Makes a hit what was picked; position is that in the coordinates of the data.
 void vtkIsosurfacePicker::SetPickInfo(
-  vtkIsosurfaceRayTraceMapper* mapper, const SurfaceHit& hit, const double position[3])
+  vtkAbstractVolumeMapper* mapper, const SurfaceHit& hit, const double position[3])
 {
   this->ResetPickInfo();
   vtkIdType cell;
   unsigned int flatIndex = 0;
-  vtkDataSet* grid = mapper->FindBlock(hit.Cell, cell, flatIndex);
+  vtkDataSet* grid = vtkIsosurfaceRayTraceEngine::Of(mapper)->FindBlock(hit.Cell, cell, flatIndex);
   this->Mapper = mapper;
   this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
   this->FlatBlockIndex = this->CompositeDataSet ? static_cast<vtkIdType>(flatIndex) : -1;
@@ -165,15 +188,22 @@ void vtkIsosurfacePicker::SetPickInfo(
   std::copy_n(hit.Normal, 3, this->SurfaceNormal);
   std::copy_n(position, 3, this->MapperPosition);
   this->Transform->GetLinearInverse()->TransformNormal(hit.Normal, this->MapperNormal);
-  // From the cell of the grid to an index in its extent.
-  const int* extent = grid->GetInformation()->Get(vtkDataObject::DATA_EXTENT());
-  const auto dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
-  const vtkIdType columns = dimensions[0] - 1;
-  const vtkIdType rows = dimensions[1] - 1;
-  const double index[3] = { extent[0] + cell % columns + hit.Parametric[0],
-    extent[2] + cell / columns % rows + hit.Parametric[1],
-    extent[4] + cell / columns / rows + hit.Parametric[2] };
-  this->SetImageDataPickInfo(index, extent);
+  if (vtkPointSet::SafeDownCast(grid))
+  {
+    this->PointId = FindNearestPoint(grid, cell, position);
+  }
+  else
+  {
+    // From the cell of the grid to an index in its extent.
+    const int* extent = grid->GetInformation()->Get(vtkDataObject::DATA_EXTENT());
+    const auto dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
+    const vtkIdType columns = dimensions[0] - 1;
+    const vtkIdType rows = dimensions[1] - 1;
+    const double index[3] = { extent[0] + cell % columns + hit.Parametric[0],
+      extent[2] + cell / columns % rows + hit.Parametric[1],
+      extent[4] + cell / columns / rows + hit.Parametric[2] };
+    this->SetImageDataPickInfo(index, extent);
+  }
   this->CellId = cell;
   std::copy_n(hit.Parametric, 3, this->PCoords);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIsosurfacePicker
- * @brief   pick the isosurface that a vtkIsosurfaceRayTraceMapper draws
+ * @brief   pick the isosurface that a mapper of this module draws
  *
  * VTK's own pickers treat a volume as a cloud, and pick where its opacity passes a threshold. This
  * one picks the isosurface: Pick returns for a pixel of the window, to the last bit, what the
@@ -12,10 +12,11 @@
  *
  * GetPickPosition and GetPickNormal are those of the surface (the normal towards smaller values, by
  * the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its plane),
- * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image, and GetIsovalue is that of
- * the surface. Other props are picked as by vtkVolumePicker; of all, the nearest is picked.
+ * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image (of a mesh there is no
+ * GetCellIJK), and GetIsovalue is that of the surface. Other props are picked as by
+ * vtkVolumePicker; of all, the nearest is picked.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkVolumePicker vtkCellPicker
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolumePicker vtkCellPicker
  */
 
 #ifndef vtkIsosurfacePicker_h
@@ -27,7 +28,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkIsosurfaceRayTraceMapper;
+class vtkIsosurfaceRayTraceEngine;
 class vtkVolume;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfacePicker : public vtkVolumePicker
@@ -74,10 +75,10 @@ private:
     double Normal[3];
   };
 
-  bool FindHit(vtkIsosurfaceRayTraceMapper* mapper, vtkVolume* volume, const double p1[3],
+  bool FindHit(vtkIsosurfaceRayTraceEngine& engine, vtkVolume* volume, const double p1[3],
     const double p2[3], SurfaceHit& hit);
   void SetPickInfo(
-    vtkIsosurfaceRayTraceMapper* mapper, const SurfaceHit& hit, const double position[3]);
+    vtkAbstractVolumeMapper* mapper, const SurfaceHit& hit, const double position[3]);
 
   double Isovalue;
   /// Of the last surface found, in world coordinates.

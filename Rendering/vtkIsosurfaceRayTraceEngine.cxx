@@ -5,6 +5,8 @@
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceHolder.h"
 #include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
 #include "vtkIsosurfaceRayTraceOutput.h"
 #include "vtkIsosurfaceRayTracePicture.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
@@ -13,16 +15,19 @@
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -82,10 +87,61 @@ vtkIsosurfaceRayTraceEngine::vtkIsosurfaceRayTraceEngine(
 vtkIsosurfaceRayTraceEngine::~vtkIsosurfaceRayTraceEngine() = default;
 
 //------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceEngine* vtkIsosurfaceRayTraceEngine::Of(vtkAbstractMapper* mapper)
+{
+  if (auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    return ofImages->Engine.get();
+  }
+  auto* ofMeshes = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper);
+  return ofMeshes ? ofMeshes->Engine.get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceEngine::UpdateInputs(vtkAlgorithm* mapper)
+{
+  // An update of the mapper itself would stop there, as long as nothing is modified, though
+  // another consumer may have let the producers replace the whole by a piece.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithmOutput* connection = mapper->GetInputConnection(port, i);
+      vtkAlgorithm* producer = connection->GetProducer();
+      producer->UpdateInformation();
+      vtkInformation* output = producer->GetOutputInformation(connection->GetIndex());
+      if (output->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        output->Set(Pipeline::UPDATE_EXTENT(), output->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
+      output->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      output->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      output->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      producer->Update(connection->GetIndex());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
 {
   const vtkirt::TracedField* field = this->Uses.Input->GetField();
   return field ? field->GetStatistics() : vtkirt::FieldStatistics();
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
+{
+  const vtkIsosurfaceRayTraceInput& input = this->Uses.GetLastInput();
+  if (vtkDataSet* block = input.FindBlock(cellId, cellInBlock, flatIndex))
+  {
+    return block;
+  }
+  cellInBlock = cellId;
+  flatIndex = 0;
+  return this->Mapper->GetDataSetInput();
 }
 
 //------------------------------------------------------------------------------

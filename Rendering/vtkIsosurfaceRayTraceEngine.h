@@ -20,9 +20,12 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkAbstractMapper;
 class vtkAbstractVolumeMapper;
+class vtkAlgorithm;
 class vtkCamera;
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
 class vtkIsosurfaceRayTraceInput;
@@ -56,6 +59,13 @@ public:
   vtkIsosurfaceRayTraceEngine(const vtkIsosurfaceRayTraceEngine&) = delete;
   void operator=(const vtkIsosurfaceRayTraceEngine&) = delete;
 
+  /// That of a mapper; null if the mapper has none.
+  static vtkIsosurfaceRayTraceEngine* Of(vtkAbstractMapper* mapper);
+
+  /// Updates the whole extent of the inputs of a mapper, in one piece, whatever other consumers
+  /// have requested before.
+  static void UpdateInputs(vtkAlgorithm* mapper);
+
   ///@{
   /// See vtkIsosurfaceRayTraceMapper, which documents them.
   bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
@@ -67,6 +77,7 @@ public:
     double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
   void ReleaseGraphicsResources(vtkWindow* window);
   ///@}
 
@@ -76,9 +87,6 @@ public:
 
   /// All zero before the input is first traced.
   vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;
-
-  /// That of the last use.
-  const vtkIsosurfaceRayTraceInput& GetLastInput() const { return this->Uses.GetLastInput(); }
 
   /// Of the last frame, in seconds.
   double GetHierarchyTime() const { return this->HierarchyTime; }

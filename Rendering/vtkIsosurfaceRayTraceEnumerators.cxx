@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 
 #include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceScalars.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -73,6 +74,20 @@ std::optional<vtkirt::Extremum> FindProjection(int blendMode)
       return vtkirt::Extremum::Largest;
     case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
       return vtkirt::Extremum::Smallest;
+    default:
+      return std::nullopt;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<int> FindComponent(int vectorMode, int vectorComponent)
+{
+  switch (vectorMode)
+  {
+    case Mapper::MAGNITUDE:
+      return vtkIsosurfaceRayTraceScalars::Magnitude;
+    case Mapper::COMPONENT:
+      return vectorComponent;
     default:
       return std::nullopt;
   }

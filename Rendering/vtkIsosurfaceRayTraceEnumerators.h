@@ -26,6 +26,10 @@ vtkIsosurfaceRayTracing::BrickLayout ToBrickLayout(int brickLayout);
 /// The extreme value that a blend mode of vtkVolumeMapper projects; none for other modes.
 std::optional<vtkIsosurfaceRayTracing::Extremum> FindProjection(int blendMode);
 
+/// The component of vtkIsosurfaceRayTraceScalars that a vector mode selects; none if it is
+/// disabled.
+std::optional<int> FindComponent(int vectorMode, int vectorComponent);
+
 }
 
 VTK_ABI_NAMESPACE_END

@@ -6,7 +6,6 @@
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
-#include "vtkIsosurfaceRayTraceScene.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -27,7 +26,10 @@ std::string vtkIsosurfaceRayTraceGridInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
-  problem = this->SelectComponent(property);
+  problem = this->Scalars.SelectComponent(
+    vtkIsosurfaceRayTraceEnumerators::FindComponent(
+      this->Mapper->GetVectorMode(), this->Mapper->GetVectorComponent()),
+    property, this->PropertyComponent);
   if (!problem.empty())
   {
     return problem;
@@ -59,7 +61,7 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectGrid()
       { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
         mapper->GetArrayName(), mapper->GetColorArrayName() });
     this->Grid = this->Blocks.GetGrid();
-    this->Scalars.Scalars = this->Blocks.GetScalars();
+    this->Scalars.Array = this->Blocks.GetScalars();
     this->Scalars.AreOfCells = this->Blocks.AreOfCells();
     return problem;
   }
@@ -68,43 +70,7 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectGrid()
     return "There is no input. Give a vtkImageData, a vtkRectilinearGrid or composite data of them "
            "with SetInputData, SetInputDataObject or SetInputConnection.";
   }
-  int association = 0;
-  this->Scalars.Scalars = vtkAbstractMapper::GetScalars(this->Grid, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
-  if (association == vtkDataObject::FIELD_ASSOCIATION_NONE)
-  {
-    this->Scalars.Scalars = nullptr; // Field data lie nowhere.
-  }
-  this->Scalars.AreOfCells = association == 1;
-  return "";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceGridInput::SelectComponent(vtkVolumeProperty* property)
-{
-  this->PropertyComponent = 0;
-  switch (this->Mapper->GetVectorMode())
-  {
-    case vtkIsosurfaceRayTraceMapper::MAGNITUDE:
-      this->Scalars.Component = vtkIsosurfaceRayTraceSource::Selection::Magnitude;
-      return "";
-    case vtkIsosurfaceRayTraceMapper::COMPONENT:
-      this->Scalars.Component = this->Mapper->GetVectorComponent();
-      return "";
-    default:
-      break;
-  }
-  const int count = this->Scalars.Scalars ? this->Scalars.Scalars->GetNumberOfComponents() : 1;
-  if (count > VTK_MAX_VRCOMP)
-  {
-    return "The scalars have " + std::to_string(count) +
-      " components. vtkVolumeProperty::SetComponentWeight selects one of at most " +
-      std::to_string(VTK_MAX_VRCOMP) +
-      ". Call "
-      "SetVectorModeToComponent() and SetVectorComponent(), or SetVectorModeToMagnitude().";
-  }
-  this->PropertyComponent = vtkIsosurfaceRayTraceScene::ChooseComponent(property, count);
-  this->Scalars.Component = this->PropertyComponent;
+  this->Scalars.SelectArray(mapper, this->Grid);
   return "";
 }
 
@@ -224,7 +190,7 @@ bool vtkIsosurfaceRayTraceGridInput::IsIntact() const
 //------------------------------------------------------------------------------
 std::vector<vtkObject*> vtkIsosurfaceRayTraceGridInput::GetObjects() const
 {
-  std::vector<vtkObject*> objects = { this->Grid, this->Scalars.Scalars, this->ColorImage,
+  std::vector<vtkObject*> objects = { this->Grid, this->Scalars.Array, this->ColorImage,
     this->ColorArray };
   if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(this->Grid))
   {

@@ -37,10 +37,6 @@ public:
   bool Update(int threads) override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
 
-  /// See vtkIsosurfaceRayTraceMapper::FindBlock. Null if the input is not composite, or no block
-  /// has the cell.
-  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
-
   vtkIsosurfaceRayTracing::TracedField* GetField() const override
   {
     return this->Source.GetField();
@@ -55,6 +51,8 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  vtkDataSet* FindBlock(
+    vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const override;
   vtkIdType GetNumberOfCells() const override;
   vtkIdType GetNumberOfPoints() const override;
   bool IsIntact() const override;
@@ -62,7 +60,6 @@ public:
 
 private:
   std::string SelectGrid();
-  std::string SelectComponent(vtkVolumeProperty* property);
   std::string SelectColors();
 
   vtkIsosurfaceRayTraceMapper* Mapper;
@@ -70,7 +67,7 @@ private:
   bool IsComposite = false;
   vtkIsosurfaceRayTraceBlocks Blocks;
   vtkDataSet* Grid = nullptr;
-  vtkIsosurfaceRayTraceSource::Selection Scalars;
+  vtkIsosurfaceRayTraceScalars Scalars;
   int PropertyComponent = 0;
   /// The colours of the surfaces. The array is null if they are coloured by isovalue, the image if
   /// the array belongs to the grid.

@@ -17,6 +17,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkDataSet;
 class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
 class vtkVolumeProperty;
@@ -57,6 +58,10 @@ public:
   virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
   virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+  /// The block of composite data that has a cell, and the number of the cell there; null if the
+  /// input is not composite, or no block has the cell.
+  virtual vtkDataSet* FindBlock(
+    vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const = 0;
   virtual vtkIdType GetNumberOfCells() const = 0;
   virtual vtkIdType GetNumberOfPoints() const = 0;
 

@@ -6,14 +6,12 @@
 #include "vtkIsosurfaceRayTraceGridInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -91,27 +89,7 @@ void vtkIsosurfaceRayTraceMapper::Update()
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::Update(int /*port*/)
 {
-  // An update of this algorithm itself would stop here, as long as nothing is modified, though
-  // another consumer may have let the producers replace the whole by a piece.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
-    {
-      vtkAlgorithmOutput* connection = this->GetInputConnection(port, i);
-      vtkAlgorithm* producer = connection->GetProducer();
-      producer->UpdateInformation();
-      vtkInformation* output = producer->GetOutputInformation(connection->GetIndex());
-      if (output->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        output->Set(Pipeline::UPDATE_EXTENT(), output->Get(Pipeline::WHOLE_EXTENT()), 6);
-      }
-      output->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      output->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      output->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-      producer->Update(connection->GetIndex());
-    }
-  }
+  vtkIsosurfaceRayTraceEngine::UpdateInputs(this);
 }
 
 //------------------------------------------------------------------------------
@@ -131,15 +109,7 @@ double* vtkIsosurfaceRayTraceMapper::GetBounds()
 vtkDataSet* vtkIsosurfaceRayTraceMapper::FindBlock(
   vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
 {
-  const auto& input =
-    static_cast<const vtkIsosurfaceRayTraceGridInput&>(this->Engine->GetLastInput());
-  if (vtkDataSet* block = input.FindBlock(cellId, cellInBlock, flatIndex))
-  {
-    return block;
-  }
-  cellInBlock = cellId;
-  flatIndex = 0;
-  return this->GetDataSetInput();
+  return this->Engine->FindBlock(cellId, cellInBlock, flatIndex);
 }
 
 //------------------------------------------------------------------------------

@@ -116,38 +116,13 @@
 #ifndef vtkIsosurfaceRayTraceMapper_h
 #define vtkIsosurfaceRayTraceMapper_h
 
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkIsosurfaceRayTracingModule.h" // for export macro
+#include "vtkIsosurfaceRayTraceSetMacros.h" // for vtkIsosurfaceSetClampMacro
+#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h"  // for export macro
 #include "vtkVolumeMapper.h"
 
-#include <cmath>  // for std::isnan
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
-
-/// As vtkSetClampMacro, but NaN, which passes its comparisons, is an error and changes nothing.
-#define vtkIsosurfaceSetClampMacro(name, type, min, max)                                           \
-  virtual void Set##name(type value)                                                               \
-  {                                                                                                \
-    if (std::isnan(value))                                                                         \
-    {                                                                                              \
-      vtkErrorMacro(#name " cannot be NaN, and remains " << this->name << ". Give a number.");     \
-      return;                                                                                      \
-    }                                                                                              \
-    const type clamped = value < (min) ? (min) : (value > (max) ? (max) : value);                  \
-    if (this->name != clamped)                                                                     \
-    {                                                                                              \
-      this->name = clamped;                                                                        \
-      this->Modified();                                                                            \
-    }                                                                                              \
-  }                                                                                                \
-  virtual type Get##name##MinValue()                                                               \
-  {                                                                                                \
-    return min;                                                                                    \
-  }                                                                                                \
-  virtual type Get##name##MaxValue()                                                               \
-  {                                                                                                \
-    return max;                                                                                    \
-  }
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -160,6 +135,7 @@ class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
 struct vtkIsosurfaceRayTraceSettings;
+struct vtkIsosurfaceRayTraceSharedSettings;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMapper : public vtkVolumeMapper
 {
@@ -744,6 +720,9 @@ protected:
 private:
   vtkIsosurfaceRayTraceMapper(const vtkIsosurfaceRayTraceMapper&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMapper&) = delete;
+
+  friend class vtkIsosurfaceRayTraceEngine;
+  friend struct vtkIsosurfaceRayTraceSharedSettings;
 
   /// Whether there can be a level; if not, reports an error.
   bool HasMacrocellLevel(int level);

@@ -6,11 +6,9 @@
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
-
-#include <omp.h>
+#include "vtkIsosurfaceRayTraceSharedSettings.h"
 
 #include <algorithm>
-#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -19,48 +17,7 @@ namespace
 
 const char* const InterpolationModeNames[] = { "Trilinear", "Nearest", "Cubic" };
 const char* const RootSolverNames[] = { "Robust", "Analytic", "Marmitt", "Linear" };
-const char* const NormalModeNames[] = { "InterpolantGradient", "CentralDifferences" };
-const char* const VectorModeNames[] = { "Disabled", "Magnitude", "Component" };
 const char* const BrickLayoutNames[] = { "NoBricks", "ApronBricks", "TwoLevelBricks" };
-
-template <typename T>
-void Assign(T& to, const T& from)
-{
-  to = from;
-}
-
-template <typename T, std::size_t N>
-void Assign(T (&to)[N], const T (&from)[N])
-{
-  std::copy(std::begin(from), std::end(from), std::begin(to));
-}
-
-template <typename T>
-void Write(ostream& os, const T& value)
-{
-  os << value;
-}
-
-void Write(ostream& os, bool value)
-{
-  os << (value ? "on" : "off");
-}
-
-template <typename T, std::size_t N>
-void Write(ostream& os, const T (&values)[N])
-{
-  const char* separator = "";
-  for (const T& value : values)
-  {
-    os << separator << value;
-    separator = " ";
-  }
-}
-
-void Write(ostream& os, int enumerator, const char* const* names)
-{
-  os << names[enumerator];
-}
 
 }
 
@@ -71,32 +28,18 @@ template <typename Visitor>
 void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
 {
   using Self = vtkIsosurfaceRayTraceMapper;
+  vtkIsosurfaceRayTraceSharedSettings::Visit<Self>(visit);
   visit("InterpolationMode", &Self::InterpolationMode, InterpolationModeNames);
   visit("RootSolver", &Self::RootSolver, RootSolverNames);
   visit("NumberOfInterpolations", &Self::NumberOfInterpolations);
-  visit("NormalMode", &Self::NormalMode, NormalModeNames);
-  visit("VectorMode", &Self::VectorMode, VectorModeNames - DISABLED);
-  visit("VectorComponent", &Self::VectorComponent);
   visit("ColorArrayName", &Self::ColorArrayName);
   visit("CapClippingPlanes", &Self::CapClippingPlanes);
-  visit("Shadows", &Self::Shadows);
-  visit("AmbientOcclusion", &Self::AmbientOcclusion);
-  visit("NumberOfAmbientOcclusionRays", &Self::NumberOfAmbientOcclusionRays);
-  visit("AmbientOcclusionRadius", &Self::AmbientOcclusionRadius);
   visit("BrickLayout", &Self::BrickLayout, BrickLayoutNames);
   visit("BrickSize", &Self::BrickSize);
   visit("BrickGroupSize", &Self::BrickGroupSize);
   visit("MaximumBrickMemory", &Self::MaximumBrickMemory);
   visit("NumberOfMacrocellLevels", &Self::NumberOfMacrocellLevels);
   visit("MacrocellBranching", &Self::MacrocellBranching);
-  visit("TileSize", &Self::TileSize);
-  visit("AutoAdjustSampleDistances", &Self::AutoAdjustSampleDistances);
-  visit("ImageSampleDistance", &Self::ImageSampleDistance);
-  visit("MinimumImageSampleDistance", &Self::MinimumImageSampleDistance);
-  visit("MaximumImageSampleDistance", &Self::MaximumImageSampleDistance);
-  visit("ProgressiveAccumulation", &Self::ProgressiveAccumulation);
-  visit("MaximumNumberOfAccumulatedFrames", &Self::MaximumNumberOfAccumulatedFrames);
-  visit("NumberOfThreads", &Self::NumberOfThreads);
 }
 
 //------------------------------------------------------------------------------
@@ -109,7 +52,7 @@ void vtkIsosurfaceRayTraceMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
   {
     VisitSettings([this, other](const char*, auto setting, auto...)
-      { Assign(this->*setting, other->*setting); });
+      { vtkIsosurfaceRayTraceSharedSettings::Assign(this->*setting, other->*setting); });
   }
   this->Superclass::ShallowCopy(mapper);
   this->Modified();
@@ -178,11 +121,8 @@ int vtkIsosurfaceRayTraceMapper::GetMacrocellBranching(int level)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::SetTileSize(int width, int height)
 {
-  const int clamped[2] = { std::clamp(width, 1, 4096), std::clamp(height, 1, 4096) };
-  if (this->TileSize[0] != clamped[0] || this->TileSize[1] != clamped[1])
+  if (vtkIsosurfaceRayTraceSharedSettings::SetTileSize(width, height, this->TileSize))
   {
-    this->TileSize[0] = clamped[0];
-    this->TileSize[1] = clamped[1];
     this->Modified();
   }
 }
@@ -192,34 +132,17 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
 {
   namespace enumerators = vtkIsosurfaceRayTraceEnumerators;
   vtkIsosurfaceRayTraceSettings settings;
+  vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
   settings.BlendMode = this->BlendMode;
   settings.Projection = enumerators::FindProjection(this->BlendMode);
   settings.InterpolationMode = enumerators::ToInterpolant(this->InterpolationMode);
   settings.RootSolver = enumerators::ToRootSolver(this->RootSolver);
   settings.NumberOfInterpolations = this->NumberOfInterpolations;
-  settings.NormalMode = enumerators::ToNormalMode(this->NormalMode);
   settings.CapClippingPlanes = this->CapClippingPlanes;
-  settings.Shadows = this->Shadows;
-  settings.NumberOfAmbientOcclusionRays =
-    this->AmbientOcclusion ? this->NumberOfAmbientOcclusionRays : 0;
-  if (this->AmbientOcclusionRadius > 0.0)
-  {
-    settings.AmbientOcclusionRadius = this->AmbientOcclusionRadius;
-  }
   if (this->MaximumBrickMemory > 0)
   {
     settings.MaximumMemory = static_cast<std::size_t>(this->MaximumBrickMemory) << 20;
   }
-  settings.TileWidth = this->TileSize[0];
-  settings.TileHeight = this->TileSize[1];
-  settings.NumberOfThreads =
-    this->NumberOfThreads > 0 ? this->NumberOfThreads : std::max(1, omp_get_max_threads());
-  settings.AutoAdjustSampleDistances = this->AutoAdjustSampleDistances != 0;
-  settings.ImageSampleDistance = this->ImageSampleDistance;
-  settings.MinimumImageSampleDistance = this->MinimumImageSampleDistance;
-  settings.MaximumImageSampleDistance = this->MaximumImageSampleDistance;
-  settings.ProgressiveAccumulation = this->ProgressiveAccumulation;
-  settings.MaximumNumberOfAccumulatedFrames = this->MaximumNumberOfAccumulatedFrames;
   return settings;
 }
 
@@ -230,7 +153,7 @@ void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
   const auto print = [&os, indent](const char* name, const auto& value, auto... names)
   {
     os << indent << name << ": ";
-    Write(os, value, names...);
+    vtkIsosurfaceRayTraceSharedSettings::Write(os, value, names...);
     os << "\n";
   };
   print("ArrayAccessMode", this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName");

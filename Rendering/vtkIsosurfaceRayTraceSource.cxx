@@ -10,9 +10,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
-#include <type_traits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,82 +18,6 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 namespace
 {
-
-template <typename T>
-constexpr vtkirt::ScalarType IntegerType()
-{
-  using vtkirt::ScalarType;
-  switch (sizeof(T))
-  {
-    case 1:
-      return std::is_signed_v<T> ? ScalarType::Int8 : ScalarType::UInt8;
-    case 2:
-      return std::is_signed_v<T> ? ScalarType::Int16 : ScalarType::UInt16;
-    case 4:
-      return std::is_signed_v<T> ? ScalarType::Int32 : ScalarType::UInt32;
-    default:
-      return std::is_signed_v<T> ? ScalarType::Int64 : ScalarType::UInt64;
-  }
-}
-
-/// The ray tracer's scalar type for a scalar type of VTK; none for types that are not numbers.
-std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
-{
-  switch (vtkType)
-  {
-    case VTK_FLOAT:
-      return vtkirt::ScalarType::Float32;
-    case VTK_DOUBLE:
-      return vtkirt::ScalarType::Float64;
-    case VTK_CHAR:
-      return IntegerType<char>();
-    case VTK_SIGNED_CHAR:
-      return IntegerType<signed char>();
-    case VTK_UNSIGNED_CHAR:
-      return IntegerType<unsigned char>();
-    case VTK_SHORT:
-      return IntegerType<short>();
-    case VTK_UNSIGNED_SHORT:
-      return IntegerType<unsigned short>();
-    case VTK_INT:
-      return IntegerType<int>();
-    case VTK_UNSIGNED_INT:
-      return IntegerType<unsigned int>();
-    case VTK_LONG:
-      return IntegerType<long>();
-    case VTK_UNSIGNED_LONG:
-      return IntegerType<unsigned long>();
-    case VTK_LONG_LONG:
-      return IntegerType<long long>();
-    case VTK_UNSIGNED_LONG_LONG:
-      return IntegerType<unsigned long long>();
-    case VTK_ID_TYPE:
-      return IntegerType<vtkIdType>();
-    default:
-      return std::nullopt;
-  }
-}
-
-/// The magnitudes of vectors. For small types, single precision holds them as well.
-vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
-{
-  const bool isSingle = vectors->GetDataType() == VTK_FLOAT || vectors->GetDataTypeSize() <= 2;
-  auto lengths =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isSingle ? VTK_FLOAT : VTK_DOUBLE));
-  lengths->SetNumberOfTuples(vectors->GetNumberOfTuples());
-  std::vector<double> vector(static_cast<std::size_t>(vectors->GetNumberOfComponents()));
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
-  {
-    vectors->GetTuple(i, vector.data());
-    double length = 0.0;
-    for (const double component : vector)
-    {
-      length = std::hypot(length, component);
-    }
-    lengths->SetComponent(i, 0, length);
-  }
-  return lengths;
-}
 
 /// Whether any corner of a cell has one of some flags. Corners are counted from first.
 bool HasFlagAtCorner(
@@ -142,82 +64,34 @@ vtkIsosurfaceRayTraceSource::vtkIsosurfaceRayTraceSource() = default;
 vtkIsosurfaceRayTraceSource::~vtkIsosurfaceRayTraceSource() = default;
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceSource::FindProblem(vtkDataSet* grid, const Selection& selection)
+std::string vtkIsosurfaceRayTraceSource::FindProblem(
+  vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection)
 {
-  std::ostringstream problem;
-  vtkDataArray* scalars = selection.Scalars;
+  const std::string problem =
+    selection.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
+  if (!problem.empty())
+  {
+    return problem;
+  }
   const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const int least = selection.AreOfCells ? 3 : 2;
-  const vtkIdType tuples =
-    selection.AreOfCells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
-  if (!scalars)
+  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
   {
-    problem
-      << "The input has no scalars of the requested kind. Add scalars to its points or cells, "
-         "or name an array with SetScalarModeToUsePointFieldData() (or "
-         "SetScalarModeToUseCellFieldData()) and SelectScalarArray().";
+    std::ostringstream text;
+    text << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+         << " points. An isosurface needs at least 2 samples along each axis, which are "
+         << (least == 2 ? "2 points." : "2 cells, as the scalars are those of cells.");
+    return text.str();
   }
-  else if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
-  {
-    problem << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-            << " points. An isosurface needs at least 2 samples along each axis, which are "
-            << (least == 2 ? "2 points." : "2 cells, as the scalars are those of cells.");
-  }
-  else if (scalars->GetNumberOfTuples() != tuples)
-  {
-    problem << "The scalars have " << scalars->GetNumberOfTuples() << " tuples for " << tuples
-            << (selection.AreOfCells ? " cells. Give one for every cell."
-                                     : " points. Give one for every point.");
-  }
-  else if (scalars->GetDataType() != VTK_BIT && !FindScalarType(scalars->GetDataType()))
-  {
-    problem << "The scalars are of type " << scalars->GetDataTypeAsString()
-            << ", which is not numeric.";
-  }
-  else if (selection.Component >= scalars->GetNumberOfComponents())
-  {
-    problem << "The scalars have " << scalars->GetNumberOfComponents()
-            << " components, numbered from 0; there is no component " << selection.Component
-            << " (SetVectorComponent).";
-  }
-  else
-  {
-    const std::string ofGhosts = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
-    problem << (ofGhosts.empty() ? vtkIsosurfaceRayTraceGeometry::FindProblem(grid) : ofGhosts);
-  }
-  return problem.str();
+  const std::string ofGhosts = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
+  return ofGhosts.empty() ? vtkIsosurfaceRayTraceGeometry::FindProblem(grid) : ofGhosts;
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkIsosurfaceRayTraceSource::GetPlainScalars(
-  const Selection& selection, int& component)
+bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
+  const vtkIsosurfaceRayTraceScalars& selection, const vtkirt::ImageSettings& settings, int threads)
 {
-  component = 0;
-  this->PlainScalars = nullptr;
-  vtkDataArray* scalars = selection.Scalars;
-  if (selection.Component == Selection::Magnitude)
-  {
-    this->PlainScalars = ComputeMagnitudes(scalars);
-    return this->PlainScalars;
-  }
-  const bool isBits = scalars->GetDataType() == VTK_BIT;
-  if (scalars->HasStandardMemoryLayout() && !isBits)
-  {
-    component = selection.Component;
-    return scalars;
-  }
-  this->PlainScalars.TakeReference(
-    vtkDataArray::CreateDataArray(isBits ? VTK_UNSIGNED_CHAR : scalars->GetDataType()));
-  this->PlainScalars->SetNumberOfTuples(scalars->GetNumberOfTuples());
-  this->PlainScalars->CopyComponent(0, scalars, selection.Component);
-  return this->PlainScalars;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceSource::Update(
-  vtkDataSet* grid, const Selection& selection, const vtkirt::ImageSettings& settings, int threads)
-{
-  vtkDataArray* scalars = selection.Scalars;
+  vtkDataArray* scalars = selection.Array;
   Key key;
   key.Array = scalars;
   key.ArrayTime = scalars->GetMTime();
@@ -252,12 +126,11 @@ bool vtkIsosurfaceRayTraceSource::Update(
   }
 
   this->Field.reset(); // Its memory first.
-  int component = 0;
-  vtkDataArray* plain = this->GetPlainScalars(selection, component);
+  const vtkIsosurfaceRayTraceScalars::View samples = selection.MakeView(this->PlainScalars);
   vtkirt::VolumeView view;
-  view.Type = *FindScalarType(plain->GetDataType());
-  view.Samples = plain->GetVoidPointer(component);
-  view.Stride = plain->GetNumberOfComponents();
+  view.Type = samples.Type;
+  view.Samples = samples.Values;
+  view.Stride = samples.Stride;
   view.Dimensions = key.Dimensions;
   this->Field = vtkirt::ImageField::New(view, settings, threads);
   this->Field->SetPlanes(this->Geometry.GetPlanes());

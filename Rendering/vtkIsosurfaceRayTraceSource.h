@@ -8,6 +8,7 @@
 #define vtkIsosurfaceRayTraceSource_h
 
 #include "vtkIsosurfaceRayTraceGeometry.h" // for ivars
+#include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
@@ -26,28 +27,17 @@ class vtkDataSet;
 class vtkIsosurfaceRayTraceSource
 {
 public:
-  /// Scalars of a grid. Those of cells are samples at the centres of the cells.
-  struct Selection
-  {
-    vtkDataArray* Scalars = nullptr;
-    bool AreOfCells = false;
-    /// Magnitude selects the length of the vector instead of a component.
-    int Component = 0;
-
-    static constexpr int Magnitude = -1;
-  };
-
   vtkIsosurfaceRayTraceSource();
   ~vtkIsosurfaceRayTraceSource();
   vtkIsosurfaceRayTraceSource(const vtkIsosurfaceRayTraceSource&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSource&) = delete;
 
   /// The problem with the input; empty if there is none.
-  static std::string FindProblem(vtkDataSet* grid, const Selection& selection);
+  static std::string FindProblem(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection);
 
   /// Builds the field of the input, which must have no problem, unless it is up to date. Returns
   /// whether it had to be built.
-  bool Update(vtkDataSet* grid, const Selection& selection,
+  bool Update(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
 
   /// Whether the samples are still where they were at the last update, and as many. Their array
@@ -85,7 +75,6 @@ private:
   struct Key;
 
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
-  vtkDataArray* GetPlainScalars(const Selection& selection, int& component);
 
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
   std::unique_ptr<Key> Built;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceVolume.h"
 
-#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceEngine.h"
+
+#include "vtkAbstractVolumeMapper.h"
 
 #include "vtkObjectFactory.h"
 
@@ -20,8 +22,8 @@ vtkIsosurfaceVolume::~vtkIsosurfaceVolume() = default;
 //------------------------------------------------------------------------------
 vtkTypeBool vtkIsosurfaceVolume::HasOpaqueGeometry()
 {
-  auto* mapper = vtkIsosurfaceRayTraceMapper::SafeDownCast(this->Mapper);
-  return mapper && mapper->HasOnlyOpaqueSurfaces(this) ? 1 : 0;
+  auto* engine = vtkIsosurfaceRayTraceEngine::Of(this->Mapper);
+  return engine && engine->HasOnlyOpaqueSurfaces(this) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,9 @@
  * ProgressiveAccumulation) are blended with what is drawn already. VTK draws props in the order in
  * which they were added: add this volume after the polygons that are behind it.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkVolume
+ * A vtkIsosurfaceRayTraceMeshMapper is treated alike.
+ *
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolume
  */
 
 #ifndef vtkIsosurfaceVolume_h

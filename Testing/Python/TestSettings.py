@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every setting of the mapper, found by its Set and Get, is copied and printed: none is forgotten."""
+"""Every setting of the mappers, found by its Set and Get, is copied and printed: none is forgotten."""
 
 import unittest
 
@@ -13,10 +13,12 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # what vtkFixedPointVolumeRayCastMa
 from vtkIsosurfaceRayTracing import (
     vtkIsosurfacePicker,
     vtkIsosurfaceRayTraceMapper,
+    vtkIsosurfaceRayTraceMeshMapper,
     vtkIsosurfaceVolume,
 )
 
 LEVELS = 8
+MAPPERS = (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper)
 
 
 def find_settings(mapper):
@@ -82,13 +84,24 @@ class TestSettings(unittest.TestCase):
         self.assertNotIn("Progress", settings)
 
     def test_copy(self):
-        for name in find_settings(vtkIsosurfaceRayTraceMapper()):
+        for kind in MAPPERS:
+            for name in find_settings(kind()):
+                with self.subTest(f"{kind.__name__}: {name}"):
+                    mapper = kind()
+                    value = change(mapper, name)
+                    copy = kind()
+                    copy.ShallowCopy(mapper)
+                    self.assertEqual(get(copy, name), value)
+
+    def test_shared_settings_are_alike(self):
+        images, meshes = (kind() for kind in MAPPERS)
+        shared = set(find_settings(images)) & set(find_settings(meshes)) - {"BlendMode"}
+        self.assertGreater(len(shared), 15)
+        for name in shared:
             with self.subTest(name):
-                mapper = vtkIsosurfaceRayTraceMapper()
-                value = change(mapper, name)
-                copy = vtkIsosurfaceRayTraceMapper()
-                copy.ShallowCopy(mapper)
-                self.assertEqual(get(copy, name), value)
+                for end in ("", "MinValue", "MaxValue"):
+                    if hasattr(images, f"Get{name}{end}"):
+                        self.assertEqual(get(meshes, name + end), get(images, name + end))
 
     def test_copy_of_inputs_and_arrays(self):
         image, colors = vtkImageData(), vtkImageData()
@@ -120,15 +133,16 @@ class TestSettings(unittest.TestCase):
                 self.assertEqual(get(copy, name), value)
 
     def test_print(self):
-        for name in find_settings(vtkIsosurfaceRayTraceMapper()):
-            if name == "AverageIPScalarRange":
-                continue  # vtkVolumeMapper does not print it, and the mapper does not use it.
-            with self.subTest(name):
-                mapper = vtkIsosurfaceRayTraceMapper()
-                before = printed(mapper, name)
-                self.assertIsNotNone(before, "it is not printed")
-                change(mapper, name)
-                self.assertNotEqual(printed(mapper, name), before)
+        for kind in MAPPERS:
+            for name in find_settings(kind()):
+                if name == "AverageIPScalarRange":
+                    continue  # vtkVolumeMapper does not print it, and the mapper does not use it.
+                with self.subTest(f"{kind.__name__}: {name}"):
+                    mapper = kind()
+                    before = printed(mapper, name)
+                    self.assertIsNotNone(before, "it is not printed")
+                    change(mapper, name)
+                    self.assertNotEqual(printed(mapper, name), before)
 
     def test_print_of_the_others(self):
         self.assertIn("Isovalue:", str(vtkIsosurfacePicker()))

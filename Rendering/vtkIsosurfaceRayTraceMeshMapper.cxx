@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
+
+#include "vtkIsosurfaceRayTraceEngine.h"
+#include "vtkIsosurfaceRayTraceMeshInput.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceRayTraceSharedSettings.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGridBase.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkIsosurfaceRayTraceMeshMapper);
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceMeshMapper::vtkIsosurfaceRayTraceMeshMapper()
+  : Engine(std::make_unique<vtkIsosurfaceRayTraceEngine>(this,
+      vtkIsosurfaceRayTraceEngine::Client{ [this] { return this->GetSettings(); },
+        [this] { return std::make_unique<vtkIsosurfaceRayTraceMeshInput>(this); },
+        [this](float distance) { this->ImageSampleDistance = distance; },
+        "Make the picture or the input smaller." }))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceMeshMapper::~vtkIsosurfaceRayTraceMeshMapper() = default;
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMeshMapper::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetInputData(vtkUnstructuredGridBase* grid)
+{
+  this->SetInputDataInternal(0, grid);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetInputData(vtkDataSet* grid)
+{
+  this->SetInputDataInternal(0, grid);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::Update()
+{
+  this->Update(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::Update(int /*port*/)
+{
+  vtkIsosurfaceRayTraceEngine::UpdateInputs(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetTileSize(width, height, this->TileSize))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMeshMapper::GetSettings() const
+{
+  vtkIsosurfaceRayTraceSettings settings;
+  vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshMapper::GetTreeBuildTime()
+{
+  return this->Engine->GetHierarchyTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshMapper::GetTraceTime()
+{
+  return this->Engine->GetTimes().Trace;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshMapper::GetShadeTime()
+{
+  return this->Engine->GetTimes().Shade;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshMapper::GetDisplayTime()
+{
+  return this->Engine->GetDisplayTime();
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMeshMapper::GetNumberOfAccumulatedFrames()
+{
+  return this->Engine->GetNumberOfAccumulatedFrames();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMeshMapper::GetTreeMemory()
+{
+  return static_cast<vtkIdType>(this->Engine->GetStatistics().HierarchyMemory);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMeshMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
+{
+  return this->Engine->HasOnlyOpaqueSurfaces(volume);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  // Observers may take the mapper out of the volume.
+  const vtkSmartPointer<vtkIsosurfaceRayTraceMeshMapper> self = this;
+  const double seconds = this->Engine->Render(renderer, volume);
+  if (seconds > 0.0)
+  {
+    this->TimeToDraw = seconds;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Engine->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMeshMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
+  const double p2[3], double& t, double x[3], double pcoords[3], vtkIdType& cellId,
+  double& isovalue, double normal[3])
+{
+  return this->Engine->IntersectWithLine(volume, p1, p2, t, x, pcoords, cellId, isovalue, normal);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMeshMapper::CastRays(
+  vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output)
+{
+  return this->Engine->CastRays(volume, origins, directions, output);
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceMeshMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
+  int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
+{
+  return this->Engine->PickPixel(
+    renderer, volume, column, row, x, pcoords, cellId, isovalue, normal);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMeshMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+{
+  return this->Engine->RenderToImage(volume, camera, lights, width, height, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper))
+  {
+    this->SetInputConnection(
+      0, other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
+    this->SetScalarMode(other->GetScalarMode());
+    this->SelectScalarArray(other->GetArrayId());
+    this->SelectScalarArray(other->GetArrayName());
+    this->SetArrayAccessMode(other->GetArrayAccessMode());
+    this->SetBlendMode(other->GetBlendMode());
+    vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
+      [this, other](const char*, auto setting, auto...)
+      { vtkIsosurfaceRayTraceSharedSettings::Assign(this->*setting, other->*setting); });
+  }
+  this->Superclass::ShallowCopy(mapper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const auto& value, auto... names)
+  {
+    os << indent << name << ": ";
+    vtkIsosurfaceRayTraceSharedSettings::Write(os, value, names...);
+    os << "\n";
+  };
+  print("ArrayAccessMode", this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName");
+  print("ArrayId", this->ArrayId);
+  print("ArrayName", this->ArrayName ? this->ArrayName : "(none)");
+  vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
+    [this, print](const char* name, auto setting, auto... names)
+    { print(name, this->*setting, names...); });
+  print("NumberOfAccumulatedFrames", this->GetNumberOfAccumulatedFrames());
+  print("TreeBuildTime", this->GetTreeBuildTime());
+  print("TraceTime", this->GetTraceTime());
+  print("ShadeTime", this->GetShadeTime());
+  print("DisplayTime", this->GetDisplayTime());
+  print("TreeMemory", this->GetTreeMemory());
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIsosurfaceRayTraceMeshMapper
+ * @brief   ray trace isosurfaces straight from meshes, on the CPU
+ *
+ * Draws the isosurfaces of a vtkUnstructuredGrid or a vtkStructuredGrid without extracting
+ * polygons, as vtkIsosurfaceRayTraceMapper does those of images: isovalues, colours, opacities,
+ * lights, shadows, occlusion, picking, casting and pictures without a window are the same. A new
+ * isovalue costs a frame and nothing else.
+ *
+ * Cells are what VTK's own functions of them say. In a tetrahedron the values are linear.
+ * Hexahedra, voxels, wedges and pyramids are isoparametric: positions and values are the
+ * (collapsed) trilinear interpolants of the corners, their faces are bilinear, and the surface in
+ * them is neither flat nor cut at their edges. Every ray is intersected with that very surface.
+ * Cells may be of several shapes, overlap, and touch without sharing points. Quadratic cells,
+ * polyhedra and other cells of three dimensions are subdivided into tetrahedra by
+ * vtkCell::Triangulate; cells of fewer dimensions are passed over, and so are cells with a NaN or
+ * infinite corner.
+ *
+ * Points may be float or double, ids of 32 or 64 bits; they are read where they are. The values are
+ * those of the points; scalars of cells are averaged to them as vtkCellDataToPointData does.
+ * Nothing is drawn in cells that are hidden, refined or duplicates of those of another piece
+ * (vtkGhostType), or that have a hidden point.
+ *
+ * The mapper keeps a tree over the cells with their boxes and ranges of values, built on the first
+ * render, and again when the input changes; it serves every isovalue.
+ *
+ * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
+ * ClippingPlanes cut them exactly, along every ray.
+ *
+ * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
+ * IEEE Computer Graphics and Applications 21(4), 2001.
+ *
+ * @sa vtkIsosurfaceRayTraceMapper vtkUnstructuredGridVolumeMapper vtkContour3DLinearGrid
+ */
+
+#ifndef vtkIsosurfaceRayTraceMeshMapper_h
+#define vtkIsosurfaceRayTraceMeshMapper_h
+
+#include "vtkIsosurfaceRayTraceSetMacros.h" // for vtkIsosurfaceSetClampMacro
+#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h"  // for export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCamera;
+class vtkDataArray;
+class vtkImageData;
+class vtkIsosurfaceRayTraceEngine;
+class vtkLightCollection;
+class vtkPoints;
+class vtkPolyData;
+struct vtkIsosurfaceRayTraceSettings;
+struct vtkIsosurfaceRayTraceSharedSettings;
+
+class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceRayTraceMeshMapper
+  : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkIsosurfaceRayTraceMeshMapper* New();
+  vtkTypeMacro(vtkIsosurfaceRayTraceMeshMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set the input: a vtkUnstructuredGrid or a vtkStructuredGrid.
+   */
+  void SetInputData(vtkUnstructuredGridBase* grid) override;
+  void SetInputData(vtkDataSet* grid) override;
+  ///@}
+
+  /**
+   * How the normal of the surface is computed.
+   */
+  enum NormalModes
+  {
+    /// The exact gradient in the cell. It is discontinuous between cells, which become visible.
+    INTERPOLANT_GRADIENT = 0,
+    /// Gradients at the points, each the mean of those of the cells around it, interpolated in the
+    /// cell: a smooth look.
+    CENTRAL_DIFFERENCES = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get where the normal comes from. It changes the shading, never the position of the surface.
+   * Default: CENTRAL_DIFFERENCES.
+   */
+  vtkSetClampMacro(NormalMode, int, INTERPOLANT_GRADIENT, CENTRAL_DIFFERENCES);
+  vtkGetMacro(NormalMode, int);
+  void SetNormalModeToInterpolantGradient() { this->SetNormalMode(INTERPOLANT_GRADIENT); }
+  void SetNormalModeToCentralDifferences() { this->SetNormalMode(CENTRAL_DIFFERENCES); }
+  ///@}
+
+  /**
+   * Which of several components is used.
+   */
+  enum VectorModes
+  {
+    /// The component with the largest vtkVolumeProperty::GetComponentWeight() (the first of
+    /// equals), of at most four.
+    DISABLED = -1,
+    /// The magnitude of the vector, of which a copy is made.
+    MAGNITUDE = 0,
+    /// The component set by VectorComponent.
+    COMPONENT = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get which of several components is used, by the names of vtkSmartVolumeMapper. With
+   * MAGNITUDE and COMPONENT the transfer functions are those of component 0 of the property.
+   * Default: DISABLED.
+   */
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the component for COMPONENT; one that the scalars do not have is an error. Range: from
+   * 0. Default: 0.
+   */
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the surfaces cast shadows on each other and on themselves, from every light
+   * that is switched on. A translucent surface transmits one minus its opacity. Other props neither
+   * cast nor receive these shadows. Shading must be on (vtkVolumeProperty::ShadeOn). Default: off,
+   * which costs nothing.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether surfaces occlude ambient light from each other and from themselves: the ambient
+   * term of the shading, and no other, is multiplied by the part of the hemisphere above a hit that
+   * is not occluded, on the visible side. A translucent surface transmits one minus its opacity.
+   * Clipped or cropped parts occlude nothing. Shading must be on (vtkVolumeProperty::ShadeOn), and
+   * the ambient light strong enough for it to be visible: vtkVolumeProperty::SetAmbient(0.5); the
+   * default of 0.1 is not. Default: off, which costs nothing.
+   */
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of ambient occlusion rays from each hit, in directions distributed by the
+   * cosine to the normal. The directions differ from hit to hit, and are the same in every picture:
+   * few rays give noise. (The further frames of ProgressiveAccumulation have other directions.)
+   * Range: 1 to 4096. Default: 32.
+   */
+  vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
+  vtkGetMacro(NumberOfAmbientOcclusionRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the length of the ambient occlusion rays, in world coordinates; what is farther away
+   * occludes nothing. 0 sets no limit. Range: from 0. Default: 0.
+   */
+  vtkIsosurfaceSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AmbientOcclusionRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
+   * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
+   * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
+   * (Parker et al. used 32 x 4.)
+   */
+  void SetTileSize(int width, int height);
+  void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }
+  vtkGetVector2Macro(TileSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
+   * so that the frame is drawn in the time allocated to it: coarser pictures while interacting
+   * (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every pixel
+   * when the scene is still. In stereo it is chosen once for both eyes. Default: on.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the distance between neighbouring rays, in pixels; after a frame with
+   * AutoAdjustSampleDistances, the distance that was chosen. Values from 1 are rounded to a whole
+   * number of pixels that share a ray; values below 1 are rounded to 1/n, and each pixel is the
+   * mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100. Default:
+   * 1.
+   */
+  vtkIsosurfaceSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the range from which AutoAdjustSampleDistances chooses. Ranges: 0.1 to 100. Defaults: 1
+   * and 10.
+   */
+  vtkIsosurfaceSetClampMacro(MinimumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkIsosurfaceSetClampMacro(MaximumImageSampleDistance, float, 0.1F, 100.0F);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the picture is refined while nothing changes: each Render() of an unchanged
+   * scene traces one more frame, by rays through other points of the pixels and, with
+   * AmbientOcclusion, in other directions from the hits, and shows the mean of all frames so far.
+   * Edges become smooth, noise vanishes. The first frame is the same picture as without
+   * accumulation; its depth is kept. Whatever changes the picture (camera, lights, property,
+   * settings, inputs, size, the depth of what is in front) restarts it; a frame that is aborted
+   * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. In stereo each eye has its own mean.
+   *
+   * The application must call Render(), for example from a timer of the interactor, as long as
+   * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
+   *
+   * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
+   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage do not use the mean, and leave it
+   * as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is
+   * read. Default: off, which costs nothing.
+   */
+  vtkSetMacro(ProgressiveAccumulation, bool);
+  vtkGetMacro(ProgressiveAccumulation, bool);
+  vtkBooleanMacro(ProgressiveAccumulation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of frames after which tracing stops: the mean is only displayed, and
+   * TraceTime is 0. Range: 1 to 256. Default: 16.
+   */
+  vtkSetClampMacro(MaximumNumberOfAccumulatedFrames, int, 1, 256);
+  vtkGetMacro(MaximumNumberOfAccumulatedFrames, int);
+  ///@}
+
+  /**
+   * Get the number of frames whose mean the last Render() showed; 0 if its picture is not
+   * accumulated. After a frame that was aborted: the number before it.
+   */
+  int GetNumberOfAccumulatedFrames();
+
+  ///@{
+  /**
+   * Set/Get the number of threads; 0 uses the default of OpenMP (OMP_NUM_THREADS, or all cores).
+   * Range: 0 to 1024. Default: 0.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Get the times of the last frame, in seconds of wall-clock time: building the tree, tracing,
+   * shading, and displaying. The time of a step that the frame did not need is 0.
+   */
+  double GetTreeBuildTime();
+  double GetTraceTime();
+  double GetShadeTime();
+  double GetDisplayTime();
+  ///@}
+
+  /**
+   * Get the memory of the tree, in bytes.
+   */
+  vtkIdType GetTreeMemory();
+
+  /**
+   * Returns whether a volume has isosurfaces to draw, and each of them is opaque: the property has
+   * an opacity of at least one at every isovalue that it does not hide. False if the volume cannot
+   * be drawn; Render reports why.
+   *
+   * @sa vtkIsosurfaceVolume
+   */
+  bool HasOnlyOpaqueSurfaces(vtkVolume* volume);
+
+  /**
+   * Finds the first isosurface that the line from p1 to p2 (world coordinates) meets, as the
+   * picture of the volume shows it, with the isovalues, opacities and matrix of the volume. Needs
+   * neither a window nor OpenGL. Returns 1 if there is a hit; otherwise returns 0 and changes
+   * nothing.
+   *
+   * t is the parametric position on the line, from 0 at p1 to 1 at p2; x the point in world
+   * coordinates; pcoords its parametric coordinates in the cell; cellId the cell of the input;
+   * isovalue that of the surface; normal its unit normal in world coordinates, by NormalMode,
+   * towards smaller values.
+   *
+   * For a projection (maximum or minimum intensity) the one hit is the point of the extreme value,
+   * whatever its opacity; isovalue is that value, and normal that of its isosurface.
+   */
+  int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
+    double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Casts rays, given by origins and directions in world coordinates, on all threads, as
+   * IntersectWithLine does: a ray has all the hits that contribute to a pixel, up to the first
+   * opaque one. The directions have three components, one tuple for each origin; their length is
+   * the unit of T.
+   *
+   * The output has a point for every hit, by ray and from front to back, and as point data RayId, T
+   * (in units of the direction), CellId, ParametricCoordinates (3), Isovalue and Normals (3).
+   * Returns whether rays were cast; if not, an error reports why.
+   */
+  bool CastRays(
+    vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
+
+  /**
+   * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
+   * the lower left: the nearest isosurface, bit for bit as it is drawn (in stereo, as a window
+   * without stereo would show it, as for all pickers of VTK). Other props are ignored. The window
+   * need not have been rendered. Returns 1 if there is a surface (or, for a projection, a value
+   * with any opacity); otherwise returns 0 and changes nothing. The results are those of
+   * IntersectWithLine.
+   *
+   * @sa vtkIsosurfacePicker
+   */
+  int PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column, int row, double x[3],
+    double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Makes a picture without a window and without OpenGL: the same, pixel for pixel, as in a window
+   * of that size with a single renderer of that camera. The clipping range of the camera is used as
+   * it is (vtkCamera::SetClippingRange). Headlights and lights of the camera follow it; without
+   * lights (null) there is one headlight, as in a new renderer.
+   *
+   * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
+   * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth
+   * (that of the nearest opaque surface in the depth buffer, from 0 to 1; 1 where there is none).
+   * Further arrays describe the nearest surface, translucent or not: Normals (3, as of
+   * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
+   * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
+   * and -1. For a projection, Depth and all others are those of the point of the extreme value,
+   * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
+   * none). Returns whether there is a picture; if not, an error reports why.
+   */
+  bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
+    int height, vtkImageData* output);
+
+  /**
+   * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.
+   */
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  ///@{
+  /**
+   * Updates the whole of the input, in one piece, whatever other consumers have requested before.
+   */
+  using vtkUnstructuredGridVolumeMapper::Update;
+  void Update(int port) override;
+  void Update() override;
+  ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Trace the isosurfaces of the volume into the window of the renderer.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Release the textures and shaders held in the window.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkIsosurfaceRayTraceMeshMapper();
+  ~vtkIsosurfaceRayTraceMeshMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkIsosurfaceRayTraceMeshMapper(const vtkIsosurfaceRayTraceMeshMapper&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceMeshMapper&) = delete;
+
+  friend class vtkIsosurfaceRayTraceEngine;
+  friend struct vtkIsosurfaceRayTraceSharedSettings;
+
+  vtkIsosurfaceRayTraceSettings GetSettings() const;
+
+  int NormalMode = CENTRAL_DIFFERENCES;
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
+  bool Shadows = false;
+  bool AmbientOcclusion = false;
+  int NumberOfAmbientOcclusionRays = 32;
+  double AmbientOcclusionRadius = 0.0;
+  int TileSize[2] = { 16, 8 };
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  float ImageSampleDistance = 1.0F;
+  float MinimumImageSampleDistance = 1.0F;
+  float MaximumImageSampleDistance = 10.0F;
+  bool ProgressiveAccumulation = false;
+  int MaximumNumberOfAccumulatedFrames = 16;
+  int NumberOfThreads = 0;
+
+  std::unique_ptr<vtkIsosurfaceRayTraceEngine> Engine;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

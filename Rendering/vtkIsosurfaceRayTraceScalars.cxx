@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceScalars.h"
+
+#include "vtkIsosurfaceRayTraceScene.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <sstream>
+#include <type_traits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+template <typename T>
+constexpr vtkirt::ScalarType IntegerType()
+{
+  using vtkirt::ScalarType;
+  switch (sizeof(T))
+  {
+    case 1:
+      return std::is_signed_v<T> ? ScalarType::Int8 : ScalarType::UInt8;
+    case 2:
+      return std::is_signed_v<T> ? ScalarType::Int16 : ScalarType::UInt16;
+    case 4:
+      return std::is_signed_v<T> ? ScalarType::Int32 : ScalarType::UInt32;
+    default:
+      return std::is_signed_v<T> ? ScalarType::Int64 : ScalarType::UInt64;
+  }
+}
+
+/// The ray tracer's scalar type for a scalar type of VTK; none for types that are not numbers.
+std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
+{
+  switch (vtkType)
+  {
+    case VTK_FLOAT:
+      return vtkirt::ScalarType::Float32;
+    case VTK_DOUBLE:
+      return vtkirt::ScalarType::Float64;
+    case VTK_CHAR:
+      return IntegerType<char>();
+    case VTK_SIGNED_CHAR:
+      return IntegerType<signed char>();
+    case VTK_UNSIGNED_CHAR:
+      return IntegerType<unsigned char>();
+    case VTK_SHORT:
+      return IntegerType<short>();
+    case VTK_UNSIGNED_SHORT:
+      return IntegerType<unsigned short>();
+    case VTK_INT:
+      return IntegerType<int>();
+    case VTK_UNSIGNED_INT:
+      return IntegerType<unsigned int>();
+    case VTK_LONG:
+      return IntegerType<long>();
+    case VTK_UNSIGNED_LONG:
+      return IntegerType<unsigned long>();
+    case VTK_LONG_LONG:
+      return IntegerType<long long>();
+    case VTK_UNSIGNED_LONG_LONG:
+      return IntegerType<unsigned long long>();
+    case VTK_ID_TYPE:
+      return IntegerType<vtkIdType>();
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The magnitudes of vectors. For small types, single precision holds them as well.
+vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
+{
+  const bool isSingle = vectors->GetDataType() == VTK_FLOAT || vectors->GetDataTypeSize() <= 2;
+  auto lengths =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isSingle ? VTK_FLOAT : VTK_DOUBLE));
+  lengths->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  std::vector<double> vector(static_cast<std::size_t>(vectors->GetNumberOfComponents()));
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    vectors->GetTuple(i, vector.data());
+    double length = 0.0;
+    for (const double component : vector)
+    {
+      length = std::hypot(length, component);
+    }
+    lengths->SetComponent(i, 0, length);
+  }
+  return lengths;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceScalars::SelectArray(vtkAbstractVolumeMapper* mapper, vtkDataSet* data)
+{
+  int association = 0;
+  this->Array = vtkAbstractMapper::GetScalars(data, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+  if (association == vtkDataObject::FIELD_ASSOCIATION_NONE)
+  {
+    this->Array = nullptr; // Field data lie nowhere.
+  }
+  this->AreOfCells = association == 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceScalars::SelectComponent(
+  std::optional<int> component, vtkVolumeProperty* property, int& propertyComponent)
+{
+  propertyComponent = 0;
+  if (component)
+  {
+    this->Component = *component;
+    return "";
+  }
+  const int count = this->Array ? this->Array->GetNumberOfComponents() : 1;
+  if (count > VTK_MAX_VRCOMP)
+  {
+    return "The scalars have " + std::to_string(count) +
+      " components. vtkVolumeProperty::SetComponentWeight selects one of at most " +
+      std::to_string(VTK_MAX_VRCOMP) +
+      ". Call "
+      "SetVectorModeToComponent() and SetVectorComponent(), or SetVectorModeToMagnitude().";
+  }
+  propertyComponent = vtkIsosurfaceRayTraceScene::ChooseComponent(property, count);
+  this->Component = propertyComponent;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceScalars::FindProblem(vtkIdType points, vtkIdType cells) const
+{
+  std::ostringstream problem;
+  const vtkIdType tuples = this->AreOfCells ? cells : points;
+  if (!this->Array)
+  {
+    problem
+      << "The input has no scalars of the requested kind. Add scalars to its points or cells, "
+         "or name an array with SetScalarModeToUsePointFieldData() (or "
+         "SetScalarModeToUseCellFieldData()) and SelectScalarArray().";
+  }
+  else if (this->Array->GetNumberOfTuples() != tuples)
+  {
+    problem << "The scalars have " << this->Array->GetNumberOfTuples() << " tuples for " << tuples
+            << (this->AreOfCells ? " cells. Give one for every cell."
+                                 : " points. Give one for every point.");
+  }
+  else if (this->Array->GetDataType() != VTK_BIT && !FindScalarType(this->Array->GetDataType()))
+  {
+    problem << "The scalars are of type " << this->Array->GetDataTypeAsString()
+            << ", which is not numeric.";
+  }
+  else if (this->Component >= this->Array->GetNumberOfComponents())
+  {
+    problem << "The scalars have " << this->Array->GetNumberOfComponents()
+            << " components, numbered from 0; there is no component " << this->Component
+            << " (SetVectorComponent).";
+  }
+  return problem.str();
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceScalars::View vtkIsosurfaceRayTraceScalars::MakeView(
+  vtkSmartPointer<vtkDataArray>& storage) const
+{
+  storage = nullptr;
+  vtkDataArray* plain = this->Array;
+  int component = 0;
+  const bool isBits = plain->GetDataType() == VTK_BIT;
+  if (this->Component == Magnitude)
+  {
+    storage = ComputeMagnitudes(this->Array);
+  }
+  else if (plain->HasStandardMemoryLayout() && !isBits)
+  {
+    component = this->Component;
+  }
+  else
+  {
+    storage.TakeReference(
+      vtkDataArray::CreateDataArray(isBits ? VTK_UNSIGNED_CHAR : plain->GetDataType()));
+    storage->SetNumberOfTuples(plain->GetNumberOfTuples());
+    storage->CopyComponent(0, plain, this->Component);
+  }
+  plain = storage ? storage.Get() : plain;
+  return { plain->GetVoidPointer(component), *FindScalarType(plain->GetDataType()),
+    plain->GetNumberOfComponents() };
+}
+
+VTK_ABI_NAMESPACE_END

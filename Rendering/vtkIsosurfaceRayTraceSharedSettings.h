@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The settings that all mappers have which trace isosurfaces: how they are copied, printed and
+// passed on. The mappers are friends of this class.
+
+#ifndef vtkIsosurfaceRayTraceSharedSettings_h
+#define vtkIsosurfaceRayTraceSharedSettings_h
+
+#include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstddef>  // for std::size_t
+#include <iterator> // for std::begin
+
+VTK_ABI_NAMESPACE_BEGIN
+
+struct vtkIsosurfaceRayTraceSharedSettings
+{
+  /// Calls visit(name, pointer to member) for every setting, and with the names of the enumerators
+  /// if it has some.
+  template <typename Mapper, typename Visitor>
+  static void Visit(const Visitor& visit)
+  {
+    static constexpr const char* normalModes[] = { "InterpolantGradient", "CentralDifferences" };
+    static constexpr const char* vectorModes[] = { "Disabled", "Magnitude", "Component" };
+    visit("NormalMode", &Mapper::NormalMode, normalModes);
+    visit("VectorMode", &Mapper::VectorMode, vectorModes - Mapper::DISABLED);
+    visit("VectorComponent", &Mapper::VectorComponent);
+    visit("Shadows", &Mapper::Shadows);
+    visit("AmbientOcclusion", &Mapper::AmbientOcclusion);
+    visit("NumberOfAmbientOcclusionRays", &Mapper::NumberOfAmbientOcclusionRays);
+    visit("AmbientOcclusionRadius", &Mapper::AmbientOcclusionRadius);
+    visit("TileSize", &Mapper::TileSize);
+    visit("AutoAdjustSampleDistances", &Mapper::AutoAdjustSampleDistances);
+    visit("ImageSampleDistance", &Mapper::ImageSampleDistance);
+    visit("MinimumImageSampleDistance", &Mapper::MinimumImageSampleDistance);
+    visit("MaximumImageSampleDistance", &Mapper::MaximumImageSampleDistance);
+    visit("ProgressiveAccumulation", &Mapper::ProgressiveAccumulation);
+    visit("MaximumNumberOfAccumulatedFrames", &Mapper::MaximumNumberOfAccumulatedFrames);
+    visit("NumberOfThreads", &Mapper::NumberOfThreads);
+  }
+
+  /// What the settings of a mapper stand for.
+  template <typename Mapper>
+  static void Fill(const Mapper& mapper, vtkIsosurfaceRayTraceSettings& settings)
+  {
+    settings.NormalMode = vtkIsosurfaceRayTraceEnumerators::ToNormalMode(mapper.NormalMode);
+    settings.Shadows = mapper.Shadows;
+    settings.NumberOfAmbientOcclusionRays =
+      mapper.AmbientOcclusion ? mapper.NumberOfAmbientOcclusionRays : 0;
+    if (mapper.AmbientOcclusionRadius > 0.0)
+    {
+      settings.AmbientOcclusionRadius = mapper.AmbientOcclusionRadius;
+    }
+    settings.TileWidth = mapper.TileSize[0];
+    settings.TileHeight = mapper.TileSize[1];
+    settings.NumberOfThreads =
+      mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads());
+    settings.AutoAdjustSampleDistances = mapper.AutoAdjustSampleDistances != 0;
+    settings.ImageSampleDistance = mapper.ImageSampleDistance;
+    settings.MinimumImageSampleDistance = mapper.MinimumImageSampleDistance;
+    settings.MaximumImageSampleDistance = mapper.MaximumImageSampleDistance;
+    settings.ProgressiveAccumulation = mapper.ProgressiveAccumulation;
+    settings.MaximumNumberOfAccumulatedFrames = mapper.MaximumNumberOfAccumulatedFrames;
+  }
+
+  /// Clamps a size to its range. Returns whether it has changed.
+  static bool SetTileSize(int width, int height, int (&size)[2])
+  {
+    const int before[2] = { size[0], size[1] };
+    size[0] = std::clamp(width, 1, 4096);
+    size[1] = std::clamp(height, 1, 4096);
+    return size[0] != before[0] || size[1] != before[1];
+  }
+
+  template <typename T>
+  static void Assign(T& to, const T& from)
+  {
+    to = from;
+  }
+
+  template <typename T, std::size_t N>
+  static void Assign(T (&to)[N], const T (&from)[N])
+  {
+    std::copy(std::begin(from), std::end(from), std::begin(to));
+  }
+
+  template <typename T>
+  static void Write(ostream& os, const T& value)
+  {
+    os << value;
+  }
+
+  static void Write(ostream& os, bool value) { os << (value ? "on" : "off"); }
+
+  template <typename T, std::size_t N>
+  static void Write(ostream& os, const T (&values)[N])
+  {
+    const char* separator = "";
+    for (const T& value : values)
+    {
+      os << separator << value;
+      separator = " ";
+    }
+  }
+
+  static void Write(ostream& os, int enumerator, const char* const* names)
+  {
+    os << names[enumerator];
+  }
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

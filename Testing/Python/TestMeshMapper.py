@@ -1,0 +1,341 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mapper of meshes: cells of every shape, pictures, rays, picking, errors."""
+
+import math
+import unittest
+
+from vtkmodules.vtkCommonCore import (
+    vtkCommand,
+    vtkDoubleArray,
+    vtkIdList,
+    vtkPoints,
+    vtkUnsignedCharArray,
+)
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_PYRAMID,
+    VTK_QUADRATIC_HEXAHEDRON,
+    VTK_QUADRATIC_TETRA,
+    VTK_TETRA,
+    VTK_TRIANGLE,
+    VTK_VOXEL,
+    VTK_WEDGE,
+    vtkDataSetAttributes,
+    vtkImageData,
+    vtkPolyData,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkVolume,
+    vtkWindowToImageFilter,
+)
+import vtkmodules.vtkRenderingOpenGL2  # the window
+from vtkIsosurfaceRayTracing import vtkIsosurfacePicker, vtkIsosurfaceRayTraceMeshMapper
+
+SIZE = 6
+CENTER = (3.1, 2.9, 3.05)
+RADIUS = 2.2
+LINEAR_SHAPES = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)
+
+
+def set_values(grid, value):
+    """Point scalars, by a function of the position."""
+    scalars = vtkDoubleArray()
+    scalars.SetName("values")
+    for i in range(grid.GetNumberOfPoints()):
+        scalars.InsertNextValue(value(grid.GetPoint(i)))
+    grid.GetPointData().SetScalars(scalars)
+    return grid
+
+
+def plane(point):
+    return point[0] + 0.5 * point[1] - 0.25 * point[2]
+
+
+def ball(point):
+    return RADIUS - math.dist(point, CENTER)
+
+
+def make_grid(shape, value):
+    source = vtkCellTypeSource()
+    source.SetCellType(shape)
+    source.SetBlocksDimensions(SIZE, SIZE, SIZE)
+    source.SetOutputPrecision(1)
+    source.Update()
+    return set_values(source.GetOutput(), value)
+
+
+def make_structured_grid(value):
+    points = vtkPoints()
+    for z in range(SIZE + 1):
+        for y in range(SIZE + 1):
+            for x in range(SIZE + 1):
+                points.InsertNextPoint(x + 0.1 * math.sin(y), y + 0.1 * math.sin(z), z)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(SIZE + 1, SIZE + 1, SIZE + 1)
+    grid.SetPoints(points)
+    return set_values(grid, value)
+
+
+def make_volume(grid, *isovalues):
+    mapper = vtkIsosurfaceRayTraceMeshMapper()
+    mapper.AutoAdjustSampleDistancesOff()
+    if grid:
+        mapper.SetInputData(grid)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    surface = volume.GetProperty()
+    surface.ShadeOn()
+    colors, opacities = surface.GetRGBTransferFunction(), surface.GetScalarOpacity()
+    colors.RemoveAllPoints()
+    opacities.RemoveAllPoints()
+    for i, isovalue in enumerate(isovalues):
+        surface.GetIsoSurfaceValues().SetValue(i, isovalue)
+        colors.AddRGBPoint(isovalue, 0.9, 0.7, 0.5)
+        opacities.AddPoint(isovalue, 1.0)
+    return mapper, volume
+
+
+def cast(mapper, volume, rays):
+    """The hits of rays, given by origins and directions: (ray, t, cell, normal)."""
+    origins = vtkPoints()
+    origins.SetDataTypeToDouble()
+    directions = vtkDoubleArray()
+    directions.SetNumberOfComponents(3)
+    for origin, direction in rays:
+        origins.InsertNextPoint(origin)
+        directions.InsertNextTuple(direction)
+    output = vtkPolyData()
+    if not mapper.CastRays(volume, origins, directions, output):
+        return None
+    data = output.GetPointData()
+    return [(int(data.GetArray("RayId").GetTuple1(i)), data.GetArray("T").GetTuple1(i),
+             int(data.GetArray("CellId").GetTuple1(i)), data.GetArray("Normals").GetTuple3(i))
+            for i in range(output.GetNumberOfPoints())]  # fmt: skip
+
+
+def parallel_rays(count=15):
+    """From below, through the whole grid."""
+    step = SIZE / count
+    return [((step * (i + 0.37), step * (j + 0.41), -1.0), (0.03, 0.02, 1.0))
+            for i in range(count) for j in range(count)]  # fmt: skip
+
+
+def errors_of(mapper, call):
+    """What is reported while something is called."""
+    messages = []
+
+    def keep(_caller, _event, message):
+        messages.append(message)
+
+    keep.CallDataType = "string0"
+    tag = mapper.AddObserver(vtkCommand.ErrorEvent, keep)
+    call()
+    mapper.RemoveObserver(tag)
+    return messages
+
+
+class TestMeshMapper(unittest.TestCase):
+    def test_a_plane_is_hit_exactly_in_every_shape(self):
+        for shape in LINEAR_SHAPES:
+            with self.subTest(shape=shape):
+                mapper, volume = make_volume(make_grid(shape, plane), 3.3)
+                hits = {ray: (t, normal) for ray, t, _, normal in cast(mapper, volume, parallel_rays())}
+                length = math.sqrt(1.0 + 0.25 + 0.0625)
+                expected = 0
+                for i, (origin, direction) in enumerate(parallel_rays()):
+                    t = (3.3 - plane(origin)) / plane(direction)
+                    point = [o + t * d for o, d in zip(origin, direction)]
+                    if all(0.001 < p < SIZE - 0.001 for p in point):
+                        expected += 1
+                        self.assertAlmostEqual(hits[i][0], t, delta=1e-12)
+                        for n, m in zip(hits[i][1], (1.0, 0.5, -0.25)):
+                            self.assertAlmostEqual(n, -m / length, delta=1e-9)
+                self.assertGreater(expected, 40)
+
+    def test_voxels_are_hexahedra(self):
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        voxels = vtkUnstructuredGrid()
+        voxels.SetPoints(grid.GetPoints())
+        voxels.GetPointData().ShallowCopy(grid.GetPointData())
+        ids = vtkIdList()
+        for cell in range(grid.GetNumberOfCells()):
+            grid.GetCellPoints(cell, ids)
+            voxels.InsertNextCell(VTK_VOXEL, 8, [ids.GetId(i) for i in (0, 1, 3, 2, 4, 5, 7, 6)])
+        expected = cast(*make_volume(grid, 0.0), parallel_rays())
+        self.assertGreater(len(expected), 40)
+        for hit, other in zip(cast(*make_volume(voxels, 0.0), parallel_rays()), expected):
+            self.assertEqual(hit[0], other[0])
+            self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
+
+    def test_other_cells_are_subdivided(self):
+        for shape in (VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON):
+            with self.subTest(shape=shape):
+                grid = make_grid(shape, ball)
+                mapper, volume = make_volume(grid, 0.0)
+                hits = cast(mapper, volume, parallel_rays())
+                self.assertGreater(len(hits), 40)
+                for ray, t, cell, _ in hits:
+                    origin, direction = parallel_rays()[ray]
+                    self.assertLess(abs(ball([o + t * d for o, d in zip(origin, direction)])), 0.15)
+                    self.assertLess(cell, grid.GetNumberOfCells())
+
+    def test_structured_grid(self):
+        grid = make_structured_grid(ball)
+        mapper, volume = make_volume(grid, 0.0)
+        hits = cast(mapper, volume, parallel_rays())
+        listed = vtkUnstructuredGrid()
+        listed.SetPoints(grid.GetPoints())
+        listed.GetPointData().ShallowCopy(grid.GetPointData())
+        ids = vtkIdList()
+        for cell in range(grid.GetNumberOfCells()):
+            grid.GetCellPoints(cell, ids)
+            listed.InsertNextCell(VTK_HEXAHEDRON, ids)
+        self.assertGreater(len(hits), 40)
+        self.assertEqual(hits, cast(*make_volume(listed, 0.0), parallel_rays()))
+
+    def test_hidden_cells(self):
+        for grid in (make_grid(VTK_TETRA, ball), make_structured_grid(ball)):
+            mapper, volume = make_volume(grid, 0.0)
+            before = cast(mapper, volume, parallel_rays())
+            hidden = before[0][2]
+            ghosts = vtkUnsignedCharArray()
+            ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+            ghosts.SetNumberOfTuples(grid.GetNumberOfCells())
+            ghosts.Fill(0)
+            ghosts.SetValue(hidden, vtkDataSetAttributes.HIDDENCELL)
+            grid.GetCellData().AddArray(ghosts)
+            after = cast(mapper, volume, parallel_rays())
+            self.assertIn(hidden, {hit[2] for hit in before})
+            self.assertNotIn(hidden, {hit[2] for hit in after})
+
+    def test_scalars_of_cells_are_averaged_as_by_vtk(self):
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        grid.GetPointData().Initialize()
+        scalars = vtkDoubleArray()
+        scalars.SetName("values")
+        for i in range(grid.GetNumberOfCells()):
+            bounds = grid.GetCell(i).GetBounds()
+            scalars.InsertNextValue(ball([0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]))
+        grid.GetCellData().SetScalars(scalars)
+        average = vtkCellDataToPointData()
+        average.SetInputData(grid)
+        average.Update()
+        hits = cast(*make_volume(grid, 0.0), parallel_rays())
+        self.assertGreater(len(hits), 40)
+        self.assertEqual(hits, cast(*make_volume(average.GetOutput(), 0.0), parallel_rays()))
+
+    def test_pictures_picks_and_rays_agree(self):
+        mapper, volume = make_volume(make_grid(VTK_WEDGE, ball), 0.0, -0.5)
+        volume.GetProperty().GetScalarOpacity().AddPoint(-0.5, 0.4)
+        mapper.ShadowsOn()
+        renderer = vtkRenderer()
+        renderer.AddVolume(volume)
+        window = vtkRenderWindow()
+        window.SetMultiSamples(0)
+        window.SetSize(120, 90)
+        window.AddRenderer(renderer)
+        renderer.ResetCamera()
+        renderer.GetActiveCamera().Azimuth(30.0)
+        renderer.ResetCameraClippingRange()
+        window.Render()
+        grabbed = vtkWindowToImageFilter()
+        grabbed.SetInput(window)
+        grabbed.SetInputBufferTypeToRGB()
+        grabbed.ReadFrontBufferOff()
+        grabbed.Update()
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, renderer.GetActiveCamera(), None, 120, 90, image))
+        drawn = memoryview(grabbed.GetOutput().GetPointData().GetScalars())
+        colors = memoryview(image.GetPointData().GetArray("Colors"))
+        different = sum(max(abs(drawn[i, k] - colors[i, k]) for k in range(3)) > 1 for i in range(120 * 90))
+        self.assertEqual(different, 0)
+        picker = vtkIsosurfacePicker()
+        self.assertTrue(picker.Pick(60, 45, 0, renderer))
+        self.assertAlmostEqual(ball(picker.GetPickPosition()), -0.5, delta=0.1)
+
+    def test_it_hides_and_is_hidden_by_polygons(self):
+        """The picture is that of extracted triangles, but for the edges."""
+        grid = make_grid(VTK_TETRA, ball)
+        pictures = []
+        for is_traced in (True, False):
+            renderer = vtkRenderer()
+            if is_traced:
+                _, volume = make_volume(grid, 0.0)
+                renderer.AddVolume(volume)
+            else:
+                contour = vtkContourFilter()
+                contour.SetInputData(grid)
+                contour.SetValue(0, 0.0)
+                polygons = vtkPolyDataMapper()
+                polygons.SetInputConnection(contour.GetOutputPort())
+                polygons.ScalarVisibilityOff()
+                actor = vtkActor()
+                actor.SetMapper(polygons)
+                renderer.AddActor(actor)
+            window = vtkRenderWindow()
+            window.SetMultiSamples(0)
+            window.SetSize(200, 200)
+            window.AddRenderer(renderer)
+            renderer.ResetCamera(grid.GetBounds())
+            window.Render()
+            depths = vtkWindowToImageFilter()
+            depths.SetInput(window)
+            depths.SetInputBufferTypeToZBuffer()
+            depths.ReadFrontBufferOff()
+            depths.Update()
+            pictures.append(list(memoryview(depths.GetOutput().GetPointData().GetScalars()).cast("B").cast("f")))
+        self.assertGreater(sum(depth < 1.0 for depth in pictures[0]), 5000)
+        different = sum(abs(a - b) > 1e-3 for a, b in zip(*pictures))
+        self.assertLess(different, 60)
+
+    def test_what_is_kept(self):
+        grid = make_grid(VTK_TETRA, ball)
+        mapper, volume = make_volume(grid, 0.0)
+        first = len(cast(mapper, volume, parallel_rays()))
+        self.assertGreater(mapper.GetTreeMemory(), 0)
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 1.0)
+        volume.GetProperty().GetScalarOpacity().AddPoint(1.0, 1.0)
+        self.assertLess(len(cast(mapper, volume, parallel_rays())), first)
+        set_values(grid, lambda point: ball(point) + 1.0)
+        self.assertEqual(len(cast(mapper, volume, parallel_rays())), first)
+
+    def test_threads_change_nothing(self):
+        mapper, volume = make_volume(make_grid(VTK_PYRAMID, ball), 0.0)
+        results = []
+        for threads in (1, 3):
+            mapper.SetNumberOfThreads(threads)
+            results.append(cast(mapper, volume, parallel_rays()))
+        self.assertEqual(*results)
+
+    def test_errors(self):
+        no_scalars = make_grid(VTK_TETRA, ball)
+        no_scalars.GetPointData().Initialize()
+        only_triangles = make_grid(VTK_TRIANGLE, ball)
+        bad_id = make_grid(VTK_TETRA, ball)
+        bad_id.GetCells().GetConnectivityArray().SetTuple1(17, 10**6)
+        too_few = make_grid(VTK_TETRA, ball)
+        too_few.GetPointData().GetScalars().SetNumberOfTuples(5)
+        cases = [(None, "no input"), (no_scalars, "no scalars"), (only_triangles, "no cells of three"),
+                 (bad_id, "Cell 4 has"), (too_few, "5 tuples")]  # fmt: skip
+        for grid, text in cases:
+            with self.subTest(text):
+                mapper, volume = make_volume(grid, 0.0)
+                messages = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+                self.assertEqual(len(messages), 1, messages)
+                self.assertIn(text, messages[0])
+                again = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+                self.assertEqual(again, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
