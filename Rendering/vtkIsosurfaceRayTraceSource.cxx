@@ -67,21 +67,21 @@ vtkIsosurfaceRayTraceSource::~vtkIsosurfaceRayTraceSource() = default;
 std::string vtkIsosurfaceRayTraceSource::FindProblem(
   vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection)
 {
-  const std::string problem =
-    selection.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
-  if (!problem.empty())
-  {
-    return problem;
-  }
   const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const int least = selection.AreOfCells ? 3 : 2;
-  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
+  if (selection.Array && std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
   {
     std::ostringstream text;
     text << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
          << " points. An isosurface needs at least 2 samples along each axis, which are "
          << (least == 2 ? "2 points." : "2 cells, as the scalars are those of cells.");
     return text.str();
+  }
+  const std::string problem =
+    selection.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
+  if (!problem.empty())
+  {
+    return problem;
   }
   const std::string ofGhosts = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
   return ofGhosts.empty() ? vtkIsosurfaceRayTraceGeometry::FindProblem(grid) : ofGhosts;
