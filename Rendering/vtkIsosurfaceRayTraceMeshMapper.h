@@ -149,7 +149,7 @@ public:
    * Set/Get whether surfaces occlude ambient light from each other and from themselves: the ambient
    * term of the shading, and no other, is multiplied by the part of the hemisphere above a hit that
    * is not occluded, on the visible side. A translucent surface transmits one minus its opacity.
-   * Clipped or cropped parts occlude nothing. Shading must be on (vtkVolumeProperty::ShadeOn), and
+   * Clipped parts occlude nothing. Shading must be on (vtkVolumeProperty::ShadeOn), and
    * the ambient light strong enough for it to be visible: vtkVolumeProperty::SetAmbient(0.5); the
    * default of 0.1 is not. Default: off, which costs nothing.
    */
@@ -307,9 +307,6 @@ public:
    * coordinates; pcoords its parametric coordinates in the cell; cellId the cell of the input;
    * isovalue that of the surface; normal its unit normal in world coordinates, by NormalMode,
    * towards smaller values.
-   *
-   * For a projection (maximum or minimum intensity) the one hit is the point of the extreme value,
-   * whatever its opacity; isovalue is that value, and normal that of its isosurface.
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
@@ -331,9 +328,8 @@ public:
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, bit for bit as it is drawn (in stereo, as a window
    * without stereo would show it, as for all pickers of VTK). Other props are ignored. The window
-   * need not have been rendered. Returns 1 if there is a surface (or, for a projection, a value
-   * with any opacity); otherwise returns 0 and changes nothing. The results are those of
-   * IntersectWithLine.
+   * need not have been rendered. Returns 1 if there is a surface; otherwise returns 0 and
+   * changes nothing. The results are those of IntersectWithLine.
    *
    * @sa vtkIsosurfacePicker
    */
@@ -352,9 +348,7 @@ public:
    * Further arrays describe the nearest surface, translucent or not: Normals (3, as of
    * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
    * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
-   * and -1. For a projection, Depth and all others are those of the point of the extreme value,
-   * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
-   * none). Returns whether there is a picture; if not, an error reports why.
+   * and -1. Returns whether there is a picture; if not, an error reports why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);
