@@ -23,11 +23,13 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkRectilinearGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2
 from vtkIsosurfaceRayTracing import (
-    vtkIsosurfaceComparisonFilter, vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceVolume)
+    vtkIsosurfaceComparisonFilter, vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper,
+    vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume)
 
 EDGE = 8
 WINDOW = 20
@@ -69,6 +71,14 @@ def make_image():
     return image
 
 
+def make_mesh():
+    """The same samples as points of hexahedra."""
+    append = vtkAppendFilter()
+    append.AddInputData(make_image())
+    append.Update()
+    return append.GetOutput()
+
+
 def make_sphere():
     source = vtkSphereSource()
     source.SetCenter(-1.2, 0.0, -1.2)
@@ -85,8 +95,8 @@ class Scene:
 
     def __init__(self, window, kind):
         self.window = window
-        self.image = make_image()
-        self.mapper = vtkIsosurfaceRayTraceMapper()
+        self.image = make_mesh() if kind == "mesh" else make_image()
+        self.mapper = vtkIsosurfaceRayTraceMeshMapper() if kind == "mesh" else vtkIsosurfaceRayTraceMapper()
         self.mapper.SetInputData(self.image)
         self.mapper.SetNumberOfThreads(1)
         self.volume = vtkIsosurfaceVolume()
@@ -110,6 +120,9 @@ class Scene:
         self.volume.SetUserMatrix(self.matrix)
         if kind == "everything":
             self.show_everything()
+        elif kind == "mesh":
+            self.mapper.AddClippingPlane(self.plane)
+            self.mapper.ShadowsOn()
         elif kind == "projection":
             self.mapper.SetBlendModeToMaximumIntensity()
         self.renderer = vtkRenderer()
@@ -124,7 +137,7 @@ class Scene:
         window.AddRenderer(self.renderer)
         self.picker = vtkIsosurfacePicker()
         self.filter = vtkIsosurfaceComparisonFilter()
-        self.filter.SetInputData(self.image)
+        self.filter.SetInputData(self.image if kind != "mesh" else make_image())
         self.filter.PicturesOff()
         self.filter.SetImageSize(8, 8)
         self.filter.SetValue(0, 0.5)
@@ -139,11 +152,11 @@ class Scene:
 
     def show_everything(self):
         """All that reads settings, except for projections."""
-        self.mapper.AddClippingPlane(self.plane)
         self.mapper.CapClippingPlanesOn()
         self.mapper.CroppingOn()
         self.mapper.SetCroppingRegionPlanes(-0.9, 0.9, -0.9, 0.9, -0.9, 0.9)
         self.mapper.SetColorArrayName("other")
+        self.mapper.AddClippingPlane(self.plane)
         self.mapper.ShadowsOn()
         self.mapper.AmbientOcclusionOn()
         self.mapper.SetNumberOfAmbientOcclusionRays(2)
@@ -342,6 +355,27 @@ def pick_everywhere(scene):
             [0, 0, 0])
 
 
+def set_points(scene, ids, value):
+    for i in ids:
+        scene.image.GetPoints().SetPoint(i, value, value, value)
+    scene.image.Modified()
+
+
+def set_ids(scene, place, value):
+    scene.image.GetCells().GetConnectivityArray().SetTuple1(place, value)
+    scene.image.Modified()
+
+
+def set_offset(scene, place, value):
+    scene.image.GetCells().GetOffsetsArray().SetTuple1(place, value)
+    scene.image.Modified()
+
+
+def set_shapes(scene, shape):
+    scene.image.GetCellTypesArray().Fill(shape)
+    scene.image.Modified()
+
+
 # Name, attack, and a word of the remedy; none where something is drawn, or VTK decides.
 TABLE = [
     ("rays that are not finite", cast_invalid_rays, ""),
@@ -369,6 +403,20 @@ TABLE = [
     ("no opacities", lambda s: s.opacity.RemoveAllPoints(), ""),
     ("an isovalue that is NaN", lambda s: s.isovalues.SetValue(0, NAN), ""),
     ("no isovalues", lambda s: s.isovalues.SetNumberOfContours(0), ""),
+    ("ghost points, too few", lambda s: set_ghosts(s, "Point", 5, 1), "vtkGhostType"),
+    ("ghost points, none", lambda s: set_ghosts(s, "Point", 0, 1), "vtkGhostType"),
+    ("ghost points, too many", lambda s: set_ghosts(s, "Point", EDGE**3 + 1, 1), "vtkGhostType"),
+    ("ghost points of 2 components", lambda s: set_ghosts(s, "Point", EDGE**3, 2), "vtkGhostType"),
+    ("ghost cells, too few", lambda s: set_ghosts(s, "Cell", 5, 1), "vtkGhostType"),
+    ("scalars that are text", lambda s: set_scalars(s, vtkStringArray()), "SelectScalarArray"),
+    ("scalars that are variants", lambda s: set_scalars(s, vtkVariantArray()), "SelectScalarArray"),
+    ("scalars that are bits", lambda s: set_scalars(s, vtkBitArray()), ""),
+    ("too few scalars", lambda s: set_scalars(s, vtkFloatArray(), 5), "every point"),
+    ("no scalars at all", lambda s: set_scalars(s, vtkFloatArray(), 0), "every point"),
+    ("fewer scalars later", lambda s: resize_after_a_frame(s, "distance"), "every point"),
+]
+
+TABLE_OF_IMAGES = [
     ("spacing 0", lambda s: s.image.SetSpacing(1, 0, 1), "spacing"),
     ("a singular direction", lambda s: s.image.SetDirectionMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1), "full rank"),
     ("an empty extent", lambda s: s.image.SetExtent(0, -1, 0, -1, 0, -1), "at least 2"),
@@ -379,21 +427,10 @@ TABLE = [
     ("coordinates out of order", lambda s: set_coordinates(s, [-1, 0.9]), "ascend or descend"),
     ("equal coordinates", lambda s: set_coordinates(s, EDGE * [0.5]), "must differ"),
     ("too few coordinates", lambda s: set_coordinates(s, []), "one for each"),
-    ("ghost points, too few", lambda s: set_ghosts(s, "Point", 5, 1), "vtkGhostType"),
-    ("ghost points, none", lambda s: set_ghosts(s, "Point", 0, 1), "vtkGhostType"),
-    ("ghost points, too many", lambda s: set_ghosts(s, "Point", EDGE**3 + 1, 1), "vtkGhostType"),
-    ("ghost points of 2 components", lambda s: set_ghosts(s, "Point", EDGE**3, 2), "vtkGhostType"),
-    ("ghost cells, too few", lambda s: set_ghosts(s, "Cell", 5, 1), "vtkGhostType"),
     ("ghost cells in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Cell", 5, 1, b)), "Block 2"),
     ("ghost points in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Point", 5, 1, b)), "Block 2"),
     ("unlike colours in a block", lambda s: set_blocks(s, set_block_colors), "Block 2"),
     ("blocks without spacing", lambda s: set_blocks(s, lambda b: b.SetSpacing(NAN, 1, 1)), "Block 2"),
-    ("scalars that are text", lambda s: set_scalars(s, vtkStringArray()), "SelectScalarArray"),
-    ("scalars that are variants", lambda s: set_scalars(s, vtkVariantArray()), "SelectScalarArray"),
-    ("scalars that are bits", lambda s: set_scalars(s, vtkBitArray()), ""),
-    ("too few scalars", lambda s: set_scalars(s, vtkFloatArray(), 5), "every point"),
-    ("no scalars at all", lambda s: set_scalars(s, vtkFloatArray(), 0), "every point"),
-    ("fewer scalars later", lambda s: resize_after_a_frame(s, "distance"), "every point"),
     ("fewer colours", lambda s: (s.mapper.SetColorArrayName("other"), resize_after_a_frame(s, "other")),
      "SetColorArrayName"),
     ("a colour image without points", lambda s: set_color_image(s, lambda c: c.Initialize()),
@@ -403,6 +440,21 @@ TABLE = [
      "SetColorArrayName"),
     ("a colour image without spacing", lambda s: set_color_image(s, lambda c: c.SetSpacing(0, 1, 1)), "port 1"),
     ("a colour image at NaN", lambda s: set_color_image(s, lambda c: c.SetOrigin(NAN, 1, 1)), "port 1"),
+]
+
+TABLE_OF_MESHES = [
+    ("a point at NaN", lambda s: set_points(s, [0], NAN), ""),
+    ("all points at infinity", lambda s: set_points(s, range(EDGE**3), INF), ""),
+    ("all points at one place", lambda s: set_points(s, range(EDGE**3), 0.1), ""),
+    ("points that are far away", lambda s: set_points(s, range(100), 1e300), ""),
+    ("no points", lambda s: s.image.SetPoints(vtkPoints()), "0 points"),
+    ("an id that is too large", lambda s: set_ids(s, 20, EDGE**3), "Cell 2 has"),
+    ("a negative id", lambda s: set_ids(s, 8, -1), "Cell 1 has"),
+    ("an offset that is too large", lambda s: set_offset(s, 5, 10**6), "Cell 4 has"),
+    ("a negative offset", lambda s: set_offset(s, 5, -8), "Cell 4 has"),
+    ("cells of no shape that is traced", lambda s: set_shapes(s, 0), "no cells of three dimensions"),
+    ("tetrahedra with eight points", lambda s: set_shapes(s, 10), "Cell 0 has"),
+    ("one point for all corners", lambda s: [set_ids(s, i, 7) for i in range(8)], ""),
 ]
 
 
@@ -433,7 +485,7 @@ class Attacker:
         scene = self.begin(name, attack)
         if subject == "mapper":
             for getter in dir(scene.mapper):
-                if getter.startswith("Get") and hasattr(vtkIsosurfaceRayTraceMapper, "S" + getter[1:]):
+                if getter.startswith("Get") and hasattr(scene.mapper, "S" + getter[1:]):
                     self.check_setting(scene, name, getter)
         if name.partition("(")[0] in NOT_USED:
             return
@@ -470,7 +522,7 @@ class Attacker:
         for subject in OURS + OF_VTK:
             for name, attack in find_setters(sample, subject):
                 self.attack_setter(subject, name, attack)
-        for row in TABLE:
+        for row in TABLE + (TABLE_OF_MESHES if self.kind == "mesh" else TABLE_OF_IMAGES):
             self.attack_by_table(*row)
         print(f"DONE {self.count}")
 
@@ -500,6 +552,9 @@ class TestInvalidInput(unittest.TestCase):
 
     def test_projection(self):
         self.attack("projection")
+
+    def test_mesh(self):
+        self.attack("mesh")
 
     def test_nan_is_refused(self):
         """By every setting that is a number: the old value stays, and an error says so."""
