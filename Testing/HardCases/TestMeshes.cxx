@@ -13,6 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <string>
 
 using namespace HardCases;
@@ -50,10 +53,16 @@ std::vector<Oracle::Cell> ToOracle(const TestMesh& mesh)
   return cells;
 }
 
-/// Whether a line comes near a cell at all.
+/// Whether a line comes near a cell at all, and the cell is finite.
 bool IsNear(const Oracle::Cell& cell, const Line& line)
 {
   using namespace vtkIsosurfaceRayTracing;
+  const auto isFinite = [](const Triple& p) { return std::isfinite(p[0] + p[1] + p[2]); };
+  if (!std::all_of(cell.Points.begin(), cell.Points.end(), isFinite) ||
+    !std::all_of(cell.Values.begin(), cell.Values.end(), [](double v) { return std::isfinite(v); }))
+  {
+    return false;
+  }
   Triple lower = cell.Points[0];
   Triple upper = cell.Points[0];
   for (const Triple& p : cell.Points)
@@ -70,6 +79,32 @@ bool IsNear(const Oracle::Cell& cell, const Line& line)
   const double t = Dot(way, line.Direction) / Dot(line.Direction, line.Direction);
   return Oracle::Length(way - line.Direction * t) <= radius;
 }
+
+/// How far rounding may move positions near a point of a line, in sizes of the cell.
+double GetRoundingOfPositions(const Oracle::Cell& cell, const Line& line, double t)
+{
+  const double reach = std::abs(t) * Oracle::Length(line.Direction);
+  return 0x1p-50 *
+    (1.0 + (Oracle::GetLargestCoordinate(cell) + reach) / Oracle::GetSize(cell));
+}
+
+/// What rounding may do to a root.
+struct Uncertainty
+{
+  Uncertainty(const Oracle::Cell& cell, const Oracle::CellRoot& root, const Line& line)
+    : Size(Oracle::GetSize(cell))
+  {
+    const double position = GetRoundingOfPositions(cell, line, static_cast<double>(root.T));
+    const double error = (Band + root.Steepness * position) / std::abs(root.Slope);
+    this->AlongLine = std::max(Accuracy, error) * this->Size;
+    this->MayVanish = root.FromFace < std::max(Accuracy, root.Stretch * position) || error > 1e-6;
+  }
+
+  double Size;
+  double AlongLine;
+  /// So near to a face that rounding decides in which cell it is, or so nearly tangent.
+  bool MayVanish;
+};
 
 /// Compares all hits of rays to the oracle's roots.
 class MeshTally
@@ -111,6 +146,13 @@ public:
     {
       this->Table.Note(std::to_string(this->InBand) + " rays in the band");
     }
+    if (this->IllConditioned > 0.0)
+    {
+      std::ostringstream note;
+      note << "errors up to " << std::setprecision(2) << this->IllConditioned
+           << " where positions are rounded so";
+      this->Table.Note(note.str());
+    }
     this->Table.Report();
   }
 
@@ -131,22 +173,21 @@ private:
     std::sort(roots.begin(), roots.end(),
       [](const Oracle::CellRoot& a, const Oracle::CellRoot& b) { return a.T < b.T; });
 
-    // Roots so near to a face that rounding decides in which cell they are, or so nearly tangent
-    // that they may vanish.
     std::size_t certain = 0;
     std::size_t missed = 0;
     bool isInBand = false;
     const double length = Oracle::Length(line.Direction);
     for (const Oracle::CellRoot& root : roots)
     {
-      const double size = Oracle::GetSize(cells[static_cast<std::size_t>(root.Cell)]);
-      const double slack = std::max(Accuracy, Band / std::abs(root.Slope)) * size;
+      const Uncertainty uncertainty(cells[static_cast<std::size_t>(root.Cell)], root, line);
+      const double size = uncertainty.Size;
+      const double slack = uncertainty.AlongLine;
       const auto error = [&](const Hit& hit)
       { return std::abs(static_cast<double>(hit.T - root.T)) * length; };
       const auto best = std::min_element(hits.begin(), hits.end(),
         [&error](const Hit& a, const Hit& b) { return error(a) < error(b); });
       const bool isFound = best != hits.end() && error(*best) <= slack;
-      const bool isUncertain = root.FromFace < Accuracy || std::abs(root.Slope) < 1e-6;
+      const bool isUncertain = uncertainty.MayVanish;
       isInBand = isInBand || isUncertain;
       certain += isUncertain ? 0 : 1;
       if (!isFound && !isUncertain)
@@ -154,9 +195,13 @@ private:
         ++missed;
         this->Print("miss", isovalue, line, static_cast<double>(root.T));
       }
-      if (isFound && !isUncertain)
+      if (isFound && !isUncertain && slack <= Accuracy * size)
       {
         this->Table.AddError(error(*best) / size);
+      }
+      else if (isFound && !isUncertain)
+      {
+        this->IllConditioned = std::max(this->IllConditioned, error(*best) / size);
       }
     }
     std::size_t invented = 0;
@@ -164,17 +209,19 @@ private:
     {
       const Oracle::Residual residual = GetResidual(
         cells[static_cast<std::size_t>(hit.Cell)], isovalue, line, hit.T, hit.Parametric);
-      const bool isGood = std::abs(residual.Value) <= 1e-9 && std::abs(residual.Beside) <= Accuracy;
+      const double beside = std::max(Accuracy,
+        GetRoundingOfPositions(cells[static_cast<std::size_t>(hit.Cell)], line, hit.T));
+      const bool isGood = std::abs(residual.Value) <= 1e-9 && std::abs(residual.Beside) <= beside;
       const auto near = std::count_if(roots.begin(), roots.end(),
         [&](const Oracle::CellRoot& root)
         {
-          const double size = Oracle::GetSize(cells[static_cast<std::size_t>(root.Cell)]);
-          const double slack = std::max(Accuracy, Band / std::abs(root.Slope)) * size;
-          return std::abs(static_cast<double>(hit.T - root.T)) * length <= slack;
+          const Uncertainty uncertainty(cells[static_cast<std::size_t>(root.Cell)], root, line);
+          return std::abs(static_cast<double>(hit.T - root.T)) * length <= uncertainty.AlongLine;
         });
       if (!isGood || (near == 0 && !isInBand))
       {
         ++invented;
+        if (!isGood) std::printf("DBG value %g beside %g par %g %g %g cell %d size %g corners %d\n", residual.Value, residual.Beside, hit.Parametric[0], hit.Parametric[1], hit.Parametric[2], (int)hit.Cell, Oracle::GetSize(cells[hit.Cell]), (int)cells[hit.Cell].Points.size());
         this->Print(isGood ? "invented" : "off the surface", isovalue, line, hit.T);
       }
     }
@@ -202,6 +249,8 @@ private:
   int Starts;
   int Printed = 0;
   std::size_t InBand = 0;
+  /// The largest error of a hit that rounding of positions alone moves by more than the accuracy.
+  double IllConditioned = 0.0;
 };
 
 const char* NameOf(Cutting cutting)
@@ -343,6 +392,341 @@ TEST(TestMeshes, RaysThroughPointsEdgesAndFaces)
       {
         tally.Note(std::to_string(count.Disorder) + " rays enter twice along an edge");
         EXPECT_LT(count.Disorder * 200, count.Rays);
+      }
+      tally.Report();
+    }
+  }
+}
+
+namespace
+{
+
+/// Moves all points of a mesh.
+template <typename Function>
+TestMesh Map(TestMesh mesh, const Function& function)
+{
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    const Triple moved = function(Triple{ mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2] });
+    std::copy(moved.begin(), moved.end(), &mesh.Points[i]);
+  }
+  return mesh;
+}
+
+/// Lines through the images of two points of a box, from outside of it.
+template <typename Function>
+std::vector<Line> MapLines(
+  RandomNumbers& random, const Triple& upper, std::size_t count, const Function& function)
+{
+  using namespace vtkIsosurfaceRayTracing;
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Triple a = function(random.PointInBox({ 0.0, 0.0, 0.0 }, upper));
+    const Triple b = function(random.PointInBox({ 0.0, 0.0, 0.0 }, upper));
+    lines.push_back({ a - (b - a) * 3.0, b - a });
+  }
+  return lines;
+}
+
+/// Meshes of every kind of cells with random values, whose points are moved by a function.
+template <typename Function>
+void CheckMapped(const std::string& name, std::uint64_t seed, const Function& function)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(seed);
+    MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", " + name);
+    for (int i = 0; i < 3; ++i)
+    {
+      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      tally.Check(Map(mesh, function), random.Uniform(-0.3, 0.3),
+        MapLines(random, { 4.0, 3.0, 3.0 }, 40, function));
+    }
+    tally.Report();
+  }
+}
+
+}
+
+TEST(TestMeshes, StretchedCells)
+{
+  for (const double stretch : { 1e3, 1e6 })
+  {
+    const std::string name = "stretched " + std::to_string(static_cast<int>(stretch)) + " : 1";
+    CheckMapped(name + " along an axis", 202,
+      [stretch](const Triple& p) { return Triple{ p[0], p[1], p[2] / stretch }; });
+    CheckMapped(name + " aslant", 203,
+      [stretch](const Triple& p)
+      {
+        const double along = p[0] + p[1] + p[2];
+        return Triple{ p[0] / stretch + 0.3 * along, p[1] / stretch + 0.5 * along,
+          p[2] / stretch + 0.7 * along };
+      });
+  }
+}
+
+TEST(TestMeshes, CellsOfManySizes)
+{
+  // Along each axis cells of 1e-6 are beside cells of 1.
+  const auto shrink = [](double x) { return x < 2.0 ? 1e-6 * x : 2e-6 + (x - 2.0); };
+  const auto function = [&shrink](const Triple& p)
+  { return Triple{ shrink(p[0]), shrink(p[1]), shrink(p[2]) }; };
+  CheckMapped("sizes 1e6 : 1", 204, function);
+}
+
+TEST(TestMeshes, FarAndSmall)
+{
+  CheckMapped("at 1e7", 205,
+    [](const Triple& p) { return Triple{ p[0] + 1e7, p[1] - 1e7, p[2] + 3e7 }; });
+  CheckMapped("1e-7 large", 206,
+    [](const Triple& p) { return Triple{ p[0] * 1e-7, p[1] * 1e-7, p[2] * 1e-7 }; });
+  CheckMapped("1e7 large", 207,
+    [](const Triple& p) { return Triple{ p[0] * 1e7, p[1] * 1e7, p[2] * 1e7 }; });
+}
+
+TEST(TestMeshes, TwistedCells)
+{
+  for (const double jitter : { 0.45, 0.8 })
+  {
+    for (const Cutting cutting : AllCuttings)
+    {
+      RandomNumbers random(208);
+      std::ostringstream name;
+      name << "mesh of " << NameOf(cutting) << ", points moved by " << jitter;
+      MeshTally tally(name.str(), 8);
+      for (int i = 0; i < 3; ++i)
+      {
+        const TestMesh mesh = MakeMesh(random, { 3, 3, 2 }, cutting, jitter,
+          [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+        tally.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 4, 4, 3 }, 20));
+      }
+      tally.Report();
+    }
+  }
+}
+
+namespace
+{
+
+/// Replaces the corners of a cell by others: corner i by that which was the order's i-th.
+void Permute(TestMesh& mesh, std::size_t cell, const std::vector<std::int64_t>& order)
+{
+  const auto first = mesh.Connectivity.begin() + mesh.Offsets[cell];
+  const std::vector<std::int64_t> before(first, mesh.Connectivity.begin() + mesh.Offsets[cell + 1]);
+  std::transform(order.begin(), order.end(), first,
+    [&before](std::int64_t corner) { return before[static_cast<std::size_t>(corner)]; });
+}
+
+}
+
+TEST(TestMeshes, InvertedCells)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(209);
+    MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", half of them inverted");
+    for (int i = 0; i < 5; ++i)
+    {
+      TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      for (std::size_t cell = 0; cell < mesh.Shapes.size(); cell += 2)
+      {
+        switch (mesh.Offsets[cell + 1] - mesh.Offsets[cell])
+        {
+          case 4:
+            Permute(mesh, cell, { 0, 2, 1, 3 });
+            break;
+          case 5:
+            Permute(mesh, cell, { 0, 3, 2, 1, 4 });
+            break;
+          case 6:
+            Permute(mesh, cell, { 3, 4, 5, 0, 1, 2 });
+            break;
+          default:
+            Permute(mesh, cell, { 4, 5, 6, 7, 0, 1, 2, 3 });
+        }
+      }
+      tally.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 5, 4, 4 }, 40));
+    }
+    tally.Report();
+  }
+}
+
+TEST(TestMeshes, PinchedCells)
+{
+  // Corners of hexahedra that are one point: an edge, a face (a wedge, a pyramid), opposite ones.
+  struct Pinch
+  {
+    const char* Name;
+    std::vector<std::int64_t> Corners;
+  };
+  const Pinch pinches[] = { { "an edge", { 0, 0, 2, 3, 4, 5, 6, 7 } },
+    { "two edges of a face", { 0, 1, 1, 0, 4, 5, 6, 7 } },
+    { "two edges of opposite faces", { 0, 1, 2, 2, 4, 5, 6, 6 } },
+    { "a face", { 0, 1, 2, 3, 4, 4, 4, 4 } },
+    { "an edge and a face", { 0, 1, 2, 2, 4, 4, 4, 4 } },
+    { "a diagonal of a face", { 0, 1, 0, 3, 4, 5, 6, 7 } },
+    { "a diagonal", { 0, 1, 2, 3, 4, 5, 0, 7 } },
+    { "opposite faces", { 0, 1, 2, 3, 0, 1, 2, 3 } },
+    { "all corners", { 0, 0, 0, 0, 0, 0, 0, 0 } } };
+  for (const Pinch& pinch : pinches)
+  {
+    RandomNumbers random(210);
+    MeshTally tally(std::string("mesh of hexahedra pinched at ") + pinch.Name, 6);
+    for (int i = 0; i < 5; ++i)
+    {
+      TestMesh mesh = MakeMesh(random, { 3, 3, 3 }, Cutting::Hexahedra, 0.2,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      for (std::size_t cell = 0; cell < mesh.Shapes.size(); ++cell)
+      {
+        Permute(mesh, cell, pinch.Corners);
+      }
+      tally.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 4, 4, 4 }, 40));
+    }
+    tally.Report();
+  }
+}
+
+TEST(TestMeshes, FlatCells)
+{
+  // Every third layer of points lies on the one below: cells without a volume between others.
+  const auto function = [](const Triple& p)
+  { return Triple{ p[0], p[1], p[2] < 1.5 ? std::min(p[2], 1.0) : p[2] - 1.0 }; };
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(211);
+    MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", a layer of them flat");
+    for (int i = 0; i < 5; ++i)
+    {
+      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.0,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      tally.Check(Map(mesh, function), random.Uniform(-0.3, 0.3),
+        MapLines(random, { 4.0, 3.0, 3.0 }, 40, function));
+    }
+    tally.Report();
+  }
+}
+
+TEST(TestMeshes, NumbersThatAreNotFinite)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(212);
+    MeshTally tally(
+      std::string("mesh of ") + NameOf(cutting) + ", NaN and infinite values and coordinates");
+    for (int i = 0; i < 5; ++i)
+    {
+      TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      const int last = static_cast<int>(mesh.Values.size()) - 1;
+      for (const double bad : { nan, infinity, -infinity })
+      {
+        mesh.Values[static_cast<std::size_t>(random.Integer(0, last))] = bad;
+        mesh.Points[static_cast<std::size_t>(3 * random.Integer(0, last) + random.Integer(0, 2))] =
+          bad;
+      }
+      tally.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 5, 4, 4 }, 40));
+    }
+    tally.Report();
+  }
+}
+
+namespace
+{
+
+/// Adds the cells of another mesh, with points of their own.
+void Append(TestMesh& mesh, const TestMesh& other)
+{
+  const auto first = static_cast<std::int64_t>(mesh.Values.size());
+  mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
+  mesh.Values.insert(mesh.Values.end(), other.Values.begin(), other.Values.end());
+  mesh.Shapes.insert(mesh.Shapes.end(), other.Shapes.begin(), other.Shapes.end());
+  const std::int64_t offset = mesh.Offsets.back();
+  for (std::size_t cell = 1; cell < other.Offsets.size(); ++cell)
+  {
+    mesh.Offsets.push_back(offset + other.Offsets[cell]);
+  }
+  for (const std::int64_t id : other.Connectivity)
+  {
+    mesh.Connectivity.push_back(first + id);
+  }
+}
+
+}
+
+TEST(TestMeshes, OverlapsAndHangingNodes)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(213);
+    const auto value = [&random](const Index&) { return random.Uniform(-1.0, 1.0); };
+    MeshTally overlaps(std::string("mesh of ") + NameOf(cutting) + ", overlapping another");
+    MeshTally nodes(std::string("mesh of ") + NameOf(cutting) + ", beside one half as fine");
+    for (int i = 0; i < 3; ++i)
+    {
+      const TestMesh fine = Map(MakeMesh(random, { 4, 4, 4 }, cutting, 0.1, value),
+        [](const Triple& p) { return Triple{ 0.5 * p[0], 0.5 * p[1], 0.5 * p[2] }; });
+      TestMesh mesh = MakeMesh(random, { 3, 3, 3 }, cutting, 0.1, value);
+      Append(mesh, fine);
+      overlaps.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 4, 4, 4 }, 30));
+      mesh = MakeMesh(random, { 2, 2, 2 }, cutting, 0.0, value);
+      Append(mesh, Map(fine, [](const Triple& p) { return Triple{ p[0] + 2.0, p[1], p[2] }; }));
+      nodes.Check(mesh, random.Uniform(-0.3, 0.3), RandomLines(random, { 5, 3, 3 }, 30));
+    }
+    overlaps.Report();
+    nodes.Report();
+  }
+}
+
+TEST(TestMeshes, RaysFromInside)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(214);
+    MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", rays that begin and end inside");
+    for (int i = 0; i < 5; ++i)
+    {
+      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
+      std::vector<Line> lines;
+      for (int k = 0; k < 60; ++k)
+      {
+        const double begin = random.Uniform(-2.0, 2.0);
+        lines.push_back({ random.PointInBox({ 0.0, 0.0, 0.0 }, { 4.0, 3.0, 3.0 }),
+          random.Direction(), begin, begin + random.Uniform(0.0, 3.0) });
+      }
+      tally.Check(mesh, random.Uniform(-0.3, 0.3), lines);
+    }
+    tally.Report();
+  }
+}
+
+TEST(TestMeshes, LargeAndSmallValues)
+{
+  struct Case
+  {
+    const char* Name;
+    double Offset;
+    double Factor;
+  };
+  for (const Case& values : { Case{ "values 1e15 + eighths", 1e15, 1.0 },
+         Case{ "values about 1e-300", 0.0, 1e-300 }, Case{ "values about 1e300", 0.0, 1e300 },
+         Case{ "values of either sign about 1e307", 0.0, 4e307 } })
+  {
+    for (const Cutting cutting : AllCuttings)
+    {
+      RandomNumbers random(215);
+      MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", " + values.Name);
+      for (int i = 0; i < 3; ++i)
+      {
+        const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+          [&](const Index&) { return values.Offset + random.Integer(-8, 8) / 8.0 * values.Factor; });
+        tally.Check(mesh, values.Offset + 0.1875 * values.Factor,
+          RandomLines(random, { 5, 4, 4 }, 30));
       }
       tally.Report();
     }

@@ -64,12 +64,12 @@ bool Solve(
   return true;
 }
 
-double GetLargestDifference(const Cell& cell, double isovalue)
+Quad GetLargestDifference(const Cell& cell, double isovalue)
 {
-  double largest = 0.0;
+  Quad largest = 0;
   for (const double value : cell.Values)
   {
-    largest = std::max(largest, std::abs(value - isovalue));
+    largest = std::max(largest, Absolute(static_cast<Quad>(value) - static_cast<Quad>(isovalue)));
   }
   return largest;
 }
@@ -158,6 +158,7 @@ public:
   Equations(const Cell& cell, double isovalue, const Line& line)
     : TheCell(cell)
     , Isovalue(isovalue)
+    , Unit(static_cast<Number>(GetLargestDifference(cell, isovalue)))
     , Origin(To<Number>(line.Origin))
     , Frame(GetFrame<Number>(line))
   {
@@ -167,7 +168,7 @@ public:
   {
     const Sample<Number> sample = Evaluate(this->TheCell, this->Isovalue, p);
     const Vector<Number> way = Minus(sample.Point, this->Origin);
-    return { Dot(way, this->Frame[0]), Dot(way, this->Frame[1]), sample.Value };
+    return { Dot(way, this->Frame[0]), Dot(way, this->Frame[1]), sample.Value / this->Unit };
   }
 
   /// The weights are linear in each coordinate: differences are derivatives.
@@ -213,6 +214,7 @@ public:
 private:
   const Cell& TheCell;
   double Isovalue;
+  Number Unit;
   Vector<Number> Origin;
   std::array<Vector<Number>, 2> Frame;
 };
@@ -237,10 +239,21 @@ CellRoot MakeRoot(const Cell& cell, std::int64_t number, double isovalue, const 
   QuadTriple change = {};
   const bool hasSlope = Solve(columns, direction, change);
   const Quad slope = hasSlope ? Dot(slopes, change) : Quad(0);
-  const double scale =
-    GetSize(cell) / (GetLargestDifference(cell, isovalue) * Length(line.Direction));
+  Quad steepest = 0;
+  Quad stretch = 0;
+  for (std::size_t axis = 0; axis < 3 && hasSlope; ++axis)
+  {
+    QuadTriple along = {};
+    along[axis] = 1;
+    Solve(columns, along, change);
+    steepest = std::max(steepest, Absolute(Dot(slopes, change)));
+    stretch = std::max({ stretch, Absolute(change[0]), Absolute(change[1]), Absolute(change[2]) });
+  }
+  const Quad size = GetSize(cell);
+  const Quad unit = GetLargestDifference(cell, isovalue) / size;
   return { number, Dot(way, direction) / Dot(direction, direction),
-    static_cast<double>(slope) * scale,
+    static_cast<double>(slope / (unit * static_cast<Quad>(Length(line.Direction)))),
+    static_cast<double>(steepest / unit), static_cast<double>(stretch * size),
     static_cast<double>(GetDepth(cell.Points.size(), parametric)) };
 }
 
@@ -257,6 +270,17 @@ double GetSize(const Cell& cell)
     size = std::max(size, (*high)[axis] - (*low)[axis]);
   }
   return size;
+}
+
+//------------------------------------------------------------------------------
+double GetLargestCoordinate(const Cell& cell)
+{
+  double largest = 0.0;
+  for (const Triple& p : cell.Points)
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------
@@ -278,12 +302,13 @@ std::vector<CellRoot> FindRoots(
   {
     Triple start = { (i % count + 0.5) / count, (i / count % count + 0.5) / count,
       (i / count / count + 0.5) / count };
-    if (!equations.Converge(start, 1e-6) || GetDepth(corners, start) < -1e-3)
+    // Double precision sorts out starts that lead nowhere.
+    if (count > 1 && (!equations.Converge(start, 1e-6) || GetDepth(corners, start) < -1e-3))
     {
       continue;
     }
     QuadTriple p = To<Quad>(start);
-    if (!exact.Converge(p, 1e-28) || GetDepth(corners, p) < 0)
+    if (!exact.Converge(p, 1e-18) || GetDepth(corners, p) < 0)
     {
       continue;
     }
@@ -291,7 +316,7 @@ std::vector<CellRoot> FindRoots(
     if (root.T >= line.Begin && root.T <= line.End &&
       std::none_of(roots.begin(), roots.end(),
         [&root, &cell, &line](const CellRoot& other)
-        { return Absolute(other.T - root.T) * Length(line.Direction) < GetSize(cell) * 1e-20; }))
+        { return Absolute(other.T - root.T) * Length(line.Direction) < GetSize(cell) * 1e-14; }))
     {
       roots.push_back(root);
     }
@@ -311,7 +336,7 @@ Residual GetResidual(
     way[axis] -= static_cast<Quad>(t) * static_cast<Quad>(line.Direction[axis]);
     square += way[axis] * way[axis];
   }
-  return { static_cast<double>(sample.Value) / GetLargestDifference(cell, isovalue),
+  return { static_cast<double>(sample.Value / GetLargestDifference(cell, isovalue)),
     std::sqrt(static_cast<double>(square)) / GetSize(cell) };
 }
 

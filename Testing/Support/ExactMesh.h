@@ -31,12 +31,19 @@ struct CellRoot
   /// The change of the value along the line, per length of the line, in units of the largest
   /// difference between a corner and the isovalue, and of the size of the cell.
   double Slope;
+  /// The largest change of the value, and of a parametric coordinate, along any axis of space, in
+  /// the same units: how much they suffer from the rounding of positions.
+  double Steepness;
+  double Stretch;
   /// The smallest distance of the root's parametric coordinates from a face.
   double FromFace;
 };
 
 /// The largest extent of a cell along an axis.
 double GetSize(const Cell& cell);
+
+/// The largest coordinate of a cell: positions are rounded in proportion to it.
+double GetLargestCoordinate(const Cell& cell);
 
 /// The roots in one cell, in no order. Those of a tetrahedron are exact. In the others Newton's
 /// method starts from a lattice of points, so many along each axis: dense enough, it finds all.

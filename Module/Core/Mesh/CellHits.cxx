@@ -4,7 +4,6 @@
 #include "Mesh/CellHits.h"
 
 #include "Mesh/ShapeFunctions.h"
-#include "Mesh/TrilinearSystem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,19 @@ namespace
 bool IsInside(double difference)
 {
   return difference >= 0.0;
+}
+
+/// Whether a solution is within the cell and a point of its own, clearly: neither on the border nor
+/// one of many (a ray in the surface).
+bool IsIsolated(const Vector3& solution, const TrilinearSystem& system)
+{
+  const Vector3 rows[3] = { InterpolantGradient(system.Functions[0], solution),
+    InterpolantGradient(system.Functions[1], solution),
+    InterpolantGradient(system.Functions[2], solution) };
+  const double volume = std::abs(Dot(rows[0], Cross(rows[1], rows[2])));
+  return volume > 1e-8 * Length(rows[0]) * Length(rows[1]) * Length(rows[2]) &&
+    std::all_of(
+      solution.begin(), solution.end(), [](double x) { return x > 1e-9 && x < 1.0 - 1e-9; });
 }
 
 void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weights)
@@ -38,7 +50,23 @@ bool CellHits::Enter(const MeshCell& cell)
     this->Points[i] = this->Frame.Get(cell.Points[i]);
   }
   this->Faces.Find(cell, this->Points);
+  this->Slack = 1e-9 * this->GetExtent();
   return this->Faces.Count > 0;
+}
+
+//------------------------------------------------------------------------------
+/// The largest extent of the cell in the frame, as a difference of t.
+double CellHits::GetExtent() const
+{
+  const auto extent = [this](auto coordinate)
+  {
+    const auto [low, high] = std::minmax_element(this->Points, this->Points + this->Cell->Count,
+      [&](const FramePoint& a, const FramePoint& b) { return coordinate(a) < coordinate(b); });
+    return coordinate(*high) - coordinate(*low);
+  };
+  return std::max({ extent([](const FramePoint& p) { return p.T; }),
+    this->Frame.ToT(extent([](const FramePoint& p) { return p.X; })),
+    this->Frame.ToT(extent([](const FramePoint& p) { return p.Y; })) });
 }
 
 //------------------------------------------------------------------------------
@@ -86,38 +114,74 @@ void CellHits::FindOfTrilinear(const double* differences)
   };
   system.Solve(this->Solutions);
   std::vector<CellHit> hits;
+  // In a cell that is twisted over itself there may be hits that are not between crossings.
+  bool isTwisted = false;
   for (const Vector3& solution : this->Solutions)
   {
-    hits.push_back(this->MakeHit(solution));
+    hits.push_back(this->MakeHit(solution, system));
+    isTwisted = isTwisted || (!this->IsInSegment(hits.back().T) && IsIsolated(solution, system));
   }
   std::sort(hits.begin(), hits.end(), [](const CellHit& a, const CellHit& b) { return a.T < b.T; });
+  if (isTwisted)
+  {
+    this->MatchParity(this->Faces.Crossings, this->Faces.Count, differences, hits);
+    this->Hits = hits;
+    return;
+  }
 
   // A cell that is not convex may be crossed several times. What is beyond all crossings is a point
   // where the ray touches the cell.
-  const auto [low, high] = std::minmax_element(this->Points, this->Points + this->Cell->Count,
-    [](const FramePoint& a, const FramePoint& b) { return a.T < b.T; });
-  const double slack = 1e-9 * (high->T - low->T);
-  const FaceCrossing* crossings = this->Faces.Crossings;
-  const int step = this->Faces.AreSegments() ? 2 : this->Faces.Count;
   auto begin = hits.begin();
+  const int step = this->GetStep();
   for (int i = 0; i < this->Faces.Count; i += step)
   {
-    const FaceCrossing* first = crossings + i;
-    const auto isBefore = [first, slack](const CellHit& hit) { return hit.T < first->T - slack; };
-    const auto isBehind = [first, step, slack](const CellHit& hit)
-    { return hit.T > first[step - 1].T + slack; };
+    const FaceCrossing* first = this->Faces.Crossings + i;
+    const FaceCrossing* last = first + step - 1;
+    const auto isBefore = [this, first](const CellHit& hit)
+    { return hit.T < first->T - this->Slack; };
+    const auto isBehind = [this, last](const CellHit& hit)
+    { return hit.T > last->T + this->Slack; };
     begin = std::find_if_not(begin, hits.end(), isBefore);
     const auto end = std::find_if(begin, hits.end(), isBehind);
-    this->AddSegment({ begin, end }, first, step, differences);
+    std::vector<CellHit> segment(begin, end);
+    this->MatchParity(first, step, differences, segment);
+    bool isInside = IsInside(first->Interpolate(differences));
+    for (CellHit& hit : segment)
+    {
+      isInside = !isInside;
+      hit.Entering = isInside;
+      hit.T = std::clamp(hit.T, first->T, std::max(first->T, last->T));
+      this->Hits.push_back(hit);
+    }
     begin = end;
   }
 }
 
 //------------------------------------------------------------------------------
-/// Adds the hits between crossings, where the ray is in the cell. If they ask for one hit more or
-/// less, rounding decided about one on a face.
-void CellHits::AddSegment(
-  std::vector<CellHit> hits, const FaceCrossing* crossings, int count, const double* differences)
+int CellHits::GetStep() const
+{
+  return this->Faces.AreSegments() ? 2 : this->Faces.Count;
+}
+
+//------------------------------------------------------------------------------
+bool CellHits::IsInSegment(double t) const
+{
+  const int step = this->GetStep();
+  for (int i = 0; i < this->Faces.Count; i += step)
+  {
+    if (t >= this->Faces.Crossings[i].T - this->Slack &&
+      t <= this->Faces.Crossings[i + step - 1].T + this->Slack)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// If the signs at crossings ask for one hit more or less, rounding decided about one on a face.
+void CellHits::MatchParity(const FaceCrossing* crossings, int count, const double* differences,
+  std::vector<CellHit>& hits) const
 {
   bool isOdd = hits.size() % 2 != 0;
   const FaceCrossing* nearest = crossings;
@@ -126,36 +190,28 @@ void CellHits::AddSegment(
   {
     const double value = crossings[i].Interpolate(differences);
     isOdd ^= IsInside(value);
-    if (std::abs(value) < leastValue)
+    if (std::abs(value) < std::abs(leastValue))
     {
-      leastValue = std::abs(value);
+      leastValue = value;
       nearest = &crossings[i];
     }
   }
-  if (isOdd)
+  if (!isOdd)
   {
-    const auto distance = [nearest](const CellHit& hit) { return std::abs(hit.T - nearest->T); };
-    const auto extra = std::min_element(hits.begin(), hits.end(),
-      [&distance](const CellHit& a, const CellHit& b) { return distance(a) < distance(b); });
-    const double length = crossings[count - 1].T - crossings[0].T;
-    if (extra != hits.end() && distance(*extra) <= 1e-6 * length)
-    {
-      hits.erase(extra);
-    }
-    else
-    {
-      const CellHit missing = this->MakeHitOnFace(*nearest);
-      hits.insert(nearest == crossings ? hits.begin() : hits.end(), missing);
-    }
+    return;
   }
-  bool isInside = IsInside(crossings[0].Interpolate(differences));
-  for (CellHit& hit : hits)
+  const auto distance = [nearest](const CellHit& hit) { return std::abs(hit.T - nearest->T); };
+  const auto extra = std::min_element(hits.begin(), hits.end(),
+    [&distance](const CellHit& a, const CellHit& b) { return distance(a) < distance(b); });
+  const double length = crossings[count - 1].T - crossings[0].T;
+  if (extra != hits.end() && distance(*extra) <= 1e-6 * length)
   {
-    isInside = !isInside;
-    hit.Entering = isInside;
-    hit.T = std::clamp(hit.T, crossings[0].T, std::max(crossings[0].T, crossings[count - 1].T));
+    hits.erase(extra);
+    return;
   }
-  this->Hits.insert(this->Hits.end(), hits.begin(), hits.end());
+  CellHit missing = this->MakeHitOnFace(*nearest);
+  missing.Entering = nearest->Entering != IsInside(leastValue);
+  hits.insert(nearest == crossings ? hits.begin() : hits.end(), missing);
 }
 
 //------------------------------------------------------------------------------
@@ -167,19 +223,25 @@ CellHit CellHits::MakeHitOnFace(const FaceCrossing& crossing) const
 }
 
 //------------------------------------------------------------------------------
-CellHit CellHits::MakeHit(const Vector3& trilinear) const
+CellHit CellHits::MakeHit(const Vector3& trilinear, const TrilinearSystem& system) const
 {
   CornerWeights ofTrilinear;
   GetWeights(CellShape::Voxel, trilinear, ofTrilinear);
   const ShapeTraits& traits = GetTraits(this->Cell->Shape);
+  const CellCorners ts =
+    MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].T; });
   CornerWeights weights = {};
   double t = 0.0;
-  for (int i = 0; i < 8; ++i)
+  for (std::size_t i = 0; i < 8; ++i)
   {
     weights[traits.Trilinear[i]] += ofTrilinear[i];
-    t += ofTrilinear[i] * this->Points[traits.Trilinear[i]].T;
+    t += ofTrilinear[i] * ts[i];
   }
-  return { t, GetParametric(this->Cell->Shape, weights), false };
+  const Vector3 along = Cross(InterpolantGradient(system.Functions[0], trilinear),
+    InterpolantGradient(system.Functions[1], trilinear));
+  const bool isRising = Dot(along, InterpolantGradient(system.Functions[2], trilinear)) > 0.0;
+  const bool isForward = Dot(along, InterpolantGradient(ts, trilinear)) > 0.0;
+  return { t, GetParametric(this->Cell->Shape, weights), isRising == isForward };
 }
 
 }

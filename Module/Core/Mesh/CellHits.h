@@ -7,6 +7,7 @@
 #include "Mesh/FaceCrossing.h"
 #include "Mesh/MeshCell.h"
 #include "Mesh/RayFrame.h"
+#include "Mesh/TrilinearSystem.h"
 
 #include <vector>
 
@@ -45,17 +46,25 @@ public:
   const std::vector<CellHit>& Find(const double* differences);
 
 private:
+  double GetExtent() const;
   void FindOfTetrahedron(const double* differences);
   void FindOfTrilinear(const double* differences);
-  void AddSegment(
-    std::vector<CellHit> hits, const FaceCrossing* crossings, int count, const double* differences);
+  /// How many crossings belong together: between the first and the last of them the ray is in the
+  /// cell.
+  int GetStep() const;
+  /// Whether t is between such crossings.
+  bool IsInSegment(double t) const;
+  void MatchParity(const FaceCrossing* crossings, int count, const double* differences,
+    std::vector<CellHit>& hits) const;
   CellHit MakeHitOnFace(const FaceCrossing& crossing) const;
-  CellHit MakeHit(const Vector3& trilinear) const;
+  CellHit MakeHit(const Vector3& trilinear, const TrilinearSystem& system) const;
 
   RayFrame Frame;
   const MeshCell* Cell = nullptr;
   FramePoint Points[MaximumCorners];
   FaceCrossings Faces;
+  /// What rounding may move hits by.
+  double Slack;
   std::vector<CellHit> Hits;
   std::vector<Vector3> Solutions;
 };

@@ -48,6 +48,9 @@ public:
     return { x - this->ShearX * along, y - this->ShearY * along, along * this->Inverse };
   }
 
+  /// What t changes by on such a way along the axis.
+  double ToT(double length) const { return length * std::abs(this->Inverse); }
+
 private:
   std::size_t AcrossX() const { return (this->Along + 1) % 3; }
   std::size_t AcrossY() const { return (this->Along + 2) % 3; }

@@ -18,9 +18,11 @@ constexpr double SmallestEdge = 1e-8;
 /// Boxes that a cell is cut into at most. Only where solutions are no points (a ray in the surface)
 /// are there so many; where the ray enters and leaves the surface is decided on the faces.
 constexpr int MaximumBoxes = 500;
-/// What rounding may take off an end of a contracted interval, and off a hull.
+/// What an interval is left beyond its contracted ends, as a part of the whole cell: so many
+/// roundings that the functions keep both signs in it.
 constexpr double Margin = 1e-12;
-constexpr double HullMargin = 1e-13;
+/// What rounding may move the corners of a part by, in units of the largest corner of the whole.
+constexpr double Rounding = 1e-15;
 
 /// Whether a corner is at the upper end of an axis.
 bool IsUpper(std::size_t corner, std::size_t axis)
@@ -90,8 +92,8 @@ bool Invert(const Rows& m, Rows& inverse)
 }
 
 /// Narrows an interval, [0, 1], to where a function may vanish that goes from a value in one
-/// interval to a value in another. Returns whether anything is left.
-bool Contract(const Interval& before, const Interval& behind, Interval& part)
+/// interval to a value in another, and a margin beyond. Returns whether anything is left.
+bool Contract(const Interval& before, const Interval& behind, double margin, Interval& part)
 {
   part = { 0.0, 1.0 };
   if (before.High < 0.0)
@@ -118,7 +120,7 @@ bool Contract(const Interval& before, const Interval& behind, Interval& part)
   {
     part.High = std::min(part.High, before.Low / (before.Low - behind.Low));
   }
-  part = { std::max(part.Low - Margin, 0.0), std::min(part.High + Margin, 1.0) };
+  part = { std::max(part.Low - margin, 0.0), std::min(part.High + margin, 1.0) };
   return part.Low <= part.High;
 }
 
@@ -126,6 +128,8 @@ bool Contract(const Interval& before, const Interval& behind, Interval& part)
 struct Part
 {
   TrilinearSystem System;
+  /// What rounding may move the corners by.
+  Vector3 Error;
   Box Place = { Interval{ 0.0, 1.0 }, Interval{ 0.0, 1.0 }, Interval{ 0.0, 1.0 } };
 
   /// Values equal to the isovalue are inside: the surface does not touch, it crosses.
@@ -186,14 +190,13 @@ struct Part
       Interval& end = ends[IsUpper(corner, axis) ? 1 : 0];
       end = { std::min(end.Low, value), std::max(end.High, value) };
     }
-    const double margin = HullMargin *
-      (std::abs(ends[0].Low) + std::abs(ends[0].High) + std::abs(ends[1].Low) +
-        std::abs(ends[1].High));
+    const double error = std::abs(weights[0]) * this->Error[0] +
+      std::abs(weights[1]) * this->Error[1] + std::abs(weights[2]) * this->Error[2];
     for (Interval& end : ends)
     {
-      end = { end.Low - margin, end.High + margin };
+      end = { end.Low - error, end.High + error };
     }
-    return Contract(ends[0], ends[1], part);
+    return Contract(ends[0], ends[1], Margin / this->Place[axis].GetLength(), part);
   }
 
   void CutTo(std::size_t axis, const Interval& part)
@@ -267,24 +270,28 @@ Outcome Contract(Part& part)
   return Outcome::Smaller;
 }
 
-/// Newton's method, from a small box that has a solution.
-Vector3 Refine(const Part& part, const TrilinearSystem& whole)
+/// Newton's method, from a small box that has a solution. (The differences across the box may be
+/// nothing but rounding: derivatives are those of the whole.)
+Vector3 Refine(const Vector3& start, const TrilinearSystem& whole)
 {
-  Rows inverse;
-  if (!Invert(part.GetJacobian(), inverse))
-  {
-    return part.GetMiddle();
-  }
-  Vector3 p = part.GetMiddle();
+  Vector3 p = start;
   for (int step = 0; step < 2; ++step)
   {
-    const Vector3 values = { Interpolate(whole.Functions[0], p), Interpolate(whole.Functions[1], p),
-      Interpolate(whole.Functions[2], p) };
+    Rows jacobian;
+    Vector3 values;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      jacobian[i] = InterpolantGradient(whole.Functions[i], p);
+      values[i] = Interpolate(whole.Functions[i], p);
+    }
+    Rows inverse;
+    if (!Invert(jacobian, inverse))
+    {
+      break;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      // The Jacobian is that by the coordinates of the box.
-      const double way = Dot(inverse[axis], values) * part.Place[axis].GetLength();
-      p[axis] = std::clamp(p[axis] - way, 0.0, 1.0);
+      p[axis] = std::clamp(p[axis] - Dot(inverse[axis], values), 0.0, 1.0);
     }
   }
   return p;
@@ -310,7 +317,15 @@ void AddSolution(const Vector3& solution, std::vector<Vector3>& solutions)
 void TrilinearSystem::Solve(std::vector<Vector3>& solutions) const
 {
   solutions.clear();
-  std::vector<Part> parts = { { *this } };
+  Part whole = { *this, {} };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (const double corner : this->Functions[i])
+    {
+      whole.Error[i] = std::max(whole.Error[i], Rounding * std::abs(corner));
+    }
+  }
+  std::vector<Part> parts = { whole };
   for (int boxes = 0; !parts.empty() && boxes < MaximumBoxes; ++boxes)
   {
     Part part = parts.back();
@@ -324,7 +339,7 @@ void TrilinearSystem::Solve(std::vector<Vector3>& solutions) const
       }
       else if (part.IsSmall())
       {
-        AddSolution(Refine(part, *this), solutions);
+        AddSolution(Refine(part.GetMiddle(), *this), solutions);
         outcome = Outcome::Empty;
       }
       else
