@@ -49,9 +49,32 @@ bool CellHits::Enter(const MeshCell& cell)
   {
     this->Points[i] = this->Frame.Get(cell.Points[i]);
   }
-  this->Faces.Find(cell, this->Points);
   this->Slack = 1e-9 * this->GetExtent();
+  this->AvoidExtremes();
+  this->Faces.Find(cell, this->Points);
   return this->Faces.Count > 0;
+}
+
+//------------------------------------------------------------------------------
+/// Products of coordinates may overflow, or vanish: then those across the ray are multiplied by a
+/// power of two, which changes no sign and no weight.
+void CellHits::AvoidExtremes()
+{
+  double largest = 0.0;
+  for (int i = 0; i < this->Cell->Count; ++i)
+  {
+    largest = std::max({ largest, std::abs(this->Points[i].X), std::abs(this->Points[i].Y) });
+  }
+  if ((largest > 0x1p-100 && largest < 0x1p100) || !(largest > 0.0))
+  {
+    return;
+  }
+  const int exponent = -std::ilogb(largest);
+  for (int i = 0; i < this->Cell->Count; ++i)
+  {
+    this->Points[i].X = std::ldexp(this->Points[i].X, exponent);
+    this->Points[i].Y = std::ldexp(this->Points[i].Y, exponent);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -118,8 +141,14 @@ void CellHits::FindOfTrilinear(const double* differences)
   bool isTwisted = false;
   for (const Vector3& solution : this->Solutions)
   {
-    hits.push_back(this->MakeHit(solution, system));
-    isTwisted = isTwisted || (!this->IsInSegment(hits.back().T) && IsIsolated(solution, system));
+    const CellHit hit = this->MakeHit(solution, system);
+    const bool isInSegment = this->IsInSegment(hit.T);
+    const bool isIsolated = !isInSegment && IsIsolated(solution, system);
+    isTwisted = isTwisted || isIsolated;
+    if (isInSegment || isIsolated)
+    {
+      hits.push_back(hit);
+    }
   }
   std::sort(hits.begin(), hits.end(), [](const CellHit& a, const CellHit& b) { return a.T < b.T; });
   if (isTwisted)
@@ -190,9 +219,9 @@ void CellHits::MatchParity(const FaceCrossing* crossings, int count, const doubl
   {
     const double value = crossings[i].Interpolate(differences);
     isOdd ^= IsInside(value);
-    if (std::abs(value) < std::abs(leastValue))
+    if (std::abs(value) < leastValue)
     {
-      leastValue = value;
+      leastValue = std::abs(value);
       nearest = &crossings[i];
     }
   }
@@ -210,7 +239,7 @@ void CellHits::MatchParity(const FaceCrossing* crossings, int count, const doubl
     return;
   }
   CellHit missing = this->MakeHitOnFace(*nearest);
-  missing.Entering = nearest->Entering != IsInside(leastValue);
+  missing.Entering = nearest->Entering != IsInside(nearest->Interpolate(differences));
   hits.insert(nearest == crossings ? hits.begin() : hits.end(), missing);
 }
 

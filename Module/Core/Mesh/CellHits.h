@@ -47,6 +47,7 @@ public:
 
 private:
   double GetExtent() const;
+  void AvoidExtremes();
   void FindOfTetrahedron(const double* differences);
   void FindOfTrilinear(const double* differences);
   /// How many crossings belong together: between the first and the last of them the ray is in the

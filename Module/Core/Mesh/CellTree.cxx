@@ -124,7 +124,6 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
   {
     longest = std::max(longest, 0.5 * this->Box.Upper[axis] - 0.5 * this->Box.Lower[axis]);
   }
-  const double scale = longest > 0.0 ? 511.99 / longest : 0.0;
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < count; ++i)
@@ -141,9 +140,11 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
       double sum = 0.0;
       for (int corner = 0; corner < cell.Count; ++corner)
       {
-        sum += (cell.Points[corner][axis] - this->Box.Lower[axis]) / cell.Count;
+        // Half of each: the whole extent may overflow.
+        sum += (0.5 * cell.Points[corner][axis] - 0.5 * this->Box.Lower[axis]) / cell.Count;
       }
-      code |= Spread(static_cast<std::uint32_t>(sum * scale)) << axis;
+      const double part = longest > 0.0 ? sum / longest : 0.0;
+      code |= Spread(static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * 1023.0)) << axis;
     }
     keys[static_cast<std::size_t>(i)] =
       std::uint64_t{ code } << 32U | static_cast<std::uint32_t>(i);

@@ -121,6 +121,16 @@ bool IsMirrored(const MeshCell& cell, const FramePoint* points)
       edges[axis] = edges[axis] + Vector3{ p.X, p.Y, p.T } * sign;
     }
   }
+  // The scale of t is that of the direction: it may be any.
+  double longest = 0.0;
+  for (const Vector3& edge : edges)
+  {
+    longest = std::max(longest, std::abs(edge[2]));
+  }
+  for (Vector3& edge : edges)
+  {
+    edge[2] = longest > 0.0 ? edge[2] / longest : 0.0;
+  }
   return Dot(Cross(edges[0], edges[1]), edges[2]) < 0.0;
 }
 

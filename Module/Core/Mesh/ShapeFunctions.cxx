@@ -163,13 +163,20 @@ Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
       slopes[axis] += (cell.Values[i] - cell.Values[0]) * derivatives[axis][i];
     }
   }
+  // With edges about 1 no product overflows or vanishes.
+  const double length = std::max({ Length(edges[0]), Length(edges[1]), Length(edges[2]) });
+  for (Vector3& edge : edges)
+  {
+    edge = { edge[0] / length, edge[1] / length, edge[2] / length };
+  }
   const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
     Cross(edges[0], edges[1]) };
   const double volume = Dot(edges[0], normals[0]);
-  const Vector3 gradient =
+  const Vector3 direction =
     (normals[0] * slopes[0] + normals[1] * slopes[1] + normals[2] * slopes[2]) * (1.0 / volume);
-  const bool isFinite = std::isfinite(gradient[0] + gradient[1] + gradient[2]);
-  return isFinite ? gradient : Vector3{};
+  const auto isFinite = [](const Vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };
+  const Vector3 gradient = { direction[0] / length, direction[1] / length, direction[2] / length };
+  return isFinite(gradient) ? gradient : (isFinite(direction) ? direction : Vector3{});
 }
 
 }
