@@ -22,6 +22,7 @@ set(core_sources
   Mesh/FaceCrossing.cxx
   Mesh/MeshCells.cxx
   Mesh/MeshField.cxx
+  Mesh/PointGradients.cxx
   Mesh/ShapeFunctions.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx

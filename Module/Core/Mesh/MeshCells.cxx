@@ -17,10 +17,14 @@ bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
 {
   cell.Shape = static_cast<CellShape>(view.Shapes[number]);
   cell.Count = GetTraits(cell.Shape).Corners;
+  if (cell.Count == 0)
+  {
+    return false; // Its offset may be anything.
+  }
   const Id* ids =
     static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[number];
   std::copy_n(ids, cell.Count, cell.Ids);
-  return cell.Count > 0;
+  return true;
 }
 
 template <typename Coordinate>
@@ -62,7 +66,8 @@ std::int64_t FindBadCell(const MeshView& view, std::int64_t lengthOfConnectivity
     }
     const std::int64_t first = offsets[cell];
     const std::int64_t last = offsets[cell + 1];
-    const bool isList = first >= 0 && last <= lengthOfConnectivity && last - first == corners;
+    const bool isList =
+      first >= 0 && first <= last && last <= lengthOfConnectivity && last - first == corners;
     if (!isList ||
       !std::all_of(ids + first, ids + last,
         [&view](std::int64_t id) { return id >= 0 && id < view.NumberOfPoints; }))

@@ -264,8 +264,13 @@ MeshField::~MeshField() = default;
 
 //------------------------------------------------------------------------------
 void MeshField::Select(
-  const TraceRequest& request, const Execution& /*execution*/, const MemoryBudget& /*budget*/)
+  const TraceRequest& request, const Execution& execution, const MemoryBudget& /*budget*/)
 {
+  if (request.Normals == NormalMode::CentralDifferences && !request.Surfaces.empty() &&
+    !this->Smooth.AreThere())
+  {
+    this->Smooth = PointGradients(this->Cells, this->GetUnitOfGradients(), execution.Threads);
+  }
   this->Request = request;
   this->Surfaces.clear();
   for (const Isosurface& surface : request.Surfaces)
@@ -359,10 +364,30 @@ Vector3 MeshField::GetPointInCells(const Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 MeshField::GetGradient(const Hit& hit, NormalMode /*mode*/) const
+/// The power of two that makes a rise of all values along the whole mesh about 1.
+double MeshField::GetUnitOfGradients() const
+{
+  const Bounds& box = this->Tree.GetBounds();
+  const double length = Length(box.Upper * 0.5 - box.Lower * 0.5);
+  const double rise = 0.5 * this->Tree.GetHigh() - 0.5 * this->Tree.GetLow();
+  return length > 0.0 && rise > 0.0
+    ? std::ldexp(1.0, std::clamp(std::ilogb(length) - std::ilogb(rise), -1000, 1000))
+    : 1.0;
+}
+
+//------------------------------------------------------------------------------
+Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
 {
   MeshCell cell;
   this->Cells.Load(hit.Cell, cell);
+  if (mode == NormalMode::CentralDifferences && this->Smooth.AreThere())
+  {
+    const Vector3 smooth = this->Smooth.Get(cell, hit.Parametric);
+    if (smooth != Vector3{})
+    {
+      return smooth;
+    }
+  }
   return vtkIsosurfaceRayTracing::GetGradient(cell, hit.Parametric);
 }
 
@@ -386,7 +411,7 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count,
 FieldStatistics MeshField::GetStatistics() const
 {
   FieldStatistics statistics;
-  statistics.HierarchyMemory = this->Tree.GetMemory();
+  statistics.HierarchyMemory = this->Tree.GetMemory() + this->Smooth.GetMemory();
   return statistics;
 }
 

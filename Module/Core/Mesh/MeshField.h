@@ -8,6 +8,7 @@
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/MeshView.h"
+#include "Mesh/PointGradients.h"
 
 #include <memory>
 #include <vector>
@@ -19,8 +20,10 @@ namespace vtkIsosurfaceRayTracing
 /// hexahedra, wedges and pyramids. The tree over its cells is built at once and serves every
 /// isovalue. Its object space is that of its points; the mesh must outlive it and not change.
 ///
-/// Parametric coordinates of hits are VTK's. Cells may overlap, have gaps between them, and touch
-/// without sharing points; those with a point or a value that is not finite are left out.
+/// Central differences are, in a mesh, gradients that are interpolated between those at the points:
+/// see PointGradients.h. Parametric coordinates of hits are VTK's. Cells may overlap, have gaps
+/// between them, and touch without sharing points; those with a point or a value that is not finite
+/// are left out.
 class MeshField final : public TracedField
 {
 public:
@@ -46,8 +49,12 @@ private:
   struct Surface;
   class RayTracer;
 
+  double GetUnitOfGradients() const;
+
   MeshCells Cells;
   CellTree Tree;
+  /// Made when they are requested first.
+  PointGradients Smooth;
   TraceRequest Request;
   std::vector<Surface> Surfaces;
 };

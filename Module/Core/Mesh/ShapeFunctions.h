@@ -27,6 +27,9 @@ Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric);
 /// The gradient of the interpolant of the values; zero where the cell is flat.
 Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric);
 
+/// The volume of a cell, about: by its edges in the middle. Never negative.
+double GetVolume(const MeshCell& cell);
+
 }
 
 #endif
