@@ -865,7 +865,8 @@ TEST(TestMeshes, DuplicatedPoints)
       for (std::size_t ray = 0; ray < lines.size(); ++ray)
       {
         const std::size_t before = expected.First[ray + 1] - expected.First[ray];
-        lost += before != found.First[ray + 1] - found.First[ray] ? 1 : 0;
+        const std::size_t after = found.First[ray + 1] - found.First[ray];
+        lost += before == after ? 0 : 1;
       }
       hits += found.Hits.size();
     }
