@@ -172,7 +172,6 @@ private:
     std::sort(roots.begin(), roots.end(),
       [](const Oracle::CellRoot& a, const Oracle::CellRoot& b) { return a.T < b.T; });
 
-    std::size_t certain = 0;
     std::size_t missed = 0;
     bool isInBand = false;
     const double length = Oracle::Length(line.Direction);
@@ -188,7 +187,6 @@ private:
       const bool isFound = best != hits.end() && error(*best) <= slack;
       const bool isUncertain = uncertainty.MayVanish;
       isInBand = isInBand || isUncertain;
-      certain += isUncertain ? 0 : 1;
       if (!isFound && !isUncertain)
       {
         ++missed;
