@@ -47,7 +47,7 @@ struct FaceCrossings
   /// the second crossing, the third and the fourth, and so on.
   bool AreSegments() const
   {
-    bool areSegments = true;
+    bool areSegments = this->Count % 2 == 0; // Numbers that overflow may cross a face too few.
     for (int i = 0; i < this->Count; ++i)
     {
       areSegments = areSegments && this->Crossings[i].Entering == (i % 2 == 0);
