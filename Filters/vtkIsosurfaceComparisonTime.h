@@ -6,25 +6,14 @@
 #ifndef vtkIsosurfaceComparisonTime_h
 #define vtkIsosurfaceComparisonTime_h
 
-#include <chrono>
+#include "Field/Stopwatch.h"
+
 #include <vector>
 
 namespace vtkIsosurfaceComparison
 {
 
-/// The wall-clock time since its construction.
-class Stopwatch
-{
-public:
-  double GetSeconds() const
-  {
-    return std::chrono::duration<double>(Clock::now() - this->Start).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point Start = Clock::now();
-};
+using vtkIsosurfaceRayTracing::Stopwatch;
 
 /// NaN if there are no values.
 double Median(std::vector<double> values);

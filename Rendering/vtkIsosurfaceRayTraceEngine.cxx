@@ -30,8 +30,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
 
+#include "Field/Stopwatch.h"
+
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <new>
@@ -44,13 +45,6 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Whether a rectangle in a viewport has a pixel of the window, which may be any number.
 bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle& viewport,
@@ -176,10 +170,10 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
     return nullptr;
   }
   const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
-  const Clock::time_point start = Clock::now();
+  const vtkirt::Stopwatch watch;
   if (input.Update(settings.NumberOfThreads))
   {
-    this->HierarchyTime = SecondsSince(start);
+    this->HierarchyTime = watch.GetSeconds();
   }
   return std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, input, input.FindVisible(), volume, this->Mapper->GetClippingPlanes());
@@ -248,7 +242,7 @@ catch (const std::bad_alloc&)
 double vtkIsosurfaceRayTraceEngine::Render(vtkRenderer* renderer, vtkVolume* volume)
 try
 {
-  const Clock::time_point start = Clock::now();
+  const vtkirt::Stopwatch watch;
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
   if (!use.IsAllowed())
   {
@@ -277,7 +271,7 @@ try
   const bool isComplete =
     this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderStartEvent, nullptr) &&
     holder.CanDraw() && this->DrawFrame(use, *request, holder);
-  const double seconds = isComplete ? SecondsSince(start) : 0.0;
+  const double seconds = isComplete ? watch.GetSeconds() : 0.0;
   this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderEndEvent, nullptr);
   return seconds;
 }

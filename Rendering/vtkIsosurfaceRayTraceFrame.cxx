@@ -24,8 +24,9 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include "Field/Stopwatch.h"
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -34,13 +35,6 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The render pass of a kind that draws a volume now, if there is one.
 template <typename Pass>
@@ -182,21 +176,21 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
     return true;
   }
 
-  const Clock::time_point depthStart = Clock::now();
+  const vtkirt::Stopwatch ofDepths;
   // For a selection of points the depth is also that of our own surfaces, rounded; there, the depth
   // test decides.
   if (MayShowOthers(target.Renderer) && (!drawing.Selector || trace.Projection))
   {
     this->ReadDepths(drawing);
   }
-  this->DisplayTime = SecondsSince(depthStart);
+  this->DisplayTime = ofDepths.GetSeconds();
 
   if (!this->Accumulate(settings, request, target, drawing, keepGoing))
   {
     return false;
   }
 
-  const Clock::time_point displayStart = Clock::now();
+  const vtkirt::Stopwatch ofDisplay;
   if (drawing.Selector)
   {
     this->DisplayIds(request, drawing);
@@ -209,7 +203,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   {
     this->DisplayColors(drawing);
   }
-  this->DisplayTime += SecondsSince(displayStart);
+  this->DisplayTime += ofDisplay.GetSeconds();
 
   const vtkirt::FrameTimes& times = this->Picture.Times;
   if (!drawing.Selector && times.Trace > 0.0)
