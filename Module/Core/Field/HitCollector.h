@@ -35,6 +35,12 @@ public:
     {
       return false;
     }
+    return this->AddVisible(hit);
+  }
+
+  /// The same for a hit that is known to be visible.
+  bool AddVisible(const Hit& hit)
+  {
     this->Hits->push_back(hit);
     this->Transmittance *= 1.0 - this->Request->GetOpacity(hit);
     return this->Transmittance < NegligibleTransmittance;

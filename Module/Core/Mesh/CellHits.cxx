@@ -6,6 +6,7 @@
 #include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vtkIsosurfaceRayTracing
@@ -13,18 +14,11 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-bool IsInside(double difference)
-{
-  return difference >= 0.0;
-}
-
 /// Whether a solution is within the cell and a point of its own, clearly: neither on the border nor
 /// one of many (a ray in the surface).
 bool IsIsolated(const Vector3& solution, const TrilinearSystem& system)
 {
-  const Vector3 rows[3] = { InterpolantGradient(system.Functions[0], solution),
-    InterpolantGradient(system.Functions[1], solution),
-    InterpolantGradient(system.Functions[2], solution) };
+  const std::array<Vector3, 3> rows = system.GetJacobian(solution);
   const double volume = std::abs(Dot(rows[0], Cross(rows[1], rows[2])));
   return volume > 1e-8 * Length(rows[0]) * Length(rows[1]) * Length(rows[2]) &&
     std::all_of(
@@ -266,9 +260,9 @@ CellHit CellHits::MakeHit(const Vector3& trilinear, const TrilinearSystem& syste
     weights[traits.Trilinear[i]] += ofTrilinear[i];
     t += ofTrilinear[i] * ts[i];
   }
-  const Vector3 along = Cross(InterpolantGradient(system.Functions[0], trilinear),
-    InterpolantGradient(system.Functions[1], trilinear));
-  const bool isRising = Dot(along, InterpolantGradient(system.Functions[2], trilinear)) > 0.0;
+  const std::array<Vector3, 3> rows = system.GetJacobian(trilinear);
+  const Vector3 along = Cross(rows[0], rows[1]);
+  const bool isRising = Dot(along, rows[2]) > 0.0;
   const bool isForward = Dot(along, InterpolantGradient(ts, trilinear)) > 0.0;
   return { t, GetParametric(this->Cell->Shape, weights), isRising == isForward };
 }

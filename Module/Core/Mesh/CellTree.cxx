@@ -3,8 +3,6 @@
 
 #include "Mesh/CellTree.h"
 
-#include "Field/FirstException.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -110,17 +110,10 @@ private:
 /// middle.
 bool IsMirrored(const MeshCell& cell, const FramePoint* points)
 {
-  const ShapeTraits& traits = GetTraits(cell.Shape);
-  Vector3 edges[3] = {};
-  for (int i = 0; i < 8; ++i)
-  {
-    const FramePoint& p = points[traits.Trilinear[i]];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double sign = (i >> axis & 1) != 0 ? 1.0 : -1.0;
-      edges[axis] = edges[axis] + Vector3{ p.X, p.Y, p.T } * sign;
-    }
-  }
+  std::array<Vector3, 3> edges = GetMiddleEdges(cell,
+    [points](int corner) {
+      return Vector3{ points[corner].X, points[corner].Y, points[corner].T };
+    });
   // The scale of t is that of the direction: it may be any.
   double longest = 0.0;
   for (const Vector3& edge : edges)

@@ -7,6 +7,8 @@
 #include "Math/TrilinearCell.h"
 #include "Mesh/MeshView.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 // Every cell is a trilinear one: points and values are the trilinear interpolant of eight corners,
@@ -100,6 +102,24 @@ CellCorners MakeTrilinear(const MeshCell& cell, const Function& function)
     corners[i] = function(traits.Trilinear[i]);
   }
   return corners;
+}
+
+/// The derivatives of the points of the trilinear cell in its middle, by its coordinates, given the
+/// points of the corners of a cell.
+template <typename Function>
+std::array<Vector3, 3> GetMiddleEdges(const MeshCell& cell, const Function& getPoint)
+{
+  const ShapeTraits& traits = GetTraits(cell.Shape);
+  std::array<Vector3, 3> edges = {};
+  for (int i = 0; i < 8; ++i)
+  {
+    const Vector3 point = getPoint(traits.Trilinear[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      edges[axis] = edges[axis] + point * ((i >> axis & 1) != 0 ? 0.25 : -0.25);
+    }
+  }
+  return edges;
 }
 
 }

@@ -4,8 +4,6 @@
 #include "Mesh/MeshCells.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {

@@ -108,7 +108,7 @@ public:
   {
   }
 
-  /// Finds all hits up to the first visible opaque one, and perhaps some beyond it, in order.
+  /// Finds all visible hits up to the first opaque one, and perhaps some beyond it, in order.
   void FindHits(std::vector<Hit>& hits)
   {
     const int levels = this->Field->Tree.GetNumberOfLevels();
@@ -335,8 +335,8 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits)
       RayTracer(*this, packet, i).FindHits(found);
     }
     HitCollector collector(*this, hits.Hits);
-    std::any_of(
-      found.begin(), found.end(), [&collector](const Hit& hit) { return collector.Add(hit); });
+    std::any_of(found.begin(), found.end(),
+      [&collector](const Hit& hit) { return collector.AddVisible(hit); });
     hits.EndRay();
   }
 }
@@ -376,19 +376,26 @@ double MeshField::GetUnitOfGradients() const
 }
 
 //------------------------------------------------------------------------------
-Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
+Vector3 MeshField::GetGradient(
+  const MeshCell& cell, const Vector3& parametric, NormalMode mode) const
 {
-  MeshCell cell;
-  this->Cells.Load(hit.Cell, cell);
   if (mode == NormalMode::CentralDifferences && this->Smooth.AreThere())
   {
-    const Vector3 smooth = this->Smooth.Get(cell, hit.Parametric);
+    const Vector3 smooth = this->Smooth.Get(cell, parametric);
     if (smooth != Vector3{})
     {
       return smooth;
     }
   }
-  return vtkIsosurfaceRayTracing::GetGradient(cell, hit.Parametric);
+  return vtkIsosurfaceRayTracing::GetGradient(cell, parametric);
+}
+
+//------------------------------------------------------------------------------
+Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
+{
+  MeshCell cell;
+  this->Cells.Load(hit.Cell, cell);
+  return this->GetGradient(cell, hit.Parametric, mode);
 }
 
 //------------------------------------------------------------------------------
@@ -397,8 +404,10 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count,
 {
   for (int i = 0; i < count; ++i)
   {
-    const Vector3 point = this->GetPoint(hits[i]);
-    const Vector3 gradient = this->GetGradient(hits[i], this->Request.Normals);
+    MeshCell cell;
+    this->Cells.Load(hits[i].Cell, cell);
+    const Vector3 point = vtkIsosurfaceRayTracing::GetPoint(cell, hits[i].Parametric);
+    const Vector3 gradient = this->GetGradient(cell, hits[i].Parametric, this->Request.Normals);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       points[axis][i] = point[axis];

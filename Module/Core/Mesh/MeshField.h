@@ -10,7 +10,6 @@
 #include "Mesh/MeshView.h"
 #include "Mesh/PointGradients.h"
 
-#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -50,6 +49,7 @@ private:
   class RayTracer;
 
   double GetUnitOfGradients() const;
+  Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;
 
   MeshCells Cells;
   CellTree Tree;

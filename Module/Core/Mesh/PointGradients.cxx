@@ -13,6 +13,21 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// Calls visit(cell, point) for every corner of the cells that are traced.
+template <typename Visit>
+void ForEachCorner(const MeshCells& cells, const Visit& visit)
+{
+  for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
+  {
+    MeshCell cell;
+    const int count = cells.Load(i, cell) ? cell.Count : 0;
+    for (int corner = 0; corner < count; ++corner)
+    {
+      visit(i, static_cast<std::size_t>(cell.Ids[corner]));
+    }
+  }
+}
+
 /// The cells around each point, in order: those of point i are from Cells[First[i]] to before
 /// Cells[First[i + 1]].
 struct CellsOfPoints
@@ -20,28 +35,18 @@ struct CellsOfPoints
   explicit CellsOfPoints(const MeshCells& cells)
     : First(static_cast<std::size_t>(cells.GetNumberOfPoints()) + 2)
   {
-    MeshCell cell;
-    for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
-    {
-      for (int corner = 0; cells.Load(i, cell) && corner < cell.Count; ++corner)
-      {
-        ++this->First[static_cast<std::size_t>(cell.Ids[corner]) + 2];
-      }
-    }
+    ForEachCorner(cells, [this](std::int64_t, std::size_t point) { ++this->First[point + 2]; });
     for (std::size_t i = 1; i < this->First.size(); ++i)
     {
       this->First[i] += this->First[i - 1];
     }
     this->Cells.resize(this->First.back());
-    for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
-    {
-      for (int corner = 0; cells.Load(i, cell) && corner < cell.Count; ++corner)
+    ForEachCorner(cells,
+      [this](std::int64_t number, std::size_t point)
       {
         // What is the end of the point before becomes that of this point.
-        std::size_t& end = this->First[static_cast<std::size_t>(cell.Ids[corner]) + 1];
-        this->Cells[end++] = static_cast<std::uint32_t>(i);
-      }
-    }
+        this->Cells[this->First[point + 1]++] = static_cast<std::uint32_t>(number);
+      });
   }
 
   std::vector<std::size_t> First;

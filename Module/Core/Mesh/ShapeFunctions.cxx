@@ -182,16 +182,8 @@ Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
 //------------------------------------------------------------------------------
 double GetVolume(const MeshCell& cell)
 {
-  const ShapeTraits& traits = GetTraits(cell.Shape);
-  Vector3 edges[3] = {};
-  for (int i = 0; i < 8; ++i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double sign = (i >> axis & 1) != 0 ? 0.25 : -0.25;
-      edges[axis] = edges[axis] + cell.Points[traits.Trilinear[i]] * sign;
-    }
-  }
+  const std::array<Vector3, 3> edges =
+    GetMiddleEdges(cell, [&cell](int corner) { return cell.Points[corner]; });
   return std::abs(Dot(Cross(edges[0], edges[1]), edges[2]));
 }
 

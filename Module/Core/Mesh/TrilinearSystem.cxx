@@ -160,7 +160,7 @@ struct Part
     return { this->Place[0].GetMiddle(), this->Place[1].GetMiddle(), this->Place[2].GetMiddle() };
   }
 
-  Rows GetJacobian() const
+  Rows GetJacobianInMiddle() const
   {
     Rows jacobian = {};
     for (std::size_t i = 0; i < 3; ++i)
@@ -245,7 +245,7 @@ enum class Outcome
 Outcome Contract(Part& part)
 {
   Rows inverse;
-  if (!Invert(part.GetJacobian(), inverse))
+  if (!Invert(part.GetJacobianInMiddle(), inverse))
   {
     return Outcome::Unchanged;
   }
@@ -277,15 +277,10 @@ Vector3 Refine(const Vector3& start, const TrilinearSystem& whole)
   Vector3 p = start;
   for (int step = 0; step < 2; ++step)
   {
-    Rows jacobian;
-    Vector3 values;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      jacobian[i] = InterpolantGradient(whole.Functions[i], p);
-      values[i] = Interpolate(whole.Functions[i], p);
-    }
+    const Vector3 values = { Interpolate(whole.Functions[0], p), Interpolate(whole.Functions[1], p),
+      Interpolate(whole.Functions[2], p) };
     Rows inverse;
-    if (!Invert(jacobian, inverse))
+    if (!Invert(whole.GetJacobian(p), inverse))
     {
       break;
     }

@@ -7,6 +7,7 @@
 #include "Math/TrilinearCell.h"
 #include "Math/Vector.h"
 
+#include <array>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -17,6 +18,14 @@ namespace vtkIsosurfaceRayTracing
 struct TrilinearSystem
 {
   CellCorners Functions[3];
+
+  /// The gradients of the three at a point of the cell.
+  std::array<Vector3, 3> GetJacobian(const Vector3& point) const
+  {
+    return { InterpolantGradient(this->Functions[0], point),
+      InterpolantGradient(this->Functions[1], point),
+      InterpolantGradient(this->Functions[2], point) };
+  }
 
   /// Finds the points of the cell where all three vanish.
   ///
