@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceGeometry.h"
+#include "vtkIsosurfaceRayTraceMeshInput.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
@@ -11,11 +12,9 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkProp3D.h"
@@ -35,25 +34,6 @@ namespace
 int ToPixel(double coordinate)
 {
   return std::abs(coordinate) < 0x1p30 ? static_cast<int>(std::floor(coordinate)) : -1;
-}
-
-/// Of the points of a cell.
-vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3])
-{
-  vtkNew<vtkIdList> ids;
-  grid->GetCellPoints(cell, ids);
-  vtkIdType nearest = -1;
-  double least = VTK_DOUBLE_MAX;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
-    if (square < least)
-    {
-      least = square;
-      nearest = ids->GetId(i);
-    }
-  }
-  return nearest;
 }
 
 }
@@ -190,7 +170,7 @@ void vtkIsosurfacePicker::SetPickInfo(
   this->Transform->GetLinearInverse()->TransformNormal(hit.Normal, this->MapperNormal);
   if (vtkPointSet::SafeDownCast(grid))
   {
-    this->PointId = FindNearestPoint(grid, cell, position);
+    this->PointId = vtkIsosurfaceRayTraceMeshInput::FindNearestPoint(grid, cell, position);
   }
   else
   {

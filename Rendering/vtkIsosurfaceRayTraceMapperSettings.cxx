@@ -67,10 +67,7 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
       port < mapper->GetNumberOfInputPorts() && mapper->GetNumberOfInputConnections(port) > 0;
     this->SetInputConnection(port, hasInput ? mapper->GetInputConnection(port, 0) : nullptr);
   }
-  this->SetScalarMode(mapper->GetScalarMode());
-  this->SelectScalarArray(mapper->GetArrayId());
-  this->SelectScalarArray(mapper->GetArrayName());
-  this->SetArrayAccessMode(mapper->GetArrayAccessMode());
+  vtkIsosurfaceRayTraceSharedSettings::CopyChoiceOfScalars(mapper, this);
   this->SetBlendMode(mapper->GetBlendMode());
   this->SetAverageIPScalarRange(mapper->GetAverageIPScalarRange());
   this->SetCropping(mapper->GetCropping());
@@ -150,15 +147,8 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
 void vtkIsosurfaceRayTraceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const auto& value, auto... names)
-  {
-    os << indent << name << ": ";
-    vtkIsosurfaceRayTraceSharedSettings::Write(os, value, names...);
-    os << "\n";
-  };
-  print("ArrayAccessMode", this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName");
-  print("ArrayId", this->ArrayId);
-  print("ArrayName", this->ArrayName ? this->ArrayName : "(none)");
+  const vtkIsosurfaceRayTraceSharedSettings::Printer print{ os, indent };
+  print.PrintChoiceOfScalars(this);
   VisitSettings([this, print](const char* name, auto setting, auto... names)
     { print(name, this->*setting, names...); });
   print("NumberOfAccumulatedFrames", this->GetNumberOfAccumulatedFrames());

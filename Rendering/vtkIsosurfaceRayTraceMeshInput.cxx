@@ -15,6 +15,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -24,7 +25,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Math/Matrix.h"
-#include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
 #include <limits>
@@ -414,20 +414,31 @@ vtkIdType vtkIsosurfaceRayTraceMeshInput::FindCell(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMeshInput::FindNearestPoint(
+  vtkDataSet* grid, vtkIdType cell, const double position[3])
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  vtkIdType nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
+    if (square < least)
+    {
+      least = square;
+      nearest = ids->GetId(i);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMeshInput::FindPoint(const vtkirt::Hit& hit) const
 {
-  using vtkirt::operator-;
-  vtkirt::MeshCell cell;
-  vtkirt::MeshCells(this->View).Load(hit.Cell, cell);
-  const vtkirt::Vector3 point = vtkirt::GetPoint(cell, hit.Parametric);
-  const auto distance = [&cell, &point](int corner)
-  { return vtkirt::Length(cell.Points[corner] - point); };
-  int nearest = 0;
-  for (int corner = 1; corner < cell.Count; ++corner)
-  {
-    nearest = distance(corner) < distance(nearest) ? corner : nearest;
-  }
-  return cell.Ids[nearest];
+  vtkirt::Vector3 parametric;
+  const vtkIdType cell = this->FindCell(hit, parametric);
+  return FindNearestPoint(this->Grid, cell, this->Field->GetPoint(hit).data());
 }
 
 //------------------------------------------------------------------------------

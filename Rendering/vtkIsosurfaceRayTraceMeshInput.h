@@ -30,6 +30,9 @@ public:
   explicit vtkIsosurfaceRayTraceMeshInput(vtkIsosurfaceRayTraceMeshMapper* mapper);
   ~vtkIsosurfaceRayTraceMeshInput() override;
 
+  /// Of the points of a cell.
+  static vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3]);
+
   std::string Select(vtkVolumeProperty* property) override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
   bool Update(int threads) override;

@@ -178,10 +178,7 @@ void vtkIsosurfaceRayTraceMeshMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetInputConnection(
       0, other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
-    this->SetScalarMode(other->GetScalarMode());
-    this->SelectScalarArray(other->GetArrayId());
-    this->SelectScalarArray(other->GetArrayName());
-    this->SetArrayAccessMode(other->GetArrayAccessMode());
+    vtkIsosurfaceRayTraceSharedSettings::CopyChoiceOfScalars(other, this);
     this->SetBlendMode(other->GetBlendMode());
     vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
       [this, other](const char*, auto setting, auto...)
@@ -195,15 +192,8 @@ void vtkIsosurfaceRayTraceMeshMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkIsosurfaceRayTraceMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const auto& value, auto... names)
-  {
-    os << indent << name << ": ";
-    vtkIsosurfaceRayTraceSharedSettings::Write(os, value, names...);
-    os << "\n";
-  };
-  print("ArrayAccessMode", this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID ? "ById" : "ByName");
-  print("ArrayId", this->ArrayId);
-  print("ArrayName", this->ArrayName ? this->ArrayName : "(none)");
+  const vtkIsosurfaceRayTraceSharedSettings::Printer print{ os, indent };
+  print.PrintChoiceOfScalars(this);
   vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
     [this, print](const char* name, auto setting, auto... names)
     { print(name, this->*setting, names...); });

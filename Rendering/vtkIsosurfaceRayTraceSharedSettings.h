@@ -7,6 +7,8 @@
 #ifndef vtkIsosurfaceRayTraceSharedSettings_h
 #define vtkIsosurfaceRayTraceSharedSettings_h
 
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkIndent.h"
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
@@ -78,6 +80,16 @@ struct vtkIsosurfaceRayTraceSharedSettings
     return size[0] != before[0] || size[1] != before[1];
   }
 
+  /// Copies which scalars are chosen.
+  template <typename Mapper>
+  static void CopyChoiceOfScalars(vtkAbstractVolumeMapper* from, Mapper* to)
+  {
+    to->SetScalarMode(from->GetScalarMode());
+    to->SelectScalarArray(from->GetArrayId());
+    to->SelectScalarArray(from->GetArrayName());
+    to->SetArrayAccessMode(from->GetArrayAccessMode());
+  }
+
   template <typename T>
   static void Assign(T& to, const T& from)
   {
@@ -113,6 +125,30 @@ struct vtkIsosurfaceRayTraceSharedSettings
   {
     os << names[enumerator];
   }
+
+  /// Prints settings, each in a line.
+  struct Printer
+  {
+    template <typename T, typename... Names>
+    void operator()(const char* name, const T& value, Names... names) const
+    {
+      this->Stream << this->Indent << name << ": ";
+      Write(this->Stream, value, names...);
+      this->Stream << "\n";
+    }
+
+    void PrintChoiceOfScalars(vtkAbstractVolumeMapper* mapper) const
+    {
+      const bool isById = mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_ID;
+      const char* name = mapper->GetArrayName();
+      (*this)("ArrayAccessMode", isById ? "ById" : "ByName");
+      (*this)("ArrayId", mapper->GetArrayId());
+      (*this)("ArrayName", name ? name : "(none)");
+    }
+
+    ostream& Stream;
+    vtkIndent Indent;
+  };
 };
 
 VTK_ABI_NAMESPACE_END

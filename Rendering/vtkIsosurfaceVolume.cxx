@@ -5,7 +5,6 @@
 #include "vtkIsosurfaceRayTraceEngine.h"
 
 #include "vtkAbstractVolumeMapper.h"
-
 #include "vtkObjectFactory.h"
 
 VTK_ABI_NAMESPACE_BEGIN
