@@ -45,6 +45,17 @@ std::vector<unsigned char> ToBytes(const std::vector<double>& values, ScalarType
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkIsosurfaceRayTracing::CastRay> ToCastRays(const std::vector<Line>& lines)
+{
+  std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
+  for (const Line& line : lines)
+  {
+    rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
 Tracer::Tracer(const Field& field, const ImageSettings& settings, ScalarType type)
   : Bytes(ToBytes(field.Values, type))
   , Traced(vtkIsosurfaceRayTracing::ImageField::New(
@@ -57,15 +68,10 @@ RayHits Tracer::Cast(
   const std::vector<Line>& lines, double isovalue, RootSolver solver, Reach reach, int threads)
 {
   TraceRequest request;
-  request.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : 1e-12 } };
+  request.Surfaces = { { isovalue, reach == Reach::First ? 1.0 : Glass } };
   request.Solver = solver;
   this->Traced->Select(request, { threads });
-  std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
-  for (const Line& line : lines)
-  {
-    rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
-  }
-  return CastRays(*this->Traced, rays, threads);
+  return CastRays(*this->Traced, ToCastRays(lines), threads);
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,11 @@ enum class Reach
   All
 };
 
+/// An opacity so small that a ray passes any number of such surfaces.
+inline constexpr double Glass = 1e-12;
+
+std::vector<vtkIsosurfaceRayTracing::CastRay> ToCastRays(const std::vector<Line>& lines);
+
 /// A field, ready to be traced.
 class Tracer
 {

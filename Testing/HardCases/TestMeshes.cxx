@@ -33,8 +33,14 @@ namespace
 /// cell and the isovalue; and positions, in sizes of the cell.
 constexpr double Band = 1e-12;
 constexpr double Accuracy = 1e-9;
-/// So transparent that a ray passes any number of surfaces.
-constexpr double Glass = 1e-12;
+
+/// All hits of rays with an isosurface of a mesh.
+RayHits TraceAll(const TestMesh& mesh, double isovalue, const std::vector<Line>& lines)
+{
+  MeshField field(mesh.View(), 1);
+  field.Select(TraceRequest({ { isovalue, Glass } }), {});
+  return CastRays(field, ToCastRays(lines), 1);
+}
 
 std::vector<Oracle::Cell> ToOracle(const TestMesh& mesh)
 {
@@ -121,16 +127,7 @@ public:
   void Check(const TestMesh& mesh, double isovalue, const std::vector<Line>& lines)
   {
     const std::vector<Oracle::Cell> cells = ToOracle(mesh);
-    MeshField field(mesh.View(), 1);
-    TraceRequest request;
-    request.Surfaces = { { isovalue, Glass } };
-    field.Select(request, {});
-    std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
-    for (const Line& line : lines)
-    {
-      rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
-    }
-    const RayHits hits = CastRays(field, rays, 1);
+    const RayHits hits = TraceAll(mesh, isovalue, lines);
     for (std::size_t i = 0; i < lines.size(); ++i)
     {
       this->CheckLine(cells, isovalue, lines[i],
@@ -335,18 +332,13 @@ struct ParityCount
         return isBorder ? -1.0 : value;
       });
     RoundPoints(mesh);
-    MeshField field(mesh.View(), 1);
-    TraceRequest request;
-    request.Surfaces = { { 0.0, Glass } };
-    field.Select(request, {});
-    std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
+    std::vector<Line> lines;
     for (int ray = 0; ray < 500; ++ray)
     {
-      const Line line = AimAt(random, mesh);
-      rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
+      lines.push_back(AimAt(random, mesh));
     }
-    const RayHits hits = CastRays(field, rays, 1);
-    for (std::size_t ray = 0; ray < rays.size(); ++ray)
+    const RayHits hits = TraceAll(mesh, 0.0, lines);
+    for (std::size_t ray = 0; ray < lines.size(); ++ray)
     {
       bool isInside = false;
       bool isOrdered = true;
@@ -358,7 +350,7 @@ struct ParityCount
       this->Cracks += (hits.First[ray + 1] - hits.First[ray]) % 2;
       this->Disorder += isOrdered ? 0 : 1;
     }
-    this->Rays += rays.size();
+    this->Rays += lines.size();
     this->Hits += hits.Hits.size();
   }
 };
@@ -427,18 +419,19 @@ std::vector<Line> MapLines(
 
 /// Meshes of every kind of cells with random values, whose points are moved by a function.
 template <typename Function>
-void CheckMapped(const std::string& name, std::uint64_t seed, const Function& function)
+void CheckMapped(const std::string& name, std::uint64_t seed, const Function& function,
+  double jitter = 0.2, int meshes = 2, int lines = 20)
 {
   for (const Cutting cutting : AllCuttings)
   {
     RandomNumbers random(seed);
     MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", " + name);
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < meshes; ++i)
     {
-      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, jitter,
         [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
       tally.Check(Map(mesh, function), random.Uniform(-0.3, 0.3),
-        MapLines(random, { 4.0, 3.0, 3.0 }, 20, function));
+        MapLines(random, { 4.0, 3.0, 3.0 }, lines, function));
     }
     tally.Report();
   }
@@ -598,19 +591,7 @@ TEST(TestMeshes, FlatCells)
   const auto function = [](const Triple& p) {
     return Triple{ p[0], p[1], p[2] < 1.5 ? std::min(p[2], 1.0) : p[2] - 1.0 };
   };
-  for (const Cutting cutting : AllCuttings)
-  {
-    RandomNumbers random(211);
-    MeshTally tally(std::string("mesh of ") + NameOf(cutting) + ", a layer of them flat");
-    for (int i = 0; i < 5; ++i)
-    {
-      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.0,
-        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
-      tally.Check(Map(mesh, function), random.Uniform(-0.3, 0.3),
-        MapLines(random, { 4.0, 3.0, 3.0 }, 40, function));
-    }
-    tally.Report();
-  }
+  CheckMapped("a layer of them flat", 211, function, 0.0, 5, 40);
 }
 
 TEST(TestMeshes, NumbersThatAreNotFinite)
@@ -738,25 +719,6 @@ TEST(TestMeshes, LargeAndSmallValues)
       tally.Report();
     }
   }
-}
-
-namespace
-{
-
-RayHits TraceAll(const TestMesh& mesh, double isovalue, const std::vector<Line>& lines)
-{
-  MeshField field(mesh.View(), 1);
-  TraceRequest request;
-  request.Surfaces = { { isovalue, Glass } };
-  field.Select(request, {});
-  std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
-  for (const Line& line : lines)
-  {
-    rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
-  }
-  return CastRays(field, rays, 1);
-}
-
 }
 
 TEST(TestMeshes, AnyScale)

@@ -24,9 +24,6 @@ using vtkIsosurfaceRayTracing::SceneField;
 namespace
 {
 
-/// So transparent that a ray passes any number of surfaces.
-constexpr double Glass = 1e-12;
-
 std::uint64_t GetNumber(const char* variable, std::uint64_t otherwise)
 {
   const char* text = std::getenv(variable);
@@ -58,12 +55,7 @@ RayHits Cast(
   Tracer& tracer, const std::vector<Line>& lines, const TraceRequest& request, const RandomWay& way)
 {
   tracer.GetField().Select(request, way.How, way.Budget);
-  std::vector<vtkIsosurfaceRayTracing::CastRay> rays;
-  for (const Line& line : lines)
-  {
-    rays.push_back({ line.Origin, line.Direction, line.Begin, line.End });
-  }
-  return CastRays(tracer.GetField(), rays, way.How.Threads);
+  return CastRays(tracer.GetField(), ToCastRays(lines), way.How.Threads);
 }
 
 /// The hits with one of several surfaces.
