@@ -17,11 +17,17 @@ set(core_sources
   Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
   Image/Traversal/RayFollower.cxx
+  Mesh/ActiveCells.cxx
+  Mesh/BeamFrame.cxx
+  Mesh/BeamTracer.cxx
   Mesh/CellHits.cxx
   Mesh/CellTree.cxx
   Mesh/FaceCrossing.cxx
+  Mesh/HitOrder.cxx
+  Mesh/MeshBeam.cxx
   Mesh/MeshCells.cxx
   Mesh/MeshField.cxx
+  Mesh/MeshRay.cxx
   Mesh/PointGradients.cxx
   Mesh/ShapeFunctions.cxx
   Mesh/TrilinearSystem.cxx

@@ -723,7 +723,7 @@ TEST_P(PacketTracing, AreTracedWhereverRaysHit)
       request.PacketKernels = &this->TheKernels;
       Select(*traced, request, 1);
       RayPacket lines = LinesOf(pencil);
-      const bool mayHit = traced->MayHitBetween(lines);
+      const bool mayHit = traced->MayHitBetween(lines, nullptr);
       ASSERT_TRUE(mayHit || !hits) << ToText(pencil.Lines[0]) << ToText(pencil.Lines[3]);
       withHits += hits ? 1 : 0;
       empty += hits ? 0 : 1;
@@ -748,7 +748,7 @@ TEST_P(PacketTracing, AreTracedWithoutHitPrediction)
     request.PacketKernels = request.PacketKernels ? &this->TheKernels : nullptr;
     Select(*traced, request, 1);
     RayPacket lines = LinesOf(of);
-    return traced->MayHitBetween(lines);
+    return traced->MayHitBetween(lines, nullptr);
   };
   const TestRequest surface = OpaqueSurface(0.0);
   EXPECT_FALSE(mayHit(surface, pencil));
@@ -801,7 +801,7 @@ TEST_P(PacketTracing, AreTracedForLinesFarApart)
   request.PacketKernels = &this->TheKernels;
   Select(*traced, request, 1);
   RayPacket lines = LinesOf(pencil);
-  EXPECT_TRUE(traced->MayHitBetween(lines));
+  EXPECT_TRUE(traced->MayHitBetween(lines, nullptr));
 }
 
 //------------------------------------------------------------------------------

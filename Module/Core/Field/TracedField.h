@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -54,6 +55,14 @@ struct FieldStatistics
 class TracedField
 {
 public:
+  /// What a thread keeps from packet to packet: what was found for one packet of a beam, a set of
+  /// rays through one point or of parallel ones, serves the others. It decides about speed alone.
+  class Beam
+  {
+  public:
+    virtual ~Beam() = default;
+  };
+
   virtual ~TracedField() = default;
 
   /// The box that all hits are in.
@@ -78,14 +87,23 @@ public:
   virtual void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const;
 
-  /// Whether rays between lines that pass through one point, or are parallel, may hit anything:
-  /// those whose directions are means of the lines' own. The lines are a packet of which only the
-  /// origins and the directions are set.
-  virtual bool MayHitBetween(RayPacket& /*lines*/) const { return true; }
+  /// Makes a beam for one thread, to be begun; null if the field has no use for any.
+  virtual std::unique_ptr<Beam> MakeBeam() const { return nullptr; }
+
+  /// Begins with the rays between four lines that pass through one point, or are parallel: those
+  /// whose directions are means of the lines' own. The lines are a packet of which only the origins
+  /// and the directions are set. To be called again after Select.
+  virtual void Begin(const RayPacket& /*lines*/, Beam* /*beam*/) const {}
+
+  /// Whether rays between such lines may hit anything. The beam may be null; if not they must be in
+  /// it.
+  virtual bool MayHitBetween(RayPacket& /*lines*/, Beam* /*beam*/) const { return true; }
 
   /// Finds the hits of each ray, in order, up to the first opaque one or to where no transmittance
-  /// is left. A ray that does not exist has no hits.
-  virtual void Trace(RayPacket& packet, RayHits& hits) = 0;
+  /// is left. A ray that does not exist has no hits. The beam may be null, and need not hold the
+  /// rays.
+  virtual void Trace(RayPacket& packet, RayHits& hits, Beam* beam) = 0;
+  void Trace(RayPacket& packet, RayHits& hits) { this->Trace(packet, hits, nullptr); }
 
   /// Finds the transmittance along each ray: the product of those of the surfaces it crosses,
   /// without the crossing that it starts from. There is a departure for each ray. The packet is

@@ -132,7 +132,7 @@ void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
 }
 
 //------------------------------------------------------------------------------
-bool ImageField::MayHitBetween(RayPacket& lines) const
+bool ImageField::MayHitBetween(RayPacket& lines, Beam* /*beam*/) const
 {
   // Extreme values and caps may be anywhere, not in active macrocells alone.
   const TraceRequest& request = this->Selection.Request;
@@ -145,7 +145,7 @@ bool ImageField::MayHitBetween(RayPacket& lines) const
 }
 
 //------------------------------------------------------------------------------
-void ImageField::Trace(RayPacket& packet, RayHits& hits)
+void ImageField::Trace(RayPacket& packet, RayHits& hits, Beam* /*beam*/)
 {
   hits.Clear();
   this->CutToHalfSpaces(packet);

@@ -43,8 +43,9 @@ public:
     RayPacket& packet) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
-  bool MayHitBetween(RayPacket& lines) const override;
-  void Trace(RayPacket& packet, RayHits& hits) override;
+  bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
+  using TracedField::Trace;
+  void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
   void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance) override;
   Vector3 GetPoint(const Hit& hit) const override;

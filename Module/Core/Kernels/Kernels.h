@@ -4,6 +4,7 @@
 #ifndef Kernels_h
 #define Kernels_h
 
+#include "Kernels/BeamPieces.h"
 #include "Kernels/Frustum.h"
 #include "Rays/RayPacket.h"
 
@@ -236,6 +237,19 @@ struct Kernels
   /// Includes a row of samples in the smallest and the largest so far at each index; see
   /// ValueRange. One for every ScalarType.
   void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
+
+  /// Finds the children of a node that a beam may meet and one of the isovalues is in; a bit for
+  /// each.
+  unsigned int (*FindChildrenInBeam)(
+    const CellTreeNode& node, const BeamSides& sides, const IsovalueSpan* isovalues, int count);
+
+  /// Bounds the pieces of surfaces in cells: in tetrahedra, or in trilinear cells. Labels of rays
+  /// may be wrong by the margin.
+  void (*BoundTetrahedra)(const BeamCells& cells, float margin, BeamPieces& pieces);
+  void (*BoundTrilinear)(const BeamCells& cells, float margin, BeamPieces& pieces);
+
+  /// Adds the rays that may meet pieces.
+  void (*FindPairs)(const BeamPieces& pieces, const BeamRays& rays, BeamPairs& pairs);
 };
 
 extern const Kernels BaselineKernels;

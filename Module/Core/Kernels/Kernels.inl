@@ -6,6 +6,7 @@
 // keeps one copy of a function that several files compile, which might be the one for an
 // instruction set that the processor does not have.
 
+#include "Kernels/BeamPieces.h"
 #include "Kernels/Kernels.h"
 #include "Kernels/Vectors.h"
 #include "Math/BernsteinCubic.h"
@@ -57,6 +58,7 @@ SIMD_INLINE int LargerOf(int a, int b)
 #include "Kernels/SampleRows.h"
 
 #include "Kernels/AlignRays.inl"
+#include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
 #include "Kernels/FindPassages.inl"
 #include "Kernels/IncludeRow.inl"
@@ -77,4 +79,4 @@ SIMD_INLINE int LargerOf(int a, int b)
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(ClassifyCells),              \
     FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
-    FOR_ALL_TYPES(IncludeRow) }
+    FOR_ALL_TYPES(IncludeRow), FindChildrenInBeam, BoundTetrahedra, BoundTrilinear, FindPairs }

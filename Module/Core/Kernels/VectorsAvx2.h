@@ -188,6 +188,14 @@ SIMD_INLINE Floats LoadFloats(const float* a)
 {
   return { _mm256_loadu_ps(a) };
 }
+SIMD_INLINE void StoreFloats(Floats a, float* to)
+{
+  _mm256_storeu_ps(to, a.Value);
+}
+SIMD_INLINE Floats Select(FloatMask mask, Floats yes, Floats no)
+{
+  return { _mm256_blendv_ps(no.Value, yes.Value, mask.Value) };
+}
 SIMD_INLINE Floats Round(Doubles low, Doubles high)
 {
   return { _mm256_set_m128(_mm256_cvtpd_ps(high.Value), _mm256_cvtpd_ps(low.Value)) };

@@ -211,6 +211,14 @@ SIMD_INLINE Floats LoadFloats(const float* a)
 {
   return { _mm512_loadu_ps(a) };
 }
+SIMD_INLINE void StoreFloats(Floats a, float* to)
+{
+  _mm512_storeu_ps(to, a.Value);
+}
+SIMD_INLINE Floats Select(FloatMask mask, Floats yes, Floats no)
+{
+  return { _mm512_mask_mov_ps(no.Value, mask.Value, yes.Value) };
+}
 /// What two vectors of doubles hold, rounded.
 SIMD_INLINE Floats Round(Doubles low, Doubles high)
 {

@@ -194,6 +194,19 @@ SIMD_INLINE Floats LoadFloats(const float* a)
 {
   return { FloatVector{ a[0], a[1], a[2], a[3] } };
 }
+SIMD_INLINE void StoreFloats(Floats a, float* to)
+{
+  for (int lane = 0; lane < FloatWidth; ++lane)
+  {
+    to[lane] = a.Value[lane];
+  }
+}
+SIMD_INLINE Floats Select(FloatMask mask, Floats yes, Floats no)
+{
+  return { reinterpret_cast<FloatVector>(
+    (reinterpret_cast<FloatMaskVector>(yes.Value) & mask.Value) |
+    (reinterpret_cast<FloatMaskVector>(no.Value) & ~mask.Value)) };
+}
 SIMD_INLINE Floats Round(Doubles low, Doubles high)
 {
   return { FloatVector{ static_cast<float>(low.Value[0]), static_cast<float>(low.Value[1]),

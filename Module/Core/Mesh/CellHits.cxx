@@ -36,12 +36,13 @@ void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weig
 }
 
 //------------------------------------------------------------------------------
-bool CellHits::Enter(const MeshCell& cell)
+bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
 {
+  this->Frame = &frame;
   this->Cell = &cell;
   for (int i = 0; i < cell.Count; ++i)
   {
-    this->Points[i] = this->Frame.Get(cell.Points[i]);
+    this->Points[i] = this->Frame->Get(cell.Points[i]);
   }
   this->Slack = 1e-9 * this->GetExtent();
   this->AvoidExtremes();
@@ -82,8 +83,8 @@ double CellHits::GetExtent() const
     return coordinate(*high) - coordinate(*low);
   };
   return std::max({ extent([](const FramePoint& p) { return p.T; }),
-    this->Frame.ToT(extent([](const FramePoint& p) { return p.X; })),
-    this->Frame.ToT(extent([](const FramePoint& p) { return p.Y; })) });
+    this->Frame->ToT(extent([](const FramePoint& p) { return p.X; })),
+    this->Frame->ToT(extent([](const FramePoint& p) { return p.Y; })) });
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ struct CellHit
   bool Entering;
 };
 
-/// Finds the hits of one ray with the isosurfaces in cells.
+/// Finds the hits of rays with the isosurfaces in cells, one after the other.
 ///
 /// A ray is inside or outside of a surface where it crosses a face, the same for both cells of the
 /// face. Between its crossings of a cell it has an odd number of hits if and only if it is inside
@@ -33,13 +33,8 @@ struct CellHit
 class CellHits
 {
 public:
-  explicit CellHits(const RayFrame& frame)
-    : Frame(frame)
-  {
-  }
-
-  /// Begins with a cell. Returns whether the ray crosses it.
-  bool Enter(const MeshCell& cell);
+  /// Begins with a ray and a cell. Returns whether the ray crosses it.
+  bool Enter(const RayFrame& frame, const MeshCell& cell);
 
   /// Finds the hits with an isosurface, in order. The differences are those between the values at
   /// the corners and the isovalue: see Difference.
@@ -60,7 +55,7 @@ private:
   CellHit MakeHitOnFace(const FaceCrossing& crossing) const;
   CellHit MakeHit(const Vector3& trilinear, const TrilinearSystem& system) const;
 
-  RayFrame Frame;
+  const RayFrame* Frame = nullptr;
   const MeshCell* Cell = nullptr;
   FramePoint Points[MaximumCorners];
   FaceCrossings Faces;

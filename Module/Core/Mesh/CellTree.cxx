@@ -69,7 +69,7 @@ std::uint32_t Spread(std::uint32_t bits)
   return bits;
 }
 
-void SetChild(CellTree::Node& node, int child, const Extent& extent, double margin)
+void SetChild(CellTreeNode& node, int child, const Extent& extent, double margin)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -165,7 +165,7 @@ void CellTree::BuildLeaves(const MeshCells& cells, int threads)
   }
   margin = margin * 0x1p-40 + static_cast<double>(std::numeric_limits<float>::min());
   const std::size_t blocks = (this->Order.size() + Width - 1) / Width;
-  std::vector<Node> nodes((blocks + Width - 1) / Width);
+  std::vector<CellTreeNode> nodes((blocks + Width - 1) / Width);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)
   {
@@ -189,8 +189,8 @@ void CellTree::BuildLeaves(const MeshCells& cells, int threads)
 //------------------------------------------------------------------------------
 void CellTree::BuildLevelAbove(int threads)
 {
-  const std::vector<Node>& below = this->Levels.back();
-  std::vector<Node> nodes((below.size() + Width - 1) / Width);
+  const std::vector<CellTreeNode>& below = this->Levels.back();
+  std::vector<CellTreeNode> nodes((below.size() + Width - 1) / Width);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)
   {
@@ -201,7 +201,7 @@ void CellTree::BuildLevelAbove(int threads)
       Extent extent;
       for (int k = 0; number < below.size() && k < Width; ++k)
       {
-        const Node& children = below[number];
+        const CellTreeNode& children = below[number];
         Extent one;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
@@ -222,9 +222,9 @@ void CellTree::BuildLevelAbove(int threads)
 std::size_t CellTree::GetMemory() const
 {
   std::size_t memory = this->Order.capacity() * sizeof(this->Order[0]);
-  for (const std::vector<Node>& level : this->Levels)
+  for (const std::vector<CellTreeNode>& level : this->Levels)
   {
-    memory += level.capacity() * sizeof(Node);
+    memory += level.capacity() * sizeof(CellTreeNode);
   }
   return memory;
 }

@@ -5,6 +5,7 @@
 #define CellTree_h
 
 #include "Field/TracedField.h"
+#include "Kernels/CellTreeNode.h"
 #include "Mesh/MeshCells.h"
 
 #include <cstddef>
@@ -24,16 +25,7 @@ class CellTree
 {
 public:
   /// The number of children of a node, and of cells in a block.
-  static constexpr int Width = 16;
-
-  /// A child without cells has a range with Low > High.
-  struct alignas(64) Node
-  {
-    float Lower[3][Width];
-    float Upper[3][Width];
-    float Low[Width];
-    float High[Width];
-  };
+  static constexpr int Width = CellTreeNode::Width;
 
   /// Builds the tree of all cells that are traced and finite. There may be up to 2^32 - 1 cells.
   CellTree(const MeshCells& cells, int threads);
@@ -46,7 +38,7 @@ public:
 
   /// The levels of nodes, the root last. The children of the nodes of level 0 are blocks of cells.
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
-  const Node& GetNode(int level, std::size_t node) const
+  const CellTreeNode& GetNode(int level, std::size_t node) const
   {
     return this->Levels[static_cast<std::size_t>(level)][node];
   }
@@ -67,7 +59,7 @@ private:
   double Low;
   double High;
   std::vector<std::uint32_t> Order;
-  std::vector<std::vector<Node>> Levels;
+  std::vector<std::vector<CellTreeNode>> Levels;
 };
 
 }

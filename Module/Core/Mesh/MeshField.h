@@ -7,10 +7,11 @@
 #include "Field/TracedField.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
+#include "Mesh/MeshSelection.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/PointGradients.h"
 
-#include <vector>
+#include <memory>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -31,12 +32,15 @@ public:
 
   void Select(const TraceRequest& request, const Execution& execution,
     const MemoryBudget& budget = {}) override;
-  const TraceRequest& GetRequest() const override { return this->Request; }
+  const TraceRequest& GetRequest() const override { return this->Selection.Request; }
 
   Bounds GetBounds() const override { return this->Tree.GetBounds(); }
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
-  void Trace(RayPacket& packet, RayHits& hits) override;
+  std::unique_ptr<Beam> MakeBeam() const override;
+  void Begin(const RayPacket& lines, Beam* beam) const override;
+  using TracedField::Trace;
+  void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
@@ -45,8 +49,9 @@ public:
   FieldStatistics GetStatistics() const override;
 
 private:
-  struct Surface;
-  class RayTracer;
+  class ThreadBeam;
+
+  std::shared_ptr<ActiveCells> FindActiveCells(double isovalue) const;
 
   double GetUnitOfGradients() const;
   Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;
@@ -55,8 +60,7 @@ private:
   CellTree Tree;
   /// Made when they are requested first.
   PointGradients Smooth;
-  TraceRequest Request;
-  std::vector<Surface> Surfaces;
+  MeshSelection Selection;
 };
 
 }

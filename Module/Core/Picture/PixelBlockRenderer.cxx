@@ -18,6 +18,25 @@ PixelBlockRenderer::PixelBlockRenderer(
   , Traced(new TracedPacket[scene.Fields.size()])
   , FragmentsOfFields(scene.Fields.size())
 {
+  for (const SceneField& field : scene.Fields)
+  {
+    this->Beams.push_back(field.Field->MakeBeam());
+  }
+}
+
+//------------------------------------------------------------------------------
+void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
+{
+  for (std::size_t i = 0; i < this->Beams.size(); ++i)
+  {
+    if (this->Beams[i])
+    {
+      const SceneField& field = this->TheScene.Fields[i];
+      RayPacket& corners = this->Traced[i].Packet;
+      this->FindCorners(field.View, tile, corners);
+      field.Field->Begin(corners, this->Beams[i].get());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +77,9 @@ void PixelBlockRenderer::TraceField(
 {
   const SceneField& field = this->TheScene.Fields[number];
   TracedPacket& traced = this->Traced[number];
-  if (!this->MayHit(field, traced.Packet))
+  TracedField::Beam* beam = this->Beams[number].get();
+  this->FindCorners(field.View, this->Block, traced.Packet);
+  if (!field.Field->MayHitBetween(traced.Packet, beam))
   {
     traced.Packet.Clear();
     traced.Packet.Count = pixels.Width * pixels.Height;
@@ -69,11 +90,11 @@ void PixelBlockRenderer::TraceField(
   field.Field->MakeRays(field.View, pixels, depths, traced.Packet);
   if (this->TheScene.Fields.size() == 1)
   {
-    field.Field->Trace(traced.Packet, traced.Hits);
+    field.Field->Trace(traced.Packet, traced.Hits, beam);
     return;
   }
   this->EndAtOpaqueHits(traced.Packet);
-  field.Field->Trace(traced.Packet, traced.Hits);
+  field.Field->Trace(traced.Packet, traced.Hits, beam);
   for (Hit& hit : traced.Hits.Hits)
   {
     hit.Field = static_cast<int>(number);
@@ -82,17 +103,17 @@ void PixelBlockRenderer::TraceField(
 }
 
 //------------------------------------------------------------------------------
-/// Whether a ray through the block may hit a field: decided by the rays at its corners.
-bool PixelBlockRenderer::MayHit(const SceneField& field, RayPacket& corners) const
+/// The rays through the pixels at the corners of a rectangle.
+void PixelBlockRenderer::FindCorners(
+  const Camera& view, const PixelRectangle& pixels, RayPacket& corners) const
 {
-  const PixelRectangle& block = this->Block;
   corners.Clear();
-  for (const int y : { block.Y, block.Y + block.Height - 1 })
+  for (const int y : { pixels.Y, pixels.Y + pixels.Height - 1 })
   {
-    for (const int x : { block.X, block.X + block.Width - 1 })
+    for (const int x : { pixels.X, pixels.X + pixels.Width - 1 })
     {
       const Camera::PixelRay ray =
-        field.View.GetRay(this->TheScene.Pixels.X + x, this->TheScene.Pixels.Y + y, 1.0);
+        view.GetRay(this->TheScene.Pixels.X + x, this->TheScene.Pixels.Y + y, 1.0);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         corners.Origin[axis][corners.Count] = ray.Origin[axis];
@@ -101,7 +122,6 @@ bool PixelBlockRenderer::MayHit(const SceneField& field, RayPacket& corners) con
       ++corners.Count;
     }
   }
-  return field.Field->MayHitBetween(corners);
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,9 @@ public:
   /// There is a shader for each field of the scene. All must outlive the renderer.
   PixelBlockRenderer(const Scene& scene, const std::vector<Shader>& shaders, Frame& frame);
 
+  /// Begins with a tile that the next blocks are of, counted from the rectangle drawn.
+  void BeginTile(const PixelRectangle& tile);
+
   /// Finds the hits of the rays through a block of pixels, counted from the rectangle drawn.
   void Trace(const PixelRectangle& block);
 
@@ -37,7 +40,7 @@ private:
     RayHits Hits;
   };
 
-  bool MayHit(const SceneField& field, RayPacket& corners) const;
+  void FindCorners(const Camera& view, const PixelRectangle& pixels, RayPacket& corners) const;
   void TraceField(std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths);
   void EndAtOpaqueHits(RayPacket& packet) const;
   void KeepOpaqueHits(const TraceRequest& request, const RayHits& hits);
@@ -52,6 +55,8 @@ private:
   Frame& Picture;
   PixelRectangle Block;
   std::unique_ptr<TracedPacket[]> Traced;
+  /// Of each field.
+  std::vector<std::unique_ptr<TracedField::Beam>> Beams;
   /// Of the nearest opaque hit of each ray, in several fields.
   double OpaqueT[RayPacket::Capacity];
   std::vector<Fragments> FragmentsOfFields;

@@ -207,6 +207,7 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
   Clock::duration shadeTime{};
   std::size_t pixels = 0;
   tile.IsDone = true;
+  renderer.BeginTile(tile.Pixels);
   ForEachBlock(tile.Pixels,
     [&](const PixelRectangle& block)
     {

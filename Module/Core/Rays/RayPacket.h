@@ -23,6 +23,9 @@ struct RayPacket
   static constexpr int Capacity = 128;
 
   int Count;
+  /// If the rays are those of the pixels of a rectangle, row by row, the length of a row; else 0.
+  /// It decides about speed alone.
+  int Columns;
   /// Those that meet the field at all; the others have no defined values.
   RaySet Exists;
   // Each ray in the object space of a field, from Begin to End counted from its origin, which is at
@@ -38,6 +41,7 @@ struct RayPacket
   void Clear()
   {
     this->Count = 0;
+    this->Columns = 0;
     this->Exists = {};
   }
 

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BeamPieces_h
+#define BeamPieces_h
+
+#include "Kernels/CellTreeNode.h"
+#include "Rays/RayPacket.h"
+
+#include <cstdint>
+
+// What the rays of a beam may meet in a mesh, in single precision. A beam is a set of rays through
+// one point, or of parallel ones: each is a point of a plane across them, its label. What is in
+// space has a label, too, that of the ray through it. (See BeamFrame.h.) Everything is bounded with
+// a margin for rounding: what is found is too much at times, never too little.
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The planes around a beam, and the coordinates that they are given in: the one along the beam,
+/// and for each plane one of the two across.
+struct BeamSides
+{
+  int Along;
+  int Across[4];
+  /// The beam is where SlopeAlong * along + SlopeAcross * across + Offset >= 0.
+  float SlopeAlong[4];
+  float SlopeAcross[4];
+  float Offset[4];
+};
+
+/// An isovalue between two floats: a range of values holds it if its low is not above Before, and
+/// its high not below From.
+struct IsovalueSpan
+{
+  float Before;
+  float From;
+};
+
+/// Cells that a surface passes, to be bounded.
+struct BeamCells
+{
+  static constexpr int Capacity = 16;
+  static constexpr int Corners = 8;
+
+  int Count;
+  /// The corners of each cell in homogeneous coordinates of the frame: X / W and Y / W is the
+  /// label. Of a tetrahedron there are four. If one of them is on one side of the surface and three
+  /// on the other it is the first; if there are two on either side, the first two are on one.
+  alignas(64) float X[Corners][Capacity];
+  alignas(64) float Y[Corners][Capacity];
+  alignas(64) float W[Corners][Capacity];
+  alignas(64) float Depth[Corners][Capacity];
+  /// The difference from the isovalue, in any unit: its sign is exact.
+  alignas(64) float Difference[Corners][Capacity];
+  /// Of tetrahedra, 1 where there are two corners on either side; else 0.
+  alignas(64) float IsTwoByTwo[Capacity];
+  /// Those that cannot be bounded: every ray may hit them.
+  std::uint32_t Unbounded;
+};
+
+/// Bounds of the pieces of surfaces in some cells.
+struct BeamPieces
+{
+  static constexpr int Capacity = BeamCells::Capacity;
+  static constexpr int Lines = 4;
+
+  int Count;
+  /// The rectangle of labels.
+  alignas(64) float Lower[2][Capacity];
+  alignas(64) float Upper[2][Capacity];
+  alignas(64) float Near[Capacity];
+  /// The piece is where Line[i][0] * a + Line[i][1] * b + Line[i][2] >= 0.
+  alignas(64) float Line[Lines][3][Capacity];
+  std::uint32_t Cell[Capacity];
+  int Surface[Capacity];
+};
+
+/// The rays of a packet in a beam.
+struct BeamRays
+{
+  static constexpr int GroupSize = 16;
+  static constexpr int Capacity = RayPacket::Capacity;
+  static constexpr int Groups = Capacity / GroupSize;
+
+  /// The ray of the packet in each place.
+  int Ray[Capacity];
+  /// Its label, and the depth that it ends at; -infinity where there is none.
+  alignas(64) float Label[2][Capacity];
+  alignas(64) float End[Capacity];
+  /// The bounds of groups of rays; behind the last there is room for a vector.
+  alignas(64) float Lower[2][2 * Groups];
+  alignas(64) float Upper[2][2 * Groups];
+  alignas(64) float GroupEnd[2 * Groups];
+};
+
+/// Rays and the cells that they may hit a surface in.
+struct BeamPairs
+{
+  /// As soon as there are so many they are solved...
+  static constexpr int Batch = 64;
+  /// ...but all rays may meet all of some pieces at once.
+  static constexpr int Capacity = Batch + RayPacket::Capacity * BeamPieces::Capacity;
+
+  int Count;
+  /// The place of the ray.
+  int Ray[Capacity];
+  std::uint32_t Cell[Capacity];
+  int Surface[Capacity];
+};
+
+}
+
+#endif

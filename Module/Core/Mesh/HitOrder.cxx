@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/HitOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Tolerance = 1e-13;
+
+/// At one point a ray enters the surface with the smaller isovalue first, and leaves it last.
+bool IsBefore(const Hit& a, const Hit& b)
+{
+  if (a.T != b.T)
+  {
+    return a.T < b.T;
+  }
+  const int first = a.Entering ? a.Surface : -a.Surface;
+  const int second = b.Entering ? b.Surface : -b.Surface;
+  return first != second ? first < second : a.Cell < b.Cell;
+}
+
+/// Whether hits are at one place, but for rounding: on the face, the edge or the vertex of several
+/// cells.
+bool AreTogether(const Hit& a, const Hit& b)
+{
+  return std::abs(a.T - b.T) <= Tolerance * (std::abs(a.T) + std::abs(b.T));
+}
+
+/// Hits of one surface that are at one place are not in the order of T, but take turns: a ray that
+/// enters leaves next. Goes through the hits from one end. Starts tells whether a ray may be taken
+/// to start outside.
+template <typename Iterator>
+void TakeTurns(Iterator first, Iterator last, bool starts)
+{
+  for (Iterator hit = first; hit != last; ++hit)
+  {
+    const auto isSame = [hit](const Hit& other) { return other.Surface == hit->Surface; };
+    const auto before =
+      std::find_if(std::make_reverse_iterator(hit), std::make_reverse_iterator(first), isSame);
+    const bool isFirst = before == std::make_reverse_iterator(first);
+    const bool isInTurn = isFirst ? !starts || hit->Entering : before->Entering != hit->Entering;
+    if (isInTurn)
+    {
+      continue;
+    }
+    const auto other = std::find_if(hit, last,
+      [hit, &isSame](const Hit& next)
+      { return isSame(next) && (next.Entering != hit->Entering || !AreTogether(*hit, next)); });
+    if (other != last && AreTogether(*hit, *other))
+    {
+      std::swap(*hit, *other);
+    }
+  }
+}
+
+/// Removes what is beyond the first opaque hit and its place.
+void RemoveHidden(const TraceRequest& request, std::vector<Hit>& hits)
+{
+  const auto opaque = std::find_if(hits.begin(), hits.end(),
+    [&request](const Hit& hit) { return request.GetOpacity(hit) >= 1.0; });
+  hits.erase(
+    std::find_if(opaque, hits.end(), [&](const Hit& hit) { return !AreTogether(*opaque, hit); }),
+    hits.end());
+}
+
+}
+
+//------------------------------------------------------------------------------
+double GetReachOfPlace(double t, double base)
+{
+  return 4.0 * Tolerance * (std::abs(t) + std::abs(base));
+}
+
+//------------------------------------------------------------------------------
+void PutInOrder(const TraceRequest& request, std::vector<Hit>& hits)
+{
+  if (hits.size() < 2)
+  {
+    return;
+  }
+  std::sort(hits.begin(), hits.end(), &IsBefore);
+  RemoveHidden(request, hits);
+  TakeTurns(hits.begin(), hits.end(), true);
+  TakeTurns(hits.rbegin(), hits.rend(), false);
+}
+
+}

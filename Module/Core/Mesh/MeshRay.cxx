@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/MeshRay.h"
+
+#include "Mesh/HitOrder.h"
+#include "Mesh/RaySlab.h"
+#include "Mesh/ShapeFunctions.h"
+
+#include <algorithm>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+struct MeshRay::Child
+{
+  double Begin;
+  int Number;
+};
+
+//------------------------------------------------------------------------------
+MeshRay::MeshRay(const MeshSelection& selection, const RayPacket& packet, int ray)
+  : Selection(&selection)
+  , Origin{ packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] }
+  , Direction(packet.GetDirection(ray))
+  , Inverse{ packet.Inverse[0][ray], packet.Inverse[1][ray], packet.Inverse[2][ray] }
+  , Begin(packet.Begin[ray])
+  , End(packet.End[ray])
+  , Base(packet.Base[ray])
+  , Frame(this->Origin, this->Direction)
+{
+}
+
+//------------------------------------------------------------------------------
+void MeshRay::FindHits(CellHits& inCell, std::vector<Hit>& hits)
+{
+  const int levels = this->Selection->Tree->GetNumberOfLevels();
+  if (levels > 0)
+  {
+    this->Visit(levels - 1, 0, inCell, hits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshRay::Visit(int level, std::size_t number, CellHits& inCell, std::vector<Hit>& hits)
+{
+  const CellTreeNode& node = this->Selection->Tree->GetNode(level, number);
+  Child children[CellTree::Width];
+  int count = 0;
+  for (int i = 0; i < CellTree::Width; ++i)
+  {
+    const double begin = this->IsActive(node, i) ? this->FindBegin(node, i) : Infinity;
+    if (begin < Infinity)
+    {
+      children[count++] = { begin, i };
+    }
+  }
+  std::sort(
+    children, children + count, [](const Child& a, const Child& b) { return a.Begin < b.Begin; });
+  for (int i = 0; i < count && children[i].Begin <= this->End; ++i)
+  {
+    const std::size_t child =
+      number * CellTree::Width + static_cast<std::size_t>(children[i].Number);
+    if (level > 0)
+    {
+      this->Visit(level - 1, child, inCell, hits);
+    }
+    else
+    {
+      this->VisitBlock(child, inCell, hits);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MeshRay::IsActive(const CellTreeNode& node, int child) const
+{
+  return std::any_of(this->Selection->Surfaces.begin(), this->Selection->Surfaces.end(),
+    [&node, child](const MeshSurface& surface)
+    {
+      return static_cast<double>(node.Low[child]) < surface.Isovalue &&
+        surface.Isovalue <= static_cast<double>(node.High[child]);
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Where the ray enters the box of a child, or infinity.
+double MeshRay::FindBegin(const CellTreeNode& node, int child) const
+{
+  Slab inside = { this->Begin, this->End };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Slab slab = CutToSlab(this->Origin[axis], this->Direction[axis], this->Inverse[axis],
+      static_cast<double>(node.Lower[axis][child]), static_cast<double>(node.Upper[axis][child]));
+    inside = { std::max(inside.Begin, slab.Begin), std::min(inside.End, slab.End) };
+  }
+  return inside.Begin <= inside.End ? inside.Begin : Infinity;
+}
+
+//------------------------------------------------------------------------------
+void MeshRay::VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& hits)
+{
+  const std::uint32_t* cells = &this->Selection->Tree->GetOrder()[block * CellTree::Width];
+  for (std::size_t surface = 0; surface < this->Selection->Surfaces.size(); ++surface)
+  {
+    for (unsigned int active = this->Selection->Surfaces[surface].Active->Get(block); active != 0;
+         active &= active - 1)
+    {
+      this->FindHitsIn(cells[__builtin_ctz(active)], static_cast<int>(surface), inCell, hits);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshRay::FindHitsIn(std::int64_t cell, int surface, CellHits& inCell, std::vector<Hit>& hits)
+{
+  MeshCell loaded;
+  this->Selection->Cells->Load(cell, loaded);
+  if (!inCell.Enter(this->Frame, loaded))
+  {
+    return;
+  }
+  const MeshSurface& traced = this->Selection->Surfaces[static_cast<std::size_t>(surface)];
+  double differences[MaximumCorners];
+  for (int i = 0; i < loaded.Count; ++i)
+  {
+    differences[i] = Difference(loaded.Values[i], traced.Isovalue, traced.Scale);
+  }
+  for (const CellHit& found : inCell.Find(differences))
+  {
+    this->Add(found, cell, surface, hits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshRay::Add(const CellHit& found, std::int64_t cell, int surface, std::vector<Hit>& hits)
+{
+  if (!(found.T >= this->Begin && found.T <= this->End))
+  {
+    return;
+  }
+  const Hit hit = { this->Base + found.T, cell, surface, found.Parametric, found.Entering };
+  const TraceRequest& request = this->Selection->Request;
+  if (!request.Visible.IsConvex())
+  {
+    MeshCell loaded;
+    this->Selection->Cells->Load(cell, loaded);
+    if (!request.Visible.Shows(hit, GetPoint(loaded, hit.Parametric)))
+    {
+      return;
+    }
+  }
+  hits.push_back(hit);
+  if (request.GetOpacity(hit) >= 1.0)
+  {
+    this->End = std::min(this->End, found.T + GetReachOfPlace(found.T, this->Base));
+  }
+}
+
+}

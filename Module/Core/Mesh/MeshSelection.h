@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef MeshSelection_h
+#define MeshSelection_h
+
+#include "Kernels/Kernels.h"
+#include "Mesh/ActiveCells.h"
+#include "Mesh/CellTree.h"
+#include "Mesh/MeshCells.h"
+#include "Rays/TraceRequest.h"
+
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A surface of a request, as it is traced in a mesh.
+struct MeshSurface
+{
+  double Isovalue;
+  /// The power of two that values are multiplied by before the isovalue is subtracted.
+  double Scale;
+  std::shared_ptr<ActiveCells> Active;
+};
+
+/// What is traced of a mesh, and with what. All must outlive it.
+struct MeshSelection
+{
+  const MeshCells* Cells = nullptr;
+  const CellTree* Tree = nullptr;
+  TraceRequest Request;
+  std::vector<MeshSurface> Surfaces;
+  /// With null each ray is traced by itself.
+  const Kernels* PacketKernels = nullptr;
+};
+
+}
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "AllKernels.h"
+#include "Matrices.h"
+#include "Mesh/MeshField.h"
+#include "Rays/Camera.h"
+#include "SameBits.h"
+#include "TestMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+// Rays of a beam must have the very hits that they have by themselves.
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr int Edge = 96;
+constexpr Index3 Cubes = { 7, 6, 5 };
+constexpr Vector3 Middle = { 3.5, 3.0, 2.5 };
+
+/// A camera that looks at a point near the middle of the mesh.
+Camera MakeCamera(const Matrix4& projection, double distance, RandomNumbers& random)
+{
+  const Matrix4 turn = Rotation(random.Uniform(0.0, 6.3), random.Uniform(0.0, 6.3));
+  const Vector3 target = Middle + random.PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
+  const Matrix4 clipFromObject = Multiply(projection,
+    Multiply(Translation({ 0.0, 0.0, -distance }), Multiply(turn, Translation(target * -1.0))));
+  return Camera(clipFromObject, Invert(clipFromObject), Translation({ 0.0, 0.0, 0.0 }), Edge, Edge);
+}
+
+/// Cameras far and near, in the mesh, with parallel rays, and enlarging by up to 1e7.
+std::vector<Camera> MakeCameras(RandomNumbers& random)
+{
+  return { MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random),
+    MakeCamera(Perspective(0.001, 100.0, 0.9), 7.0, random),
+    MakeCamera(Perspective(0.001, 100.0, 0.7), 0.5, random),
+    MakeCamera(Orthographic(-50.0, 50.0, 6.0), 0.0, random),
+    MakeCamera(Orthographic(-50.0, 50.0, 1e-6), 0.0, random),
+    MakeCamera(Perspective(1.0, 100.0, 1e-4), 20.0, random),
+    MakeCamera(Perspective(1.0, 100.0, 1e-7), 20.0, random),
+    MakeCamera(Perspective(1e5, 1e7, 1e-6), 1e6, random) };
+}
+
+RayPacket FindCorners(const Camera& camera, const PixelRectangle& pixels)
+{
+  RayPacket corners;
+  corners.Clear();
+  for (const int y : { pixels.Y, pixels.Y + pixels.Height - 1 })
+  {
+    for (const int x : { pixels.X, pixels.X + pixels.Width - 1 })
+    {
+      const Camera::PixelRay ray = camera.GetRay(x, y, 1.0);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        corners.Origin[axis][corners.Count] = ray.Origin[axis];
+        corners.Direction[axis][corners.Count] = ray.Direction[axis];
+      }
+      ++corners.Count;
+    }
+  }
+  return corners;
+}
+
+/// The hits of the rays through all pixels, by beams of tiles or one by one.
+std::vector<Hit> TracePicture(MeshField& field, const Camera& camera, int tile, bool inBeams)
+{
+  std::vector<Hit> all;
+  const auto beam = inBeams ? field.MakeBeam() : nullptr;
+  for (int ty = 0; ty < Edge; ty += tile)
+  {
+    for (int tx = 0; tx < Edge; tx += tile)
+    {
+      if (beam)
+      {
+        field.Begin(FindCorners(camera, { tx, ty, tile, tile }), beam.get());
+      }
+      const int width = std::min(tile, 16);
+      const int height = std::min(tile, 8);
+      for (int y = ty; y < ty + tile; y += height)
+      {
+        for (int x = tx; x < tx + tile; x += width)
+        {
+          const PixelRectangle block = { x, y, width, height };
+          RayPacket packet;
+          RayHits hits;
+          RayPacket corners = FindCorners(camera, block);
+          const bool mayHit = field.MayHitBetween(corners, beam.get());
+          field.MakeRays(camera, block, {}, packet);
+          field.Trace(packet, hits, beam.get());
+          EXPECT_TRUE(mayHit || hits.Hits.empty());
+          EXPECT_EQ(hits.First.size(), static_cast<std::size_t>(width * height) + 1);
+          all.insert(all.end(), hits.Hits.begin(), hits.Hits.end());
+        }
+      }
+    }
+  }
+  return all;
+}
+
+class MeshBeams : public WithKernels
+{
+protected:
+  /// Returns the number of hits.
+  std::size_t Compare(const MeshView& view, const TraceRequest& request,
+    const std::vector<Camera>& cameras, int tile = 32) const
+  {
+    MeshField field(view, 2);
+    std::size_t count = 0;
+    for (const Camera& camera : cameras)
+    {
+      field.Select(request, { 1, nullptr });
+      const std::vector<Hit> alone = TracePicture(field, camera, tile, false);
+      field.Select(request, { 1, &this->TheKernels });
+      const std::vector<Hit> inBeams = TracePicture(field, camera, tile, true);
+      EXPECT_EQ(alone.size(), inBeams.size());
+      EXPECT_TRUE(AreSame(alone, inBeams));
+      count += alone.size();
+    }
+    return count;
+  }
+};
+
+double NoisyWaves(RandomNumbers& random, const Index3& p)
+{
+  return std::sin(1.3 * p[0]) + std::cos(1.1 * p[1]) * std::sin(0.9 * p[2]) +
+    random.Uniform(-0.3, 0.3);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, HitWhatTheirRaysHit)
+{
+  std::size_t count = 0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(20);
+    const TestMesh mesh = MakeMesh(
+      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    const std::vector<Camera> cameras = MakeCameras(random);
+    count += this->Compare(mesh.View(), TraceRequest({ { 0.2, 1.0 } }), cameras);
+    count += this->Compare(
+      mesh.View(), TraceRequest({ { -0.4, 0.5 }, { 0.0, 0.3 }, { 0.5, 1.0 } }), { cameras[0] });
+  }
+  std::cout << "[ tried    ] " << count << " hits\n";
+  EXPECT_GT(count, 100000U);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, MayHaveTilesOfAnySize)
+{
+  RandomNumbers random(21);
+  const TestMesh mesh = MakeMesh(random, Cubes, Cutting::Mixed, 0.25,
+    [&random](const Index3& p) { return NoisyWaves(random, p); });
+  const Camera camera = MakeCamera(Perspective(1.0, 100.0, 0.2), 20.0, random);
+  for (const int tile : { 1, 2, 8, 96 })
+  {
+    EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, 1.0 } }), { camera }, tile), 1000U);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Values at the isovalue, and values so far apart that single precision cannot tell them.
+TEST_P(MeshBeams, HitWhatTheirRaysHitWhateverTheValues)
+{
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Mixed })
+  {
+    for (const double smallest : { 0.0, 1e-40, 1e-150, 1e-300 })
+    {
+      RandomNumbers random(22);
+      const TestMesh mesh = MakeMesh(random, Cubes, cutting, 0.25,
+        [&random, smallest](const Index3&)
+        {
+          const double sizes[3] = { smallest, 1.0, 1e3 * smallest };
+          return sizes[random.Integer(0, 2)] * random.Integer(-2, 2);
+        });
+      const Camera camera = MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random);
+      const TraceRequest request({ { 0.0, 0.5 }, { 1.0, 1.0 } });
+      EXPECT_GT(this->Compare(mesh.View(), request, { camera }), 1000U);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, HitWhatTheirRaysHitFarFromTheOrigin)
+{
+  constexpr Vector3 far = { 3e6, -2e7, 1e5 };
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Hexahedra })
+  {
+    RandomNumbers random(23);
+    TestMesh mesh = MakeMesh(
+      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+    {
+      mesh.Points[i] += far[i % 3];
+    }
+    const Camera near = MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random);
+    const Matrix4 clipFromObject = Multiply(near.GetClipFromObject(), Translation(far * -1.0));
+    const Matrix4 objectFromClip = Multiply(Translation(far), near.GetObjectFromClip());
+    const Camera camera(clipFromObject, objectFromClip, Translation({ 0.0, 0.0, 0.0 }), Edge, Edge);
+    EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, 1.0 } }), { camera }), 1000U);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Some cells are a million times larger than others, flat, turned inside out or pinched.
+TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(24);
+    TestMesh mesh = MakeMesh(
+      random, Cubes, cutting, 0.9, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    for (int i = 0; i < 40; ++i)
+    {
+      const auto point =
+        static_cast<std::size_t>(random.Integer(0, static_cast<int>(mesh.Values.size()) - 1));
+      const auto other =
+        static_cast<std::size_t>(random.Integer(0, static_cast<int>(mesh.Values.size()) - 1));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        mesh.Points[3 * point + axis] =
+          i % 4 == 0 ? random.WideMagnitude(3.0, 6.0) : mesh.Points[3 * other + axis];
+      }
+    }
+    const std::vector<Camera> cameras = { MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random),
+      MakeCamera(Perspective(0.001, 100.0, 0.7), 0.5, random) };
+    EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, 0.5 } }), cameras), 1000U);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, HitWhatIsVisibleOnly)
+{
+  RandomNumbers random(25);
+  const TestMesh mesh = MakeMesh(random, Cubes, Cutting::Mixed, 0.25,
+    [&random](const Index3& p) { return NoisyWaves(random, p); });
+  std::vector<unsigned char> hidden(mesh.Shapes.size());
+  std::generate(hidden.begin(), hidden.end(),
+    [&random]() { return static_cast<unsigned char>(random.Integer(0, 1)); });
+  TraceRequest request({ { 0.2, 1.0 }, { 0.3, 0.5 } });
+  request.Visible.HiddenCells = hidden.data();
+  request.Visible.HalfSpaces = { { { 1.0, 0.2, 0.1 }, -2.0 } };
+  request.Visible.Regions.Planes = { { { 2.0, 4.0 }, { 2.0, 4.0 }, { 2.0, 4.0 } } };
+  request.Visible.Regions.Visible = 0x1234567;
+  const std::size_t count = this->Compare(mesh.View(), request, MakeCameras(random));
+  EXPECT_GT(count, 1000U);
+  request.Visible = {};
+  EXPECT_GT(this->Compare(mesh.View(), request, MakeCameras(random)), count);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MeshBeams, AllKernels(), NameOfKernels);
+
+}
+}
