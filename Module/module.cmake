@@ -29,6 +29,7 @@ set(core_sources
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
   Mesh/PointGradients.cxx
+  Mesh/RayHitsInCells.cxx
   Mesh/ShapeFunctions.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx

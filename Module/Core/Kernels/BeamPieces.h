@@ -72,8 +72,6 @@ struct BeamPieces
   alignas(64) float Near[Capacity];
   /// The piece is where Line[i][0] * a + Line[i][1] * b + Line[i][2] >= 0.
   alignas(64) float Line[Lines][3][Capacity];
-  std::uint32_t Cell[Capacity];
-  int Surface[Capacity];
 };
 
 /// The rays of a packet in a beam.
@@ -94,7 +92,7 @@ struct BeamRays
   alignas(64) float GroupEnd[2 * Groups];
 };
 
-/// Rays and the cells that they may hit a surface in.
+/// Rays and the pieces that they may hit.
 struct BeamPairs
 {
   /// As soon as there are so many they are solved...
@@ -104,9 +102,44 @@ struct BeamPairs
 
   int Count;
   /// The place of the ray.
+  int Place[Capacity];
+  /// The number of the piece, counted from those of the first set.
+  int Piece[Capacity];
+};
+
+/// The rays of a packet, each in a frame of its own: see RayFrame.
+struct FramedRays
+{
+  /// The axes along the ray and across.
+  int Axis[3][RayPacket::Capacity];
+  alignas(64) double Origin[3][RayPacket::Capacity];
+  alignas(64) double ShearX[RayPacket::Capacity];
+  alignas(64) double ShearY[RayPacket::Capacity];
+  alignas(64) double Inverse[RayPacket::Capacity];
+};
+
+/// A cell that a surface passes, exactly: the coordinates of each corner, and the difference of its
+/// value from the isovalue. Those of a tetrahedron are in the order of their ids.
+struct CellRecord
+{
+  double Corner[BeamCells::Corners][4];
+};
+
+/// Rays in tetrahedra, and where they hit.
+struct TetrahedronPairs
+{
+  static constexpr int Capacity = 64;
+
+  int Count;
   int Ray[Capacity];
-  std::uint32_t Cell[Capacity];
-  int Surface[Capacity];
+  int Piece[Capacity];
+  /// Those with a hit; a bit for each. The numbers of the others are undefined.
+  std::uint64_t Found;
+  std::uint64_t Entering;
+  /// Those whose coordinates are too large or too small for the arithmetic of the kernel.
+  std::uint64_t Extreme;
+  alignas(64) double T[Capacity];
+  alignas(64) double Weights[4][Capacity];
 };
 
 }

@@ -259,7 +259,7 @@ SIMD_INLINE unsigned int FindGroups(const BeamPieces& pieces, int piece, const B
   return found & ((1U << BeamRays::Groups) - 1U);
 }
 
-void FindPairs(const BeamPieces& pieces, const BeamRays& rays, BeamPairs& pairs)
+void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs)
 {
   int count = pairs.Count;
   for (int piece = 0; piece < pieces.Count; ++piece)
@@ -283,9 +283,8 @@ void FindPairs(const BeamPieces& pieces, const BeamRays& rays, BeamPairs& pairs)
         for (unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U); found != 0;
              found &= found - 1)
         {
-          pairs.Ray[count] = first + __builtin_ctz(found);
-          pairs.Cell[count] = pieces.Cell[piece];
-          pairs.Surface[count++] = pieces.Surface[piece];
+          pairs.Place[count] = first + __builtin_ctz(found);
+          pairs.Piece[count++] = firstPiece + piece;
         }
       }
     }

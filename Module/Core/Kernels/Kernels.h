@@ -248,8 +248,14 @@ struct Kernels
   void (*BoundTetrahedra)(const BeamCells& cells, float margin, BeamPieces& pieces);
   void (*BoundTrilinear)(const BeamCells& cells, float margin, BeamPieces& pieces);
 
-  /// Adds the rays that may meet pieces.
-  void (*FindPairs)(const BeamPieces& pieces, const BeamRays& rays, BeamPairs& pairs);
+  /// Adds the rays that may meet the pieces of a set, of which the first has the given number.
+  void (*FindPairs)(
+    const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs);
+
+  /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does. There is a record for
+  /// every piece.
+  void (*SolveTetrahedra)(
+    const FramedRays& rays, const CellRecord* records, TetrahedronPairs& pairs);
 };
 
 extern const Kernels BaselineKernels;

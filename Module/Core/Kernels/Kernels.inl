@@ -19,6 +19,8 @@
 #include "Rays/CellCrossings.h"
 #include "Rays/ClippedRays.h"
 #include "Rays/PixelRays.h"
+#include "Rays/RayFrame.h"
+#include "Rays/TetrahedronHits.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -67,6 +69,7 @@ SIMD_INLINE int LargerOf(int a, int b)
 #include "Kernels/MakeRays.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
+#include "Kernels/SolveTetrahedra.inl"
 
 // One for every ScalarType.
 #define FOR_ALL_TYPES(function)                                                                    \
@@ -79,4 +82,5 @@ SIMD_INLINE int LargerOf(int a, int b)
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(ClassifyCells),              \
     FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
-    FOR_ALL_TYPES(IncludeRow), FindChildrenInBeam, BoundTetrahedra, BoundTrilinear, FindPairs }
+    FOR_ALL_TYPES(IncludeRow), FindChildrenInBeam, BoundTetrahedra, BoundTrilinear, FindPairs,     \
+    SolveTetrahedra }

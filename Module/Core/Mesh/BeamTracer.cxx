@@ -31,6 +31,12 @@ int FindRay(const RayPacket& packet, int place)
   return x + columns * y;
 }
 
+RayFrame GetFrame(const RayPacket& packet, int ray)
+{
+  return { { packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] },
+    packet.GetDirection(ray) };
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -38,42 +44,41 @@ RaySet BeamTracer::Trace(
   const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits)
 {
   this->Packet = &packet;
-  this->Enter(selection, beam.GetFrame());
+  this->Enter(beam.GetFrame());
   this->Pairs.Count = 0;
   for (std::vector<Hit>& hitsOfRay : hits)
   {
     hitsOfRay.clear();
   }
   const Kernels& kernels = *selection.PacketKernels;
-  for (std::size_t set = 0; set < beam.GetNumberOfSets() || beam.FindMore(selection, this->End);
-       ++set)
+  for (int set = 0; set < beam.GetNumberOfSets() || beam.FindMore(selection, this->End); ++set)
   {
-    kernels.FindPairs(beam.GetSet(set), this->Rays, this->Pairs);
+    kernels.FindPairs(beam.GetSet(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
     if (this->Pairs.Count >= BeamPairs::Batch)
     {
-      this->Solve(beam.GetFrame(), hits);
+      this->Solve(selection, beam, hits);
     }
   }
-  this->Solve(beam.GetFrame(), hits);
+  this->Solve(selection, beam, hits);
   return this->InBeam;
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
+void BeamTracer::Enter(const BeamFrame& frame)
 {
   const RayPacket& packet = *this->Packet;
   this->InBeam = {};
-  this->Exact.clear();
   std::fill_n(this->Rays.End, BeamRays::Capacity, -FloatInfinity);
   for (int place = 0; place < packet.Count; ++place)
   {
     const int ray = FindRay(packet, place);
     this->Rays.Ray[place] = ray;
-    this->Exact.emplace_back(selection, packet, ray);
     float label[2] = {};
     if (Has(packet.Exists, ray) && frame.FindLabel(packet, ray, label))
     {
       Add(ray, this->InBeam);
+      this->Parts[ray] = { packet.Begin[ray], packet.End[ray], packet.Base[ray] };
+      this->SetFrame(ray);
       this->Rays.End[place] = frame.GetEnd(packet, ray, packet.End[ray]);
     }
     this->Rays.Label[0][place] = label[0];
@@ -111,19 +116,93 @@ void BeamTracer::FindEnds()
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Solve(const BeamFrame& frame, HitsOfRays& hits)
+void BeamTracer::SetFrame(int ray)
 {
+  const RayFrame frame = GetFrame(*this->Packet, ray);
+  const std::size_t axes[3] = { frame.GetAlong(), frame.AcrossX(), frame.AcrossY() };
+  const FrameNumbers<double>& numbers = frame.GetNumbers();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    this->Framed.Axis[i][ray] = static_cast<int>(axes[i]);
+    this->Framed.Origin[i][ray] = numbers.Origin[i];
+  }
+  this->Framed.ShearX[ray] = numbers.ShearX;
+  this->Framed.ShearY[ray] = numbers.ShearY;
+  this->Framed.Inverse[ray] = numbers.Inverse;
+}
+
+//------------------------------------------------------------------------------
+/// Solves the pairs, and ends the rays at their hits.
+void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
+{
+  this->InTetrahedra.Count = 0;
   for (int i = 0; i < this->Pairs.Count; ++i)
   {
-    const int place = this->Pairs.Ray[i];
+    const int ray = this->Rays.Ray[this->Pairs.Place[i]];
+    const int piece = this->Pairs.Piece[i];
+    const MeshBeam::PassedCell& cell = beam.GetCell(piece);
+    if (!cell.IsTetrahedron)
+    {
+      this->SolveByItself(selection, cell, ray, hits[static_cast<std::size_t>(ray)]);
+      continue;
+    }
+    const int pair = this->InTetrahedra.Count++;
+    this->InTetrahedra.Ray[pair] = ray;
+    this->InTetrahedra.Piece[pair] = piece;
+    if (this->InTetrahedra.Count == TetrahedronPairs::Capacity)
+    {
+      this->SolveTetrahedra(selection, beam, hits);
+    }
+  }
+  this->SolveTetrahedra(selection, beam, hits);
+  for (int i = 0; i < this->Pairs.Count; ++i)
+  {
+    const int place = this->Pairs.Place[i];
     const int ray = this->Rays.Ray[place];
-    MeshRay& exact = this->Exact[static_cast<std::size_t>(place)];
-    exact.FindHitsIn(this->Pairs.Cell[i], this->Pairs.Surface[i], this->InCell,
-      hits[static_cast<std::size_t>(ray)]);
-    this->Rays.End[place] = frame.GetEnd(*this->Packet, ray, exact.GetEnd());
+    this->Rays.End[place] = beam.GetFrame().GetEnd(*this->Packet, ray, this->Parts[ray].End);
   }
   this->Pairs.Count = 0;
   this->FindEnds();
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::SolveTetrahedra(
+  const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
+{
+  TetrahedronPairs& pairs = this->InTetrahedra;
+  if (pairs.Count == 0)
+  {
+    return;
+  }
+  selection.PacketKernels->SolveTetrahedra(this->Framed, beam.GetRecords(), pairs);
+  for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
+  {
+    const int pair = __builtin_ctzll(left);
+    const int ray = pairs.Ray[pair];
+    const MeshBeam::PassedCell& cell = beam.GetCell(pairs.Piece[pair]);
+    const double weights[4] = { pairs.Weights[0][pair], pairs.Weights[1][pair],
+      pairs.Weights[2][pair], pairs.Weights[3][pair] };
+    const CellHit hit = { pairs.T[pair], cell.Order.GetParametric(weights),
+      (pairs.Entering >> pair & 1) != 0 };
+    KeepHit(selection, hit, cell.Number, cell.Surface, this->Parts[ray],
+      hits[static_cast<std::size_t>(ray)]);
+  }
+  for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
+  {
+    const int pair = __builtin_ctzll(left);
+    const int ray = pairs.Ray[pair];
+    this->SolveByItself(
+      selection, beam.GetCell(pairs.Piece[pair]), ray, hits[static_cast<std::size_t>(ray)]);
+  }
+  pairs.Count = 0;
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::SolveByItself(
+  const MeshSelection& selection, const MeshBeam::PassedCell& cell, int ray, std::vector<Hit>& hits)
+{
+  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), cell.Number, cell.Surface, this->InCell,
+    this->Parts[ray], hits);
 }
 
 }

@@ -7,8 +7,8 @@
 #include "Kernels/BeamPieces.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/MeshBeam.h"
-#include "Mesh/MeshRay.h"
 #include "Mesh/MeshSelection.h"
+#include "Mesh/RayHitsInCells.h"
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
 
@@ -31,17 +31,23 @@ public:
     const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);
 
 private:
-  void Enter(const MeshSelection& selection, const BeamFrame& frame);
+  void Enter(const BeamFrame& frame);
+  void SetFrame(int ray);
   void FindEnds();
-  void Solve(const BeamFrame& frame, HitsOfRays& hits);
+  void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
+  void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
+  void SolveByItself(const MeshSelection& selection, const MeshBeam::PassedCell& cell, int ray,
+    std::vector<Hit>& hits);
 
   const RayPacket* Packet = nullptr;
   BeamRays Rays;
-  BeamPairs Pairs;
+  FramedRays Framed;
+  RayPart Parts[RayPacket::Capacity];
   RaySet InBeam;
   /// The latest end of all rays.
   float End;
-  std::vector<MeshRay> Exact;
+  BeamPairs Pairs;
+  TetrahedronPairs InTetrahedra;
   CellHits InCell;
 };
 

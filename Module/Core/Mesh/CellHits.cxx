@@ -3,7 +3,9 @@
 
 #include "Mesh/CellHits.h"
 
+#include "Mesh/CornerOrder.h"
 #include "Mesh/ShapeFunctions.h"
+#include "Rays/TetrahedronHits.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +48,10 @@ bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
   }
   this->Slack = 1e-9 * this->GetExtent();
   this->AvoidExtremes();
+  if (cell.Shape == CellShape::Tetrahedron)
+  {
+    return true;
+  }
   this->Faces.Find(cell, this->Points);
   return this->Faces.Count > 0;
 }
@@ -60,7 +66,7 @@ void CellHits::AvoidExtremes()
   {
     largest = std::max({ largest, std::abs(this->Points[i].X), std::abs(this->Points[i].Y) });
   }
-  if ((largest > 0x1p-100 && largest < 0x1p100) || !(largest > 0.0))
+  if (IsSafeCoordinate(largest) || !(largest > 0.0))
   {
     return;
   }
@@ -103,23 +109,20 @@ const std::vector<CellHit>& CellHits::Find(const double* differences)
 }
 
 //------------------------------------------------------------------------------
-/// The field is linear: it is known from the two faces that the ray crosses.
 void CellHits::FindOfTetrahedron(const double* differences)
 {
-  const FaceCrossing& first = this->Faces.Crossings[0];
-  const FaceCrossing& last = this->Faces.Crossings[this->Faces.Count - 1];
-  const double before = first.Interpolate(differences);
-  const double behind = last.Interpolate(differences);
-  if (IsInside(before) == IsInside(behind))
+  TetrahedronHits<double> tetrahedron;
+  const CornerOrder order(*this->Cell);
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    return;
+    tetrahedron.Points[i] = this->Points[order.Corners[i]];
+    tetrahedron.Differences[i] = differences[order.Corners[i]];
   }
-  const double fraction = before / (before - behind);
-  CornerWeights weights = {};
-  AddWeights(first, 1.0 - fraction, weights);
-  AddWeights(last, fraction, weights);
-  this->Hits.push_back({ Lerp(first.T, last.T, fraction), GetParametric(this->Cell->Shape, weights),
-    IsInside(behind) });
+  if (tetrahedron.Find())
+  {
+    this->Hits.push_back(
+      { tetrahedron.T, order.GetParametric(tetrahedron.Weights), tetrahedron.Entering });
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
 
 #include "Mesh/FaceCrossing.h"
 #include "Mesh/MeshCell.h"
-#include "Mesh/RayFrame.h"
 #include "Mesh/TrilinearSystem.h"
+#include "Rays/RayFrame.h"
 
 #include <vector>
 

@@ -3,6 +3,8 @@
 
 #include "Mesh/FaceCrossing.h"
 
+#include "Rays/TetrahedronHits.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ bool IsInside(const Face& face, const FramePoint* points)
     const FramePoint& a = points[face.Corners[i]];
     const FramePoint& b = points[face.Corners[(i + 1) % face.Count]];
     const bool goesUp = b.Y > 0.0;
-    isInside ^= (a.Y > 0.0) != goesUp && IsLeftOf(a, b) == goesUp;
+    isInside ^= (a.Y > 0.0) != goesUp && FrameEdge<double>(a, b).IsLeft == goesUp;
   }
   return isInside;
 }
@@ -203,14 +205,16 @@ void FaceCrossings::AddTriangle(const OrderedFace& face, const FramePoint* point
   const FramePoint& a = points[face.Corners[0]];
   const FramePoint& b = points[face.Corners[1]];
   const FramePoint& c = points[face.Corners[2]];
-  const bool isLeft = IsLeftOf(a, b);
-  if (IsLeftOf(b, c) != isLeft || IsLeftOf(c, a) != isLeft)
+  const FrameEdge<double> ab(a, b);
+  const FrameEdge<double> bc(b, c);
+  const FrameEdge<double> ca(c, a);
+  const bool isLeft = ab.IsLeft;
+  if (bc.IsLeft != isLeft || ca.IsLeft != isLeft)
   {
     return;
   }
-  const double sign = isLeft ? 1.0 : -1.0;
-  double weights[3] = { std::max(sign * GetArea(b, c), 0.0), std::max(sign * GetArea(c, a), 0.0),
-    std::max(sign * GetArea(a, b), 0.0) };
+  double weights[3] = { bc.Area, ca.Area, ab.Area };
+  MakeWeights(isLeft, weights);
   this->Add(face, weights, isLeft, points);
 }
 
@@ -254,7 +258,6 @@ void FaceCrossings::AddQuadrangle(const OrderedFace& face, const FramePoint* poi
 }
 
 //------------------------------------------------------------------------------
-/// The weights need not have the sum one.
 void FaceCrossings::Add(
   const OrderedFace& face, const double* weights, bool isLeft, const FramePoint* points)
 {
@@ -262,16 +265,11 @@ void FaceCrossings::Add(
   crossing.Count = face.Count;
   crossing.Entering = isLeft != face.IsOutward;
   crossing.T = 0.0;
-  double sum = 0.0;
-  for (int i = 0; i < face.Count; ++i)
-  {
-    sum += weights[i];
-  }
   for (int i = 0; i < face.Count; ++i)
   {
     crossing.Corners[i] = face.Corners[i];
-    crossing.Weights[i] = sum > 0.0 ? weights[i] / sum : 1.0 / face.Count;
-    crossing.T += crossing.Weights[i] * points[face.Corners[i]].T;
+    crossing.Weights[i] = weights[i];
+    crossing.T += weights[i] * points[face.Corners[i]].T;
   }
 }
 

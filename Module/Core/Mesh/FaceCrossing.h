@@ -5,7 +5,7 @@
 #define FaceCrossing_h
 
 #include "Mesh/MeshCell.h"
-#include "Mesh/RayFrame.h"
+#include "Rays/RayFrame.h"
 
 namespace vtkIsosurfaceRayTracing
 {

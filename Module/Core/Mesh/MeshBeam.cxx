@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -96,8 +97,8 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
   this->Heap.clear();
   for (Queue* queue : { &this->Tetrahedra, &this->Others })
   {
-    queue->Cells.Count = 0;
-    queue->Cells.Unbounded = 0;
+    queue->Bounded.Count = 0;
+    queue->Bounded.Unbounded = 0;
   }
   this->Sets = 0;
   const int levels = selection.Tree->GetNumberOfLevels();
@@ -119,7 +120,7 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 //------------------------------------------------------------------------------
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
-  const std::size_t before = this->Sets;
+  const int before = this->Sets;
   while (this->Sets == before && !this->Heap.empty() && this->Heap.front().Depth <= end)
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end());
@@ -178,63 +179,89 @@ void MeshBeam::AddCell(const MeshSelection& selection, std::uint32_t number, int
 {
   MeshCell cell;
   selection.Cells->Load(number, cell);
-  const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
   const bool isTetrahedron = cell.Shape == CellShape::Tetrahedron;
   Queue& queue = isTetrahedron ? this->Tetrahedra : this->Others;
-  BeamCells& cells = queue.Cells;
-  const int place = cells.Count++;
-  queue.Numbers[place] = number;
-  queue.Surfaces[place] = surface;
-
-  const ShapeTraits& traits = GetTraits(cell.Shape);
-  int order[BeamCells::Corners];
-  std::copy_n(traits.Trilinear, BeamCells::Corners, order);
-  double differences[BeamCells::Corners];
+  const int place = queue.Bounded.Count++;
+  PassedCell& passed = queue.Cells[place];
+  passed = { number, surface, isTetrahedron, {} };
+  const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
+  // The corners as they are recorded.
+  int corners[BeamCells::Corners];
   if (isTetrahedron)
   {
-    unsigned int inside = 0;
-    for (int i = 0; i < 4; ++i)
-    {
-      inside |= static_cast<unsigned int>(cell.Values[i] >= traced.Isovalue) << i;
-    }
-    const TetrahedronOrder found = FindOrder(inside);
-    std::copy_n(found.Corners, 4, order);
-    cells.IsTwoByTwo[place] = found.IsTwoByTwo ? 1.0F : 0.0F;
+    passed.Order = CornerOrder(cell);
+    std::copy_n(passed.Order.Corners, 4, corners);
   }
-  const int corners = isTetrahedron ? 4 : BeamCells::Corners;
-  bool isBounded = true;
-  for (int i = 0; i < corners; ++i)
+  else
   {
-    differences[i] = Difference(cell.Values[order[i]], traced.Isovalue, traced.Scale);
-    isBounded = SetCorner(this->Frame.Project(cell.Points[order[i]]), i, place, cells) && isBounded;
+    std::copy_n(GetTraits(cell.Shape).Trilinear, BeamCells::Corners, corners);
   }
-  isBounded = SetDifferences(differences, corners, place, cells) && isBounded;
-  cells.Unbounded |= static_cast<std::uint32_t>(!isBounded) << place;
-  if (cells.Count == BeamCells::Capacity)
+  const int count = isTetrahedron ? 4 : BeamCells::Corners;
+  CellRecord& record = queue.Records[place];
+  for (int i = 0; i < count; ++i)
+  {
+    std::copy_n(cell.Points[corners[i]].begin(), 3, record.Corner[i]);
+    record.Corner[i][3] = Difference(cell.Values[corners[i]], traced.Isovalue, traced.Scale);
+  }
+  this->AddToBounds(record, count, place, queue.Bounded);
+  if (queue.Bounded.Count == BeamCells::Capacity)
   {
     this->Bound(selection, queue, isTetrahedron);
   }
 }
 
 //------------------------------------------------------------------------------
+void MeshBeam::AddToBounds(const CellRecord& record, int count, int place, BeamCells& cells) const
+{
+  int order[BeamCells::Corners];
+  std::iota(order, order + count, 0);
+  if (count == 4)
+  {
+    unsigned int inside = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      inside |= static_cast<unsigned int>(IsInside(record.Corner[i][3])) << i;
+    }
+    const TetrahedronOrder found = FindOrder(inside);
+    std::copy_n(found.Corners, 4, order);
+    cells.IsTwoByTwo[place] = found.IsTwoByTwo ? 1.0F : 0.0F;
+  }
+  double differences[BeamCells::Corners];
+  bool isBounded = true;
+  for (int i = 0; i < count; ++i)
+  {
+    const double* corner = record.Corner[order[i]];
+    differences[i] = corner[3];
+    const BeamPoint point = this->Frame.Project({ corner[0], corner[1], corner[2] });
+    isBounded = SetCorner(point, i, place, cells) && isBounded;
+  }
+  isBounded = SetDifferences(differences, count, place, cells) && isBounded;
+  cells.Unbounded |= static_cast<std::uint32_t>(!isBounded) << place;
+}
+
+//------------------------------------------------------------------------------
 void MeshBeam::Bound(const MeshSelection& selection, Queue& queue, bool areTetrahedra)
 {
-  BeamCells& cells = queue.Cells;
+  BeamCells& cells = queue.Bounded;
   if (cells.Count == 0)
   {
     return;
   }
-  if (this->Sets == this->Pieces.size())
+  const auto set = static_cast<std::size_t>(this->Sets++);
+  constexpr auto capacity = static_cast<std::size_t>(BeamPieces::Capacity);
+  if (set == this->Pieces.size())
   {
     this->Pieces.emplace_back();
+    this->Cells.resize(this->Cells.size() + capacity);
+    this->Records.resize(this->Records.size() + capacity);
   }
-  BeamPieces& pieces = this->Pieces[this->Sets++];
+  BeamPieces& pieces = this->Pieces[set];
   pieces.Count = cells.Count;
-  std::copy_n(queue.Numbers, cells.Count, pieces.Cell);
-  std::copy_n(queue.Surfaces, cells.Count, pieces.Surface);
   const Kernels& kernels = *selection.PacketKernels;
   (areTetrahedra ? kernels.BoundTetrahedra : kernels.BoundTrilinear)(
     cells, this->Frame.GetMargin(), pieces);
+  std::copy_n(queue.Cells, cells.Count, &this->Cells[set * capacity]);
+  std::copy_n(queue.Records, cells.Count, &this->Records[set * capacity]);
   cells.Count = 0;
   cells.Unbounded = 0;
 }

@@ -7,6 +7,7 @@
 #include "Field/TracedField.h"
 #include "Kernels/BeamPieces.h"
 #include "Mesh/BeamFrame.h"
+#include "Mesh/CornerOrder.h"
 #include "Mesh/MeshSelection.h"
 
 #include <cstddef>
@@ -30,8 +31,26 @@ public:
   const BeamFrame& GetFrame() const { return this->Frame; }
 
   /// The pieces found so far, in sets.
-  std::size_t GetNumberOfSets() const { return this->Sets; }
-  const BeamPieces& GetSet(std::size_t number) const { return this->Pieces[number]; }
+  int GetNumberOfSets() const { return this->Sets; }
+  const BeamPieces& GetSet(int number) const
+  {
+    return this->Pieces[static_cast<std::size_t>(number)];
+  }
+
+  /// A surface in a cell. Pieces are numbered through all sets.
+  struct PassedCell
+  {
+    std::uint32_t Number;
+    int Surface;
+    bool IsTetrahedron;
+    CornerOrder Order;
+  };
+  const PassedCell& GetCell(int piece) const
+  {
+    return this->Cells[static_cast<std::size_t>(piece)];
+  }
+  /// One for every piece.
+  const CellRecord* GetRecords() const { return this->Records.data(); }
 
   /// Finds one or more further sets. Returns false if no other piece is before a depth.
   bool FindMore(const MeshSelection& selection, float end);
@@ -51,14 +70,15 @@ private:
   /// Cells of one kind that wait for others to be bounded with.
   struct Queue
   {
-    BeamCells Cells = {};
-    std::uint32_t Numbers[BeamCells::Capacity];
-    int Surfaces[BeamCells::Capacity];
+    BeamCells Bounded = {};
+    PassedCell Cells[BeamCells::Capacity];
+    CellRecord Records[BeamCells::Capacity];
   };
 
   void Expand(const MeshSelection& selection, const Node& node);
   void AddBlock(const MeshSelection& selection, std::size_t block);
   void AddCell(const MeshSelection& selection, std::uint32_t number, int surface);
+  void AddToBounds(const CellRecord& record, int count, int place, BeamCells& cells) const;
   void Bound(const MeshSelection& selection, Queue& queue, bool areTetrahedra);
 
   bool HasFrame = false;
@@ -68,9 +88,11 @@ private:
   std::vector<Node> Heap;
   Queue Tetrahedra;
   Queue Others;
-  /// Those in use are the first.
+  // Those in use are the first.
   std::vector<BeamPieces> Pieces;
-  std::size_t Sets = 0;
+  std::vector<PassedCell> Cells;
+  std::vector<CellRecord> Records;
+  int Sets = 0;
 };
 
 }

@@ -3,9 +3,7 @@
 
 #include "Mesh/MeshRay.h"
 
-#include "Mesh/HitOrder.h"
 #include "Mesh/RaySlab.h"
-#include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
 
@@ -24,9 +22,7 @@ MeshRay::MeshRay(const MeshSelection& selection, const RayPacket& packet, int ra
   , Origin{ packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] }
   , Direction(packet.GetDirection(ray))
   , Inverse{ packet.Inverse[0][ray], packet.Inverse[1][ray], packet.Inverse[2][ray] }
-  , Begin(packet.Begin[ray])
-  , End(packet.End[ray])
-  , Base(packet.Base[ray])
+  , Part{ packet.Begin[ray], packet.End[ray], packet.Base[ray] }
   , Frame(this->Origin, this->Direction)
 {
 }
@@ -57,7 +53,7 @@ void MeshRay::Visit(int level, std::size_t number, CellHits& inCell, std::vector
   }
   std::sort(
     children, children + count, [](const Child& a, const Child& b) { return a.Begin < b.Begin; });
-  for (int i = 0; i < count && children[i].Begin <= this->End; ++i)
+  for (int i = 0; i < count && children[i].Begin <= this->Part.End; ++i)
   {
     const std::size_t child =
       number * CellTree::Width + static_cast<std::size_t>(children[i].Number);
@@ -87,7 +83,7 @@ bool MeshRay::IsActive(const CellTreeNode& node, int child) const
 /// Where the ray enters the box of a child, or infinity.
 double MeshRay::FindBegin(const CellTreeNode& node, int child) const
 {
-  Slab inside = { this->Begin, this->End };
+  Slab inside = { this->Part.Begin, this->Part.End };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const Slab slab = CutToSlab(this->Origin[axis], this->Direction[axis], this->Inverse[axis],
@@ -106,54 +102,9 @@ void MeshRay::VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& 
     for (unsigned int active = this->Selection->Surfaces[surface].Active->Get(block); active != 0;
          active &= active - 1)
     {
-      this->FindHitsIn(cells[__builtin_ctz(active)], static_cast<int>(surface), inCell, hits);
+      KeepHitsInCell(*this->Selection, this->Frame, cells[__builtin_ctz(active)],
+        static_cast<int>(surface), inCell, this->Part, hits);
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void MeshRay::FindHitsIn(std::int64_t cell, int surface, CellHits& inCell, std::vector<Hit>& hits)
-{
-  MeshCell loaded;
-  this->Selection->Cells->Load(cell, loaded);
-  if (!inCell.Enter(this->Frame, loaded))
-  {
-    return;
-  }
-  const MeshSurface& traced = this->Selection->Surfaces[static_cast<std::size_t>(surface)];
-  double differences[MaximumCorners];
-  for (int i = 0; i < loaded.Count; ++i)
-  {
-    differences[i] = Difference(loaded.Values[i], traced.Isovalue, traced.Scale);
-  }
-  for (const CellHit& found : inCell.Find(differences))
-  {
-    this->Add(found, cell, surface, hits);
-  }
-}
-
-//------------------------------------------------------------------------------
-void MeshRay::Add(const CellHit& found, std::int64_t cell, int surface, std::vector<Hit>& hits)
-{
-  if (!(found.T >= this->Begin && found.T <= this->End))
-  {
-    return;
-  }
-  const Hit hit = { this->Base + found.T, cell, surface, found.Parametric, found.Entering };
-  const TraceRequest& request = this->Selection->Request;
-  if (!request.Visible.IsConvex())
-  {
-    MeshCell loaded;
-    this->Selection->Cells->Load(cell, loaded);
-    if (!request.Visible.Shows(hit, GetPoint(loaded, hit.Parametric)))
-    {
-      return;
-    }
-  }
-  hits.push_back(hit);
-  if (request.GetOpacity(hit) >= 1.0)
-  {
-    this->End = std::min(this->End, found.T + GetReachOfPlace(found.T, this->Base));
   }
 }
 

@@ -6,12 +6,12 @@
 
 #include "Mesh/CellHits.h"
 #include "Mesh/MeshSelection.h"
-#include "Mesh/RayFrame.h"
+#include "Mesh/RayHitsInCells.h"
 #include "Rays/Hit.h"
+#include "Rays/RayFrame.h"
 #include "Rays/RayPacket.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -23,14 +23,8 @@ class MeshRay
 public:
   MeshRay(const MeshSelection& selection, const RayPacket& packet, int ray);
 
-  /// Where it ends: beyond the first opaque hit so far there is only what is at its place.
-  double GetEnd() const { return this->End; }
-
   /// Appends all hits; those beyond the first opaque one may be missing.
   void FindHits(CellHits& inCell, std::vector<Hit>& hits);
-
-  /// Appends those with one surface in one cell.
-  void FindHitsIn(std::int64_t cell, int surface, CellHits& inCell, std::vector<Hit>& hits);
 
 private:
   struct Child;
@@ -39,15 +33,12 @@ private:
   double FindBegin(const CellTreeNode& node, int child) const;
   void Visit(int level, std::size_t number, CellHits& inCell, std::vector<Hit>& hits);
   void VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& hits);
-  void Add(const CellHit& found, std::int64_t cell, int surface, std::vector<Hit>& hits);
 
   const MeshSelection* Selection;
   Vector3 Origin;
   Vector3 Direction;
   Vector3 Inverse;
-  double Begin;
-  double End;
-  double Base;
+  RayPart Part;
   RayFrame Frame;
 };
 
