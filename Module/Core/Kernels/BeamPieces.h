@@ -17,16 +17,40 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The planes around a beam, and the coordinates that they are given in: the one along the beam,
-/// and for each plane one of the two across.
-struct BeamSides
+/// How boxes are projected to labels; see BeamFrame. The coordinates along the beam are z, and
+/// those across it x.
+struct BeamProjection
 {
+  /// The axes along the beam and across.
   int Along;
-  int Across[4];
-  /// The beam is where SlopeAlong * along + SlopeAcross * across + Offset >= 0.
-  float SlopeAlong[4];
-  float SlopeAcross[4];
-  float Offset[4];
+  int Across[2];
+  bool IsUp;
+  /// The plane of labels and the centre of the beam there, and what rounding took off them.
+  float Plane;
+  float PlaneRest;
+  float Center[2];
+  float CenterRest[2];
+  /// W is 1 + Spread (z - Plane).
+  float Spread;
+  /// X is Scale (x - Center) - Slope (z - Plane), for each of the axes across.
+  float Scale;
+  float Slope[2];
+  /// By how much X, labels as a part of themselves, and depths may be wrong.
+  float Error;
+  float RelativeError;
+  float DepthError;
+  /// What reaches to a smaller W has any label.
+  float SmallestW;
+};
+
+/// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.
+struct LabelBounds
+{
+  static constexpr int Capacity = 16;
+
+  alignas(64) float Lower[2][Capacity];
+  alignas(64) float Upper[2][Capacity];
+  alignas(64) float Near[Capacity];
 };
 
 /// An isovalue between two floats: a range of values holds it if its low is not above Before, and
@@ -40,7 +64,7 @@ struct IsovalueSpan
 /// Cells that a surface passes, to be bounded.
 struct BeamCells
 {
-  static constexpr int Capacity = 16;
+  static constexpr int Capacity = LabelBounds::Capacity;
   static constexpr int Corners = 8;
 
   int Count;
@@ -66,10 +90,7 @@ struct BeamPieces
   static constexpr int Lines = 4;
 
   int Count;
-  /// The rectangle of labels.
-  alignas(64) float Lower[2][Capacity];
-  alignas(64) float Upper[2][Capacity];
-  alignas(64) float Near[Capacity];
+  LabelBounds Bounds;
   /// The piece is where Line[i][0] * a + Line[i][1] * b + Line[i][2] >= 0.
   alignas(64) float Line[Lines][3][Capacity];
 };
@@ -90,6 +111,10 @@ struct BeamRays
   alignas(64) float Lower[2][2 * Groups];
   alignas(64) float Upper[2][2 * Groups];
   alignas(64) float GroupEnd[2 * Groups];
+  /// The bounds of all rays.
+  float LowerOfAll[2];
+  float UpperOfAll[2];
+  float EndOfAll;
 };
 
 /// Rays and the pieces that they may hit.
@@ -103,7 +128,6 @@ struct BeamPairs
   int Count;
   /// The place of the ray.
   int Place[Capacity];
-  /// The number of the piece, counted from those of the first set.
   int Piece[Capacity];
 };
 

@@ -11,33 +11,59 @@ namespace
 /// What rounding may move labels by, in units of the labels.
 constexpr float LabelMargin = 0x1p-18F;
 
-unsigned int FindChildrenInBeam(
-  const CellTreeNode& node, const BeamSides& sides, const IsovalueSpan* isovalues, int count)
+/// The children with values on both sides of an isovalue.
+SIMD_INLINE unsigned int FindActive(
+  const CellTreeNode& node, int first, const IsovalueSpan* isovalues, int count)
 {
+  const Floats low = LoadFloats(&node.Low[first]);
+  const Floats high = LoadFloats(&node.High[first]);
+  unsigned int active = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    active |= ~ToBits((isovalues[k].Before < low) | (high < isovalues[k].From));
+  }
+  return active & ((1U << FloatWidth) - 1U);
+}
+
+unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& beam,
+  const IsovalueSpan* isovalues, int count, LabelBounds& bounds)
+{
+  constexpr auto infinity = static_cast<float>(Infinity);
   unsigned int found = 0;
   for (int i = 0; i < CellTreeNode::Width; i += FloatWidth)
   {
-    const Floats low = LoadFloats(&node.Low[i]);
-    const Floats high = LoadFloats(&node.High[i]);
-    unsigned int active = 0;
-    for (int k = 0; k < count; ++k)
+    const unsigned int active = FindActive(node, i, isovalues, count);
+    if (active == 0)
     {
-      active |= ~ToBits((isovalues[k].Before < low) | (high < isovalues[k].From));
+      continue;
     }
-    unsigned int outside = 0;
-    for (int side = 0; side < 4; ++side)
+    // The two ends of the boxes along the beam.
+    const Floats z[2] = { LoadFloats(&node.Lower[beam.Along][i]) - beam.Plane + beam.PlaneRest,
+      LoadFloats(&node.Upper[beam.Along][i]) - beam.Plane + beam.PlaneRest };
+    const Floats w[2] = { MultiplyAdd(beam.Spread, z[0], 1.0F),
+      MultiplyAdd(beam.Spread, z[1], 1.0F) };
+    const Floats inverse[2] = { ApproximateReciprocal(w[0]), ApproximateReciprocal(w[1]) };
+    const FloatMask isNear = (w[0] < beam.SmallestW) | (w[1] < beam.SmallestW);
+    // Where all of the box is behind the point where the rays meet.
+    FloatMask isOutside = (w[0] < -beam.SmallestW) & (w[1] < -beam.SmallestW);
+    for (int k = 0; k < 2; ++k)
     {
-      const float along = sides.SlopeAlong[side];
-      const float across = sides.SlopeAcross[side];
-      // The corner of the box that is farthest inside.
-      const float* z = along > 0.0F ? node.Upper[sides.Along] : node.Lower[sides.Along];
-      const float* x =
-        across > 0.0F ? node.Upper[sides.Across[side]] : node.Lower[sides.Across[side]];
-      const Floats height = MultiplyAdd(
-        along, LoadFloats(z + i), MultiplyAdd(across, LoadFloats(x + i), sides.Offset[side]));
-      outside |= ToBits(height < 0.0F);
+      const Floats left = LoadFloats(&node.Lower[beam.Across[k]][i]) - beam.Center[k];
+      const Floats right = LoadFloats(&node.Upper[beam.Across[k]][i]) - beam.Center[k];
+      const Floats lowest = beam.Scale * (left + beam.CenterRest[k]) - beam.Error;
+      const Floats highest = beam.Scale * (right + beam.CenterRest[k]) + beam.Error;
+      const Floats shift[2] = { beam.Slope[k] * z[0], beam.Slope[k] * z[1] };
+      Floats lower = Min((lowest - shift[0]) * inverse[0], (lowest - shift[1]) * inverse[1]);
+      Floats upper = Max((highest - shift[0]) * inverse[0], (highest - shift[1]) * inverse[1]);
+      lower = Select(isNear, -infinity, lower - beam.RelativeError * Abs(lower));
+      upper = Select(isNear, infinity, upper + beam.RelativeError * Abs(upper));
+      isOutside = isOutside | (1.0F < lower) | (upper < -1.0F);
+      StoreFloats(lower, &bounds.Lower[k][i]);
+      StoreFloats(upper, &bounds.Upper[k][i]);
     }
-    found |= (active & ~outside & ((1U << FloatWidth) - 1U)) << i;
+    const Floats near = beam.IsUp ? z[0] : 0.0F - z[1];
+    StoreFloats(near - beam.DepthError, &bounds.Near[i]);
+    found |= (active & ~ToBits(isOutside)) << i;
   }
   return found;
 }
@@ -120,10 +146,10 @@ SIMD_INLINE void StoreBounds(
 {
   for (int i = 0; i < 2; ++i)
   {
-    StoreFloats(bounds.Lower[i] - margin, &pieces.Lower[i][first]);
-    StoreFloats(bounds.Upper[i] + margin, &pieces.Upper[i][first]);
+    StoreFloats(bounds.Lower[i] - margin, &pieces.Bounds.Lower[i][first]);
+    StoreFloats(bounds.Upper[i] + margin, &pieces.Bounds.Upper[i][first]);
   }
-  StoreFloats(bounds.Near, &pieces.Near[first]);
+  StoreFloats(bounds.Near, &pieces.Bounds.Near[first]);
 }
 
 SIMD_INLINE void StoreLine(Floats a, Floats b, Floats c, int line, int first, BeamPieces& pieces)
@@ -139,8 +165,9 @@ void OpenUnbounded(const BeamCells& cells, BeamPieces& pieces)
   for (std::uint32_t left = cells.Unbounded; left != 0; left &= left - 1)
   {
     const int i = __builtin_ctz(left);
-    pieces.Lower[0][i] = pieces.Lower[1][i] = pieces.Near[i] = -infinity;
-    pieces.Upper[0][i] = pieces.Upper[1][i] = infinity;
+    LabelBounds& bounds = pieces.Bounds;
+    bounds.Lower[0][i] = bounds.Lower[1][i] = bounds.Near[i] = -infinity;
+    bounds.Upper[0][i] = bounds.Upper[1][i] = infinity;
     for (auto& line : pieces.Line)
     {
       line[0][i] = line[1][i] = line[2][i] = 0.0F;
@@ -243,53 +270,90 @@ void BoundTrilinear(const BeamCells& cells, float rayMargin, BeamPieces& pieces)
 }
 
 //------------------------------------------------------------------------------
-/// The groups of rays that may meet a piece; a bit for each.
-SIMD_INLINE unsigned int FindGroups(const BeamPieces& pieces, int piece, const BeamRays& rays)
+/// The groups of rays that may meet what is in some bounds; a bit for each.
+SIMD_INLINE unsigned int FindGroups(const LabelBounds& bounds, int number, const BeamRays& rays)
 {
   unsigned int found = 0;
   for (int i = 0; i < BeamRays::Groups; i += FloatWidth)
   {
-    const FloatMask isBeside = (LoadFloats(&rays.Upper[0][i]) < pieces.Lower[0][piece]) |
-      (LoadFloats(&rays.Upper[1][i]) < pieces.Lower[1][piece]) |
-      (pieces.Upper[0][piece] < LoadFloats(&rays.Lower[0][i])) |
-      (pieces.Upper[1][piece] < LoadFloats(&rays.Lower[1][i])) |
-      (LoadFloats(&rays.GroupEnd[i]) < pieces.Near[piece]);
+    const FloatMask isBeside = (LoadFloats(&rays.Upper[0][i]) < bounds.Lower[0][number]) |
+      (LoadFloats(&rays.Upper[1][i]) < bounds.Lower[1][number]) |
+      (bounds.Upper[0][number] < LoadFloats(&rays.Lower[0][i])) |
+      (bounds.Upper[1][number] < LoadFloats(&rays.Lower[1][i])) |
+      (LoadFloats(&rays.GroupEnd[i]) < bounds.Near[number]);
     found |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << i;
   }
   return found & ((1U << BeamRays::Groups) - 1U);
 }
 
-void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs)
+/// The bounds that some of the rays may meet; a bit for each.
+SIMD_INLINE unsigned int FindNear(const LabelBounds& bounds, int count, const BeamRays& rays)
 {
-  int count = pairs.Count;
-  for (int piece = 0; piece < pieces.Count; ++piece)
+  unsigned int near = 0;
+  for (int i = 0; i < count; i += FloatWidth)
   {
-    for (unsigned int groups = FindGroups(pieces, piece, rays); groups != 0; groups &= groups - 1)
+    const FloatMask isBeside = (rays.UpperOfAll[0] < LoadFloats(&bounds.Lower[0][i])) |
+      (rays.UpperOfAll[1] < LoadFloats(&bounds.Lower[1][i])) |
+      (LoadFloats(&bounds.Upper[0][i]) < rays.LowerOfAll[0]) |
+      (LoadFloats(&bounds.Upper[1][i]) < rays.LowerOfAll[1]) |
+      (rays.EndOfAll < LoadFloats(&bounds.Near[i]));
+    near |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << i;
+  }
+  return near & ((1U << count) - 1U);
+}
+
+unsigned int FindPassed(const LabelBounds& bounds, int count, const BeamRays& rays)
+{
+  unsigned int passed = 0;
+  for (unsigned int near = FindNear(bounds, count, rays); near != 0; near &= near - 1)
+  {
+    const int number = __builtin_ctz(near);
+    passed |= static_cast<unsigned int>(FindGroups(bounds, number, rays) != 0) << number;
+  }
+  return passed;
+}
+
+/// Adds the rays of a group that may meet a piece.
+SIMD_INLINE void AddPairs(const BeamPieces& pieces, int piece, int number, const BeamRays& rays,
+  int group, BeamPairs& pairs)
+{
+  const LabelBounds& bounds = pieces.Bounds;
+  const int begin = group * BeamRays::GroupSize;
+  int count = pairs.Count;
+  for (int first = begin; first < begin + BeamRays::GroupSize; first += FloatWidth)
+  {
+    const Floats a = LoadFloats(&rays.Label[0][first]);
+    const Floats b = LoadFloats(&rays.Label[1][first]);
+    FloatMask isBeside = (a < bounds.Lower[0][piece]) | (bounds.Upper[0][piece] < a) |
+      (b < bounds.Lower[1][piece]) | (bounds.Upper[1][piece] < b) |
+      (LoadFloats(&rays.End[first]) < bounds.Near[piece]);
+    for (const auto& line : pieces.Line)
     {
-      const int begin = __builtin_ctz(groups) * BeamRays::GroupSize;
-      for (int first = begin; first < begin + BeamRays::GroupSize; first += FloatWidth)
-      {
-        const Floats a = LoadFloats(&rays.Label[0][first]);
-        const Floats b = LoadFloats(&rays.Label[1][first]);
-        FloatMask isBeside = (a < pieces.Lower[0][piece]) | (pieces.Upper[0][piece] < a) |
-          (b < pieces.Lower[1][piece]) | (pieces.Upper[1][piece] < b) |
-          (LoadFloats(&rays.End[first]) < pieces.Near[piece]);
-        for (const auto& line : pieces.Line)
-        {
-          const Floats height =
-            MultiplyAdd(line[0][piece], a, MultiplyAdd(line[1][piece], b, line[2][piece]));
-          isBeside = isBeside | (height < 0.0F);
-        }
-        for (unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U); found != 0;
-             found &= found - 1)
-        {
-          pairs.Place[count] = first + __builtin_ctz(found);
-          pairs.Piece[count++] = firstPiece + piece;
-        }
-      }
+      const Floats height =
+        MultiplyAdd(line[0][piece], a, MultiplyAdd(line[1][piece], b, line[2][piece]));
+      isBeside = isBeside | (height < 0.0F);
+    }
+    for (unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U); found != 0;
+         found &= found - 1)
+    {
+      pairs.Place[count] = first + __builtin_ctz(found);
+      pairs.Piece[count++] = number;
     }
   }
   pairs.Count = count;
+}
+
+void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs)
+{
+  for (unsigned int near = FindNear(pieces.Bounds, pieces.Count, rays); near != 0; near &= near - 1)
+  {
+    const int piece = __builtin_ctz(near);
+    for (unsigned int groups = FindGroups(pieces.Bounds, piece, rays); groups != 0;
+         groups &= groups - 1)
+    {
+      AddPairs(pieces, piece, firstPiece + piece, rays, __builtin_ctz(groups), pairs);
+    }
+  }
 }
 
 }

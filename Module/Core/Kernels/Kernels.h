@@ -238,15 +238,18 @@ struct Kernels
   /// ValueRange. One for every ScalarType.
   void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 
-  /// Finds the children of a node that a beam may meet and one of the isovalues is in; a bit for
-  /// each.
-  unsigned int (*FindChildrenInBeam)(
-    const CellTreeNode& node, const BeamSides& sides, const IsovalueSpan* isovalues, int count);
+  /// Finds the children of a node that a beam may meet and one of the isovalues is in, and their
+  /// bounds; a bit for each.
+  unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
+    const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
   /// Bounds the pieces of surfaces in cells: in tetrahedra, or in trilinear cells. Labels of rays
   /// may be wrong by the margin.
   void (*BoundTetrahedra)(const BeamCells& cells, float margin, BeamPieces& pieces);
   void (*BoundTrilinear)(const BeamCells& cells, float margin, BeamPieces& pieces);
+
+  /// Finds the bounds that some of the rays may meet; a bit for each.
+  unsigned int (*FindPassed)(const LabelBounds& bounds, int count, const BeamRays& rays);
 
   /// Adds the rays that may meet the pieces of a set, of which the first has the given number.
   void (*FindPairs)(

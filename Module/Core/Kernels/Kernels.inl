@@ -82,5 +82,5 @@ SIMD_INLINE int LargerOf(int a, int b)
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(ClassifyCells),              \
     FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
-    FOR_ALL_TYPES(IncludeRow), FindChildrenInBeam, BoundTetrahedra, BoundTrilinear, FindPairs,     \
-    SolveTetrahedra }
+    FOR_ALL_TYPES(IncludeRow), ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed,       \
+    FindPairs, SolveTetrahedra }

@@ -57,12 +57,6 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   this->Sign = direction[this->Along] > 0.0 ? 1.0 : -1.0;
   this->Plane = this->Sign > 0.0 ? box.Upper[this->Along] : box.Lower[this->Along];
   this->Length = box.Upper[this->Along] - box.Lower[this->Along];
-  this->Largest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    this->Largest =
-      std::max({ this->Largest, std::abs(box.Lower[axis]), std::abs(box.Upper[axis]) });
-  }
   LinePoint corners[4];
   double lower[2] = { HUGE_VAL, HUGE_VAL };
   double upper[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -102,43 +96,53 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
     this->Center[k] = 0.5 * (lower[k] + upper[k]);
     this->Slope[k] = corners[0].Slope[k] + this->Spread * (this->Center[k] - corners[0].Place[k]);
   }
+  this->Reach = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    this->Reach = std::max({ this->Reach, std::abs(box.Lower[this->Across[k]] - this->Center[k]),
+      std::abs(box.Upper[this->Across[k]] - this->Center[k]) });
+  }
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
   // Rays need not be between the lines to the last bit; and there may be one line only.
-  this->InverseSize = 1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * this->Largest);
+  this->InverseSize = 1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Length));
   double error = 0x1p-30;
   for (int i = 0; i < 4; ++i)
   {
     error = std::max(error, 16.0 * this->GetError(corners[i].Place, corners[i].Slope));
   }
   this->Margin = static_cast<float>(error);
-  return error < 1.0 && std::isfinite(this->InverseSize) &&
-    std::isfinite(this->Spread * this->Length) && std::isfinite(this->Largest * this->InverseSize);
+  return error < 1.0 && std::abs(this->Spread) * this->Length < 256.0 &&
+    (this->Reach + this->Length) * this->InverseSize < 0x1p60;
 }
 
 //------------------------------------------------------------------------------
-BeamSides BeamFrame::GetSides() const
+BeamProjection BeamFrame::GetProjection() const
 {
-  BeamSides sides{};
-  sides.Along = static_cast<int>(this->Along);
-  for (int i = 0; i < 4; ++i)
+  BeamProjection beam{};
+  beam.Along = static_cast<int>(this->Along);
+  beam.IsUp = this->Sign > 0.0;
+  beam.Plane = static_cast<float>(this->Plane);
+  beam.Spread = static_cast<float>(this->Spread);
+  beam.Scale = static_cast<float>(this->InverseSize);
+  beam.SmallestW = static_cast<float>(4.0 * SmallestW);
+  beam.PlaneRest = static_cast<float>(static_cast<double>(beam.Plane) - this->Plane);
+  double reach = this->Reach;
+  double steepest = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
   {
-    // X + W >= 0, or W - X >= 0, by coordinates; the same for Y.
-    const std::size_t k = static_cast<std::size_t>(i) / 2;
-    const double sign = i % 2 == 0 ? 1.0 : -1.0;
-    const double across = sign * this->InverseSize;
-    const double along = this->Spread - across * this->Slope[k];
-    const double offset =
-      1.0 - this->Spread * this->Plane - across * (this->Center[k] - this->Slope[k] * this->Plane);
-    const double largest = std::max(this->Largest, std::abs(this->Center[k]));
-    const double size = 1.0 +
-      (std::abs(across) * (3.0 + 2.0 * std::abs(this->Slope[k])) + 2.0 * std::abs(this->Spread)) *
-        largest;
-    sides.Across[i] = static_cast<int>(this->Across[k]);
-    sides.SlopeAlong[i] = static_cast<float>(along);
-    sides.SlopeAcross[i] = static_cast<float>(across);
-    sides.Offset[i] = static_cast<float>(offset + 0x1p-20 * size);
+    beam.Across[k] = static_cast<int>(this->Across[k]);
+    beam.Center[k] = static_cast<float>(this->Center[k]);
+    beam.CenterRest[k] = static_cast<float>(static_cast<double>(beam.Center[k]) - this->Center[k]);
+    beam.Slope[k] = static_cast<float>(this->Slope[k] * this->InverseSize);
+    reach = std::max(reach, this->Reach + std::abs(static_cast<double>(beam.CenterRest[k])));
+    steepest = std::max(steepest, std::abs(this->Slope[k]));
   }
-  return sides;
+  const double length = this->Length + std::abs(static_cast<double>(beam.PlaneRest));
+  beam.Error = static_cast<float>(0x1p-20 * (reach + steepest * length) * this->InverseSize);
+  beam.RelativeError =
+    static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Spread) / SmallestW);
+  beam.DepthError = static_cast<float>(0x1p-20 * length);
+  return beam;
 }
 
 //------------------------------------------------------------------------------

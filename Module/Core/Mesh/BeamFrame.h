@@ -43,8 +43,8 @@ public:
   /// lines do not go one way along an axis.
   bool Find(const RayPacket& lines, const Bounds& box);
 
-  /// The planes around the part of the beam with the given labels.
-  BeamSides GetSides() const;
+  /// How the boxes of a tree are projected, in single precision.
+  BeamProjection GetProjection() const;
 
   BeamPoint Project(const Vector3& point) const
   {
@@ -66,8 +66,6 @@ public:
       this->GetDepth(packet.Origin[this->Along][ray] + end * packet.Direction[this->Along][ray]);
     return static_cast<float>(depth + 0x1p-20 * (std::abs(depth) + this->Length));
   }
-  std::size_t GetAxis() const { return this->Along; }
-  bool IsUp() const { return this->Sign > 0.0; }
 
   /// Finds the label of a ray of a packet. Returns false if the ray is not in the beam.
   bool FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const;
@@ -82,8 +80,8 @@ private:
   double Plane;
   /// The extent of the box along the axis.
   double Length;
-  /// The largest coordinate of the box.
-  double Largest;
+  /// The largest distance of the box from the centre, across.
+  double Reach;
   /// The ray with the label 0: where it meets the plane, and its slopes there.
   double Center[2];
   double Slope[2];

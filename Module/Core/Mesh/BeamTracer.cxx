@@ -51,13 +51,26 @@ RaySet BeamTracer::Trace(
     hitsOfRay.clear();
   }
   const Kernels& kernels = *selection.PacketKernels;
-  for (int set = 0; set < beam.GetNumberOfSets() || beam.FindMore(selection, this->End); ++set)
+  for (int next = 0;
+       next < beam.GetNumberOfBlocks() || beam.FindMore(selection, this->Rays.EndOfAll);)
   {
-    kernels.FindPairs(beam.GetSet(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
-    if (this->Pairs.Count >= BeamPairs::Batch)
+    // Those of one set of bounds, up to the last known.
+    const int first = next - next % LabelBounds::Capacity;
+    const int end = std::min(beam.GetNumberOfBlocks(), first + LabelBounds::Capacity);
+    const unsigned int passed =
+      kernels.FindPassed(beam.GetBounds(first), end - first, this->Rays) >> (next - first);
+    for (unsigned int left = passed; left != 0; left &= left - 1)
     {
-      this->Solve(selection, beam, hits);
+      for (const MeshBeam::PieceSet& set : beam.GetPieces(selection, next + __builtin_ctz(left)))
+      {
+        kernels.FindPairs(set.Pieces, set.First, this->Rays, this->Pairs);
+        if (this->Pairs.Count >= BeamPairs::Batch)
+        {
+          this->Solve(selection, beam, hits);
+        }
+      }
     }
+    next = end;
   }
   this->Solve(selection, beam, hits);
   return this->InBeam;
@@ -100,18 +113,25 @@ void BeamTracer::Enter(const BeamFrame& frame)
       this->Rays.Upper[k][group] = upper;
     }
   }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const float* lower = this->Rays.Lower[k];
+    const float* upper = this->Rays.Upper[k];
+    this->Rays.LowerOfAll[k] = *std::min_element(lower, lower + BeamRays::Groups);
+    this->Rays.UpperOfAll[k] = *std::max_element(upper, upper + BeamRays::Groups);
+  }
   this->FindEnds();
 }
 
 //------------------------------------------------------------------------------
 void BeamTracer::FindEnds()
 {
-  this->End = -FloatInfinity;
+  this->Rays.EndOfAll = -FloatInfinity;
   for (int group = 0; group < BeamRays::Groups; ++group)
   {
     const float* ends = this->Rays.End + group * GroupSize;
     this->Rays.GroupEnd[group] = *std::max_element(ends, ends + GroupSize);
-    this->End = std::max(this->End, this->Rays.GroupEnd[group]);
+    this->Rays.EndOfAll = std::max(this->Rays.EndOfAll, this->Rays.GroupEnd[group]);
   }
 }
 

@@ -44,8 +44,6 @@ private:
   FramedRays Framed;
   RayPart Parts[RayPacket::Capacity];
   RaySet InBeam;
-  /// The latest end of all rays.
-  float End;
   BeamPairs Pairs;
   TetrahedronPairs InTetrahedra;
   CellHits InCell;

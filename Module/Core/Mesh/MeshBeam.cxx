@@ -21,12 +21,6 @@ constexpr double SmallestRatio = 1e-30;
 /// Larger coordinates overflow in single precision.
 constexpr double LargestCoordinate = 1e15;
 
-float RoundDown(double value)
-{
-  const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) > value ? std::nextafterf(rounded, -FloatInfinity) : rounded;
-}
-
 IsovalueSpan FindSpan(double isovalue)
 {
   const auto rounded = static_cast<float>(isovalue);
@@ -95,12 +89,10 @@ bool SetCorner(const BeamPoint& point, int corner, int place, BeamCells& cells)
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 {
   this->Heap.clear();
-  for (Queue* queue : { &this->Tetrahedra, &this->Others })
-  {
-    queue->Bounded.Count = 0;
-    queue->Bounded.Unbounded = 0;
-  }
-  this->Sets = 0;
+  this->Blocks.clear();
+  this->Bounds.clear();
+  this->NumberOfSets = 0;
+  this->NumberOfPieces = 0;
   const int levels = selection.Tree->GetNumberOfLevels();
   this->HasFrame =
     levels > 0 && selection.PacketKernels && this->Frame.Find(lines, selection.Tree->GetBounds());
@@ -108,20 +100,21 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
   {
     return;
   }
-  this->Sides = this->Frame.GetSides();
+  this->Projection = this->Frame.GetProjection();
   this->Spans.clear();
   for (const MeshSurface& surface : selection.Surfaces)
   {
     this->Spans.push_back(FindSpan(surface.Isovalue));
   }
-  this->Heap.push_back({ -FloatInfinity, levels - 1, 0 });
+  this->Heap.push_back({ 0, levels - 1, -FloatInfinity, {}, {} });
 }
 
 //------------------------------------------------------------------------------
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
-  const int before = this->Sets;
-  while (this->Sets == before && !this->Heap.empty() && this->Heap.front().Depth <= end)
+  const std::size_t before = this->Blocks.size();
+  while (this->Blocks.size() - before < LabelBounds::Capacity && !this->Heap.empty() &&
+    this->Heap.front().Near <= end)
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end());
     const Node node = this->Heap.back();
@@ -132,62 +125,112 @@ bool MeshBeam::FindMore(const MeshSelection& selection, float end)
     }
     else
     {
-      this->AddBlock(selection, node.Number);
+      this->AddBlock(node);
     }
   }
-  if (this->Sets == before)
-  {
-    this->Bound(selection, this->Tetrahedra, true);
-    this->Bound(selection, this->Others, false);
-  }
-  return this->Sets > before;
+  return this->Blocks.size() > before;
 }
 
 //------------------------------------------------------------------------------
 void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
 {
-  const CellTreeNode& children = selection.Tree->GetNode(node.Level, node.Number);
-  const std::size_t axis = this->Frame.GetAxis();
-  const float* nearest = this->Frame.IsUp() ? children.Lower[axis] : children.Upper[axis];
-  for (unsigned int found = selection.PacketKernels->FindChildrenInBeam(
-         children, this->Sides, this->Spans.data(), static_cast<int>(this->Spans.size()));
+  LabelBounds bounds;
+  for (unsigned int found =
+         selection.PacketKernels->ProjectChildren(selection.Tree->GetNode(node.Level, node.Number),
+           this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
        found != 0; found &= found - 1)
   {
     const int child = __builtin_ctz(found);
-    this->Heap.push_back({ RoundDown(this->Frame.GetDepth(static_cast<double>(nearest[child]))),
-      node.Level - 1, node.Number * CellTree::Width + static_cast<std::size_t>(child) });
+    this->Heap.push_back({ node.Number * CellTree::Width + static_cast<std::size_t>(child),
+      node.Level - 1, bounds.Near[child], { bounds.Lower[0][child], bounds.Lower[1][child] },
+      { bounds.Upper[0][child], bounds.Upper[1][child] } });
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddBlock(const MeshSelection& selection, std::size_t block)
+void MeshBeam::AddBlock(const Node& node)
+{
+  const std::size_t place = this->Blocks.size() % LabelBounds::Capacity;
+  if (place == 0)
+  {
+    this->Bounds.emplace_back();
+  }
+  LabelBounds& bounds = this->Bounds.back();
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    bounds.Lower[k][place] = node.Lower[k];
+    bounds.Upper[k][place] = node.Upper[k];
+  }
+  bounds.Near[place] = node.Near;
+  this->Blocks.push_back({ node.Number, -1, -1 });
+}
+
+//------------------------------------------------------------------------------
+MeshBeam::PieceSets MeshBeam::GetPieces(const MeshSelection& selection, int block)
+{
+  Block& found = this->Blocks[static_cast<std::size_t>(block)];
+  if (found.FirstSet < 0)
+  {
+    found.FirstSet = this->NumberOfSets;
+    this->AddPieces(selection, found.Number);
+    found.LastSet = this->NumberOfSets;
+  }
+  return { this->Sets.data() + found.FirstSet, this->Sets.data() + found.LastSet };
+}
+
+//------------------------------------------------------------------------------
+/// Tetrahedra first, then the others: a set has one kind.
+void MeshBeam::AddPieces(const MeshSelection& selection, std::size_t block)
 {
   const std::uint32_t* cells = &selection.Tree->GetOrder()[block * CellTree::Width];
-  for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
+  bool hasOthers = false;
+  for (const bool areTetrahedra : { true, false })
   {
-    for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
-         active &= active - 1)
+    for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
     {
-      this->AddCell(selection, cells[__builtin_ctz(active)], static_cast<int>(surface));
+      for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
+           active &= active - 1)
+      {
+        const std::uint32_t number = cells[__builtin_ctz(active)];
+        MeshCell cell;
+        selection.Cells->LoadIds(number, cell);
+        if ((cell.Shape == CellShape::Tetrahedron) != areTetrahedra)
+        {
+          hasOthers = true;
+          continue;
+        }
+        selection.Cells->LoadCorners(cell);
+        this->AddCell(selection, cell, number, static_cast<int>(surface));
+        if (this->Bounded.Count == BeamCells::Capacity)
+        {
+          this->EndSet(selection, areTetrahedra);
+        }
+      }
+    }
+    this->EndSet(selection, areTetrahedra);
+    if (!hasOthers)
+    {
+      return;
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddCell(const MeshSelection& selection, std::uint32_t number, int surface)
+void MeshBeam::AddCell(
+  const MeshSelection& selection, const MeshCell& cell, std::uint32_t number, int surface)
 {
-  MeshCell cell;
-  selection.Cells->Load(number, cell);
-  const bool isTetrahedron = cell.Shape == CellShape::Tetrahedron;
-  Queue& queue = isTetrahedron ? this->Tetrahedra : this->Others;
-  const int place = queue.Bounded.Count++;
-  PassedCell& passed = queue.Cells[place];
-  passed = { number, surface, isTetrahedron, {} };
-  const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
+  const auto piece = static_cast<std::size_t>(this->NumberOfPieces++);
+  if (piece == this->Cells.size())
+  {
+    this->Cells.resize(2 * piece + BeamCells::Capacity);
+    this->Records.resize(this->Cells.size());
+  }
+  PassedCell& passed = this->Cells[piece];
+  passed = { number, surface, cell.Shape == CellShape::Tetrahedron, {} };
   // The corners as they are recorded.
   int corners[BeamCells::Corners];
-  if (isTetrahedron)
+  if (passed.IsTetrahedron)
   {
     passed.Order = CornerOrder(cell);
     std::copy_n(passed.Order.Corners, 4, corners);
@@ -196,26 +239,25 @@ void MeshBeam::AddCell(const MeshSelection& selection, std::uint32_t number, int
   {
     std::copy_n(GetTraits(cell.Shape).Trilinear, BeamCells::Corners, corners);
   }
-  const int count = isTetrahedron ? 4 : BeamCells::Corners;
-  CellRecord& record = queue.Records[place];
+  const int count = passed.IsTetrahedron ? 4 : BeamCells::Corners;
+  const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
+  CellRecord& record = this->Records[piece];
   for (int i = 0; i < count; ++i)
   {
     std::copy_n(cell.Points[corners[i]].begin(), 3, record.Corner[i]);
     record.Corner[i][3] = Difference(cell.Values[corners[i]], traced.Isovalue, traced.Scale);
   }
-  this->AddToBounds(record, count, place, queue.Bounded);
-  if (queue.Bounded.Count == BeamCells::Capacity)
-  {
-    this->Bound(selection, queue, isTetrahedron);
-  }
+  this->AddToBounds(record, count);
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddToBounds(const CellRecord& record, int count, int place, BeamCells& cells) const
+void MeshBeam::AddToBounds(const CellRecord& record, int corners)
 {
+  BeamCells& cells = this->Bounded;
+  const int place = cells.Count++;
   int order[BeamCells::Corners];
-  std::iota(order, order + count, 0);
-  if (count == 4)
+  std::iota(order, order + corners, 0);
+  if (corners == 4)
   {
     unsigned int inside = 0;
     for (int i = 0; i < 4; ++i)
@@ -228,40 +270,36 @@ void MeshBeam::AddToBounds(const CellRecord& record, int count, int place, BeamC
   }
   double differences[BeamCells::Corners];
   bool isBounded = true;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < corners; ++i)
   {
     const double* corner = record.Corner[order[i]];
     differences[i] = corner[3];
     const BeamPoint point = this->Frame.Project({ corner[0], corner[1], corner[2] });
     isBounded = SetCorner(point, i, place, cells) && isBounded;
   }
-  isBounded = SetDifferences(differences, count, place, cells) && isBounded;
+  isBounded = SetDifferences(differences, corners, place, cells) && isBounded;
   cells.Unbounded |= static_cast<std::uint32_t>(!isBounded) << place;
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::Bound(const MeshSelection& selection, Queue& queue, bool areTetrahedra)
+void MeshBeam::EndSet(const MeshSelection& selection, bool areTetrahedra)
 {
-  BeamCells& cells = queue.Bounded;
+  BeamCells& cells = this->Bounded;
   if (cells.Count == 0)
   {
     return;
   }
-  const auto set = static_cast<std::size_t>(this->Sets++);
-  constexpr auto capacity = static_cast<std::size_t>(BeamPieces::Capacity);
-  if (set == this->Pieces.size())
+  const auto number = static_cast<std::size_t>(this->NumberOfSets++);
+  if (number == this->Sets.size())
   {
-    this->Pieces.emplace_back();
-    this->Cells.resize(this->Cells.size() + capacity);
-    this->Records.resize(this->Records.size() + capacity);
+    this->Sets.emplace_back();
   }
-  BeamPieces& pieces = this->Pieces[set];
-  pieces.Count = cells.Count;
+  PieceSet& set = this->Sets[number];
+  set.Pieces.Count = cells.Count;
+  set.First = this->NumberOfPieces - cells.Count;
   const Kernels& kernels = *selection.PacketKernels;
   (areTetrahedra ? kernels.BoundTetrahedra : kernels.BoundTrilinear)(
-    cells, this->Frame.GetMargin(), pieces);
-  std::copy_n(queue.Cells, cells.Count, &this->Cells[set * capacity]);
-  std::copy_n(queue.Records, cells.Count, &this->Records[set * capacity]);
+    cells, this->Frame.GetMargin(), set.Pieces);
   cells.Count = 0;
   cells.Unbounded = 0;
 }

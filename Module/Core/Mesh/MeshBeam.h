@@ -17,9 +17,9 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The pieces of surfaces that a beam of rays may meet in a mesh. The cells are found front to back
-/// through the tree, as far as the packets of the beam need them, and each is read and projected
-/// once for all packets.
+/// What a beam of rays may meet in a mesh: blocks of cells, and in them pieces of surfaces. Blocks
+/// are found front to back through the tree, as far as the packets of the beam need them. The cells
+/// of a block are read and projected when the first packet comes to it, for all packets.
 class MeshBeam final : public TracedField::Beam
 {
 public:
@@ -30,14 +30,35 @@ public:
   bool IsBeam() const { return this->HasFrame; }
   const BeamFrame& GetFrame() const { return this->Frame; }
 
-  /// The pieces found so far, in sets.
-  int GetNumberOfSets() const { return this->Sets; }
-  const BeamPieces& GetSet(int number) const
+  /// The number of blocks found so far.
+  int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
+  /// The bounds of the blocks from a multiple of LabelBounds::Capacity on.
+  const LabelBounds& GetBounds(int first) const
   {
-    return this->Pieces[static_cast<std::size_t>(number)];
+    return this->Bounds[static_cast<std::size_t>(first / LabelBounds::Capacity)];
   }
 
-  /// A surface in a cell. Pieces are numbered through all sets.
+  /// Finds further blocks. Returns false if no other is before a depth.
+  bool FindMore(const MeshSelection& selection, float end);
+
+  /// The pieces in a block, some at a time.
+  struct PieceSet
+  {
+    BeamPieces Pieces;
+    /// The number of the first one.
+    int First;
+  };
+  struct PieceSets
+  {
+    const PieceSet* Begin;
+    const PieceSet* End;
+
+    const PieceSet* begin() const { return this->Begin; }
+    const PieceSet* end() const { return this->End; }
+  };
+  PieceSets GetPieces(const MeshSelection& selection, int block);
+
+  /// The cell and the surface of a piece.
   struct PassedCell
   {
     std::uint32_t Number;
@@ -52,47 +73,51 @@ public:
   /// One for every piece.
   const CellRecord* GetRecords() const { return this->Records.data(); }
 
-  /// Finds one or more further sets. Returns false if no other piece is before a depth.
-  bool FindMore(const MeshSelection& selection, float end);
-
 private:
-  /// A node of the tree, or with level -1 a block of cells, and a depth that it is behind.
+  /// A node of the tree, or with level -1 a block, with its bounds.
   struct Node
   {
-    float Depth;
-    int Level;
     std::size_t Number;
+    int Level;
+    float Near;
+    float Lower[2];
+    float Upper[2];
 
     /// The nearest one is on top of the heap.
-    bool operator<(const Node& other) const { return this->Depth > other.Depth; }
+    bool operator<(const Node& other) const { return this->Near > other.Near; }
   };
 
-  /// Cells of one kind that wait for others to be bounded with.
-  struct Queue
+  struct Block
   {
-    BeamCells Bounded = {};
-    PassedCell Cells[BeamCells::Capacity];
-    CellRecord Records[BeamCells::Capacity];
+    std::size_t Number;
+    /// Its sets of pieces; none yet if the first is -1.
+    int FirstSet;
+    int LastSet;
   };
 
   void Expand(const MeshSelection& selection, const Node& node);
-  void AddBlock(const MeshSelection& selection, std::size_t block);
-  void AddCell(const MeshSelection& selection, std::uint32_t number, int surface);
-  void AddToBounds(const CellRecord& record, int count, int place, BeamCells& cells) const;
-  void Bound(const MeshSelection& selection, Queue& queue, bool areTetrahedra);
+  void AddBlock(const Node& node);
+  void AddPieces(const MeshSelection& selection, std::size_t block);
+  void AddCell(
+    const MeshSelection& selection, const MeshCell& cell, std::uint32_t number, int surface);
+  void AddToBounds(const CellRecord& record, int corners);
+  void EndSet(const MeshSelection& selection, bool areTetrahedra);
 
   bool HasFrame = false;
   BeamFrame Frame;
-  BeamSides Sides = {};
+  BeamProjection Projection;
   std::vector<IsovalueSpan> Spans;
   std::vector<Node> Heap;
-  Queue Tetrahedra;
-  Queue Others;
-  // Those in use are the first.
-  std::vector<BeamPieces> Pieces;
+  std::vector<Block> Blocks;
+  std::vector<LabelBounds> Bounds;
+  /// The cells of the set that is being made.
+  BeamCells Bounded = {};
+  // Those in use are the first: the memory is kept from beam to beam.
+  std::vector<PieceSet> Sets;
   std::vector<PassedCell> Cells;
   std::vector<CellRecord> Records;
-  int Sets = 0;
+  int NumberOfSets = 0;
+  int NumberOfPieces = 0;
 };
 
 }
