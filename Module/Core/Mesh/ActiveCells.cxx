@@ -13,7 +13,7 @@ ActiveCells::ActiveCells(const MeshCells& cells, const CellTree& tree, double is
   : Cells(&cells)
   , Tree(&tree)
   , Isovalue(isovalue)
-  , Blocks((tree.GetOrder().size() + CellTree::Width - 1) / CellTree::Width)
+  , Blocks(tree.GetNumberOfBlocks())
   , Masks(new std::atomic<std::uint32_t>[this->Blocks]())
 {
 }
@@ -21,18 +21,17 @@ ActiveCells::ActiveCells(const MeshCells& cells, const CellTree& tree, double is
 //------------------------------------------------------------------------------
 unsigned int ActiveCells::Find(std::size_t block)
 {
-  const std::vector<std::uint32_t>& order = this->Tree->GetOrder();
-  const std::size_t first = block * CellTree::Width;
-  const std::size_t last = std::min(first + CellTree::Width, order.size());
   std::uint32_t mask = 0;
-  for (std::size_t i = first; i < last; ++i)
+  for (int i = 0; i < this->Tree->GetNumberOfCells(block); ++i)
   {
     MeshCell cell;
-    this->Cells->LoadIds(order[i], cell);
-    this->Cells->LoadValues(cell);
+    if (!this->Cells->Load(this->Tree->GetCell(block, i), cell))
+    {
+      continue;
+    }
     const auto [low, high] = std::minmax_element(cell.Values, cell.Values + cell.Count);
     const bool isActive = *low < this->Isovalue && this->Isovalue <= *high;
-    mask |= static_cast<std::uint32_t>(isActive) << (i - first);
+    mask |= static_cast<std::uint32_t>(isActive) << i;
   }
   this->Masks[block].store(mask | Known, std::memory_order_relaxed);
   return mask;

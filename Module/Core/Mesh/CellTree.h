@@ -8,6 +8,7 @@
 #include "Kernels/CellTreeNode.h"
 #include "Mesh/MeshCells.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,10 +18,12 @@ namespace vtkIsosurfaceRayTracing
 
 /// A tree over the cells of a mesh: in each node the boxes and the ranges of values of 16 children.
 ///
-/// Cells are put in Morton order and taken in blocks of 16; the blocks are the leaves, and no node
-/// needs a pointer (16 children each, level by level). The same tree serves every isovalue.
-/// (J. Wilhelms, A. Van Gelder: Octrees for Faster Isosurface Generation, ACM TOG 11(3), 1992, have
-/// ranges of values in a tree; S. G. Parker et al. 1998 trace rays through one.)
+/// The leaves are blocks of 16 cells in Morton order, and no node needs a pointer (16 children
+/// each, level by level). The same tree serves every isovalue. Where the order of the cells is
+/// good, as it is in most files, 16 consecutive ones are a block; else the cells are put in Morton
+/// order too, which takes longer and a number for each. (J. Wilhelms, A. Van Gelder: Octrees for
+/// Faster Isosurface Generation, ACM TOG 11(3), 1992, have ranges of values in a tree; S. G. Parker
+/// et al. 1998 trace rays through one.)
 class CellTree
 {
 public:
@@ -43,21 +46,42 @@ public:
     return this->Levels[static_cast<std::size_t>(level)][node];
   }
 
-  /// The numbers of the cells in tree order; block i has those from 16 i on.
-  const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
+  std::size_t GetNumberOfBlocks() const { return this->Blocks; }
+
+  /// The cells of a block: how many there are, and their numbers. Those that are not traced or not
+  /// finite may be among them.
+  int GetNumberOfCells(std::size_t block) const
+  {
+    const std::size_t cells = this->IsSorted ? this->Order.size() : this->Cells;
+    const std::size_t first =
+      (this->IsSorted ? block : std::size_t{ this->Order[block] }) * std::size_t{ Width };
+    return static_cast<int>(std::min(cells - first, std::size_t{ Width }));
+  }
+  std::uint32_t GetCell(std::size_t block, int number) const
+  {
+    const auto place = static_cast<std::uint32_t>(number);
+    return this->IsSorted ? this->Order[block * Width + place] : this->Order[block] * Width + place;
+  }
 
   std::size_t GetMemory() const;
 
 private:
-  struct Leaves;
+  struct Extent;
 
-  void SortCells(const MeshCells& cells, int threads);
-  void BuildLeaves(const MeshCells& cells, int threads);
+  std::vector<Extent> FindBlocks(const MeshCells& cells, int threads);
+  void SortBlocks(std::vector<Extent>& extents, int threads);
+  std::vector<Extent> SortCells(const MeshCells& cells, int threads);
+  std::uint64_t GetMortonCode(const Vector3& point) const;
+  void BuildLeaves(const std::vector<Extent>& extents, int threads);
   void BuildLevelAbove(int threads);
 
   Bounds Box;
   double Low;
   double High;
+  std::size_t Cells;
+  std::size_t Blocks = 0;
+  /// Whether cells are sorted, or blocks of consecutive ones; and the numbers of these in order.
+  bool IsSorted = false;
   std::vector<std::uint32_t> Order;
   std::vector<std::vector<CellTreeNode>> Levels;
 };

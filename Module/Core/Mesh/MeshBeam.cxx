@@ -183,7 +183,6 @@ MeshBeam::PieceSets MeshBeam::GetPieces(const MeshSelection& selection, int bloc
 /// Tetrahedra first, then the others: a set has one kind.
 void MeshBeam::AddPieces(const MeshSelection& selection, std::size_t block)
 {
-  const std::uint32_t* cells = &selection.Tree->GetOrder()[block * CellTree::Width];
   bool hasOthers = false;
   for (const bool areTetrahedra : { true, false })
   {
@@ -192,7 +191,7 @@ void MeshBeam::AddPieces(const MeshSelection& selection, std::size_t block)
       for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
            active &= active - 1)
       {
-        const std::uint32_t number = cells[__builtin_ctz(active)];
+        const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
         MeshCell cell;
         selection.Cells->LoadIds(number, cell);
         if ((cell.Shape == CellShape::Tetrahedron) != areTetrahedra)

@@ -21,7 +21,10 @@ bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
   }
   const Id* ids =
     static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[number];
-  std::copy_n(ids, cell.Count, cell.Ids);
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    cell.Ids[i] = ids[i];
+  }
   return true;
 }
 

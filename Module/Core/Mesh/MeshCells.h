@@ -29,10 +29,7 @@ public:
   /// finite.
   bool LoadCorners(MeshCell& cell) const;
 
-  /// Reads the values of the corners whose ids are there.
-  void LoadValues(MeshCell& cell) const { this->ReadValues(this->View, cell); }
-
-  /// Both ids and corners. A cell that is not to be traced returns false.
+  /// Both. A cell that is not to be traced returns false.
   bool Load(std::int64_t number, MeshCell& cell) const
   {
     return this->LoadIds(number, cell) && this->LoadCorners(cell);

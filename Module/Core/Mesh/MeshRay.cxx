@@ -96,14 +96,14 @@ double MeshRay::FindBegin(const CellTreeNode& node, int child) const
 //------------------------------------------------------------------------------
 void MeshRay::VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& hits)
 {
-  const std::uint32_t* cells = &this->Selection->Tree->GetOrder()[block * CellTree::Width];
   for (std::size_t surface = 0; surface < this->Selection->Surfaces.size(); ++surface)
   {
     for (unsigned int active = this->Selection->Surfaces[surface].Active->Get(block); active != 0;
          active &= active - 1)
     {
-      KeepHitsInCell(*this->Selection, this->Frame, cells[__builtin_ctz(active)],
-        static_cast<int>(surface), inCell, this->Part, hits);
+      KeepHitsInCell(*this->Selection, this->Frame,
+        this->Selection->Tree->GetCell(block, __builtin_ctz(active)), static_cast<int>(surface),
+        inCell, this->Part, hits);
     }
   }
 }
