@@ -61,32 +61,43 @@ struct IsovalueSpan
   float From;
 };
 
-/// Cells that a surface passes, to be bounded.
-struct BeamCells
+/// The numbers of a beam's frame; see BeamFrame.
+struct BeamNumbers
+{
+  /// The axes along the beam and across.
+  int Along;
+  int Across[2];
+  /// 1 if the rays go up the axis, -1 if they go down.
+  double Sign;
+  /// The coordinate of the plane of labels: where the rays leave the box.
+  double Plane;
+  /// The ray with the label 0: where it meets the plane, and its slopes there.
+  double Center[2];
+  double Slope[2];
+  /// The change of the slope with the place.
+  double Spread;
+  double InverseSize;
+  /// Points with a smaller W have any label.
+  double SmallestW;
+  /// By how much the labels of rays may be wrong.
+  float Margin;
+};
+
+/// Cells that a surface passes: the coordinates of their corners, and the differences of their
+/// values from the isovalue. Tetrahedra have four corners, in the order of their ids; the others
+/// those of the trilinear cell.
+struct PassedCellRecords
 {
   static constexpr int Capacity = LabelBounds::Capacity;
   static constexpr int Corners = 8;
 
-  int Count;
-  /// The corners of each cell in homogeneous coordinates of the frame: X / W and Y / W is the
-  /// label. Of a tetrahedron there are four. If one of them is on one side of the surface and three
-  /// on the other it is the first; if there are two on either side, the first two are on one.
-  alignas(64) float X[Corners][Capacity];
-  alignas(64) float Y[Corners][Capacity];
-  alignas(64) float W[Corners][Capacity];
-  alignas(64) float Depth[Corners][Capacity];
-  /// The difference from the isovalue, in any unit: its sign is exact.
-  alignas(64) float Difference[Corners][Capacity];
-  /// Of tetrahedra, 1 where there are two corners on either side; else 0.
-  alignas(64) float IsTwoByTwo[Capacity];
-  /// Those that cannot be bounded: every ray may hit them.
-  std::uint32_t Unbounded;
+  alignas(64) double Corner[Corners][4][Capacity];
 };
 
 /// Bounds of the pieces of surfaces in some cells.
 struct BeamPieces
 {
-  static constexpr int Capacity = BeamCells::Capacity;
+  static constexpr int Capacity = LabelBounds::Capacity;
   static constexpr int Lines = 4;
 
   int Count;
@@ -142,13 +153,6 @@ struct FramedRays
   alignas(64) double Inverse[RayPacket::Capacity];
 };
 
-/// A cell that a surface passes, exactly: the coordinates of each corner, and the difference of its
-/// value from the isovalue. Those of a tetrahedron are in the order of their ids.
-struct CellRecord
-{
-  double Corner[BeamCells::Corners][4];
-};
-
 /// Rays in tetrahedra, and where they hit.
 struct TetrahedronPairs
 {
@@ -156,6 +160,8 @@ struct TetrahedronPairs
 
   int Count;
   int Ray[Capacity];
+  /// Where the record of the cell begins, counted from the first one of all in doubles.
+  int Record[Capacity];
   int Piece[Capacity];
   /// Those with a hit; a bit for each. The numbers of the others are undefined.
   std::uint64_t Found;

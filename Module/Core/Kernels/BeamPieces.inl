@@ -10,6 +10,10 @@ namespace
 
 /// What rounding may move labels by, in units of the labels.
 constexpr float LabelMargin = 0x1p-18F;
+/// Differences that are smaller, as a part of the largest one in a cell, do not keep their ratio in
+/// single precision; larger coordinates overflow.
+constexpr double SmallestRatio = 1e-30;
+constexpr double LargestCoordinate = 1e15;
 
 /// The children with values on both sides of an isovalue.
 SIMD_INLINE unsigned int FindActive(
@@ -69,15 +73,8 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
 }
 
 //------------------------------------------------------------------------------
-/// Where edges between corners of some cells meet the surface, as a label.
-struct EdgePoints
-{
-  Floats X;
-  Floats Y;
-  Floats Depth;
-};
-
-struct EdgeEnds
+/// Corners of some cells, projected. The difference is in any unit: its sign is exact.
+struct ProjectedCorner
 {
   Floats X;
   Floats Y;
@@ -86,20 +83,81 @@ struct EdgeEnds
   Floats Difference;
 };
 
-SIMD_INLINE EdgeEnds LoadEnds(const BeamCells& cells, int corner, int first)
-{
-  return { LoadFloats(&cells.X[corner][first]), LoadFloats(&cells.Y[corner][first]),
-    LoadFloats(&cells.W[corner][first]), LoadFloats(&cells.Depth[corner][first]),
-    LoadFloats(&cells.Difference[corner][first]) };
-}
-
-SIMD_INLINE EdgeEnds Select(FloatMask mask, const EdgeEnds& yes, const EdgeEnds& no)
+SIMD_INLINE ProjectedCorner Select(
+  FloatMask mask, const ProjectedCorner& yes, const ProjectedCorner& no)
 {
   return { Select(mask, yes.X, no.X), Select(mask, yes.Y, no.Y), Select(mask, yes.W, no.W),
     Select(mask, yes.Depth, no.Depth), Select(mask, yes.Difference, no.Difference) };
 }
 
-SIMD_INLINE EdgePoints MeetSurface(const EdgeEnds& a, const EdgeEnds& b)
+/// A vector of cells in double precision.
+template <int Corners>
+struct ProjectedCells
+{
+  Doubles Points[Corners][5];
+  /// Those that cannot be told in single precision, or have corners without a label.
+  unsigned int Unbounded;
+
+  SIMD_INLINE ProjectedCells(const PassedCellRecords& records, int first, const BeamNumbers& frame)
+  {
+    Mask isBounded = FirstLanes(DoubleWidth);
+    Doubles largest = 0.0;
+    for (int corner = 0; corner < Corners; ++corner)
+    {
+      const auto& numbers = records.Corner[corner];
+      Doubles* point = this->Points[corner];
+      const Doubles z = Load(&numbers[frame.Along][first]) - frame.Plane;
+      for (int k = 0; k < 2; ++k)
+      {
+        const Doubles x = Load(&numbers[frame.Across[k]][first]) - frame.Center[k];
+        point[k] = (x - frame.Slope[k] * z) * frame.InverseSize;
+      }
+      point[2] = 1.0 + frame.Spread * z;
+      point[3] = frame.Sign * z;
+      point[4] = Load(&numbers[3][first]);
+      largest = Max(largest, Abs(point[4]));
+      isBounded = isBounded & (frame.SmallestW < point[2]) &
+        (Abs(point[0]) + Abs(point[1]) + point[2] < LargestCoordinate);
+    }
+    const Doubles inverse = 1.0 / largest;
+    isBounded = isBounded & (largest < Infinity);
+    for (auto& point : this->Points)
+    {
+      const Doubles ratio = point[4] * inverse;
+      isBounded = isBounded & ((SmallestRatio < Abs(ratio)) | (point[4] == 0.0));
+      // Zero is inside: it has no sign.
+      point[4] = ratio + 0.0;
+    }
+    this->Unbounded = ~ToBits(isBounded) & ((1U << DoubleWidth) - 1U);
+  }
+};
+
+/// Projects cells. Returns those that cannot be bounded.
+template <int Corners>
+SIMD_INLINE unsigned int Project(const PassedCellRecords& records, int first,
+  const BeamNumbers& frame, ProjectedCorner (&corners)[Corners])
+{
+  const ProjectedCells<Corners> low(records, first, frame);
+  const ProjectedCells<Corners> high(records, first + DoubleWidth, frame);
+  for (int i = 0; i < Corners; ++i)
+  {
+    const Doubles* a = low.Points[i];
+    const Doubles* b = high.Points[i];
+    corners[i] = { Round(a[0], b[0]), Round(a[1], b[1]), Round(a[2], b[2]), Round(a[3], b[3]),
+      Round(a[4], b[4]) };
+  }
+  return low.Unbounded | high.Unbounded << DoubleWidth;
+}
+
+/// Where edges between corners of some cells meet the surface, as a label.
+struct EdgePoints
+{
+  Floats X;
+  Floats Y;
+  Floats Depth;
+};
+
+SIMD_INLINE EdgePoints MeetSurface(const ProjectedCorner& a, const ProjectedCorner& b)
 {
   const Floats fraction = a.Difference * ApproximateReciprocal(a.Difference - b.Difference);
   const Floats inverse = ApproximateReciprocal(MultiplyAdd(fraction, b.W - a.W, a.W));
@@ -126,17 +184,15 @@ struct PointBounds
 };
 
 /// What rounding may move the labels of points between the corners of cells by.
-SIMD_INLINE Floats FindMargin(const BeamCells& cells, int corners, int first, float margin)
+template <int Corners>
+SIMD_INLINE Floats FindMargin(const ProjectedCorner (&corners)[Corners], float margin)
 {
   Floats size = 0.0F;
   Floats least = static_cast<float>(Infinity);
-  for (int corner = 0; corner < corners; ++corner)
+  for (const ProjectedCorner& corner : corners)
   {
-    const Floats w = LoadFloats(&cells.W[corner][first]);
-    size = Max(size, Abs(LoadFloats(&cells.X[corner][first])));
-    size = Max(size, Abs(LoadFloats(&cells.Y[corner][first])));
-    size = Max(size, w);
-    least = Min(least, w);
+    size = Max(Max(size, Abs(corner.X)), Max(Abs(corner.Y), corner.W));
+    least = Min(least, corner.W);
   }
   return MultiplyAdd(size * LabelMargin, ApproximateReciprocal(least), margin);
 }
@@ -159,12 +215,12 @@ SIMD_INLINE void StoreLine(Floats a, Floats b, Floats c, int line, int first, Be
   StoreFloats(c, &pieces.Line[line][2][first]);
 }
 
-void OpenUnbounded(const BeamCells& cells, BeamPieces& pieces)
+SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pieces)
 {
   constexpr auto infinity = static_cast<float>(Infinity);
-  for (std::uint32_t left = cells.Unbounded; left != 0; left &= left - 1)
+  for (; unbounded != 0; unbounded &= unbounded - 1)
   {
-    const int i = __builtin_ctz(left);
+    const int i = first + __builtin_ctz(unbounded);
     LabelBounds& bounds = pieces.Bounds;
     bounds.Lower[0][i] = bounds.Lower[1][i] = bounds.Near[i] = -infinity;
     bounds.Upper[0][i] = bounds.Upper[1][i] = infinity;
@@ -175,28 +231,53 @@ void OpenUnbounded(const BeamCells& cells, BeamPieces& pieces)
   }
 }
 
-/// In a tetrahedron the piece is a triangle or a quadrangle.
-void BoundTetrahedra(const BeamCells& cells, float rayMargin, BeamPieces& pieces)
+SIMD_INLINE void SwapWhere(FloatMask mask, ProjectedCorner& a, ProjectedCorner& b)
 {
-  for (int first = 0; first < cells.Count; first += FloatWidth)
+  const ProjectedCorner before = a;
+  a = Select(mask, b, a);
+  b = Select(mask, before, b);
+}
+
+/// Puts the corners of tetrahedra in an order. If one is on one side of the surface and three are
+/// on the other, it comes first; where there are two on either side, which is returned, the first
+/// two are on one.
+SIMD_INLINE FloatMask PutInOrder(ProjectedCorner (&corners)[4])
+{
+  // Those on the other side than the last one first.
+  for (const int i : { 0, 1, 0 })
   {
-    EdgeEnds ends[4];
-    for (int i = 0; i < 4; ++i)
-    {
-      ends[i] = LoadEnds(cells, i, first);
-    }
+    const Floats last = corners[3].Difference;
+    const FloatMask isBehind = AndNot(HaveDifferentSigns(corners[i + 1].Difference, last),
+      HaveDifferentSigns(corners[i].Difference, last));
+    SwapWhere(isBehind, corners[i], corners[i + 1]);
+  }
+  const FloatMask isLastAlone = HaveDifferentSigns(corners[2].Difference, corners[3].Difference);
+  const FloatMask isTwoByTwo =
+    AndNot(HaveDifferentSigns(corners[1].Difference, corners[3].Difference), isLastAlone);
+  SwapWhere(isLastAlone, corners[0], corners[3]);
+  return isTwoByTwo;
+}
+
+/// In a tetrahedron the piece is a triangle or a quadrangle.
+void BoundTetrahedra(const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces)
+{
+  for (int first = 0; first < pieces.Count; first += FloatWidth)
+  {
+    ProjectedCorner corners[4];
+    const unsigned int unbounded = Project(records, first, frame, corners);
+    const FloatMask isTwoByTwo = PutInOrder(corners);
     // In order around the piece; of a triangle the last two points are one.
-    const FloatMask isTwoByTwo = 0.5F < LoadFloats(&cells.IsTwoByTwo[first]);
-    const EdgeEnds from = Select(isTwoByTwo, ends[1], ends[0]);
-    const EdgePoints points[4] = { MeetSurface(ends[0], ends[2]), MeetSurface(ends[0], ends[3]),
-      MeetSurface(from, Select(isTwoByTwo, ends[3], ends[1])),
-      MeetSurface(from, Select(isTwoByTwo, ends[2], ends[1])) };
+    const ProjectedCorner from = Select(isTwoByTwo, corners[1], corners[0]);
+    const EdgePoints points[4] = { MeetSurface(corners[0], corners[2]),
+      MeetSurface(corners[0], corners[3]),
+      MeetSurface(from, Select(isTwoByTwo, corners[3], corners[1])),
+      MeetSurface(from, Select(isTwoByTwo, corners[2], corners[1])) };
     PointBounds bounds;
     for (const EdgePoints& point : points)
     {
       bounds.Include(point);
     }
-    const Floats margin = FindMargin(cells, 4, first, rayMargin);
+    const Floats margin = FindMargin(corners, frame.Margin);
     StoreBounds(bounds, margin, first, pieces);
 
     const Floats area = (points[2].X - points[0].X) * (points[3].Y - points[1].Y) -
@@ -217,27 +298,29 @@ void BoundTetrahedra(const BeamCells& cells, float rayMargin, BeamPieces& pieces
       const Floats c = MultiplyAdd(2.0F * margin, Abs(a) + Abs(b), slack) - (a * p.X + b * p.Y);
       StoreLine(a, b, c, i, first, pieces);
     }
+    OpenUnbounded(unbounded, first, pieces);
   }
-  OpenUnbounded(cells, pieces);
 }
 
 /// A trilinear cell is, with its values, in the convex hull of its corners; so the piece is in that
 /// of the points where segments between corners on both sides meet the surface. It is bounded by
 /// an octagon.
-void BoundTrilinear(const BeamCells& cells, float rayMargin, BeamPieces& pieces)
+void BoundTrilinear(const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces)
 {
   constexpr auto infinity = static_cast<float>(Infinity);
-  for (int first = 0; first < cells.Count; first += FloatWidth)
+  for (int first = 0; first < pieces.Count; first += FloatWidth)
   {
+    ProjectedCorner corners[PassedCellRecords::Corners];
+    const unsigned int unbounded = Project(records, first, frame, corners);
     PointBounds bounds;
     Floats least[2] = { infinity, infinity };
     Floats most[2] = { -infinity, -infinity };
     for (int i = 0; i < 7; ++i)
     {
-      const EdgeEnds a = LoadEnds(cells, i, first);
+      const ProjectedCorner& a = corners[i];
       for (int j = i + 1; j < 8; ++j)
       {
-        const EdgeEnds b = LoadEnds(cells, j, first);
+        const ProjectedCorner& b = corners[j];
         const FloatMask crosses = HaveDifferentSigns(a.Difference, b.Difference);
         if (ToBits(crosses) == 0)
         {
@@ -257,7 +340,7 @@ void BoundTrilinear(const BeamCells& cells, float rayMargin, BeamPieces& pieces)
         most[1] = Select(crosses, Max(most[1], difference), most[1]);
       }
     }
-    const Floats margin = FindMargin(cells, 8, first, rayMargin);
+    const Floats margin = FindMargin(corners, frame.Margin);
     StoreBounds(bounds, margin, first, pieces);
     const Floats one = 1.0F;
     const Floats two = 2.0F * margin;
@@ -265,8 +348,8 @@ void BoundTrilinear(const BeamCells& cells, float rayMargin, BeamPieces& pieces)
     StoreLine(0.0F - one, 0.0F - one, two + most[0], 1, first, pieces);
     StoreLine(one, 0.0F - one, two - least[1], 2, first, pieces);
     StoreLine(0.0F - one, one, two + most[1], 3, first, pieces);
+    OpenUnbounded(unbounded, first, pieces);
   }
-  OpenUnbounded(cells, pieces);
 }
 
 //------------------------------------------------------------------------------

@@ -243,10 +243,11 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
-  /// Bounds the pieces of surfaces in cells: in tetrahedra, or in trilinear cells. Labels of rays
-  /// may be wrong by the margin.
-  void (*BoundTetrahedra)(const BeamCells& cells, float margin, BeamPieces& pieces);
-  void (*BoundTrilinear)(const BeamCells& cells, float margin, BeamPieces& pieces);
+  /// Bounds the pieces of surfaces in cells: in tetrahedra, or in trilinear cells.
+  void (*BoundTetrahedra)(
+    const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces);
+  void (*BoundTrilinear)(
+    const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces);
 
   /// Finds the bounds that some of the rays may meet; a bit for each.
   unsigned int (*FindPassed)(const LabelBounds& bounds, int count, const BeamRays& rays);
@@ -255,10 +256,8 @@ struct Kernels
   void (*FindPairs)(
     const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs);
 
-  /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does. There is a record for
-  /// every piece.
-  void (*SolveTetrahedra)(
-    const FramedRays& rays, const CellRecord* records, TetrahedronPairs& pairs);
+  /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does.
+  void (*SolveTetrahedra)(const FramedRays& rays, const double* records, TetrahedronPairs& pairs);
 };
 
 extern const Kernels BaselineKernels;

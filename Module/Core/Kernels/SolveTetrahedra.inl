@@ -8,26 +8,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Where the records of some pairs begin, and the coordinates of their corners along and across the
-/// rays.
-struct RecordIndices
-{
-  int First[3][DoubleWidth];
-
-  SIMD_INLINE RecordIndices(const FramedRays& rays, const TetrahedronPairs& pairs, int first)
-  {
-    constexpr int size = sizeof(CellRecord) / sizeof(double);
-    for (int lane = 0; lane < DoubleWidth; ++lane)
-    {
-      const int pair = SmallerOf(first + lane, pairs.Count - 1);
-      for (int i = 0; i < 3; ++i)
-      {
-        this->First[i][lane] = size * pairs.Piece[pair] + rays.Axis[i][pairs.Ray[pair]];
-      }
-    }
-  }
-};
-
 SIMD_INLINE FrameNumbers<Doubles> GatherFrames(const FramedRays& rays, const int* numbers)
 {
   return { { Gather(rays.Origin[0], numbers), Gather(rays.Origin[1], numbers),
@@ -35,32 +15,38 @@ SIMD_INLINE FrameNumbers<Doubles> GatherFrames(const FramedRays& rays, const int
     Gather(rays.ShearX, numbers), Gather(rays.ShearY, numbers), Gather(rays.Inverse, numbers) };
 }
 
-void SolveTetrahedra(const FramedRays& rays, const CellRecord* records, TetrahedronPairs& pairs)
+void SolveTetrahedra(const FramedRays& rays, const double* records, TetrahedronPairs& pairs)
 {
+  // From one coordinate of a corner to the next, and from corner to corner.
+  constexpr int axis = PassedCellRecords::Capacity;
+  constexpr int corner = 4 * axis;
   pairs.Found = 0;
   pairs.Entering = 0;
   pairs.Extreme = 0;
-  const double* numbers = &records[0].Corner[0][0];
   for (int first = 0; first < pairs.Count; first += DoubleWidth)
   {
     int ofRays[DoubleWidth];
-    int ofPieces[DoubleWidth];
+    int ofCells[DoubleWidth];
+    int ofPoints[3][DoubleWidth];
     for (int lane = 0; lane < DoubleWidth; ++lane)
     {
       const int pair = SmallerOf(first + lane, pairs.Count - 1);
       ofRays[lane] = pairs.Ray[pair];
-      ofPieces[lane] = static_cast<int>(sizeof(CellRecord) / sizeof(double)) * pairs.Piece[pair];
+      ofCells[lane] = pairs.Record[pair];
+      for (int i = 0; i < 3; ++i)
+      {
+        ofPoints[i][lane] = pairs.Record[pair] + axis * rays.Axis[i][pairs.Ray[pair]];
+      }
     }
-    const RecordIndices indices(rays, pairs, first);
     const FrameNumbers<Doubles> frames = GatherFrames(rays, ofRays);
     TetrahedronHits<Doubles> hits;
     Doubles largest = 0.0;
     for (int i = 0; i < 4; ++i)
     {
-      const double* corner = numbers + 4 * i;
-      hits.Points[i] = frames.Get(Gather(corner, indices.First[0]),
-        Gather(corner, indices.First[1]), Gather(corner, indices.First[2]));
-      hits.Differences[i] = Gather(corner + 3, ofPieces);
+      const double* numbers = records + corner * i;
+      hits.Points[i] = frames.Get(
+        Gather(numbers, ofPoints[0]), Gather(numbers, ofPoints[1]), Gather(numbers, ofPoints[2]));
+      hits.Differences[i] = Gather(numbers + 3 * axis, ofCells);
       largest = Max(largest, Max(Abs(hits.Points[i].X), Abs(hits.Points[i].Y)));
     }
     const unsigned int lanes = (1U << SmallerOf(pairs.Count - first, DoubleWidth)) - 1U;

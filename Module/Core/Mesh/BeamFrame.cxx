@@ -28,15 +28,15 @@ struct LinePoint
   double Slope[2];
 };
 
-LinePoint MeetPlane(
-  const RayPacket& lines, int line, std::size_t along, const std::size_t (&across)[2], double plane)
+LinePoint MeetPlane(const RayPacket& lines, int line, const BeamNumbers& frame)
 {
   LinePoint point{};
-  const double way = plane - lines.Origin[along][line];
-  for (std::size_t i = 0; i < 2; ++i)
+  const double way = frame.Plane - lines.Origin[frame.Along][line];
+  for (std::size_t k = 0; k < 2; ++k)
   {
-    point.Slope[i] = lines.Direction[across[i]][line] / lines.Direction[along][line];
-    point.Place[i] = lines.Origin[across[i]][line] + point.Slope[i] * way;
+    const int across = frame.Across[k];
+    point.Slope[k] = lines.Direction[across][line] / lines.Direction[frame.Along][line];
+    point.Place[k] = lines.Origin[across][line] + point.Slope[k] * way;
   }
   return point;
 }
@@ -51,20 +51,23 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   {
     direction = direction + Normalized(lines.GetDirection(i));
   }
-  this->Along = FindLongestAxis(direction);
-  this->Across[0] = (this->Along + 1) % 3;
-  this->Across[1] = (this->Along + 2) % 3;
-  this->Sign = direction[this->Along] > 0.0 ? 1.0 : -1.0;
-  this->Plane = this->Sign > 0.0 ? box.Upper[this->Along] : box.Lower[this->Along];
-  this->Length = box.Upper[this->Along] - box.Lower[this->Along];
+  const std::size_t along = FindLongestAxis(direction);
+  const std::size_t across[2] = { (along + 1) % 3, (along + 2) % 3 };
+  this->Numbers.Along = static_cast<int>(along);
+  this->Numbers.Across[0] = static_cast<int>(across[0]);
+  this->Numbers.Across[1] = static_cast<int>(across[1]);
+  this->Numbers.SmallestW = SmallestW;
+  this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
+  this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
+  this->Length = box.Upper[along] - box.Lower[along];
   LinePoint corners[4];
   double lower[2] = { HUGE_VAL, HUGE_VAL };
   double upper[2] = { -HUGE_VAL, -HUGE_VAL };
   for (int i = 0; i < 4; ++i)
   {
-    corners[i] = MeetPlane(lines, i, this->Along, this->Across, this->Plane);
-    const double along = lines.Direction[this->Along][i] * this->Sign;
-    if (!(along > 0.0) ||
+    corners[i] = MeetPlane(lines, i, this->Numbers);
+    const double forward = lines.Direction[along][i] * this->Numbers.Sign;
+    if (!(forward > 0.0) ||
       !(std::abs(corners[i].Slope[0]) + std::abs(corners[i].Slope[1]) < LargestSlope))
     {
       return false;
@@ -77,7 +80,7 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   }
   // Slopes are linear in places: by the two corners that are farthest apart.
   double square = 0.0;
-  this->Spread = 0.0;
+  this->Numbers.Spread = 0.0;
   for (const int i : { 1, 2, 3 })
   {
     const double way[2] = { corners[i].Place[0] - corners[0].Place[0],
@@ -88,59 +91,63 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
     if (squareOfWay > square)
     {
       square = squareOfWay;
-      this->Spread = (rise[0] * way[0] + rise[1] * way[1]) / square;
+      this->Numbers.Spread = (rise[0] * way[0] + rise[1] * way[1]) / square;
     }
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    this->Center[k] = 0.5 * (lower[k] + upper[k]);
-    this->Slope[k] = corners[0].Slope[k] + this->Spread * (this->Center[k] - corners[0].Place[k]);
+    this->Numbers.Center[k] = 0.5 * (lower[k] + upper[k]);
+    this->Numbers.Slope[k] =
+      corners[0].Slope[k] + this->Numbers.Spread * (this->Numbers.Center[k] - corners[0].Place[k]);
   }
   this->Reach = 0.0;
   for (std::size_t k = 0; k < 2; ++k)
   {
-    this->Reach = std::max({ this->Reach, std::abs(box.Lower[this->Across[k]] - this->Center[k]),
-      std::abs(box.Upper[this->Across[k]] - this->Center[k]) });
+    this->Reach = std::max({ this->Reach, std::abs(box.Lower[across[k]] - this->Numbers.Center[k]),
+      std::abs(box.Upper[across[k]] - this->Numbers.Center[k]) });
   }
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
   // Rays need not be between the lines to the last bit; and there may be one line only.
-  this->InverseSize = 1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Length));
+  this->Numbers.InverseSize =
+    1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Length));
   double error = 0x1p-30;
   for (int i = 0; i < 4; ++i)
   {
     error = std::max(error, 16.0 * this->GetError(corners[i].Place, corners[i].Slope));
   }
-  this->Margin = static_cast<float>(error);
-  return error < 1.0 && std::abs(this->Spread) * this->Length < 256.0 &&
-    (this->Reach + this->Length) * this->InverseSize < 0x1p60;
+  this->Numbers.Margin = static_cast<float>(error);
+  return error < 1.0 && std::abs(this->Numbers.Spread) * this->Length < 256.0 &&
+    (this->Reach + this->Length) * this->Numbers.InverseSize < 0x1p60;
 }
 
 //------------------------------------------------------------------------------
 BeamProjection BeamFrame::GetProjection() const
 {
   BeamProjection beam{};
-  beam.Along = static_cast<int>(this->Along);
-  beam.IsUp = this->Sign > 0.0;
-  beam.Plane = static_cast<float>(this->Plane);
-  beam.Spread = static_cast<float>(this->Spread);
-  beam.Scale = static_cast<float>(this->InverseSize);
+  beam.Along = this->Numbers.Along;
+  beam.IsUp = this->Numbers.Sign > 0.0;
+  beam.Plane = static_cast<float>(this->Numbers.Plane);
+  beam.Spread = static_cast<float>(this->Numbers.Spread);
+  beam.Scale = static_cast<float>(this->Numbers.InverseSize);
   beam.SmallestW = static_cast<float>(4.0 * SmallestW);
-  beam.PlaneRest = static_cast<float>(static_cast<double>(beam.Plane) - this->Plane);
+  beam.PlaneRest = static_cast<float>(static_cast<double>(beam.Plane) - this->Numbers.Plane);
   double reach = this->Reach;
   double steepest = 0.0;
   for (std::size_t k = 0; k < 2; ++k)
   {
-    beam.Across[k] = static_cast<int>(this->Across[k]);
-    beam.Center[k] = static_cast<float>(this->Center[k]);
-    beam.CenterRest[k] = static_cast<float>(static_cast<double>(beam.Center[k]) - this->Center[k]);
-    beam.Slope[k] = static_cast<float>(this->Slope[k] * this->InverseSize);
+    beam.Across[k] = this->Numbers.Across[k];
+    beam.Center[k] = static_cast<float>(this->Numbers.Center[k]);
+    beam.CenterRest[k] =
+      static_cast<float>(static_cast<double>(beam.Center[k]) - this->Numbers.Center[k]);
+    beam.Slope[k] = static_cast<float>(this->Numbers.Slope[k] * this->Numbers.InverseSize);
     reach = std::max(reach, this->Reach + std::abs(static_cast<double>(beam.CenterRest[k])));
-    steepest = std::max(steepest, std::abs(this->Slope[k]));
+    steepest = std::max(steepest, std::abs(this->Numbers.Slope[k]));
   }
   const double length = this->Length + std::abs(static_cast<double>(beam.PlaneRest));
-  beam.Error = static_cast<float>(0x1p-20 * (reach + steepest * length) * this->InverseSize);
+  beam.Error =
+    static_cast<float>(0x1p-20 * (reach + steepest * length) * this->Numbers.InverseSize);
   beam.RelativeError =
-    static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Spread) / SmallestW);
+    static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Numbers.Spread) / SmallestW);
   beam.DepthError = static_cast<float>(0x1p-20 * length);
   return beam;
 }
@@ -153,28 +160,30 @@ double BeamFrame::GetError(const double (&place)[2], const double (&slope)[2]) c
   double error = 0.0;
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const double expected = this->Slope[k] + this->Spread * (place[k] - this->Center[k]);
+    const double expected =
+      this->Numbers.Slope[k] + this->Numbers.Spread * (place[k] - this->Numbers.Center[k]);
     error = std::max(error, std::abs(slope[k] - expected));
   }
-  return error * this->Length * this->InverseSize * (1.0 / SmallestW);
+  return error * this->Length * this->Numbers.InverseSize * (1.0 / SmallestW);
 }
 
 //------------------------------------------------------------------------------
 bool BeamFrame::FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const
 {
-  const double way = this->Plane - packet.Origin[this->Along][ray];
+  const double way = this->Numbers.Plane - packet.Origin[this->Numbers.Along][ray];
   double place[2];
   double slope[2];
   double largest = 0.0;
   for (std::size_t k = 0; k < 2; ++k)
   {
-    slope[k] = packet.Direction[this->Across[k]][ray] * packet.Inverse[this->Along][ray];
-    place[k] = packet.Origin[this->Across[k]][ray] + slope[k] * way;
-    label[k] = static_cast<float>((place[k] - this->Center[k]) * this->InverseSize);
+    slope[k] =
+      packet.Direction[this->Numbers.Across[k]][ray] * packet.Inverse[this->Numbers.Along][ray];
+    place[k] = packet.Origin[this->Numbers.Across[k]][ray] + slope[k] * way;
+    label[k] = static_cast<float>((place[k] - this->Numbers.Center[k]) * this->Numbers.InverseSize);
     largest = std::max(largest, std::abs(static_cast<double>(label[k])));
   }
-  return packet.Direction[this->Along][ray] * this->Sign > 0.0 && largest <= 1.0 &&
-    this->GetError(place, slope) <= static_cast<double>(this->Margin);
+  return packet.Direction[this->Numbers.Along][ray] * this->Numbers.Sign > 0.0 && largest <= 1.0 &&
+    this->GetError(place, slope) <= static_cast<double>(this->Numbers.Margin);
 }
 
 }

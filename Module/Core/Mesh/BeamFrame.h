@@ -15,21 +15,11 @@
 // Rays through one point, and parallel ones, are points of a plane across an axis: the label of a
 // ray is where it meets the plane. Their slopes are linear functions of their labels (parallel rays
 // have one slope), and so what is in space is projected to labels: the label of a point is that of
-// the ray through it.
+// the ray through it. It is X / W and Y / W in homogeneous coordinates: W is 1 in the plane, and 0
+// where rays meet. The depth is the distance from the plane along the axis, the way the rays go.
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// A point in the frame of a beam.
-struct BeamPoint
-{
-  /// Homogeneous: X / W and Y / W is the label. W is 1 in the plane, and 0 where rays meet.
-  double X;
-  double Y;
-  double W;
-  /// The distance from the plane along the axis, the way that the rays go.
-  double Depth;
-};
 
 /// The frame of a beam: the rays between four lines.
 class BeamFrame
@@ -46,24 +36,14 @@ public:
   /// How the boxes of a tree are projected, in single precision.
   BeamProjection GetProjection() const;
 
-  BeamPoint Project(const Vector3& point) const
-  {
-    const double z = point[this->Along] - this->Plane;
-    return { (point[this->Across[0]] - this->Center[0] - this->Slope[0] * z) * this->InverseSize,
-      (point[this->Across[1]] - this->Center[1] - this->Slope[1] * z) * this->InverseSize,
-      1.0 + this->Spread * z, this->Sign * z };
-  }
+  const BeamNumbers& GetNumbers() const { return this->Numbers; }
 
-  /// By how much the labels of rays may be wrong that come as near to the lines as these to one
-  /// point.
-  float GetMargin() const { return this->Margin; }
-
-  double GetDepth(double coordinate) const { return this->Sign * (coordinate - this->Plane); }
   /// The depth where a ray of a packet ends, and a margin.
   float GetEnd(const RayPacket& packet, int ray, double end) const
   {
-    const double depth =
-      this->GetDepth(packet.Origin[this->Along][ray] + end * packet.Direction[this->Along][ray]);
+    const auto along = static_cast<std::size_t>(this->Numbers.Along);
+    const double coordinate = packet.Origin[along][ray] + end * packet.Direction[along][ray];
+    const double depth = this->Numbers.Sign * (coordinate - this->Numbers.Plane);
     return static_cast<float>(depth + 0x1p-20 * (std::abs(depth) + this->Length));
   }
 
@@ -73,22 +53,10 @@ public:
 private:
   double GetError(const double (&place)[2], const double (&slope)[2]) const;
 
-  std::size_t Along;
-  std::size_t Across[2];
-  double Sign;
-  /// The coordinate of the plane of labels: where the rays leave the box.
-  double Plane;
-  /// The extent of the box along the axis.
+  BeamNumbers Numbers;
+  /// The extent of the box along the axis, and its largest distance from the centre across.
   double Length;
-  /// The largest distance of the box from the centre, across.
   double Reach;
-  /// The ray with the label 0: where it meets the plane, and its slopes there.
-  double Center[2];
-  double Slope[2];
-  /// The change of the slope with the place.
-  double Spread;
-  double InverseSize;
-  float Margin;
 };
 
 }

@@ -160,14 +160,14 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
   {
     const int ray = this->Rays.Ray[this->Pairs.Place[i]];
     const int piece = this->Pairs.Piece[i];
-    const MeshBeam::PassedCell& cell = beam.GetCell(piece);
-    if (!cell.IsTetrahedron)
+    if (!beam.GetSetOf(piece).AreTetrahedra)
     {
-      this->SolveByItself(selection, cell, ray, hits[static_cast<std::size_t>(ray)]);
+      this->SolveByItself(selection, beam.GetCell(piece), ray, hits[static_cast<std::size_t>(ray)]);
       continue;
     }
     const int pair = this->InTetrahedra.Count++;
     this->InTetrahedra.Ray[pair] = ray;
+    this->InTetrahedra.Record[pair] = MeshBeam::FindRecord(piece);
     this->InTetrahedra.Piece[pair] = piece;
     if (this->InTetrahedra.Count == TetrahedronPairs::Capacity)
     {

@@ -41,13 +41,27 @@ public:
   /// Finds further blocks. Returns false if no other is before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 
-  /// The pieces in a block, some at a time.
+  /// The cell and the surface of a piece.
+  struct PassedCell
+  {
+    std::uint32_t Number;
+    int Surface;
+    /// Of a tetrahedron.
+    CornerOrder Order;
+  };
+
+  /// Pieces in a block, all in tetrahedra or all in others.
   struct PieceSet
   {
-    BeamPieces Pieces;
-    /// The number of the first one.
+    /// The number of the first one. There are as many numbers to a set as it may have pieces.
     int First;
+    bool AreTetrahedra;
+    BeamPieces Pieces;
+    PassedCellRecords Records;
+    PassedCell Cells[BeamPieces::Capacity];
   };
+
+  /// All sets of a block.
   struct PieceSets
   {
     const PieceSet* Begin;
@@ -58,20 +72,22 @@ public:
   };
   PieceSets GetPieces(const MeshSelection& selection, int block);
 
-  /// The cell and the surface of a piece.
-  struct PassedCell
+  const PieceSet& GetSetOf(int piece) const
   {
-    std::uint32_t Number;
-    int Surface;
-    bool IsTetrahedron;
-    CornerOrder Order;
-  };
+    return this->Sets[static_cast<std::size_t>(piece / BeamPieces::Capacity)];
+  }
   const PassedCell& GetCell(int piece) const
   {
-    return this->Cells[static_cast<std::size_t>(piece)];
+    return this->GetSetOf(piece).Cells[piece % BeamPieces::Capacity];
   }
-  /// One for every piece.
-  const CellRecord* GetRecords() const { return this->Records.data(); }
+
+  /// The numbers in all records, and where those of a piece begin.
+  const double* GetRecords() const { return &this->Sets[0].Records.Corner[0][0][0]; }
+  static int FindRecord(int piece)
+  {
+    constexpr int size = sizeof(PieceSet) / sizeof(double);
+    return piece / BeamPieces::Capacity * size + piece % BeamPieces::Capacity;
+  }
 
 private:
   /// A node of the tree, or with level -1 a block, with its bounds.
@@ -98,10 +114,10 @@ private:
   void Expand(const MeshSelection& selection, const Node& node);
   void AddBlock(const Node& node);
   void AddPieces(const MeshSelection& selection, std::size_t block);
-  void AddCell(
-    const MeshSelection& selection, const MeshCell& cell, std::uint32_t number, int surface);
-  void AddToBounds(const CellRecord& record, int corners);
-  void EndSet(const MeshSelection& selection, bool areTetrahedra);
+  PieceSet& BeginSet(bool areTetrahedra);
+  void AddCell(const MeshSelection& selection, MeshCell& cell, std::uint32_t number, int surface,
+    PieceSet& set) const;
+  void EndSet(const MeshSelection& selection, PieceSet& set) const;
 
   bool HasFrame = false;
   BeamFrame Frame;
@@ -110,14 +126,9 @@ private:
   std::vector<Node> Heap;
   std::vector<Block> Blocks;
   std::vector<LabelBounds> Bounds;
-  /// The cells of the set that is being made.
-  BeamCells Bounded = {};
-  // Those in use are the first: the memory is kept from beam to beam.
+  /// Those in use are the first: the memory is kept from beam to beam.
   std::vector<PieceSet> Sets;
-  std::vector<PassedCell> Cells;
-  std::vector<CellRecord> Records;
   int NumberOfSets = 0;
-  int NumberOfPieces = 0;
 };
 
 }
