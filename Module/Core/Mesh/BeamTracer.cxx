@@ -162,7 +162,7 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
     const int piece = this->Pairs.Piece[i];
     if (!beam.GetSetOf(piece).AreTetrahedra)
     {
-      this->SolveByItself(selection, beam.GetCell(piece), ray, hits[static_cast<std::size_t>(ray)]);
+      this->SolveByItself(selection, beam, piece, ray, hits);
       continue;
     }
     const int pair = this->InTetrahedra.Count++;
@@ -199,30 +199,30 @@ void BeamTracer::SolveTetrahedra(
   {
     const int pair = __builtin_ctzll(left);
     const int ray = pairs.Ray[pair];
-    const MeshBeam::PassedCell& cell = beam.GetCell(pairs.Piece[pair]);
+    const MeshBeam::PieceSet& set = beam.GetSetOf(pairs.Piece[pair]);
+    const int number = pairs.Piece[pair] - set.First;
     const double weights[4] = { pairs.Weights[0][pair], pairs.Weights[1][pair],
       pairs.Weights[2][pair], pairs.Weights[3][pair] };
-    const CellHit hit = { pairs.T[pair], cell.Order.GetParametric(weights),
+    const CellHit hit = { pairs.T[pair], set.Orders[number].GetParametric(weights),
       (pairs.Entering >> pair & 1) != 0 };
-    KeepHit(selection, hit, cell.Number, cell.Surface, this->Parts[ray],
+    KeepHit(selection, hit, set.Cells[number], set.Surface, this->Parts[ray],
       hits[static_cast<std::size_t>(ray)]);
   }
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
     const int pair = __builtin_ctzll(left);
-    const int ray = pairs.Ray[pair];
-    this->SolveByItself(
-      selection, beam.GetCell(pairs.Piece[pair]), ray, hits[static_cast<std::size_t>(ray)]);
+    this->SolveByItself(selection, beam, pairs.Piece[pair], pairs.Ray[pair], hits);
   }
   pairs.Count = 0;
 }
 
 //------------------------------------------------------------------------------
 void BeamTracer::SolveByItself(
-  const MeshSelection& selection, const MeshBeam::PassedCell& cell, int ray, std::vector<Hit>& hits)
+  const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits)
 {
-  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), cell.Number, cell.Surface, this->InCell,
-    this->Parts[ray], hits);
+  const MeshBeam::PieceSet& set = beam.GetSetOf(piece);
+  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), set.Cells[piece - set.First], set.Surface,
+    this->InCell, this->Parts[ray], hits[static_cast<std::size_t>(ray)]);
 }
 
 }

@@ -36,8 +36,8 @@ private:
   void FindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
-  void SolveByItself(const MeshSelection& selection, const MeshBeam::PassedCell& cell, int ray,
-    std::vector<Hit>& hits);
+  void SolveByItself(
+    const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
   BeamRays Rays;

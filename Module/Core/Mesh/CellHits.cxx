@@ -112,7 +112,7 @@ const std::vector<CellHit>& CellHits::Find(const double* differences)
 void CellHits::FindOfTetrahedron(const double* differences)
 {
   TetrahedronHits<double> tetrahedron;
-  const CornerOrder order(*this->Cell);
+  const CornerOrder order(this->Cell->Ids);
   for (std::size_t i = 0; i < 4; ++i)
   {
     tetrahedron.Points[i] = this->Points[order.Corners[i]];

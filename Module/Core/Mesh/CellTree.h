@@ -46,6 +46,19 @@ public:
     return this->Levels[static_cast<std::size_t>(level)][node];
   }
 
+  /// Begins to fetch a node.
+  void Prefetch(int level, std::size_t node) const
+  {
+    const auto* first = reinterpret_cast<const char*>(&this->GetNode(level, node));
+    for (std::size_t line = 0; line < sizeof(CellTreeNode); line += 64)
+    {
+      __builtin_prefetch(first + line);
+    }
+  }
+
+  /// Whether the cells of blocks are not consecutive ones.
+  bool AreCellsSorted() const { return this->IsSorted; }
+
   std::size_t GetNumberOfBlocks() const { return this->Blocks; }
 
   /// The cells of a block: how many there are, and their numbers. Those that are not traced or not

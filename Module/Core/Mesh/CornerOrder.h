@@ -5,10 +5,10 @@
 #define CornerOrder_h
 
 #include "Math/Vector.h"
-#include "Mesh/MeshCell.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <cstdint>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -19,23 +19,31 @@ struct CornerOrder
   unsigned char Corners[4] = { 0, 1, 2, 3 };
 
   CornerOrder() = default;
-  explicit CornerOrder(const MeshCell& cell)
+  /// Of equal ids the first corner is first.
+  template <typename Id>
+  explicit CornerOrder(const Id* ids)
   {
-    // Of equal ids the first corner is first.
-    const auto sort = [this, &cell](std::size_t a, std::size_t b)
+    // Numbers that are in the order of the ids first, and of the corners next.
+    std::int64_t keys[4];
+    for (int i = 0; i < 4; ++i)
     {
-      const bool isInOrder = std::pair(cell.Ids[this->Corners[a]], this->Corners[a]) <
-        std::pair(cell.Ids[this->Corners[b]], this->Corners[b]);
-      if (!isInOrder)
-      {
-        std::swap(this->Corners[a], this->Corners[b]);
-      }
+      keys[i] = std::int64_t{ ids[i] } * 4 + i;
+    }
+    const auto sort = [&keys](int a, int b)
+    {
+      const std::int64_t low = std::min(keys[a], keys[b]);
+      keys[b] = std::max(keys[a], keys[b]);
+      keys[a] = low;
     };
     sort(0, 1);
     sort(2, 3);
     sort(0, 2);
     sort(1, 3);
     sort(1, 2);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      this->Corners[i] = static_cast<unsigned char>(keys[i] % 4);
+    }
   }
 
   /// VTK's parametric coordinates of a point, given the weights of the corners in this order.

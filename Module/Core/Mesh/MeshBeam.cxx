@@ -63,7 +63,7 @@ bool MeshBeam::FindMore(const MeshSelection& selection, float end)
     }
     else
     {
-      this->AddBlock(node);
+      this->AddBlock(selection, node);
     }
   }
   return this->Blocks.size() > before;
@@ -82,12 +82,16 @@ void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
     this->Heap.push_back({ node.Number * CellTree::Width + static_cast<std::size_t>(child),
       node.Level - 1, bounds.Near[child], { bounds.Lower[0][child], bounds.Lower[1][child] },
       { bounds.Upper[0][child], bounds.Upper[1][child] } });
+    if (node.Level > 0)
+    {
+      selection.Tree->Prefetch(node.Level - 1, this->Heap.back().Number);
+    }
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddBlock(const Node& node)
+void MeshBeam::AddBlock(const MeshSelection& selection, const Node& node)
 {
   const std::size_t place = this->Blocks.size() % LabelBounds::Capacity;
   if (place == 0)
@@ -102,6 +106,11 @@ void MeshBeam::AddBlock(const Node& node)
   }
   bounds.Near[place] = node.Near;
   this->Blocks.push_back({ node.Number, -1, -1 });
+  if (!selection.Tree->AreCellsSorted())
+  {
+    selection.Cells->Prefetch(
+      selection.Tree->GetCell(node.Number, 0), selection.Tree->GetNumberOfCells(node.Number));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -118,48 +127,33 @@ MeshBeam::PieceSets MeshBeam::GetPieces(const MeshSelection& selection, int bloc
 }
 
 //------------------------------------------------------------------------------
-/// Tetrahedra first, then the others: a set has one kind.
 void MeshBeam::AddPieces(const MeshSelection& selection, std::size_t block)
 {
-  int left = 0;
-  for (const MeshSurface& surface : selection.Surfaces)
+  for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
   {
-    left += __builtin_popcount(surface.Active->Get(block));
-  }
-  for (const bool areTetrahedra : { true, false })
-  {
-    PieceSet* set = nullptr;
-    for (std::size_t surface = 0; surface < selection.Surfaces.size() && left > 0; ++surface)
+    // A set has one kind.
+    std::uint32_t numbers[2][CellTree::Width];
+    int counts[2] = {};
+    for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
+         active &= active - 1)
     {
-      for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
-           active &= active - 1)
-      {
-        const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
-        MeshCell cell;
-        selection.Cells->LoadIds(number, cell);
-        if ((cell.Shape == CellShape::Tetrahedron) != areTetrahedra)
-        {
-          continue;
-        }
-        --left;
-        set = set ? set : &this->BeginSet(areTetrahedra);
-        this->AddCell(selection, cell, number, static_cast<int>(surface), *set);
-        if (set->Pieces.Count == BeamPieces::Capacity)
-        {
-          this->EndSet(selection, *set);
-          set = nullptr;
-        }
-      }
+      const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
+      const std::size_t kind = selection.Cells->IsTetrahedron(number) ? 0 : 1;
+      numbers[kind][counts[kind]++] = number;
     }
-    if (set)
+    for (const std::size_t kind : { 0U, 1U })
     {
-      this->EndSet(selection, *set);
+      if (counts[kind] > 0)
+      {
+        this->AddSet(selection, numbers[kind], counts[kind], surface, kind == 0);
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-MeshBeam::PieceSet& MeshBeam::BeginSet(bool areTetrahedra)
+void MeshBeam::AddSet(const MeshSelection& selection, const std::uint32_t* numbers, int count,
+  std::size_t surface, bool areTetrahedra)
 {
   const auto number = static_cast<std::size_t>(this->NumberOfSets++);
   if (number == this->Sets.size())
@@ -168,49 +162,23 @@ MeshBeam::PieceSet& MeshBeam::BeginSet(bool areTetrahedra)
   }
   PieceSet& set = this->Sets[number];
   set.First = static_cast<int>(number) * BeamPieces::Capacity;
+  set.Surface = static_cast<int>(surface);
   set.AreTetrahedra = areTetrahedra;
-  set.Pieces.Count = 0;
-  return set;
-}
-
-//------------------------------------------------------------------------------
-void MeshBeam::AddCell(const MeshSelection& selection, MeshCell& cell, std::uint32_t number,
-  int surface, PieceSet& set) const
-{
-  selection.Cells->LoadCorners(cell);
-  const int place = set.Pieces.Count++;
-  PassedCell& passed = set.Cells[place];
-  passed.Number = number;
-  passed.Surface = surface;
-  // The corners as they are recorded.
-  int corners[PassedCellRecords::Corners];
-  if (set.AreTetrahedra)
+  set.Pieces.Count = count;
+  std::copy_n(numbers, count, set.Cells);
+  selection.Cells->LoadRecords(numbers, count, areTetrahedra, set.Orders, set.Records);
+  const MeshSurface& traced = selection.Surfaces[surface];
+  const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
+  for (int corner = 0; corner < corners; ++corner)
   {
-    passed.Order = CornerOrder(cell);
-    std::copy_n(passed.Order.Corners, 4, corners);
+    double* values = set.Records.Corner[corner][3];
+    for (int i = 0; i < count; ++i)
+    {
+      values[i] = Difference(values[i], traced.Isovalue, traced.Scale);
+    }
   }
-  else
-  {
-    std::copy_n(GetTraits(cell.Shape).Trilinear, PassedCellRecords::Corners, corners);
-  }
-  const int count = set.AreTetrahedra ? 4 : PassedCellRecords::Corners;
-  const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
-  for (int i = 0; i < count; ++i)
-  {
-    auto& record = set.Records.Corner[i];
-    const Vector3& point = cell.Points[corners[i]];
-    record[0][place] = point[0];
-    record[1][place] = point[1];
-    record[2][place] = point[2];
-    record[3][place] = Difference(cell.Values[corners[i]], traced.Isovalue, traced.Scale);
-  }
-}
-
-//------------------------------------------------------------------------------
-void MeshBeam::EndSet(const MeshSelection& selection, PieceSet& set) const
-{
   const Kernels& kernels = *selection.PacketKernels;
-  (set.AreTetrahedra ? kernels.BoundTetrahedra : kernels.BoundTrilinear)(
+  (areTetrahedra ? kernels.BoundTetrahedra : kernels.BoundTrilinear)(
     set.Records, this->Frame.GetNumbers(), set.Pieces);
 }
 

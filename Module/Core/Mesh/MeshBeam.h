@@ -41,24 +41,18 @@ public:
   /// Finds further blocks. Returns false if no other is before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 
-  /// The cell and the surface of a piece.
-  struct PassedCell
-  {
-    std::uint32_t Number;
-    int Surface;
-    /// Of a tetrahedron.
-    CornerOrder Order;
-  };
-
-  /// Pieces in a block, all in tetrahedra or all in others.
+  /// Pieces of a surface in a block, all in tetrahedra or all in others.
   struct PieceSet
   {
     /// The number of the first one. There are as many numbers to a set as it may have pieces.
     int First;
+    int Surface;
     bool AreTetrahedra;
     BeamPieces Pieces;
     PassedCellRecords Records;
-    PassedCell Cells[BeamPieces::Capacity];
+    std::uint32_t Cells[BeamPieces::Capacity];
+    /// Of tetrahedra.
+    CornerOrder Orders[BeamPieces::Capacity];
   };
 
   /// All sets of a block.
@@ -75,10 +69,6 @@ public:
   const PieceSet& GetSetOf(int piece) const
   {
     return this->Sets[static_cast<std::size_t>(piece / BeamPieces::Capacity)];
-  }
-  const PassedCell& GetCell(int piece) const
-  {
-    return this->GetSetOf(piece).Cells[piece % BeamPieces::Capacity];
   }
 
   /// The numbers in all records, and where those of a piece begin.
@@ -112,12 +102,10 @@ private:
   };
 
   void Expand(const MeshSelection& selection, const Node& node);
-  void AddBlock(const Node& node);
+  void AddBlock(const MeshSelection& selection, const Node& node);
   void AddPieces(const MeshSelection& selection, std::size_t block);
-  PieceSet& BeginSet(bool areTetrahedra);
-  void AddCell(const MeshSelection& selection, MeshCell& cell, std::uint32_t number, int surface,
-    PieceSet& set) const;
-  void EndSet(const MeshSelection& selection, PieceSet& set) const;
+  void AddSet(const MeshSelection& selection, const std::uint32_t* numbers, int count,
+    std::size_t surface, bool areTetrahedra);
 
   bool HasFrame = false;
   BeamFrame Frame;

@@ -49,6 +49,57 @@ void ReadTypedValues(const MeshView& view, MeshCell& cell)
   }
 }
 
+constexpr int Capacity = PassedCellRecords::Capacity;
+
+template <typename Id>
+void ReadListedTetrahedra(const MeshView& view, const std::uint32_t* numbers, int count,
+  CornerOrder* orders, std::int64_t (&ids)[PassedCellRecords::Corners][Capacity])
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const Id* listed =
+      static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[numbers[i]];
+    orders[i] = CornerOrder(listed);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      ids[corner][i] = listed[orders[i].Corners[corner]];
+    }
+  }
+}
+
+template <typename Coordinate>
+void ReadTypedRecordPoints(const MeshView& view,
+  const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
+  PassedCellRecords& records)
+{
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    auto& numbers = records.Corner[corner];
+    for (int i = 0; i < count; ++i)
+    {
+      const Coordinate* point = static_cast<const Coordinate*>(view.Points) + 3 * ids[corner][i];
+      numbers[0][i] = static_cast<double>(point[0]);
+      numbers[1][i] = static_cast<double>(point[1]);
+      numbers[2][i] = static_cast<double>(point[2]);
+    }
+  }
+}
+
+template <typename Value>
+void ReadTypedRecordValues(const MeshView& view,
+  const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
+  PassedCellRecords& records)
+{
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      records.Corner[corner][3][i] = static_cast<double>(
+        static_cast<const Value*>(view.Values)[ids[corner][i] * view.ValueStride]);
+    }
+  }
+}
+
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
 /// point; that of cells, if there is none.
 template <typename Id>
@@ -91,12 +142,25 @@ MeshCells::MeshCells(const MeshView& view)
     const Index3& n = view.Dimensions;
     this->NumberOfCells = std::int64_t{ n[0] - 1 } * (n[1] - 1) * (n[2] - 1);
   }
+  else if (view.NumberOfCells > 0)
+  {
+    this->LengthOfConnectivity = view.IdType == ScalarType::Int32
+      ? static_cast<const std::int32_t*>(view.Offsets)[view.NumberOfCells]
+      : static_cast<const std::int64_t*>(view.Offsets)[view.NumberOfCells];
+  }
   this->ReadIds =
     view.IdType == ScalarType::Int32 ? ReadListedIds<std::int32_t> : ReadListedIds<std::int64_t>;
-  this->ReadPoints =
-    view.PointType == ScalarType::Float32 ? ReadTypedPoints<float> : ReadTypedPoints<double>;
-  DispatchScalarType(
-    view.ValueType, [this](auto value) { this->ReadValues = ReadTypedValues<decltype(value)>; });
+  const bool hasFloats = view.PointType == ScalarType::Float32;
+  this->ReadPoints = hasFloats ? ReadTypedPoints<float> : ReadTypedPoints<double>;
+  this->ReadRecordPoints = hasFloats ? ReadTypedRecordPoints<float> : ReadTypedRecordPoints<double>;
+  this->ReadTetrahedra = view.IdType == ScalarType::Int32 ? ReadListedTetrahedra<std::int32_t>
+                                                          : ReadListedTetrahedra<std::int64_t>;
+  DispatchScalarType(view.ValueType,
+    [this](auto value)
+    {
+      this->ReadValues = ReadTypedValues<decltype(value)>;
+      this->ReadRecordValues = ReadTypedRecordValues<decltype(value)>;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -108,6 +172,56 @@ bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
   }
   this->LoadLatticeIds(number, cell);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::Prefetch(std::int64_t first, int count) const
+{
+  if (this->View.IsLattice())
+  {
+    return;
+  }
+  const std::int64_t size = this->View.IdType == ScalarType::Int32 ? 4 : 8;
+  const auto* offsets = static_cast<const char*>(this->View.Offsets);
+  const auto* connectivity = static_cast<const char*>(this->View.Connectivity);
+  __builtin_prefetch(this->View.Shapes + first);
+  __builtin_prefetch(offsets + size * first);
+  __builtin_prefetch(offsets + size * (first + count));
+  // Where they are if all cells have as many corners.
+  const std::int64_t corners =
+    std::clamp<std::int64_t>(this->LengthOfConnectivity / this->NumberOfCells, 0, MaximumCorners);
+  const char* begin = connectivity + size * corners * first;
+  for (std::int64_t line = 0; line < size * corners * count; line += 64)
+  {
+    __builtin_prefetch(begin + line);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadRecords(const std::uint32_t* numbers, int count, bool areTetrahedra,
+  CornerOrder* orders, PassedCellRecords& records) const
+{
+  RecordIds ids;
+  if (areTetrahedra)
+  {
+    this->ReadTetrahedra(this->View, numbers, count, orders, ids);
+  }
+  else
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      MeshCell cell;
+      this->LoadIds(numbers[i], cell);
+      const ShapeTraits& traits = GetTraits(cell.Shape);
+      for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
+      {
+        ids[corner][i] = cell.Ids[traits.Trilinear[corner]];
+      }
+    }
+  }
+  const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
+  this->ReadRecordPoints(this->View, ids, corners, count, records);
+  this->ReadRecordValues(this->View, ids, corners, count, records);
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,12 @@
 #ifndef MeshCells_h
 #define MeshCells_h
 
+#include "Kernels/BeamPieces.h"
+#include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"
 #include "Mesh/MeshView.h"
 
+#include <cstdint>
 #include <string>
 
 namespace vtkIsosurfaceRayTracing
@@ -25,6 +28,9 @@ public:
   /// traced.
   bool LoadIds(std::int64_t number, MeshCell& cell) const;
 
+  /// Begins to fetch what is read first of some consecutive cells.
+  void Prefetch(std::int64_t first, int count) const;
+
   /// Reads the points and values of the corners whose ids are there. Returns whether they are
   /// finite.
   bool LoadCorners(MeshCell& cell) const;
@@ -35,15 +41,36 @@ public:
     return this->LoadIds(number, cell) && this->LoadCorners(cell);
   }
 
+  bool IsTetrahedron(std::int64_t number) const
+  {
+    return !this->View.IsLattice() &&
+      this->View.Shapes[number] == static_cast<unsigned char>(CellShape::Tetrahedron);
+  }
+
+  /// Reads the corners of cells that are traced and finite: all of them tetrahedra, whose order is
+  /// found, or all others. In place of differences there are values.
+  void LoadRecords(const std::uint32_t* numbers, int count, bool areTetrahedra, CornerOrder* orders,
+    PassedCellRecords& records) const;
+
 private:
+  /// The ids of the corners of records.
+  using RecordIds = std::int64_t[PassedCellRecords::Corners][PassedCellRecords::Capacity];
+
   void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
 
   MeshView View;
   std::int64_t NumberOfCells;
+  std::int64_t LengthOfConnectivity = 0;
   /// For the types of the arrays.
   bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
+  void (*ReadTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,
+    CornerOrder* orders, RecordIds& ids) = nullptr;
+  void (*ReadRecordPoints)(const MeshView& view, const RecordIds& ids, int corners, int count,
+    PassedCellRecords& records) = nullptr;
+  void (*ReadRecordValues)(const MeshView& view, const RecordIds& ids, int corners, int count,
+    PassedCellRecords& records) = nullptr;
 };
 
 /// What is wrong with the list of cells of a mesh, as a sentence that names the first bad cell;
