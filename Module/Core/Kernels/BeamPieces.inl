@@ -370,11 +370,16 @@ SIMD_INLINE unsigned int FindGroups(const LabelBounds& bounds, int number, const
 }
 
 /// The bounds that some of the rays may meet; a bit for each.
-SIMD_INLINE unsigned int FindNear(const LabelBounds& bounds, int count, const BeamRays& rays)
+SIMD_INLINE unsigned int FindNear(
+  const LabelBounds& bounds, unsigned int among, const BeamRays& rays)
 {
   unsigned int near = 0;
-  for (int i = 0; i < count; i += FloatWidth)
+  for (int i = 0; i < LabelBounds::Capacity; i += FloatWidth)
   {
+    if ((among >> i & ((1U << FloatWidth) - 1U)) == 0)
+    {
+      continue;
+    }
     const FloatMask isBeside = (rays.UpperOfAll[0] < LoadFloats(&bounds.Lower[0][i])) |
       (rays.UpperOfAll[1] < LoadFloats(&bounds.Lower[1][i])) |
       (LoadFloats(&bounds.Upper[0][i]) < rays.LowerOfAll[0]) |
@@ -382,13 +387,13 @@ SIMD_INLINE unsigned int FindNear(const LabelBounds& bounds, int count, const Be
       (rays.EndOfAll < LoadFloats(&bounds.Near[i]));
     near |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << i;
   }
-  return near & ((1U << count) - 1U);
+  return near & among;
 }
 
-unsigned int FindPassed(const LabelBounds& bounds, int count, const BeamRays& rays)
+unsigned int FindPassed(const LabelBounds& bounds, unsigned int among, const BeamRays& rays)
 {
   unsigned int passed = 0;
-  for (unsigned int near = FindNear(bounds, count, rays); near != 0; near &= near - 1)
+  for (unsigned int near = FindNear(bounds, among, rays); near != 0; near &= near - 1)
   {
     const int number = __builtin_ctz(near);
     passed |= static_cast<unsigned int>(FindGroups(bounds, number, rays) != 0) << number;
@@ -428,7 +433,8 @@ SIMD_INLINE void AddPairs(const BeamPieces& pieces, int piece, int number, const
 
 void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs)
 {
-  for (unsigned int near = FindNear(pieces.Bounds, pieces.Count, rays); near != 0; near &= near - 1)
+  for (unsigned int near = FindNear(pieces.Bounds, (1U << pieces.Count) - 1U, rays); near != 0;
+       near &= near - 1)
   {
     const int piece = __builtin_ctz(near);
     for (unsigned int groups = FindGroups(pieces.Bounds, piece, rays); groups != 0;

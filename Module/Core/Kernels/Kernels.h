@@ -249,8 +249,8 @@ struct Kernels
   void (*BoundTrilinear)(
     const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces);
 
-  /// Finds the bounds that some of the rays may meet; a bit for each.
-  unsigned int (*FindPassed)(const LabelBounds& bounds, int count, const BeamRays& rays);
+  /// Finds which of some bounds rays may meet; a bit for each.
+  unsigned int (*FindPassed)(const LabelBounds& bounds, unsigned int among, const BeamRays& rays);
 
   /// Adds the rays that may meet the pieces of a set, of which the first has the given number.
   void (*FindPairs)(

@@ -51,26 +51,26 @@ RaySet BeamTracer::Trace(
     hitsOfRay.clear();
   }
   const Kernels& kernels = *selection.PacketKernels;
-  for (int next = 0;
-       next < beam.GetNumberOfBlocks() || beam.FindMore(selection, this->Rays.EndOfAll);)
+  for (std::size_t leaf = 0;
+       leaf < beam.GetNumberOfLeaves() || beam.FindMore(selection, this->Rays.EndOfAll); ++leaf)
   {
-    // Those of one set of bounds, up to the last known.
-    const int first = next - next % LabelBounds::Capacity;
-    const int end = std::min(beam.GetNumberOfBlocks(), first + LabelBounds::Capacity);
-    const unsigned int passed =
-      kernels.FindPassed(beam.GetBounds(first), end - first, this->Rays) >> (next - first);
-    for (unsigned int left = passed; left != 0; left &= left - 1)
+    const MeshBeam::Leaf& found = beam.GetLeaf(leaf);
+    const unsigned int passed = kernels.FindPassed(found.Bounds, found.Blocks, this->Rays);
+    if (passed == 0)
     {
-      for (const MeshBeam::PieceSet& set : beam.GetPieces(selection, next + __builtin_ctz(left)))
-      {
-        kernels.FindPairs(set.Pieces, set.First, this->Rays, this->Pairs);
-        if (this->Pairs.Count >= BeamPairs::Batch)
-        {
-          this->Solve(selection, beam, hits);
-        }
-      }
+      continue;
     }
-    next = end;
+    beam.Load(selection, leaf, passed);
+    for (int number = found.FirstSet; number != MeshBeam::NoSet;)
+    {
+      const MeshBeam::PieceSet& set = beam.GetSet(number);
+      kernels.FindPairs(set.Pieces, set.First, this->Rays, this->Pairs);
+      if (this->Pairs.Count >= BeamPairs::Batch)
+      {
+        this->Solve(selection, beam, hits);
+      }
+      number = set.Next;
+    }
   }
   this->Solve(selection, beam, hits);
   return this->InBeam;

@@ -28,8 +28,7 @@ IsovalueSpan FindSpan(double isovalue)
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 {
   this->Heap.clear();
-  this->Blocks.clear();
-  this->Bounds.clear();
+  this->Leaves.clear();
   this->NumberOfSets = 0;
   const int levels = selection.Tree->GetNumberOfLevels();
   this->HasFrame =
@@ -44,117 +43,103 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
   {
     this->Spans.push_back(FindSpan(surface.Isovalue));
   }
-  this->Heap.push_back({ 0, levels - 1, -FloatInfinity, {}, {} });
+  this->Heap.push_back({ -FloatInfinity, levels - 1, 0 });
 }
 
 //------------------------------------------------------------------------------
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
-  const std::size_t before = this->Blocks.size();
-  while (this->Blocks.size() - before < LabelBounds::Capacity && !this->Heap.empty() &&
-    this->Heap.front().Near <= end)
+  const std::size_t before = this->Leaves.size();
+  while (this->Leaves.size() == before && !this->Heap.empty() && this->Heap.front().Near <= end)
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end());
     const Node node = this->Heap.back();
     this->Heap.pop_back();
-    if (node.Level >= 0)
-    {
-      this->Expand(selection, node);
-    }
-    else
-    {
-      this->AddBlock(selection, node);
-    }
+    this->Expand(selection, node);
   }
-  return this->Blocks.size() > before;
+  return this->Leaves.size() > before;
 }
 
 //------------------------------------------------------------------------------
 void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
 {
   LabelBounds bounds;
-  for (unsigned int found =
-         selection.PacketKernels->ProjectChildren(selection.Tree->GetNode(node.Level, node.Number),
-           this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
-       found != 0; found &= found - 1)
+  unsigned int found =
+    selection.PacketKernels->ProjectChildren(selection.Tree->GetNode(node.Level, node.Number),
+      this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
+  if (node.Level == 0)
+  {
+    this->AddLeaf(selection, node.Number, found, bounds);
+    return;
+  }
+  for (; found != 0; found &= found - 1)
   {
     const int child = __builtin_ctz(found);
-    this->Heap.push_back({ node.Number * CellTree::Width + static_cast<std::size_t>(child),
-      node.Level - 1, bounds.Near[child], { bounds.Lower[0][child], bounds.Lower[1][child] },
-      { bounds.Upper[0][child], bounds.Upper[1][child] } });
-    if (node.Level > 0)
-    {
-      selection.Tree->Prefetch(node.Level - 1, this->Heap.back().Number);
-    }
+    const std::size_t number = node.Number * CellTree::Width + static_cast<std::size_t>(child);
+    selection.Tree->Prefetch(node.Level - 1, number);
+    this->Heap.push_back({ bounds.Near[child], node.Level - 1, number });
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddBlock(const MeshSelection& selection, const Node& node)
+void MeshBeam::AddLeaf(const MeshSelection& selection, std::size_t number, unsigned int blocks,
+  const LabelBounds& bounds)
 {
-  const std::size_t place = this->Blocks.size() % LabelBounds::Capacity;
-  if (place == 0)
+  if (blocks == 0)
   {
-    this->Bounds.emplace_back();
+    return;
   }
-  LabelBounds& bounds = this->Bounds.back();
-  for (std::size_t k = 0; k < 2; ++k)
+  this->Leaves.push_back({ bounds, number, blocks, 0, NoSet });
+  for (; blocks != 0 && !selection.Tree->AreCellsSorted(); blocks &= blocks - 1)
   {
-    bounds.Lower[k][place] = node.Lower[k];
-    bounds.Upper[k][place] = node.Upper[k];
-  }
-  bounds.Near[place] = node.Near;
-  this->Blocks.push_back({ node.Number, -1, -1 });
-  if (!selection.Tree->AreCellsSorted())
-  {
+    const std::size_t block =
+      number * CellTree::Width + static_cast<std::size_t>(__builtin_ctz(blocks));
     selection.Cells->Prefetch(
-      selection.Tree->GetCell(node.Number, 0), selection.Tree->GetNumberOfCells(node.Number));
+      selection.Tree->GetCell(block, 0), selection.Tree->GetNumberOfCells(block));
   }
 }
 
 //------------------------------------------------------------------------------
-MeshBeam::PieceSets MeshBeam::GetPieces(const MeshSelection& selection, int block)
+void MeshBeam::Load(const MeshSelection& selection, std::size_t leaf, unsigned int blocks)
 {
-  Block& found = this->Blocks[static_cast<std::size_t>(block)];
-  if (found.FirstSet < 0)
+  Leaf& found = this->Leaves[leaf];
+  const unsigned int missing = blocks & ~found.Loaded;
+  found.Loaded |= missing;
+  for (std::size_t surface = 0; surface < selection.Surfaces.size() && missing != 0; ++surface)
   {
-    found.FirstSet = this->NumberOfSets;
-    this->AddPieces(selection, found.Number);
-    found.LastSet = this->NumberOfSets;
-  }
-  return { this->Sets.data() + found.FirstSet, this->Sets.data() + found.LastSet };
-}
-
-//------------------------------------------------------------------------------
-void MeshBeam::AddPieces(const MeshSelection& selection, std::size_t block)
-{
-  for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
-  {
-    // A set has one kind.
-    std::uint32_t numbers[2][CellTree::Width];
-    int counts[2] = {};
-    for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
-         active &= active - 1)
+    CellList tetrahedra;
+    CellList others;
+    for (unsigned int left = missing; left != 0; left &= left - 1)
     {
-      const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
-      const std::size_t kind = selection.Cells->IsTetrahedron(number) ? 0 : 1;
-      numbers[kind][counts[kind]++] = number;
-    }
-    for (const std::size_t kind : { 0U, 1U })
-    {
-      if (counts[kind] > 0)
+      const std::size_t block =
+        found.Number * CellTree::Width + static_cast<std::size_t>(__builtin_ctz(left));
+      for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
+           active &= active - 1)
       {
-        this->AddSet(selection, numbers[kind], counts[kind], surface, kind == 0);
+        const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
+        const bool isTetrahedron = selection.Cells->IsTetrahedron(number);
+        CellList& list = isTetrahedron ? tetrahedra : others;
+        list.Numbers[list.Count++] = number;
+        if (list.Count == BeamPieces::Capacity)
+        {
+          this->AddSet(selection, list, surface, isTetrahedron, found);
+        }
       }
     }
+    this->AddSet(selection, tetrahedra, surface, true, found);
+    this->AddSet(selection, others, surface, false, found);
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddSet(const MeshSelection& selection, const std::uint32_t* numbers, int count,
-  std::size_t surface, bool areTetrahedra)
+void MeshBeam::AddSet(const MeshSelection& selection, CellList& cells, std::size_t surface,
+  bool areTetrahedra, Leaf& leaf)
 {
+  if (cells.Count == 0)
+  {
+    return;
+  }
   const auto number = static_cast<std::size_t>(this->NumberOfSets++);
   if (number == this->Sets.size())
   {
@@ -164,9 +149,13 @@ void MeshBeam::AddSet(const MeshSelection& selection, const std::uint32_t* numbe
   set.First = static_cast<int>(number) * BeamPieces::Capacity;
   set.Surface = static_cast<int>(surface);
   set.AreTetrahedra = areTetrahedra;
+  set.Next = leaf.FirstSet;
+  leaf.FirstSet = static_cast<int>(number);
+  const int count = cells.Count;
+  cells.Count = 0;
   set.Pieces.Count = count;
-  std::copy_n(numbers, count, set.Cells);
-  selection.Cells->LoadRecords(numbers, count, areTetrahedra, set.Orders, set.Records);
+  std::copy_n(cells.Numbers, count, set.Cells);
+  selection.Cells->LoadRecords(cells.Numbers, count, areTetrahedra, set.Orders, set.Records);
   const MeshSurface& traced = selection.Surfaces[surface];
   const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
   for (int corner = 0; corner < corners; ++corner)

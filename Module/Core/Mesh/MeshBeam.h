@@ -17,9 +17,10 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What a beam of rays may meet in a mesh: blocks of cells, and in them pieces of surfaces. Blocks
-/// are found front to back through the tree, as far as the packets of the beam need them. The cells
-/// of a block are read and projected when the first packet comes to it, for all packets.
+/// What a beam of rays may meet in a mesh: blocks of cells, and in them pieces of surfaces. The
+/// leaves of the tree, of 16 blocks each, are found front to back, as far as the packets of the
+/// beam need them. The cells of a block are read and projected when the first packet comes to it,
+/// for all packets.
 class MeshBeam final : public TracedField::Beam
 {
 public:
@@ -30,46 +31,45 @@ public:
   bool IsBeam() const { return this->HasFrame; }
   const BeamFrame& GetFrame() const { return this->Frame; }
 
-  /// The number of blocks found so far.
-  int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
-  /// The bounds of the blocks from a multiple of LabelBounds::Capacity on.
-  const LabelBounds& GetBounds(int first) const
-  {
-    return this->Bounds[static_cast<std::size_t>(first / LabelBounds::Capacity)];
-  }
-
-  /// Finds further blocks. Returns false if no other is before a depth.
-  bool FindMore(const MeshSelection& selection, float end);
-
-  /// Pieces of a surface in a block, all in tetrahedra or all in others.
+  /// Pieces of a surface in a leaf, all in tetrahedra or all in others.
   struct PieceSet
   {
     /// The number of the first one. There are as many numbers to a set as it may have pieces.
     int First;
     int Surface;
     bool AreTetrahedra;
+    /// The next set of the leaf, or NoSet.
+    int Next;
     BeamPieces Pieces;
     PassedCellRecords Records;
     std::uint32_t Cells[BeamPieces::Capacity];
     /// Of tetrahedra.
     CornerOrder Orders[BeamPieces::Capacity];
   };
+  static constexpr int NoSet = -1;
 
-  /// All sets of a block.
-  struct PieceSets
+  /// A leaf of the tree: the blocks that the beam may meet, and those whose pieces are there.
+  struct Leaf
   {
-    const PieceSet* Begin;
-    const PieceSet* End;
-
-    const PieceSet* begin() const { return this->Begin; }
-    const PieceSet* end() const { return this->End; }
+    LabelBounds Bounds;
+    std::size_t Number;
+    unsigned int Blocks;
+    unsigned int Loaded;
+    int FirstSet;
   };
-  PieceSets GetPieces(const MeshSelection& selection, int block);
 
-  const PieceSet& GetSetOf(int piece) const
-  {
-    return this->Sets[static_cast<std::size_t>(piece / BeamPieces::Capacity)];
-  }
+  /// The number of leaves found so far.
+  std::size_t GetNumberOfLeaves() const { return this->Leaves.size(); }
+  const Leaf& GetLeaf(std::size_t leaf) const { return this->Leaves[leaf]; }
+
+  /// Finds another leaf. Returns false if there is none before a depth.
+  bool FindMore(const MeshSelection& selection, float end);
+
+  /// Makes sure that the pieces in some blocks of a leaf are there; a bit for each block.
+  void Load(const MeshSelection& selection, std::size_t leaf, unsigned int blocks);
+
+  const PieceSet& GetSet(int set) const { return this->Sets[static_cast<std::size_t>(set)]; }
+  const PieceSet& GetSetOf(int piece) const { return this->GetSet(piece / BeamPieces::Capacity); }
 
   /// The numbers in all records, and where those of a piece begin.
   const double* GetRecords() const { return &this->Sets[0].Records.Corner[0][0][0]; }
@@ -80,40 +80,36 @@ public:
   }
 
 private:
-  /// A node of the tree, or with level -1 a block, with its bounds.
+  /// A node of the tree, and a depth that it is behind.
   struct Node
   {
-    std::size_t Number;
-    int Level;
     float Near;
-    float Lower[2];
-    float Upper[2];
+    int Level;
+    std::size_t Number;
 
     /// The nearest one is on top of the heap.
     bool operator<(const Node& other) const { return this->Near > other.Near; }
   };
 
-  struct Block
+  /// Cells of one kind.
+  struct CellList
   {
-    std::size_t Number;
-    /// Its sets of pieces; none yet if the first is -1.
-    int FirstSet;
-    int LastSet;
+    int Count = 0;
+    std::uint32_t Numbers[BeamPieces::Capacity];
   };
 
   void Expand(const MeshSelection& selection, const Node& node);
-  void AddBlock(const MeshSelection& selection, const Node& node);
-  void AddPieces(const MeshSelection& selection, std::size_t block);
-  void AddSet(const MeshSelection& selection, const std::uint32_t* numbers, int count,
-    std::size_t surface, bool areTetrahedra);
+  void AddLeaf(const MeshSelection& selection, std::size_t number, unsigned int blocks,
+    const LabelBounds& bounds);
+  void AddSet(const MeshSelection& selection, CellList& cells, std::size_t surface,
+    bool areTetrahedra, Leaf& leaf);
 
   bool HasFrame = false;
   BeamFrame Frame;
   BeamProjection Projection;
   std::vector<IsovalueSpan> Spans;
   std::vector<Node> Heap;
-  std::vector<Block> Blocks;
-  std::vector<LabelBounds> Bounds;
+  std::vector<Leaf> Leaves;
   /// Those in use are the first: the memory is kept from beam to beam.
   std::vector<PieceSet> Sets;
   int NumberOfSets = 0;
