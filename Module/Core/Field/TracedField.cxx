@@ -13,6 +13,7 @@ void TracedField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {
   packet.Clear();
+  packet.Columns = pixels.Width;
   for (int y = 0; y < pixels.Height; ++y)
   {
     for (int x = 0; x < pixels.Width; ++x)

@@ -3,6 +3,7 @@
 
 #include "Image/ImageField.h"
 
+#include "Field/PixelBlocks.h"
 #include "Image/ImageStructures.h"
 #include "Image/Tracers/ImageTracer.h"
 #include "Image/Traversal/PacketTracer.h"
@@ -117,16 +118,7 @@ void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
     TracedField::MakeRays(view, pixels, depths, packet);
     return;
   }
-  PixelBlock block;
-  block.ObjectFromClip = view.GetObjectFromClip().data();
-  block.Width = view.GetWidth();
-  block.Height = view.GetHeight();
-  block.Column = pixels.X;
-  block.Row = pixels.Y;
-  block.Columns = pixels.Width;
-  block.Rows = pixels.Height;
-  block.Depth = depths.First;
-  block.DepthStride = depths.Stride;
+  PixelBlock block = MakePixelBlock(view, pixels, depths);
   block.Dimensions = lattice.GetDimensions().data();
   kernels->MakeRays(block, packet);
 }

@@ -195,6 +195,10 @@ struct Kernels
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayPacket& packet);
 
+  /// The same for rays that are moved to a box, as MoveToBox does; the block has no dimensions.
+  void (*MakeBoxedRays)(
+    const PixelBlock& block, const double lower[3], const double upper[3], RayPacket& packet);
+
   /// Parametrizes rays by an axis, and finds their frustum. Returns false if they have none: if
   /// they do not all go the same way along the axis, or not steeply enough.
   bool (*Align)(

@@ -16,6 +16,7 @@
 #include "Math/TrilinearCell.h"
 #include "Math/ValueRange.h"
 #include "Math/Vector.h"
+#include "Rays/BoxedRays.h"
 #include "Rays/CellCrossings.h"
 #include "Rays/ClippedRays.h"
 #include "Rays/PixelRays.h"
@@ -80,7 +81,7 @@ SIMD_INLINE int LargerOf(int a, int b)
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, Align, FindPassages, FOR_ALL_TYPES(ClassifyCells),              \
-    FOR_ALL_TYPES(LoadCorners), Solve, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,   \
-    FOR_ALL_TYPES(IncludeRow), ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed,       \
-    FindPairs, SolveTetrahedra }
+  const Kernels name = { MakeRays, MakeBoxedRays, Align, FindPassages,                             \
+    FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
+    FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
+    ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra }

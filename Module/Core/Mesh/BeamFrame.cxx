@@ -168,6 +168,25 @@ double BeamFrame::GetError(const double (&place)[2], const double (&slope)[2]) c
 }
 
 //------------------------------------------------------------------------------
+void BeamFrame::FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const
+{
+  constexpr float margin = 0x1p-12F;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    lower[k] = HUGE_VALF;
+    upper[k] = -HUGE_VALF;
+    for (int i = 0; i < lines.Count; ++i)
+    {
+      const double place = MeetPlane(lines, i, this->Numbers).Place[k];
+      const auto label =
+        static_cast<float>((place - this->Numbers.Center[k]) * this->Numbers.InverseSize);
+      lower[k] = std::min(lower[k], label - margin);
+      upper[k] = std::max(upper[k], label + margin);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool BeamFrame::FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const
 {
   const double way = this->Numbers.Plane - packet.Origin[this->Numbers.Along][ray];

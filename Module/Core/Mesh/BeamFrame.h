@@ -47,6 +47,9 @@ public:
     return static_cast<float>(depth + 0x1p-20 * (std::abs(depth) + this->Length));
   }
 
+  /// The bounds of the labels between lines, and a margin.
+  void FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const;
+
   /// Finds the label of a ray of a packet. Returns false if the ray is not in the beam.
   bool FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const;
 

@@ -47,6 +47,36 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 }
 
 //------------------------------------------------------------------------------
+bool MeshBeam::MayHitBetween(const MeshSelection& selection, const RayPacket& lines)
+{
+  // The lines as one group of rays without an end.
+  BeamRays rays;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    std::fill_n(rays.Lower[k], 2 * BeamRays::Groups, FloatInfinity);
+    std::fill_n(rays.Upper[k], 2 * BeamRays::Groups, -FloatInfinity);
+  }
+  std::fill_n(rays.GroupEnd, 2 * BeamRays::Groups, FloatInfinity);
+  this->Frame.FindBounds(lines, rays.LowerOfAll, rays.UpperOfAll);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    rays.Lower[k][0] = rays.LowerOfAll[k];
+    rays.Upper[k][0] = rays.UpperOfAll[k];
+  }
+  rays.EndOfAll = FloatInfinity;
+  for (std::size_t leaf = 0; leaf < this->Leaves.size() || this->FindMore(selection, FloatInfinity);
+       ++leaf)
+  {
+    const Leaf& found = this->Leaves[leaf];
+    if (selection.PacketKernels->FindPassed(found.Bounds, found.Blocks, rays) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
   const std::size_t before = this->Leaves.size();

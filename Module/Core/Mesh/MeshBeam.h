@@ -62,6 +62,9 @@ public:
   std::size_t GetNumberOfLeaves() const { return this->Leaves.size(); }
   const Leaf& GetLeaf(std::size_t leaf) const { return this->Leaves[leaf]; }
 
+  /// Whether rays of the beam between lines may meet a block.
+  bool MayHitBetween(const MeshSelection& selection, const RayPacket& lines);
+
   /// Finds another leaf. Returns false if there is none before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 

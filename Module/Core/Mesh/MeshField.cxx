@@ -4,13 +4,14 @@
 #include "Mesh/MeshField.h"
 
 #include "Field/HitCollector.h"
+#include "Field/PixelBlocks.h"
 #include "Mesh/BeamTracer.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshRay.h"
-#include "Mesh/RaySlab.h"
 #include "Mesh/ShapeFunctions.h"
+#include "Rays/BoxedRays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,38 +73,41 @@ std::shared_ptr<ActiveCells> MeshField::FindActiveCells(double isovalue) const
 void MeshField::AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
   RayPacket& packet) const
 {
-  const int ray = packet.Count++;
   const Bounds& box = this->Tree.GetBounds();
-  Slab inside = { begin, end };
-  double size = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (!std::isfinite(origin[axis]) || !std::isfinite(direction[axis]))
-    {
-      return;
-    }
-    packet.Direction[axis][ray] = direction[axis];
-    packet.Inverse[axis][ray] = 1.0 / direction[axis];
-    const Slab slab = CutToSlab(
-      origin[axis], direction[axis], packet.Inverse[axis][ray], box.Lower[axis], box.Upper[axis]);
-    inside = { std::max(inside.Begin, slab.Begin), std::min(inside.End, slab.End) };
-    size = std::max(size, std::abs(direction[axis]));
-  }
-  // A ray in a face of the box, or along it, is in or out by rounding. It has no length to lose.
-  const double slack = 0x1p-40 * (std::abs(inside.Begin) + std::abs(inside.End));
-  if (!std::isfinite(1.0 / size) || !(inside.Begin <= inside.End + slack))
+  BoxedRays<double> boxed{};
+  std::copy_n(origin.begin(), 3, boxed.Origin);
+  std::copy_n(direction.begin(), 3, boxed.Direction);
+  boxed.Begin = begin;
+  boxed.End = end;
+  const int ray = packet.Count++;
+  if (!MoveToBox(box.Lower.data(), box.Upper.data(), boxed))
   {
     return;
   }
-  // The new origin is near the mesh: its coordinates have as many digits as those of the points.
-  packet.Base[ray] = inside.Begin;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    packet.Origin[axis][ray] = std::fma(inside.Begin, direction[axis], origin[axis]);
+    packet.Origin[axis][ray] = boxed.Origin[axis];
+    packet.Direction[axis][ray] = boxed.Direction[axis];
+    packet.Inverse[axis][ray] = boxed.Inverse[axis];
   }
-  packet.Begin[ray] = begin - inside.Begin;
-  packet.End[ray] = end - inside.Begin;
+  packet.Begin[ray] = boxed.Begin;
+  packet.End[ray] = boxed.End;
+  packet.Base[ray] = boxed.Base;
   Add(ray, packet.Exists);
+}
+
+//------------------------------------------------------------------------------
+void MeshField::MakeRays(const Camera& view, const PixelRectangle& pixels,
+  const PixelDepths& depths, RayPacket& packet) const
+{
+  if (!this->Selection.PacketKernels)
+  {
+    TracedField::MakeRays(view, pixels, depths, packet);
+    return;
+  }
+  const Bounds& box = this->Tree.GetBounds();
+  this->Selection.PacketKernels->MakeBoxedRays(
+    MakePixelBlock(view, pixels, depths), box.Lower.data(), box.Upper.data(), packet);
 }
 
 //------------------------------------------------------------------------------
@@ -116,6 +120,14 @@ std::unique_ptr<TracedField::Beam> MeshField::MakeBeam() const
 void MeshField::Begin(const RayPacket& lines, Beam* beam) const
 {
   static_cast<ThreadBeam*>(beam)->Pieces.Begin(this->Selection, lines);
+}
+
+//------------------------------------------------------------------------------
+bool MeshField::MayHitBetween(RayPacket& lines, Beam* beam) const
+{
+  auto* thread = static_cast<ThreadBeam*>(beam);
+  return !thread || !thread->Pieces.IsBeam() ||
+    thread->Pieces.MayHitBetween(this->Selection, lines);
 }
 
 //------------------------------------------------------------------------------

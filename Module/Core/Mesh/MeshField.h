@@ -37,8 +37,11 @@ public:
   Bounds GetBounds() const override { return this->Tree.GetBounds(); }
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
+  void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
+    RayPacket& packet) const override;
   std::unique_ptr<Beam> MakeBeam() const override;
   void Begin(const RayPacket& lines, Beam* beam) const override;
+  bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
   Vector3 GetPoint(const Hit& hit) const override;
