@@ -5,6 +5,7 @@
 #define BeamPieces_h
 
 #include "Kernels/CellTreeNode.h"
+#include "Math/Arithmetic.h"
 #include "Rays/RayPacket.h"
 
 #include <cstdint>
@@ -79,9 +80,34 @@ struct BeamNumbers
   double InverseSize;
   /// Points with a smaller W have any label.
   double SmallestW;
+  /// The extent of the box along the axis.
+  double Length;
   /// By how much the labels of rays may be wrong.
   float Margin;
 };
+
+/// By how much the label of a ray is wrong within the box, where W is not too small, given where it
+/// meets the plane and its slopes: rays do not pass through one point to the last bit.
+template <typename Number>
+SIMD_INLINE Number GetLabelError(
+  const BeamNumbers& frame, const Number place[2], const Number slope[2])
+{
+  Number error = 0.0;
+  for (int k = 0; k < 2; ++k)
+  {
+    const Number expected = frame.Slope[k] + frame.Spread * (place[k] - frame.Center[k]);
+    error = Max(error, Abs(slope[k] - expected));
+  }
+  return error * (frame.Length * frame.InverseSize / frame.SmallestW);
+}
+
+/// The depth of a point on the axis, and a margin.
+template <typename Number>
+SIMD_INLINE Number GetEndDepth(const BeamNumbers& frame, Number coordinate)
+{
+  const Number depth = frame.Sign * (coordinate - frame.Plane);
+  return depth + 0x1p-20 * (Abs(depth) + frame.Length);
+}
 
 /// Cells that a surface passes: the coordinates of their corners, and the differences of their
 /// values from the isovalue. Tetrahedra have four corners, in the order of their ids; the others
@@ -142,9 +168,14 @@ struct BeamPairs
   int Piece[Capacity];
 };
 
-/// The rays of a packet, each in a frame of its own: see RayFrame.
+/// The rays of a packet, each in a frame of its own (see RayFrame) and with its label in a beam.
 struct FramedRays
 {
+  /// Those in the beam. The others have no label.
+  RaySet InBeam;
+  alignas(64) double Label[2][RayPacket::Capacity];
+  /// The depth that they end at.
+  alignas(64) double End[RayPacket::Capacity];
   /// The axes along the ray and across.
   int Axis[3][RayPacket::Capacity];
   alignas(64) double Origin[3][RayPacket::Capacity];

@@ -222,8 +222,10 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
   {
     const int i = first + __builtin_ctz(unbounded);
     LabelBounds& bounds = pieces.Bounds;
-    bounds.Lower[0][i] = bounds.Lower[1][i] = bounds.Near[i] = -infinity;
+    bounds.Lower[0][i] = bounds.Lower[1][i] = -infinity;
     bounds.Upper[0][i] = bounds.Upper[1][i] = infinity;
+    // Behind the end of rays that are not there.
+    bounds.Near[i] = -__FLT_MAX__;
     for (auto& line : pieces.Line)
     {
       line[0][i] = line[1][i] = line[2][i] = 0.0F;

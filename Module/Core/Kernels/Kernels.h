@@ -242,6 +242,9 @@ struct Kernels
   /// ValueRange. One for every ScalarType.
   void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 
+  /// Finds the frames of rays, as RayFrame does, and their labels in a beam.
+  void (*FrameRays)(const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed);
+
   /// Finds the children of a node that a beam may meet and one of the isovalues is in, and their
   /// bounds; a bit for each.
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,

@@ -64,6 +64,7 @@ SIMD_INLINE int LargerOf(int a, int b)
 #include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
 #include "Kernels/FindPassages.inl"
+#include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/InterpolateGradients.inl"
 #include "Kernels/MakePixels.inl"
@@ -84,4 +85,5 @@ SIMD_INLINE int LargerOf(int a, int b)
   const Kernels name = { MakeRays, MakeBoxedRays, Align, FindPassages,                             \
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra }
+    FrameRays, ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed, FindPairs,            \
+    SolveTetrahedra }

@@ -59,7 +59,7 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   this->Numbers.SmallestW = SmallestW;
   this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
   this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
-  this->Length = box.Upper[along] - box.Lower[along];
+  this->Numbers.Length = box.Upper[along] - box.Lower[along];
   LinePoint corners[4];
   double lower[2] = { HUGE_VAL, HUGE_VAL };
   double upper[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -109,15 +109,16 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
   // Rays need not be between the lines to the last bit; and there may be one line only.
   this->Numbers.InverseSize =
-    1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Length));
+    1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Numbers.Length));
   double error = 0x1p-30;
   for (int i = 0; i < 4; ++i)
   {
-    error = std::max(error, 16.0 * this->GetError(corners[i].Place, corners[i].Slope));
+    error =
+      std::max(error, 16.0 * GetLabelError(this->Numbers, corners[i].Place, corners[i].Slope));
   }
   this->Numbers.Margin = static_cast<float>(error);
-  return error < 1.0 && std::abs(this->Numbers.Spread) * this->Length < 256.0 &&
-    (this->Reach + this->Length) * this->Numbers.InverseSize < 0x1p60;
+  return error < 1.0 && std::abs(this->Numbers.Spread) * this->Numbers.Length < 256.0 &&
+    (this->Reach + this->Numbers.Length) * this->Numbers.InverseSize < 0x1p60;
 }
 
 //------------------------------------------------------------------------------
@@ -143,28 +144,13 @@ BeamProjection BeamFrame::GetProjection() const
     reach = std::max(reach, this->Reach + std::abs(static_cast<double>(beam.CenterRest[k])));
     steepest = std::max(steepest, std::abs(this->Numbers.Slope[k]));
   }
-  const double length = this->Length + std::abs(static_cast<double>(beam.PlaneRest));
+  const double length = this->Numbers.Length + std::abs(static_cast<double>(beam.PlaneRest));
   beam.Error =
     static_cast<float>(0x1p-20 * (reach + steepest * length) * this->Numbers.InverseSize);
   beam.RelativeError =
     static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Numbers.Spread) / SmallestW);
   beam.DepthError = static_cast<float>(0x1p-20 * length);
   return beam;
-}
-
-//------------------------------------------------------------------------------
-/// By how much the label of a line is wrong within the box, where W is not too small: lines do not
-/// pass through one point to the last bit.
-double BeamFrame::GetError(const double (&place)[2], const double (&slope)[2]) const
-{
-  double error = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    const double expected =
-      this->Numbers.Slope[k] + this->Numbers.Spread * (place[k] - this->Numbers.Center[k]);
-    error = std::max(error, std::abs(slope[k] - expected));
-  }
-  return error * this->Length * this->Numbers.InverseSize * (1.0 / SmallestW);
 }
 
 //------------------------------------------------------------------------------
@@ -184,25 +170,6 @@ void BeamFrame::FindBounds(const RayPacket& lines, float (&lower)[2], float (&up
       upper[k] = std::max(upper[k], label + margin);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-bool BeamFrame::FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const
-{
-  const double way = this->Numbers.Plane - packet.Origin[this->Numbers.Along][ray];
-  double place[2];
-  double slope[2];
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    slope[k] =
-      packet.Direction[this->Numbers.Across[k]][ray] * packet.Inverse[this->Numbers.Along][ray];
-    place[k] = packet.Origin[this->Numbers.Across[k]][ray] + slope[k] * way;
-    label[k] = static_cast<float>((place[k] - this->Numbers.Center[k]) * this->Numbers.InverseSize);
-    largest = std::max(largest, std::abs(static_cast<double>(label[k])));
-  }
-  return packet.Direction[this->Numbers.Along][ray] * this->Numbers.Sign > 0.0 && largest <= 1.0 &&
-    this->GetError(place, slope) <= static_cast<double>(this->Numbers.Margin);
 }
 
 }

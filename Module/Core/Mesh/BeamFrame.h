@@ -9,7 +9,6 @@
 #include "Math/Vector.h"
 #include "Rays/RayPacket.h"
 
-#include <cmath>
 #include <cstddef>
 
 // Rays through one point, and parallel ones, are points of a plane across an axis: the label of a
@@ -41,24 +40,17 @@ public:
   /// The depth where a ray of a packet ends, and a margin.
   float GetEnd(const RayPacket& packet, int ray, double end) const
   {
-    const auto along = static_cast<std::size_t>(this->Numbers.Along);
-    const double coordinate = packet.Origin[along][ray] + end * packet.Direction[along][ray];
-    const double depth = this->Numbers.Sign * (coordinate - this->Numbers.Plane);
-    return static_cast<float>(depth + 0x1p-20 * (std::abs(depth) + this->Length));
+    const int along = this->Numbers.Along;
+    return static_cast<float>(
+      GetEndDepth(this->Numbers, packet.Origin[along][ray] + end * packet.Direction[along][ray]));
   }
 
   /// The bounds of the labels between lines, and a margin.
   void FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const;
 
-  /// Finds the label of a ray of a packet. Returns false if the ray is not in the beam.
-  bool FindLabel(const RayPacket& packet, int ray, float (&label)[2]) const;
-
 private:
-  double GetError(const double (&place)[2], const double (&slope)[2]) const;
-
   BeamNumbers Numbers;
-  /// The extent of the box along the axis, and its largest distance from the centre across.
-  double Length;
+  /// The largest distance of the box from the centre, across.
   double Reach;
 };
 

@@ -44,7 +44,7 @@ RaySet BeamTracer::Trace(
   const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits)
 {
   this->Packet = &packet;
-  this->Enter(beam.GetFrame());
+  this->Enter(selection, beam.GetFrame());
   this->Pairs.Count = 0;
   for (std::vector<Hit>& hitsOfRay : hits)
   {
@@ -73,29 +73,26 @@ RaySet BeamTracer::Trace(
     }
   }
   this->Solve(selection, beam, hits);
-  return this->InBeam;
+  return this->Framed.InBeam;
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Enter(const BeamFrame& frame)
+void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
 {
   const RayPacket& packet = *this->Packet;
-  this->InBeam = {};
+  selection.PacketKernels->FrameRays(packet, frame.GetNumbers(), this->Framed);
   std::fill_n(this->Rays.End, BeamRays::Capacity, -FloatInfinity);
   for (int place = 0; place < packet.Count; ++place)
   {
     const int ray = FindRay(packet, place);
     this->Rays.Ray[place] = ray;
-    float label[2] = {};
-    if (Has(packet.Exists, ray) && frame.FindLabel(packet, ray, label))
+    if (Has(this->Framed.InBeam, ray))
     {
-      Add(ray, this->InBeam);
       this->Parts[ray] = { packet.Begin[ray], packet.End[ray], packet.Base[ray] };
-      this->SetFrame(ray);
-      this->Rays.End[place] = frame.GetEnd(packet, ray, packet.End[ray]);
+      this->Rays.Label[0][place] = static_cast<float>(this->Framed.Label[0][ray]);
+      this->Rays.Label[1][place] = static_cast<float>(this->Framed.Label[1][ray]);
+      this->Rays.End[place] = static_cast<float>(this->Framed.End[ray]);
     }
-    this->Rays.Label[0][place] = label[0];
-    this->Rays.Label[1][place] = label[1];
   }
   for (int group = 0; group < BeamRays::Groups; ++group)
   {
@@ -133,22 +130,6 @@ void BeamTracer::FindEnds()
     this->Rays.GroupEnd[group] = *std::max_element(ends, ends + GroupSize);
     this->Rays.EndOfAll = std::max(this->Rays.EndOfAll, this->Rays.GroupEnd[group]);
   }
-}
-
-//------------------------------------------------------------------------------
-void BeamTracer::SetFrame(int ray)
-{
-  const RayFrame frame = GetFrame(*this->Packet, ray);
-  const std::size_t axes[3] = { frame.GetAlong(), frame.AcrossX(), frame.AcrossY() };
-  const FrameNumbers<double>& numbers = frame.GetNumbers();
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    this->Framed.Axis[i][ray] = static_cast<int>(axes[i]);
-    this->Framed.Origin[i][ray] = numbers.Origin[i];
-  }
-  this->Framed.ShearX[ray] = numbers.ShearX;
-  this->Framed.ShearY[ray] = numbers.ShearY;
-  this->Framed.Inverse[ray] = numbers.Inverse;
 }
 
 //------------------------------------------------------------------------------

@@ -31,8 +31,7 @@ public:
     const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);
 
 private:
-  void Enter(const BeamFrame& frame);
-  void SetFrame(int ray);
+  void Enter(const MeshSelection& selection, const BeamFrame& frame);
   void FindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
@@ -43,7 +42,6 @@ private:
   BeamRays Rays;
   FramedRays Framed;
   RayPart Parts[RayPacket::Capacity];
-  RaySet InBeam;
   BeamPairs Pairs;
   TetrahedronPairs InTetrahedra;
   CellHits InCell;
