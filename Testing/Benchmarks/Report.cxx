@@ -3,6 +3,8 @@
 
 #include "Report.h"
 
+#include <algorithm>
+
 namespace Benchmark
 {
 namespace
@@ -41,6 +43,18 @@ Json::Value ToJson(const Table& table)
   return value;
 }
 
+}
+
+//------------------------------------------------------------------------------
+void Report::AddRow(const Table& empty, const std::vector<Cell>& row)
+{
+  auto table = std::find_if(this->Tables.begin(), this->Tables.end(),
+    [&empty](const Table& other) { return other.Name == empty.Name; });
+  if (table == this->Tables.end())
+  {
+    table = this->Tables.insert(table, empty);
+  }
+  table->Rows.push_back(row);
 }
 
 //------------------------------------------------------------------------------
