@@ -52,6 +52,7 @@ set(classes
 
 set(private_classes
   Filters/vtkIsosurfaceComparisonErrors
+  Filters/vtkIsosurfaceComparisonInterpolant
   Filters/vtkIsosurfaceComparisonMethods
   Filters/vtkIsosurfaceComparisonPictures
   Filters/vtkIsosurfaceComparisonRays
