@@ -11,14 +11,18 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
+#include <vtkDataReader.h>
 #include <vtkExodusIIReader.h>
-#include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkStructuredGrid.h>
+#include <vtkStructuredGridReader.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLGenericDataObjectReader.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -72,28 +76,55 @@ vtkSmartPointer<vtkDataObject> Read(ReaderT* reader, const std::string& fileName
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadExodus(const std::string& fileName)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->UpdateInformation();
+  for (const int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
+  {
+    reader->SetAllArrayStatus(type, 1);
+  }
+  return Read(reader.Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
+template <typename ReaderT>
+vtkSmartPointer<vtkDataObject> ReadLegacy(const std::string& fileName)
+{
+  vtkNew<ReaderT> reader;
+  reader->ReadAllScalarsOn();
+  reader->ReadAllFieldsOn();
+  return Read(reader.Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
+/// By the reader for the very kind of file: those for several kinds do not pass errors on. Null if
+/// the kind is none of a mesh.
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& fileName)
 {
+  const std::string extension = GetExtension(fileName);
   if (IsExodus(fileName))
   {
-    vtkNew<vtkExodusIIReader> reader;
-    reader->SetFileName(fileName.c_str());
-    reader->UpdateInformation();
-    for (const int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
-    {
-      reader->SetAllArrayStatus(type, 1);
-    }
-    return Read(reader.Get(), fileName);
+    return ReadExodus(fileName);
   }
-  if (GetExtension(fileName) == ".vtk")
+  if (extension == ".vtu")
   {
-    vtkNew<vtkGenericDataObjectReader> reader;
-    reader->ReadAllScalarsOn();
-    reader->ReadAllFieldsOn();
-    reader->ReadAllVectorsOn();
-    return Read(reader.Get(), fileName);
+    return Read(vtkNew<vtkXMLUnstructuredGridReader>().Get(), fileName);
   }
-  return Read(vtkNew<vtkXMLGenericDataObjectReader>().Get(), fileName);
+  if (extension == ".vts")
+  {
+    return Read(vtkNew<vtkXMLStructuredGridReader>().Get(), fileName);
+  }
+  if (extension == ".vtm")
+  {
+    return Read(vtkNew<vtkXMLMultiBlockDataReader>().Get(), fileName);
+  }
+  vtkNew<vtkDataReader> kind;
+  kind->SetFileName(fileName.c_str());
+  return kind->IsFileUnstructuredGrid() ? ReadLegacy<vtkUnstructuredGridReader>(fileName)
+    : kind->IsFileStructuredGrid()      ? ReadLegacy<vtkStructuredGridReader>(fileName)
+                                        : nullptr;
 }
 
 //------------------------------------------------------------------------------
