@@ -62,6 +62,8 @@ Json::Value Report::GetJson() const
 {
   Json::Value root;
   root["environment"] = this->Environment;
+  root["goals"] = Json::Value(Json::arrayValue);
+  root["tables"] = Json::Value(Json::arrayValue);
   for (const Goal& goal : this->Goals)
   {
     root["goals"].append(ToJson(goal));

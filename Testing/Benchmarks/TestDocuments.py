@@ -61,7 +61,7 @@ class TestDocuments(unittest.TestCase):
         self.assertIn("### First hits of rays, 64 x 64 pixels\n", text)
         self.assertIn("## Meshes: hexahedra\n", text)
         goals = [t for t in tables if t[0][:2] == ["goal", "what"]]
-        ours = next(t for t in goals if any("2560 tetrahedra, ball" in row[1] for row in t[2:]))
+        ours = next(t for t in goals if any("1080 tetrahedra, ball" in row[1] for row in t[2:]))
         self.assertEqual(ours[-1][1], "not measured, which needs --shapes hexahedra")
 
     def test_accuracy(self):

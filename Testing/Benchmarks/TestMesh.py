@@ -6,7 +6,9 @@ what Embree hits; times are not judged. See Programs.py."""
 
 import math
 import os
+import re
 import unittest
+from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
@@ -19,6 +21,7 @@ from Programs import ProgramTest, new_folder, read_json
 
 BENCHMARK = "vtkIsosurfaceMeshBenchmark"
 FOLDER = new_folder("mesh")
+SOURCE = Path(__file__).resolve().parents[2]
 SMALL = "--size 64 --views 2 --repeats 1 --threads 1,2"
 
 
@@ -72,7 +75,7 @@ class TestMeshBenchmark(ProgramTest):
             self.assertLess(row["only the triangles, %"], share, row["mesh"])
 
     def test_tetrahedra(self):
-        measured, tables = self.measure("--cells 3000", name="meshes.json")
+        measured, tables = self.measure("--cells 3000")
         self.check_agreement(measured, tables, 1e-4, 1e-3, 0.2)
         names = [row["mesh"] for row in tables["mesh preparation"]]
         self.assertEqual(names, ["2560 tetrahedra, ball", "2560 tetrahedra, gyroid"])
@@ -115,6 +118,17 @@ class TestMeshBenchmark(ProgramTest):
         self.assertGreater(memory["the user's arrays"], 41)
         self.assertGreater(memory["tree, with gradients at the points"], memory["tree"])
 
+    def test_documented_commands(self):
+        """Those of Documentation/performance.md, with fewer cells."""
+        page = (SOURCE / "Documentation" / "performance.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^## Meshes: .*\n\n    \$measure (.*) --json (.*)$", page, re.M)
+        self.assertEqual(len(commands), 3)
+        for arguments, name in commands:
+            few, count = re.subn(r"--cells \S+", "--cells 1e3,2e3", arguments)
+            self.assertEqual(count, 1, arguments)
+            _, tables = self.measure(few, name=name)
+            self.assertEqual(len(tables["mesh preparation"]), 4)
+
     def test_without_display(self):
         _, tables = self.measure("--cells 1000 --fields ball", without_display())
         self.assertIn("mesh traces", tables)
@@ -133,7 +147,7 @@ class TestMeshBenchmark(ProgramTest):
             ("--threads 0", "give numbers from 1 to 1024"),
             ("--json none/x.json", "cannot be written"),
         ):
-            self.assert_fails(FOLDER, BENCHMARK, arguments, message)
+            self.assert_fails(FOLDER, BENCHMARK, f"--json refused.json {arguments}", message)
 
 
 if __name__ == "__main__":
