@@ -9,6 +9,7 @@ import html.parser
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -60,9 +61,9 @@ def new_ball(scalars=True):
 MESH_METHODS = ["vtkContourGrid", "vtkContour3DLinearGrid", "vtkIsosurfaceRayTraceMeshMapper"]
 
 
-def new_grid():
-    """A bent curvilinear grid; isovalue 0.7 of the radius is a ball. Its cells
-    have their height, its points their number, too."""
+def new_grid(name="radius", scale=1):
+    """A bent curvilinear grid with the distance from its middle, scaled: the isovalue 0.7, scaled, is
+    a ball. Its cells have their height, its points their number, too."""
     size = 9
     points, distances, numbers, heights = (
         vtkPoints(), vtkFloatArray(), vtkFloatArray(), vtkFloatArray()
@@ -71,15 +72,15 @@ def new_grid():
         x, y, z = (2 * c / (size - 1) - 1 for c in (i % size, i // size % size, i // size**2))
         point = (x + 0.1 * math.sin(3 * y + z), y + 0.1 * math.sin(3 * z + x), z)
         points.InsertNextPoint(point)
-        distances.InsertNextValue(math.hypot(*point))
+        distances.InsertNextValue(scale * math.hypot(*point))
         numbers.InsertNextValue(i)
     for i in range((size - 1) ** 3):
         heights.InsertNextValue(i // (size - 1) ** 2)
     grid = vtkStructuredGrid()
     grid.SetDimensions(size, size, size)
     grid.SetPoints(points)
-    for name, array in (("number", numbers), ("radius", distances)):
-        array.SetName(name)
+    for array_name, array in ((name, distances), ("number", numbers)):
+        array.SetName(array_name)
         grid.GetPointData().AddArray(array)
     heights.SetName("height")
     grid.GetCellData().AddArray(heights)
@@ -152,12 +153,13 @@ class TestIsosurfaceCompare(unittest.TestCase):
         writer.Write()
         return str(cls.folder / name)
 
-    def run_program(self, *arguments, environment=None):
+    def run_program(self, *arguments, environment=None, folder=None):
         return subprocess.run(
             [PROGRAM, "--repeats", "1", *map(str, arguments)],
             capture_output=True,
             text=True,
             timeout=300,
+            cwd=folder,
             env=environment,
             check=False,
         )
@@ -228,6 +230,39 @@ class TestIsosurfaceCompare(unittest.TestCase):
         for name in ("times", "crossover"):
             png = (copy / "images" / f"comparison-{name}.png").read_bytes()
             self.assertGreater(read_png(png)[2], 5)
+
+    def check_document_of_meshes(self, table):
+        copy = self.folder / "DocumentationOfMeshes"
+        copy.mkdir()
+        shutil.copy(SOURCE / "Documentation" / "comparison.md", copy)
+        program = SOURCE / "Utilities" / "document_mesh_comparison.py"
+        command = [sys.executable, program, "--documentation", copy, table]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        page = (copy / "comparison.md").read_text(encoding="utf-8")
+        for method in MESH_METHODS:
+            self.assertRegex(page, rf"\| grid.ex2, 0.7 \| 512 \| {method} \| [0-9–]")
+
+    def test_documented_commands(self):
+        """Those of Documentation/comparison.md for meshes, with other data of the same names."""
+        page = (SOURCE / "Documentation" / "comparison.md").read_text(encoding="utf-8")
+        commands = re.findall(r"    xvfb-run -a vtkIsosurfaceCompare (--input data/.*\n.*--json.*)", page)
+        commands = [c.replace("\\\n", " ").split() for c in commands if "cranium" not in c]
+        self.assertEqual(len(commands), 3)
+        (self.folder / "data").mkdir()
+        writers = {
+            ".ex2": vtkExodusIIWriter, ".vtk": vtkStructuredGridWriter, ".vtu": vtkXMLUnstructuredGridWriter
+        }  # fmt: skip
+        for command in commands:
+            options = dict(zip(command[::2], command[1::2]))
+            data = new_grid(options.get("--array", "radius"), float(options["--isovalue"]) / 0.7)
+            path = Path(options["--input"])
+            data = data if path.suffix == ".vtk" else list_cells(data)
+            self.write_mesh(writers[path.suffix](), path, data)
+            result = self.run_program(*command, "--repeats", "1", folder=self.folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            rows = json.loads((self.folder / options["--json"]).read_text())["rows"]
+            self.assertGreater(rows[0]["Triangles"], 200)
 
     def check_pictures(self, environment):
         result = self.run_program(
@@ -325,6 +360,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
             self.assertEqual([row["Method"] for row in table["rows"]], MESH_METHODS)
             self.assertEqual((table["points"], table["cells"]), (729, 512))
             rows[name] = table["rows"]
+        self.check_document_of_meshes(self.folder / "mesh.json")
         for name, (contours, linear, rays) in rows.items():
             self.assertGreater(contours["Triangles"], 200, name)
             self.assertGreater(contours["MedianDistance"], 1e-3, name)
@@ -337,7 +373,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
     def test_arrays_of_meshes(self):
         """Those of cells are averaged; without a name it is the first of the points."""
         path = self.write_mesh(vtkXMLStructuredGridWriter(), "arrays.vts", new_grid())
-        for array, isovalue in ((["--array", "height"], 3.25), ([], 300)):
+        for array, isovalue in ((["--array", "height"], 3.25), ([], 0.6)):
             result = self.run_program(
                 "--input", path, *array, "--isovalue", isovalue, "--json", self.folder / "a.json"
             )
@@ -375,7 +411,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
             (("--input", self.folder / "absent.vtu", "--isovalue", 1), "there is no file"),
             (("--input", half, "--isovalue", 1), "half.vts cannot be read"),
             (("--input", image, "--isovalue", 1), "no unstructured and no structured grid"),
-            (("--input", whole, "--array", "x", "--isovalue", 1), 'no array "x"; it has: number'),
+            (("--input", whole, "--array", "x", "--isovalue", 1), 'no array "x"; it has: radius'),
             (("--input", whole, "--isovalue", 1, "--max-memory", "1e-3"), "--max-memory"),
             (("--input", self.ball, "--array", "x", "--isovalue", 1), "--array is for meshes"),
         ):
