@@ -199,8 +199,9 @@ vtkSmartPointer<vtkPointSet> SelectArray(
   }
   if (!mesh->GetCellData()->GetArray(name.c_str()))
   {
-    throw std::runtime_error(
-      fileName + " has no array \"" + name + "\"; it has:" + ListArrays(mesh));
+    const std::string missing =
+      name.empty() ? " has no array of points" : " has no array \"" + name + "\"";
+    throw std::runtime_error(fileName + missing + "; it has:" + ListArrays(mesh));
   }
   vtkNew<vtkCellDataToPointData> average;
   average->SetInputData(mesh);
