@@ -4,11 +4,13 @@
 #include "MeshTracer.h"
 
 #include "Mesh/MeshField.h"
-#include "Picture/PixelBlockRenderer.h"
+#include "Picture/RenderTiles.h"
+#include "Samples.h"
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkIsosurfaceRayTraceMeshMapper.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -65,42 +67,13 @@ void SetCells(vtkUnstructuredGrid* grid, vtkirt::MeshView& view)
   }
 }
 
-/// Calls visit(renderer or packet of the thread, tile) for all tiles, on so many threads.
-template <typename MakeState, typename Visit>
-void ForEachTile(
-  const vtkirt::Scene& scene, int threads, const MakeState& makeState, const Visit& visit)
-{
-  const int columns = (scene.Pixels.Width + scene.TileWidth - 1) / scene.TileWidth;
-  const int rows = (scene.Pixels.Height + scene.TileHeight - 1) / scene.TileHeight;
-#pragma omp parallel num_threads(threads)
-  {
-    auto state = makeState();
-#pragma omp for schedule(dynamic)
-    for (int tile = 0; tile < columns * rows; ++tile)
-    {
-      const int x = tile % columns * scene.TileWidth;
-      const int y = tile / columns * scene.TileHeight;
-      visit(*state,
-        vtkirt::PixelRectangle{ x, y, std::min(scene.TileWidth, scene.Pixels.Width - x),
-          std::min(scene.TileHeight, scene.Pixels.Height - y) });
-    }
-  }
-}
-
-void MakeRaysOfTile(
-  const vtkirt::Scene& scene, const vtkirt::PixelRectangle& tile, vtkirt::RayPacket& packet)
-{
-  const vtkirt::PixelRectangle pixels = { scene.Pixels.X + tile.X, scene.Pixels.Y + tile.Y,
-    tile.Width, tile.Height };
-  scene.Fields.front().Field->MakeRays(scene.Fields.front().View, pixels, {}, packet);
-}
-
 }
 
 //------------------------------------------------------------------------------
 MeshTracer::MeshTracer(vtkPointSet* grid, vtkDataArray* values, int threads)
   : Points(MakeReal(grid->GetPoints()->GetData()))
   , Values(MakeReal(values))
+  , Picture(std::make_unique<vtkirt::Frame>())
 {
   vtkirt::MeshView view;
   view.Points = this->Points->GetVoidPointer(0);
@@ -154,60 +127,73 @@ vtkirt::Scene MeshTracer::MakeScene(const View& view, const PictureRays& rays, i
   scene.Fields.resize(1);
   scene.Fields.front().Field = this->Field.get();
   scene.Fields.front().View = { clipFromWorld, worldFromClip, identity, 1.0 * size, 1.0 * size };
+  scene.Fields.front().Colors = { { 1.0, 1.0, 1.0 } };
   scene.Pixels = { pixels.X, pixels.Y, pixels.Width, pixels.Height };
+  vtkNew<vtkIsosurfaceRayTraceMeshMapper> mapper;
+  scene.TileWidth = mapper->GetTileSize()[0];
+  scene.TileHeight = mapper->GetTileSize()[1];
   return scene;
 }
 
 //------------------------------------------------------------------------------
-void MeshTracer::Trace(const vtkirt::Scene& scene, int threads)
+double MeshTracer::Trace(const vtkirt::Scene& scene, int threads)
 {
-  // Neither is used by tracing.
-  const std::vector<vtkirt::Shader> shaders;
-  vtkirt::Frame frame;
-  ForEachTile(
-    scene, threads,
-    [&]() { return std::make_unique<vtkirt::PixelBlockRenderer>(scene, shaders, frame); },
-    [](vtkirt::PixelBlockRenderer& renderer, const vtkirt::PixelRectangle& tile)
-    { renderer.Trace(tile); });
+  vtkirt::Execution execution;
+  execution.Threads = threads;
+  vtkirt::FrameTimes times;
+  const auto draw = [&]()
+  { vtkirt::RenderTiles(scene, execution, *this->Picture, times, [](double) { return true; }); };
+  const double seconds = MeasureOn(threads, draw);
+  return seconds * times.Trace / (times.Trace + times.Shade);
 }
 
 //------------------------------------------------------------------------------
-void MeshTracer::MakeRays(const vtkirt::Scene& scene, int threads)
+double MeshTracer::MakeRays(const vtkirt::Scene& scene, int threads)
 {
-  ForEachTile(
-    scene, threads, []() { return std::make_unique<vtkirt::RayPacket>(); },
-    [&scene](vtkirt::RayPacket& packet, const vtkirt::PixelRectangle& tile)
-    { MakeRaysOfTile(scene, tile, packet); });
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> MeshTracer::FindDepths(const vtkirt::Scene& scene, const PictureRays& rays) const
-{
-  std::vector<float> depths(
-    static_cast<std::size_t>(scene.Pixels.Width) * static_cast<std::size_t>(scene.Pixels.Height),
-    std::numeric_limits<float>::infinity());
-  vtkirt::RayHits hits;
-  ForEachTile(
-    scene, 1, []() { return std::make_unique<vtkirt::RayPacket>(); },
-    [&](vtkirt::RayPacket& packet, const vtkirt::PixelRectangle& tile)
+  constexpr int width = 16;
+  constexpr int height = vtkirt::RayPacket::Capacity / width;
+  const vtkirt::PixelRectangle& pixels = scene.Pixels;
+  const vtkirt::SceneField& field = scene.Fields.front();
+  const int columns = (pixels.Width + width - 1) / width;
+  const int rows = (pixels.Height + height - 1) / height;
+  return MeasureOn(threads,
+    [&]()
     {
-      MakeRaysOfTile(scene, tile, packet);
-      this->Field->Trace(packet, hits);
-      for (std::size_t ray = 0; ray + 1 < hits.First.size(); ++ray)
+#pragma omp parallel num_threads(threads)
       {
-        if (hits.First[ray] < hits.First[ray + 1])
+        const auto packet = std::make_unique<vtkirt::RayPacket>();
+#pragma omp for schedule(dynamic)
+        for (int i = 0; i < columns * rows; ++i)
         {
-          const vtkirt::Vector3 point = this->Field->GetPoint(hits.Hits[hits.First[ray]]);
-          Triple fromEye;
-          vtkMath::Subtract(point.data(), rays.GetOrigin().data(), fromEye.data());
-          const int x = tile.X + static_cast<int>(ray) % tile.Width;
-          const int y = tile.Y + static_cast<int>(ray) / tile.Width;
-          depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.Pixels.Width) +
-            static_cast<std::size_t>(x)] =
-            static_cast<float>(vtkMath::Dot(fromEye.data(), rays.GetForward().data()));
+          const int x = i % columns * width;
+          const int y = i / columns * height;
+          const vtkirt::PixelRectangle block = { pixels.X + x, pixels.Y + y,
+            std::min(width, pixels.Width - x), std::min(height, pixels.Height - y) };
+          field.Field->MakeRays(field.View, block, {}, *packet);
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> MeshTracer::FindDepths(vtkirt::Scene scene, const PictureRays& rays) const
+{
+  scene.KeepHits = true;
+  vtkirt::Frame frame;
+  vtkirt::FrameTimes times;
+  vtkirt::RenderTiles(scene, {}, frame, times, [](double) { return true; });
+  std::vector<float> depths;
+  for (const vtkirt::Hit& hit : frame.Hits)
+  {
+    float depth = std::numeric_limits<float>::infinity();
+    if (hit.Surface != vtkirt::Hit::NoSurface)
+    {
+      Triple fromEye;
+      vtkMath::Subtract(this->Field->GetPoint(hit).data(), rays.GetOrigin().data(), fromEye.data());
+      depth = static_cast<float>(vtkMath::Dot(fromEye.data(), rays.GetForward().data()));
+    }
+    depths.push_back(depth);
+  }
   return depths;
 }
 

@@ -22,12 +22,13 @@ VTK_ABI_NAMESPACE_END
 namespace vtkIsosurfaceRayTracing
 {
 class MeshField;
+struct Frame;
 }
 
 namespace Benchmark
 {
 
-/// A mesh as the library traces it, without what the mapper does besides: shading and display.
+/// A mesh as the library draws it, without the mapper and without a window.
 class MeshTracer
 {
 public:
@@ -39,18 +40,20 @@ public:
   /// Selects an opaque surface.
   void Select(double isovalue);
 
-  /// What a picture is made from: the rays through those pixels that the mesh may cover.
+  /// What a picture is made from: the pixels that the mesh may cover, in tiles as the mapper has
+  /// them.
   vtkIsosurfaceRayTracing::Scene MakeScene(
     const View& view, const PictureRays& rays, int size) const;
 
-  /// Finds the first hits of all rays, tile by tile, by the code that pictures are traced by.
-  static void Trace(const vtkIsosurfaceRayTracing::Scene& scene, int threads);
-  /// Makes the rays of the same tiles, and nothing else.
-  static void MakeRays(const vtkIsosurfaceRayTracing::Scene& scene, int threads);
+  /// Draws the picture, and returns the seconds of MeasureOn that making its rays and finding their
+  /// hits took of it.
+  double Trace(const vtkIsosurfaceRayTracing::Scene& scene, int threads);
+  /// Makes the rays of the picture in packets, and returns the seconds.
+  static double MakeRays(const vtkIsosurfaceRayTracing::Scene& scene, int threads);
 
   /// The depths of the hits along the view, as EmbreeTriangles::FindDepths.
   std::vector<float> FindDepths(
-    const vtkIsosurfaceRayTracing::Scene& scene, const PictureRays& rays) const;
+    vtkIsosurfaceRayTracing::Scene scene, const PictureRays& rays) const;
 
   /// Of the tree, in bytes.
   double GetMemory() const;
@@ -59,6 +62,8 @@ private:
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> Values;
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
+  /// Its memory serves all pictures.
+  std::unique_ptr<vtkIsosurfaceRayTracing::Frame> Picture;
 };
 
 }

@@ -26,14 +26,8 @@ namespace
 
 const char* const TimeNote =
   "On one thread processor time, which other programs do not lengthen; on several threads "
-  "wall-clock time. ";
-
-/// The seconds of a call that works on so many threads.
-template <typename Function>
-double MeasureOn(int threads, const Function& function)
-{
-  return threads == 1 ? MeasureProcessor(function) : Measure(function);
-}
+  "wall-clock time. Of a picture it is the share that its threads spent on tracing, not on "
+  "shading. ";
 
 /// A picture that is traced again and again.
 struct TracedPicture
@@ -67,8 +61,8 @@ double GetNanoseconds(const Schedule& schedule)
 }
 
 //------------------------------------------------------------------------------
-/// Traces a picture, given by its number, on so many threads.
-using TracePicture = std::function<void(std::size_t, int)>;
+/// Traces a picture, given by its number, on so many threads, and returns the seconds.
+using TracePicture = std::function<double(std::size_t, int)>;
 
 /// The seconds of pictures on so many threads, of two ways that took turns, and their ratio.
 struct TurnTimes
@@ -98,13 +92,12 @@ std::vector<TurnTimes> TakeTurns(const Schedule& schedule,
       for (TurnTimes& turn : times)
       {
         const int threads = turn.Threads;
-        turn.Rays.Add(
-          MeasureOn(threads, [&]() { MeshTracer::MakeRays(pictures[i].Scene, threads); }));
-        const double ours = MeasureOn(threads, [&]() { first(i, threads); });
+        turn.Rays.Add(MeshTracer::MakeRays(pictures[i].Scene, threads));
+        const double ours = first(i, threads);
         turn.First.Add(ours);
         if (second)
         {
-          const double theirs = MeasureOn(threads, [&]() { second(i, threads); });
+          const double theirs = second(i, threads);
           turn.Second.Add(theirs);
           turn.Ratio.Add(ours / theirs);
         }
@@ -196,7 +189,10 @@ void MeasureMeshTraces(const Schedule& schedule, const MeshCase& mesh, Report& r
   build = Measure(
     [&]() { embree = std::make_unique<EmbreeTriangles>(triangles, schedule.GetMostThreads()); });
   theirs = [&](std::size_t picture, int threads)
-  { embree->Trace(pictures[picture].Rays, pictures[picture].GetPixels(), threads); };
+  {
+    const TracedPicture& traced = pictures[picture];
+    return MeasureOn(threads, [&]() { embree->Trace(traced.Rays, traced.GetPixels(), threads); });
+  };
   ReportAgreement(mesh, *tracer, *embree, pictures, report);
 #endif
   report.AddRow({ "mesh preparation", "Before the first ray",
@@ -210,8 +206,8 @@ void MeasureMeshTraces(const Schedule& schedule, const MeshCase& mesh, Report& r
       static_cast<double>(triangles->GetNumberOfPolys()), 1e3 * extraction, 1e3 * build });
   const std::vector<TurnTimes> times = TakeTurns(
     schedule, pictures, mesh.Name + ": traces",
-    [&pictures](std::size_t picture, int threads)
-    { MeshTracer::Trace(pictures[picture].Scene, threads); },
+    [&](std::size_t picture, int threads)
+    { return tracer->Trace(pictures[picture].Scene, threads); },
     theirs);
   const double nanoseconds = GetNanoseconds(schedule);
   for (const TurnTimes& turn : times)
@@ -252,10 +248,9 @@ void MeasureMeshSplit(const Schedule& schedule, const MeshCase& mesh, Report& re
   const auto picturesOfSplit = MakePictures(schedule, mesh.GetBounds(), tetrahedra);
   const std::vector<TurnTimes> times = TakeTurns(
     schedule, pictures, mesh.Name + ": cells and tetrahedra",
-    [&pictures](std::size_t picture, int threads)
-    { MeshTracer::Trace(pictures[picture].Scene, threads); },
-    [&picturesOfSplit](std::size_t picture, int threads)
-    { MeshTracer::Trace(picturesOfSplit[picture].Scene, threads); });
+    [&](std::size_t picture, int threads) { return cells.Trace(pictures[picture].Scene, threads); },
+    [&](std::size_t picture, int threads)
+    { return tetrahedra.Trace(picturesOfSplit[picture].Scene, threads); });
   const double nanoseconds = GetNanoseconds(schedule);
   for (const TurnTimes& turn : times)
   {

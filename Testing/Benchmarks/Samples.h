@@ -76,6 +76,13 @@ double MeasureProcessor(const Function& function)
   return read() - start;
 }
 
+/// The seconds of a call that works on so many threads: on one, processor time.
+template <typename Function>
+double MeasureOn(int threads, const Function& function)
+{
+  return threads == 1 ? MeasureProcessor(function) : Measure(function);
+}
+
 /// Whether a measurement that takes long should be repeated.
 inline bool IsEnough(const Samples& samples, int repeats)
 {
