@@ -3,6 +3,7 @@
 
 #include "vtkIsosurfaceComparisonErrors.h"
 
+#include "vtkIsosurfaceComparisonInterpolant.h"
 #include "vtkIsosurfaceComparisonMethods.h"
 #include "vtkIsosurfaceComparisonRow.h"
 
@@ -10,163 +11,28 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
-#include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"
-#include "vtkVolume.h"
-#include "vtkVoxel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <memory>
 
 namespace vtkIsosurfaceComparison
 {
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using Vector = Interpolant::Vector;
 
 /// Lines begin this far before the point, in cells: a point on the isosurface must not lie at the
 /// very beginning, where rounding decides whether the surface is crossed.
 constexpr double StepBack = 1e-6;
-
-/// A point of the volume in its cell, with the values at the corners: (x, y, z) is x + 2 y + 4 z.
-struct Crossing
-{
-  int Cell[3];
-  double Parametric[3];
-  double Corners[8];
-};
-
-/// The trilinear interpolant of an image, by VTK's own cell.
-class Interpolant
-{
-public:
-  explicit Interpolant(vtkImageData* image)
-    : Image(image)
-    , Scalars(image->GetPointData()->GetScalars())
-    , IndexFromWorld(image->GetPhysicalToIndexMatrix())
-  {
-  }
-
-  /// In cells: the length of a vector given in the world.
-  double LengthInCells(const Vector& v) const
-  {
-    Vector cells;
-    for (int i = 0; i < 3; ++i)
-    {
-      cells[i] = 0.0;
-      for (int j = 0; j < 3; ++j)
-      {
-        cells[i] += this->IndexFromWorld->GetElement(i, j) * v[j];
-      }
-    }
-    return vtkMath::Norm(cells.data());
-  }
-
-  /// Finds the place of a point. One that rounding has put outside is moved to the border.
-  Crossing Locate(Vector& point) const;
-
-  double GetValue(const Crossing& place) const;
-  /// In the world.
-  Vector GetGradient(const Crossing& place) const;
-
-  bool IsSample(const int ijk[3]) const;
-  double GetSample(int ijk[3]) const;
-  Vector GetPoint(const Vector& index) const;
-
-private:
-  vtkImageData* Image;
-  vtkDataArray* Scalars;
-  vtkMatrix4x4* IndexFromWorld;
-};
-
-//------------------------------------------------------------------------------
-Crossing Interpolant::Locate(Vector& point) const
-{
-  const int* extent = this->Image->GetExtent();
-  Crossing place;
-  double index[3];
-  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index);
-  bool isMoved = false;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double low = extent[2 * i];
-    const double high = extent[2 * i + 1];
-    isMoved = isMoved || index[i] < low || index[i] > high;
-    index[i] = std::clamp(index[i], low, high);
-    place.Cell[i] = std::min(static_cast<int>(std::floor(index[i])), extent[2 * i + 1] - 1);
-    place.Parametric[i] = index[i] - place.Cell[i];
-  }
-  if (isMoved)
-  {
-    this->Image->TransformContinuousIndexToPhysicalPoint(index, point.data());
-  }
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    int ijk[3] = { place.Cell[0] + (corner & 1), place.Cell[1] + (corner >> 1 & 1),
-      place.Cell[2] + (corner >> 2) };
-    place.Corners[corner] = this->GetSample(ijk);
-  }
-  return place;
-}
-
-//------------------------------------------------------------------------------
-double Interpolant::GetValue(const Crossing& place) const
-{
-  double weights[8];
-  vtkVoxel::InterpolationFunctions(place.Parametric, weights);
-  return std::inner_product(weights, weights + 8, place.Corners, 0.0);
-}
-
-//------------------------------------------------------------------------------
-Vector Interpolant::GetGradient(const Crossing& place) const
-{
-  double derivatives[24];
-  vtkVoxel::InterpolationDerivs(place.Parametric, derivatives);
-  Vector gradient = { 0.0, 0.0, 0.0 };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double* weights = derivatives + 8 * axis;
-    const double perCell = std::inner_product(weights, weights + 8, place.Corners, 0.0);
-    for (int i = 0; i < 3; ++i)
-    {
-      gradient[i] += this->IndexFromWorld->GetElement(axis, i) * perCell;
-    }
-  }
-  return gradient;
-}
-
-//------------------------------------------------------------------------------
-bool Interpolant::IsSample(const int ijk[3]) const
-{
-  const int* extent = this->Image->GetExtent();
-  return ijk[0] >= extent[0] && ijk[0] <= extent[1] && ijk[1] >= extent[2] && ijk[1] <= extent[3] &&
-    ijk[2] >= extent[4] && ijk[2] <= extent[5];
-}
-
-//------------------------------------------------------------------------------
-double Interpolant::GetSample(int ijk[3]) const
-{
-  return this->Scalars->GetComponent(this->Image->ComputePointId(ijk), 0);
-}
-
-//------------------------------------------------------------------------------
-Vector Interpolant::GetPoint(const Vector& index) const
-{
-  Vector point;
-  this->Image->TransformContinuousIndexToPhysicalPoint(index.data(), point.data());
-  return point;
-}
 
 //------------------------------------------------------------------------------
 /// Lines that begin a little before points of a surface and are measured in cells from there.
@@ -212,7 +78,7 @@ void CastLines(
   TracedIsosurface& isosurface, const Lines& lines, vtkDataArray* normals, SurfaceErrors& errors)
 {
   vtkNew<vtkPolyData> hits;
-  if (!isosurface.Mapper->CastRays(isosurface.Volume, lines.Origins, lines.Directions, hits))
+  if (!isosurface.CastRays(lines.Origins, lines.Directions, hits))
   {
     return;
   }
@@ -234,42 +100,21 @@ void CastLines(
 }
 
 //------------------------------------------------------------------------------
-/// Keeps the nearest crossing of the edges that end at a corner of the cell, if it is nearer than
-/// what was found. (Not those of the cell alone: rounding may have put a point at a corner into a
-/// neighbour of the cell it belongs to.)
-void TryEdges(const Interpolant& interpolant, const Crossing& place, const Vector& point,
-  double isovalue, const double normal[3], std::size_t number, SurfaceErrors& errors)
+/// Keeps the nearest crossing of the edges around the point that the interpolant is at, if it is
+/// nearer than what was found.
+void TryEdges(Interpolant& interpolant, const Vector& point, double isovalue,
+  const double normal[3], std::size_t number, SurfaceErrors& errors)
 {
-  for (int edge = 0; edge < 48; ++edge)
+  for (const Interpolant::EdgeCrossing& crossing : interpolant.FindEdgeCrossings(isovalue))
   {
-    const int corner = edge % 8;
-    const int axis = edge / 16;
-    const int step = (edge / 8) % 2 == 0 ? 1 : -1;
-    int sample[3] = { place.Cell[0] + (corner & 1), place.Cell[1] + (corner >> 1 & 1),
-      place.Cell[2] + (corner >> 2) };
-    Vector index = { static_cast<double>(sample[0]), static_cast<double>(sample[1]),
-      static_cast<double>(sample[2]) };
-    sample[axis] += step;
-    if (!interpolant.IsSample(sample))
-    {
-      continue;
-    }
-    const double begin = place.Corners[corner] - isovalue;
-    const double end = interpolant.GetSample(sample) - isovalue;
-    if ((begin >= 0.0) == (end >= 0.0) || !std::isfinite(begin - end))
-    {
-      continue;
-    }
-    index[axis] += step * begin / (begin - end);
-    Vector there = interpolant.GetPoint(index);
-    const double world = std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), there.data()));
+    const double world =
+      std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), crossing.Point.data()));
     if (!(errors.World[number] <= world))
     {
       errors.World[number] = world;
-      errors.Cells[number] = interpolant.LengthInCells(
-        { there[0] - point[0], there[1] - point[1], there[2] - point[2] });
-      errors.Angles[number] =
-        AngleBetweenLines(normal, interpolant.GetGradient(interpolant.Locate(there)).data());
+      errors.Cells[number] = interpolant.GetLengthInCells({ crossing.Point[0] - point[0],
+        crossing.Point[1] - point[1], crossing.Point[2] - point[2] });
+      errors.Angles[number] = AngleBetweenLines(normal, crossing.Gradient.data());
     }
   }
 }
@@ -298,17 +143,17 @@ std::vector<double> SortedNumbers(const std::vector<double>& values, std::size_t
 }
 
 //------------------------------------------------------------------------------
-SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, double isovalue,
+SurfaceErrors MeasureErrors(vtkDataSet* data, TracedIsosurface& isosurface, double isovalue,
   vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted)
 {
   constexpr std::size_t portion = 1 << 16;
-  const Interpolant interpolant(image);
+  const std::unique_ptr<Interpolant> interpolant = Interpolant::New(data);
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
   SurfaceErrors errors;
   errors.Cells.assign(count, NotMeasured);
   errors.World.assign(count, NotMeasured);
   errors.Angles.assign(count, NotMeasured);
-  isosurface.Mapper->SetNormalModeToInterpolantGradient();
+  isosurface.UseExactNormals();
   for (std::size_t first = 0; first < count && !isAborted(); first += portion)
   {
     const std::size_t last = std::min(count, first + portion);
@@ -318,12 +163,15 @@ SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, d
     {
       Vector& point = inside[i - first];
       points->GetPoint(static_cast<vtkIdType>(i), point.data());
-      const Crossing place = interpolant.Locate(point);
-      const Vector gradient = interpolant.GetGradient(place);
-      const double cells = interpolant.LengthInCells(gradient);
+      if (!interpolant->GoTo(point))
+      {
+        continue;
+      }
+      const Vector gradient = interpolant->GetGradient();
+      const double cells = interpolant->GetLengthInCells(gradient);
       if (cells > 0.0 && std::isfinite(cells))
       {
-        const double scale = (interpolant.GetValue(place) < isovalue ? 1.0 : -1.0) / cells;
+        const double scale = (interpolant->GetValue() < isovalue ? 1.0 : -1.0) / cells;
         lines.Add(i, point, { scale * gradient[0], scale * gradient[1], scale * gradient[2] });
       }
     }
@@ -331,10 +179,12 @@ SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, d
     for (std::size_t i = first; i < last; ++i)
     {
       Vector& point = inside[i - first];
-      const Crossing place = interpolant.Locate(point);
-      double normal[3];
-      normals->GetTuple(static_cast<vtkIdType>(i), normal);
-      TryEdges(interpolant, place, point, isovalue, normal, i, errors);
+      if (interpolant->GoTo(point))
+      {
+        double normal[3];
+        normals->GetTuple(static_cast<vtkIdType>(i), normal);
+        TryEdges(*interpolant, point, isovalue, normal, i, errors);
+      }
     }
   }
   return errors;

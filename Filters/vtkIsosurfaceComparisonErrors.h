@@ -14,7 +14,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkImageData;
+class vtkDataSet;
 class vtkPoints;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -36,11 +36,12 @@ struct SurfaceErrors
 
 /// Measures points of a surface that have normals, of any length and sign (0 for none).
 ///
-/// The distance is measured along the gradient of the trilinear interpolant at the point, to the
-/// nearest crossing of the isosurface; or to the nearest crossing of an edge of the cell, if that
-/// is nearer (near a saddle the gradient does not point at the surface). It is never smaller than
-/// the true distance. Returns early, with the rest NaN, if it is told to stop.
-SurfaceErrors MeasureErrors(vtkImageData* image, TracedIsosurface& isosurface, double isovalue,
+/// The distance is measured along the gradient of the interpolant at the point, to the nearest
+/// crossing of the isosurface; or to the nearest crossing of an edge of the cell, if that is nearer
+/// (near a saddle the gradient does not point at the surface). It is never smaller than the true
+/// distance. Points outside of all cells are lost. Returns early, with the rest NaN, if it is told
+/// to stop.
+SurfaceErrors MeasureErrors(vtkDataSet* data, TracedIsosurface& isosurface, double isovalue,
   vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted);
 
 /// The triangles whose vertices are all finite: near samples that are not, VTK generates others.

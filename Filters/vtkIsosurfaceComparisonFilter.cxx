@@ -11,24 +11,26 @@
 #include "vtkIsosurfaceComparisonTime.h"
 #include "vtkIsosurfaceComparisonTopology.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -42,8 +44,6 @@ using namespace vtkIsosurfaceComparison;
 namespace
 {
 
-constexpr const char* RayTracingName = "vtkIsosurfaceRayTraceMapper";
-
 //------------------------------------------------------------------------------
 bool IsFinite(vtkMatrix4x4* matrix)
 {
@@ -53,36 +53,38 @@ bool IsFinite(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-// What is wrong with the input and how to mend it, or nullptr if it can be contoured.
-const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
+// The geometry of an image or a mesh with only the scalars to contour.
+vtkSmartPointer<vtkDataSet> OnlyScalars(vtkDataSet* data, vtkDataArray* scalars)
+{
+  auto result = vtk::TakeSmartPointer(data->NewInstance());
+  result->CopyStructure(data);
+  result->GetPointData()->SetScalars(scalars);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// The same for VTK's filters, which do not take a vtkStructuredGrid.
+vtkSmartPointer<vtkDataSet> ForExtraction(vtkDataSet* data)
+{
+  if (!vtkStructuredGrid::SafeDownCast(data))
+  {
+    return data;
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(data);
+  append->Update();
+  return append->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// What is wrong with the cells of an image and how to mend it; empty if they can be contoured.
+std::string ComplaintOfCells(vtkImageData* image)
 {
   const int* dimensions = image->GetDimensions();
   if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < 2)
   {
     return "The image has no three-dimensional cells: it needs at least two points along every "
            "axis.";
-  }
-  if (!scalars)
-  {
-    return "The image has no point scalars to contour: set them with "
-           "vtkPointData::SetActiveScalars or choose an array with SetInputArrayToProcess; "
-           "vtkCellDataToPointData makes them from cell data.";
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    return "The scalars have several components, but VTK's contour filters need one: extract it "
-           "with "
-           "vtkImageExtractComponents.";
-  }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    return "The number of scalars is not the number of points: the array must have one value for "
-           "every point of the image. vtkCellDataToPointData converts cell data.";
-  }
-  if (scalars->GetDataType() == VTK_BIT)
-  {
-    return "The scalars are bits, which VTK's contour filters do not support: convert them with "
-           "vtkImageCast.";
   }
   if (image->GetIndexToPhysicalMatrix()->Determinant() == 0.0 ||
     !IsFinite(image->GetIndexToPhysicalMatrix()) || !IsFinite(image->GetPhysicalToIndexMatrix()))
@@ -97,17 +99,48 @@ const char* Complaint(vtkImageData* image, vtkDataArray* scalars)
     return "The image has coordinates beyond the range of single precision, in which VTK's contour "
            "filters store points: give it another origin or spacing.";
   }
-  return nullptr;
+  return "";
 }
 
 //------------------------------------------------------------------------------
-// The geometry of the image with only the scalars to contour.
-vtkSmartPointer<vtkImageData> ImageOfScalars(vtkImageData* image, vtkDataArray* scalars)
+std::string ComplaintOfScalars(vtkDataSet* data, vtkDataArray* scalars)
 {
-  auto result = vtkSmartPointer<vtkImageData>::New();
-  result->CopyStructure(image);
-  result->GetPointData()->SetScalars(scalars);
-  return result;
+  if (!scalars)
+  {
+    return "The input has no point scalars to contour: set them with "
+           "vtkPointData::SetActiveScalars or choose an array with SetInputArrayToProcess; "
+           "vtkCellDataToPointData makes them from cell data.";
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    return "The scalars have several components, but VTK's contour filters need one: extract it "
+           "with "
+           "vtkImageExtractComponents or vtkArrayCalculator.";
+  }
+  if (scalars->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    return "The number of scalars is not the number of points: the array must have one value for "
+           "every point of the input. vtkCellDataToPointData converts cell data.";
+  }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    return "The scalars are bits, which VTK's contour filters do not support: convert them with "
+           "vtkImageCast.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// What is wrong with the input and how to mend it; empty if it can be contoured.
+std::string Complaint(vtkDataSet* data, vtkDataArray* scalars)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  const std::string ofCells = image ? ComplaintOfCells(image) : "";
+  const std::string complaint = ofCells.empty() ? ComplaintOfScalars(data, scalars) : ofCells;
+  // The filters of VTK read whatever the cells of a mesh say.
+  return image || !complaint.empty()
+    ? complaint
+    : TracedIsosurface::New(OnlyScalars(data, scalars))->FindProblem();
 }
 
 //------------------------------------------------------------------------------
@@ -159,26 +192,27 @@ vtkStandardNewMacro(vtkIsosurfaceComparisonFilter);
 class vtkIsosurfaceComparisonFilter::Comparison
 {
 public:
-  Comparison(vtkIsosurfaceComparisonFilter* self, vtkImageData* image, vtkPolyData* mesh,
+  Comparison(vtkIsosurfaceComparisonFilter* self, vtkDataSet* data, vtkPolyData* mesh,
     vtkImageData* difference)
     : Self(self)
-    , Image(image)
+    , Data(data)
+    , Extracted(ForExtraction(data))
     , Mesh(mesh)
     , Difference(difference)
-    , Reference(image)
+    , Reference(TracedIsosurface::New(data))
   {
     if (self->Camera)
     {
       this->Camera->DeepCopy(self->Camera);
-      IncludeWhole(image, this->Camera);
+      IncludeWhole(data, this->Camera);
     }
     else
     {
-      vtkIsosurfaceComparisonFilter::LookAt(image, this->Camera);
+      vtkIsosurfaceComparisonFilter::LookAt(data, this->Camera);
     }
     const int* size = self->ImageSize;
     this->Rays = std::make_unique<PictureRays>(this->Camera, size[0], size[1]);
-    image->GetPointData()->GetScalars()->GetRange(this->Range, 0);
+    data->GetPointData()->GetScalars()->GetRange(this->Range, 0);
     this->WhyNoPictures = self->Pictures ? vtkIsosurfaceComparisonFilter::WhyNoPictures() : "";
     if (self->Pictures && this->WhyNoPictures.empty())
     {
@@ -202,10 +236,11 @@ private:
   bool IsOutputRow() const { return this->NumberOfRows == this->Self->OutputRow; }
 
   vtkIsosurfaceComparisonFilter* Self;
-  vtkImageData* Image;
+  vtkDataSet* Data;
+  vtkSmartPointer<vtkDataSet> Extracted;
   vtkPolyData* Mesh;
   vtkImageData* Difference;
-  TracedIsosurface Reference;
+  std::unique_ptr<TracedIsosurface> Reference;
   vtkNew<vtkCamera> Camera;
   std::unique_ptr<PictureRays> Rays;
   std::unique_ptr<PictureWindow> Window;
@@ -258,10 +293,10 @@ void vtkIsosurfaceComparisonFilter::Comparison::Run(
   for (int i = 0; i < this->Self->GetNumberOfContours(); ++i)
   {
     const double isovalue = this->Self->GetValue(i);
-    this->Reference.SetIsovalue(isovalue);
+    this->Reference->SetIsovalue(isovalue);
     if (this->Self->Accuracy)
     {
-      this->ReferenceTs = this->Rays->CastAt(this->Reference);
+      this->ReferenceTs = this->Rays->CastAt(*this->Reference);
     }
     for (int method = 0; method < rowsOfIsovalue && !this->Self->IsAborted(); ++method)
     {
@@ -302,14 +337,14 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
   {
     mesh = nullptr;
     const MemoryPeak peak;
-    const auto extraction = method.New(this->Image, false);
+    const auto extraction = method.New(this->Extracted, false);
     extraction->SetIsovalue(row.Isovalue);
     buildTimes.push_back(extraction->Build());
     const Stopwatch watch;
     extraction->GetFilter()->Update();
     extractionTimes.push_back(watch.GetSeconds());
     row.PeakBytes = repeat == 0 ? peak.GetBytes() : row.PeakBytes;
-    mesh = extraction->GetFilter()->GetOutput();
+    mesh = extraction->GetTriangles();
     if (!this->FinishStep())
     {
       return false;
@@ -323,26 +358,26 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
     row.AddNote("No triangles: the filter finds no surface at this isovalue.");
   }
   return this->MeasurePictures(
-           [this, &method]() { return NewTriangles(method, this->Image); }, row) &&
+           [this, &method]() { return NewTriangles(method, this->Extracted); }, row) &&
     this->MeasureAccuracyOfTriangles(mesh, row);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceComparisonFilter::Comparison::MeasureRayTracing(Row& row)
 {
-  row.Method = RayTracingName;
+  row.Method = this->Reference->GetName();
   std::vector<double> buildTimes;
   for (int repeat = 0; repeat < this->Self->NumberOfRepeats; ++repeat)
   {
     const MemoryPeak peak;
-    TracedIsosurface isosurface(this->Image);
-    isosurface.SetIsovalue(row.Isovalue);
-    buildTimes.push_back(isosurface.Build());
+    const std::unique_ptr<TracedIsosurface> isosurface = TracedIsosurface::New(this->Data);
+    isosurface->SetIsovalue(row.Isovalue);
+    buildTimes.push_back(isosurface->Build());
     if (repeat == 0)
     {
-      this->Rays->CastInPortions(isosurface);
+      this->Rays->CastInPortions(*isosurface);
       row.PeakBytes = peak.GetBytes();
-      row.Bytes = isosurface.Mapper->GetMacrocellMemory() + isosurface.Mapper->GetBrickMemory();
+      row.Bytes = isosurface->GetMemory();
     }
     if (!this->FinishStep())
     {
@@ -350,7 +385,7 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureRayTracing(Row& row)
     }
   }
   row.BuildTime = Median(buildTimes);
-  return this->MeasurePictures([this]() { return NewTracedIsosurface(this->Image); }, row) &&
+  return this->MeasurePictures([this]() { return NewTracedIsosurface(this->Data); }, row) &&
     this->MeasureAccuracyOfHits(row);
 }
 
@@ -376,7 +411,7 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
 {
   if (this->Self->Accuracy)
   {
-    const vtkSmartPointer<vtkPolyData> mesh = FiniteTriangles(extracted, this->Image->GetCenter());
+    const vtkSmartPointer<vtkPolyData> mesh = FiniteTriangles(extracted, this->Data->GetCenter());
     const vtkIdType left = extracted->GetNumberOfPolys() - mesh->GetNumberOfPolys();
     if (left > 0)
     {
@@ -385,17 +420,22 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
         "is not measured.");
     }
     const vtkSmartPointer<vtkPolyData> cut = CutAtCentroids(mesh);
-    const SurfaceErrors errors = MeasureErrors(this->Image, this->Reference, row.Isovalue,
+    const SurfaceErrors errors = MeasureErrors(this->Data, *this->Reference, row.Isovalue,
       cut->GetPoints(), NormalsOfCentroids(mesh), [this]() { return this->Self->IsAborted(); });
     Summarize(errors, static_cast<std::size_t>(mesh->GetNumberOfPoints()), row);
 
     const std::vector<double> ts = this->Rays->CastAt(mesh);
     row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
-    row.DifferentPixels = CountDifferentPixels(this->ReferenceTs, ts);
+    row.IsosurfaceAlonePixels = CountPixelsAlone(this->ReferenceTs, ts);
+    row.MeshAlonePixels = CountPixelsAlone(ts, this->ReferenceTs);
+    row.DifferentPixels = row.IsosurfaceAlonePixels + row.MeshAlonePixels;
 
-    const TopologyCount topology = CompareTopology(this->Image, row.Isovalue, mesh);
-    row.AmbiguousCells = static_cast<double>(topology.AmbiguousCells);
-    row.TopologyDifferences = static_cast<double>(topology.Differences);
+    if (auto* image = vtkImageData::SafeDownCast(this->Data))
+    {
+      const TopologyCount topology = CompareTopology(image, row.Isovalue, mesh);
+      row.AmbiguousCells = static_cast<double>(topology.AmbiguousCells);
+      row.TopologyDifferences = static_cast<double>(topology.Differences);
+    }
     if (this->IsOutputRow())
     {
       this->Mesh->ShallowCopy(cut);
@@ -410,10 +450,10 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
 bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfHits(Row& row)
 {
   vtkNew<vtkPolyData> hits;
-  if (this->Self->Accuracy && this->Rays->FindHits(this->Reference, hits))
+  if (this->Self->Accuracy && this->Rays->FindHits(*this->Reference, hits))
   {
     const SurfaceErrors errors =
-      MeasureErrors(this->Image, this->Reference, row.Isovalue, hits->GetPoints(),
+      MeasureErrors(this->Data, *this->Reference, row.Isovalue, hits->GetPoints(),
         hits->GetPointData()->GetNormals(), [this]() { return this->Self->IsAborted(); });
     Summarize(errors, 0, row);
     row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
@@ -449,9 +489,9 @@ vtkIsosurfaceComparisonFilter::vtkIsosurfaceComparisonFilter()
 vtkIsosurfaceComparisonFilter::~vtkIsosurfaceComparisonFilter() = default;
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceComparisonFilter::LookAt(vtkImageData* image, vtkCamera* camera)
+void vtkIsosurfaceComparisonFilter::LookAt(vtkDataSet* data, vtkCamera* camera)
 {
-  vtkIsosurfaceComparison::LookAt(image, camera);
+  vtkIsosurfaceComparison::LookAt(data, camera);
 }
 
 //------------------------------------------------------------------------------
@@ -555,7 +595,11 @@ vtkMTimeType vtkIsosurfaceComparisonFilter::GetMTime()
 int vtkIsosurfaceComparisonFilter::FillInputPortInformation(
   int vtkNotUsed(port), vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* type : { "vtkImageData", "vtkUnstructuredGrid", "vtkStructuredGrid" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
   return 1;
 }
 
@@ -586,8 +630,13 @@ int vtkIsosurfaceComparisonFilter::RequestUpdateExtent(vtkInformation* vtkNotUse
 {
   // The whole volume, whatever part of an output is requested.
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   return 1;
 }
 
@@ -605,7 +654,7 @@ bool vtkIsosurfaceComparisonFilter::IsAborted()
 int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   AddColumns(table);
 
@@ -617,20 +666,24 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
       methods.push_back(&method);
     }
   };
-  choose(this->FlyingEdges, vtkIsosurfaceComparison::FlyingEdges);
-  choose(this->MarchingCubes, vtkIsosurfaceComparison::MarchingCubes);
-  choose(this->SynchronizedTemplates, vtkIsosurfaceComparison::SynchronizedTemplates);
-  choose(this->ContourFilter, vtkIsosurfaceComparison::ContourFilter);
-  choose(this->SpanSpace, vtkIsosurfaceComparison::SpanSpace);
+  const bool isImage = vtkImageData::SafeDownCast(input) != nullptr;
+  choose(isImage && this->FlyingEdges, vtkIsosurfaceComparison::FlyingEdges);
+  choose(isImage && this->MarchingCubes, vtkIsosurfaceComparison::MarchingCubes);
+  choose(isImage && this->SynchronizedTemplates, vtkIsosurfaceComparison::SynchronizedTemplates);
+  choose(isImage && this->ContourFilter, vtkIsosurfaceComparison::ContourFilter);
+  choose(isImage && this->SpanSpace, vtkIsosurfaceComparison::SpanSpace);
+  choose(!isImage && this->ContourGrid, vtkIsosurfaceComparison::ContourGrid);
+  choose(!isImage && this->Contour3DLinearGrid, vtkIsosurfaceComparison::Contour3DLinearGrid);
   if (this->GetNumberOfContours() == 0 || (methods.empty() && !this->RayTracing))
   {
     vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue, and switch on "
-                    "a method, for example with FlyingEdgesOn.");
+                    "a method for this input, for example with RayTracingOn.");
     return 1;
   }
 
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputVector);
-  if (const char* complaint = Complaint(input, scalars))
+  const std::string complaint = Complaint(input, scalars);
+  if (!complaint.empty())
   {
     vtkErrorMacro(<< complaint);
     for (int i = 0; i < this->GetNumberOfContours(); ++i)
@@ -645,16 +698,16 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
       }
       if (this->RayTracing)
       {
-        row.Method = RayTracingName;
+        row.Method = TracedIsosurface::New(input)->GetName();
         AddRow(table, row);
       }
     }
     return 1;
   }
 
-  const vtkSmartPointer<vtkImageData> image = ImageOfScalars(input, scalars);
+  const vtkSmartPointer<vtkDataSet> data = OnlyScalars(input, scalars);
   Comparison comparison(
-    this, image, vtkPolyData::GetData(outputVector, 1), vtkImageData::GetData(outputVector, 2));
+    this, data, vtkPolyData::GetData(outputVector, 1), vtkImageData::GetData(outputVector, 2));
   comparison.Run(methods, table);
   return 1;
 }
@@ -670,6 +723,8 @@ void vtkIsosurfaceComparisonFilter::PrintSelf(ostream& os, vtkIndent indent)
   print("SynchronizedTemplates", this->SynchronizedTemplates);
   print("ContourFilter", this->ContourFilter);
   print("SpanSpace", this->SpanSpace);
+  print("ContourGrid", this->ContourGrid);
+  print("Contour3DLinearGrid", this->Contour3DLinearGrid);
   print("RayTracing", this->RayTracing);
   print("Pictures", this->Pictures);
   print("Accuracy", this->Accuracy);

@@ -6,7 +6,9 @@
  *
  * Computes the isosurfaces of a vtkImageData by several methods, and reports the cost of each
  * method and its distance from the isosurface of the trilinear interpolant, which
- * vtkIsosurfaceRayTraceMapper traces.
+ * vtkIsosurfaceRayTraceMapper traces. Of a vtkUnstructuredGrid or a vtkStructuredGrid it is the
+ * isosurface of the cells' interpolants, which vtkIsosurfaceRayTraceMeshMapper traces. There are
+ * methods for images and for meshes; those that are not for the input are passed over.
  *
  * Output 0 is a vtkTable with a row for every isovalue and method; the rows of an isovalue are
  * consecutive. Times are wall-clock times in seconds, each the median of all repeats. Values that
@@ -16,13 +18,13 @@
  * |------------------------|---------------------------------------------------------------------|
  * | Method                 | the name of the class                                               |
  * | Isovalue               |                                                                     |
- * | BuildTime              | building what serves all isovalues: span space, macrocells          |
+ * | BuildTime              | building what serves all isovalues: span space, macrocells, a tree  |
  * | ExtractionTime         | extracting the triangles after that, without normals                |
- * | FirstPictureTime       | from the image in memory to a picture in an open window             |
+ * | FirstPictureTime       | from the input in memory to a picture in an open window             |
  * | NextPictureTime        | the next picture, from another side                                 |
  * | NewIsovaluePictureTime | the first picture of an isovalue 1/1000 of the range away           |
  * | Triangles, Points      | of the mesh                                                         |
- * | Bytes                  | memory kept: coordinates and triangles; macrocells and bricks       |
+ * | Bytes                  | memory kept: coordinates and triangles; macrocells, bricks, a tree  |
  * | PeakBytes              | peak growth of the memory of the process, see below                 |
  * | MedianDistanceInCells, P99DistanceInCells, MaximumDistanceInCells | of the surface from the  |
  * |                        | isosurface of the interpolant, see below                            |
@@ -32,6 +34,8 @@
  * | LostPoints             | measured points from which no isosurface was found                  |
  * | CoveredPixels          | pixels that show the isosurface                                     |
  * | DifferentPixels        | pixels that show either the isosurface or the mesh, but not both    |
+ * | IsosurfaceAlonePixels, MeshAlonePixels | of them, those that show the isosurface, and those  |
+ * |                        | that show the mesh                                                  |
  * | AmbiguousCells         | cells whose signs do not determine the topology, see below          |
  * | TopologyDifferences    | ambiguous cells in which the topology of the mesh is different      |
  * | Note                   | why something could not be measured                                 |
@@ -44,8 +48,10 @@
  * where linear interpolation is exact, and would make the mesh look more accurate than it is. A
  * distance is measured along the gradient of the interpolant, by casting a ray, or to the nearest
  * crossing of an edge of the cell, if that is nearer; it is never smaller than the true distance.
- * For vtkIsosurfaceRayTraceMapper the points are the hits of the picture, with the gradient as
- * normal.
+ * For the mappers of this module the points are the hits of the picture, with the gradient as
+ * normal. In a mesh the cell at a point, the value and the gradient there are those of VTK's own
+ * cells (vtkCell::EvaluatePosition, vtkCell::Derivatives), and the unit of distances in cells is
+ * the mean length of the edges of that cell; points that are in no cell are lost.
  *
  * *Pixels* are compared by casting the rays of the picture at the isosurface and at the triangles,
  * in double precision and without OpenGL.
@@ -53,16 +59,17 @@
  * *Ambiguous cells* have inside corners, or outside corners, that are not all connected by edges
  * between them. The topology is different if two corners can be connected by a path that does not
  * cross the mesh, but by none that does not cross the isosurface, or the reverse. Cells with a
- * corner at the isovalue are left out. For vtkIsosurfaceRayTraceMapper the isosurface would be
- * compared with itself: DifferentPixels, AmbiguousCells and TopologyDifferences are NaN.
+ * corner at the isovalue are left out. In meshes they are not counted: AmbiguousCells and
+ * TopologyDifferences are NaN. For the mappers of this module the isosurface would be compared with
+ * itself: these and the numbers of pixels that differ are NaN.
  *
  * *PeakBytes* is the growth of resident memory during build and extraction, or during a picture, on
  * Linux only (VmHWM of /proc). It includes everything the process does meanwhile: measure in a
  * process that does nothing else. Memory of the graphics driver is in no column.
  *
  * Output 1 is the mesh of the row selected with SetOutputRow, each triangle split into three at its
- * centroid, with the point data DistanceInCells (the active scalars) and Distance. For
- * vtkIsosurfaceRayTraceMapper it contains the hits as vertices.
+ * centroid, with the point data DistanceInCells (the active scalars) and Distance. For the mappers
+ * of this module it contains the hits as vertices.
  *
  * Output 2 is an image of the same row, the bottom row of pixels first, with the point data
  * DepthDifference (the active scalars: the distance of the mesh behind the isosurface along the
@@ -75,7 +82,7 @@
  *
  * An isovalue outside the range of the scalars has rows without triangles, and a note. The filter
  * needs point scalars with one component: the active ones, or those selected with
- * SetInputArrayToProcess. Without them, or if the image has no cells, the filter reports an error,
+ * SetInputArrayToProcess. Without them, or if the input has no cells, the filter reports an error,
  * and the rows have a note; without isovalues or methods, it reports a warning and the table has no
  * rows.
  *
@@ -86,8 +93,9 @@
  * Optimal Isosurface Extraction Algorithm Using the Span Space. IEEE TVCG 2(1), 1996, as
  * implemented in VTK.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkFlyingEdges3D vtkMarchingCubes vtkSynchronizedTemplates3D
- * vtkContourFilter vtkSpanSpace vtkContourValues
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkFlyingEdges3D vtkMarchingCubes
+ * vtkSynchronizedTemplates3D vtkContourFilter vtkSpanSpace vtkContourGrid vtkContour3DLinearGrid
+ * vtkContourValues
  */
 
 #ifndef vtkIsosurfaceComparisonFilter_h
@@ -105,8 +113,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkContourValues;
-class vtkImageData;
-class vtkPolyData;
+class vtkDataSet;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceComparisonFilter : public vtkTableAlgorithm
 {
@@ -136,7 +143,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkFlyingEdges3D is measured. Default: true.
+   * Set/Get whether vtkFlyingEdges3D is measured, for images. Default: true.
    */
   vtkSetMacro(FlyingEdges, bool);
   vtkGetMacro(FlyingEdges, bool);
@@ -145,7 +152,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkMarchingCubes is measured. Default: true.
+   * Set/Get whether vtkMarchingCubes is measured, for images. Default: true.
    */
   vtkSetMacro(MarchingCubes, bool);
   vtkGetMacro(MarchingCubes, bool);
@@ -154,7 +161,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkSynchronizedTemplates3D is measured. Default: true.
+   * Set/Get whether vtkSynchronizedTemplates3D is measured, for images. Default: true.
    */
   vtkSetMacro(SynchronizedTemplates, bool);
   vtkGetMacro(SynchronizedTemplates, bool);
@@ -163,7 +170,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkContourFilter is measured, with its default settings. Default: true.
+   * Set/Get whether vtkContourFilter is measured, with its default settings, for images. Default:
+   * true.
    */
   vtkSetMacro(ContourFilter, bool);
   vtkGetMacro(ContourFilter, bool);
@@ -172,8 +180,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkContourFilter with a vtkSpanSpace is measured. It supports only isovalues
-   * strictly between the smallest and the largest scalar; for others the note says so.
+   * Set/Get whether vtkContourFilter with a vtkSpanSpace is measured, for images. It supports only
+   * isovalues strictly between the smallest and the largest scalar; for others the note says so.
    * Default: true.
    */
   vtkSetMacro(SpanSpace, bool);
@@ -183,7 +191,27 @@ public:
 
   ///@{
   /**
-   * Set/Get whether vtkIsosurfaceRayTraceMapper is measured. Default: true.
+   * Set/Get whether vtkContourGrid is measured, for meshes. Default: true.
+   */
+  vtkSetMacro(ContourGrid, bool);
+  vtkGetMacro(ContourGrid, bool);
+  vtkBooleanMacro(ContourGrid, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether vtkContour3DLinearGrid is measured, for meshes. It merges points only for
+   * pictures, which have normals. Default: true.
+   */
+  vtkSetMacro(Contour3DLinearGrid, bool);
+  vtkGetMacro(Contour3DLinearGrid, bool);
+  vtkBooleanMacro(Contour3DLinearGrid, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether vtkIsosurfaceRayTraceMapper is measured, or vtkIsosurfaceRayTraceMeshMapper for
+   * meshes. Default: true.
    */
   vtkSetMacro(RayTracing, bool);
   vtkGetMacro(RayTracing, bool);
@@ -247,10 +275,10 @@ public:
   ///@}
 
   /**
-   * Makes a camera look at the centre of an image, from the front, the left and above if y points
-   * to the viewer and z up, so that the image fills most of the picture.
+   * Makes a camera look at the centre of an image or a mesh, from the front, the left and above if
+   * y points to the viewer and z up, so that it fills most of the picture.
    */
-  static void LookAt(vtkImageData* image, vtkCamera* camera);
+  static void LookAt(vtkDataSet* data, vtkCamera* camera);
 
   /**
    * Returns why pictures cannot be rendered on this machine, and the remedy; empty if they can.
@@ -287,6 +315,8 @@ private:
   bool SynchronizedTemplates = true;
   bool ContourFilter = true;
   bool SpanSpace = true;
+  bool ContourGrid = true;
+  bool Contour3DLinearGrid = true;
   bool RayTracing = true;
   bool Pictures = true;
   bool Accuracy = true;

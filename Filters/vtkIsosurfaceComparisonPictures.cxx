@@ -8,10 +8,9 @@
 #include "vtkIsosurfaceComparisonTime.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -33,8 +32,8 @@ namespace
 class TriangleDrawing : public Drawing
 {
 public:
-  TriangleDrawing(const ExtractionMethod& method, vtkImageData* image)
-    : Triangles(method.New(image, true))
+  TriangleDrawing(const ExtractionMethod& method, vtkDataSet* data)
+    : Triangles(method.New(data, true))
   {
     this->Mapper->SetInputConnection(this->Triangles->GetFilter()->GetOutputPort());
     this->Actor->SetMapper(this->Mapper);
@@ -90,16 +89,16 @@ bool IsWithoutOSMesa(vtkRenderWindow* window)
 class IsosurfaceDrawing : public Drawing
 {
 public:
-  explicit IsosurfaceDrawing(vtkImageData* image)
-    : Isosurface(image)
+  explicit IsosurfaceDrawing(vtkDataSet* data)
+    : Isosurface(TracedIsosurface::New(data))
   {
   }
 
-  vtkProp* GetProp() override { return this->Isosurface.Volume; }
-  void SetIsovalue(double isovalue) override { this->Isosurface.SetIsovalue(isovalue); }
+  vtkProp* GetProp() override { return this->Isosurface->GetVolume(); }
+  void SetIsovalue(double isovalue) override { this->Isosurface->SetIsovalue(isovalue); }
 
 private:
-  TracedIsosurface Isosurface;
+  std::unique_ptr<TracedIsosurface> Isosurface;
 };
 
 }
@@ -138,15 +137,15 @@ std::string WhyNoPictures()
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkImageData* image)
+std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkDataSet* data)
 {
-  return std::make_unique<TriangleDrawing>(method, image);
+  return std::make_unique<TriangleDrawing>(method, data);
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<Drawing> NewTracedIsosurface(vtkImageData* image)
+std::unique_ptr<Drawing> NewTracedIsosurface(vtkDataSet* data)
 {
-  return std::make_unique<IsosurfaceDrawing>(image);
+  return std::make_unique<IsosurfaceDrawing>(data);
 }
 
 //------------------------------------------------------------------------------

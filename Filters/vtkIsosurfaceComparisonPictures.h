@@ -16,7 +16,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
-class vtkImageData;
+class vtkDataSet;
 class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -42,8 +42,8 @@ public:
   virtual void Prepare() {}
 };
 
-std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkImageData* image);
-std::unique_ptr<Drawing> NewTracedIsosurface(vtkImageData* image);
+std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkDataSet* data);
+std::unique_ptr<Drawing> NewTracedIsosurface(vtkDataSet* data);
 
 /// An off-screen window, initialized.
 class PictureWindow

@@ -7,11 +7,11 @@
 #include "vtkIsosurfaceComparisonRow.h"
 
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
-#include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -21,7 +21,6 @@
 #include "vtkSMPTools.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,12 +45,12 @@ void Unproject(vtkMatrix4x4* worldFromClip, double x, double y, double z, double
 }
 
 //------------------------------------------------------------------------------
-void LookAt(vtkImageData* image, vtkCamera* camera)
+void LookAt(vtkDataSet* data, vtkCamera* camera)
 {
   const double direction[3] = { -0.35, 1.0, 0.15 };
   double center[3];
-  image->GetCenter(center);
-  const double radius = std::max(0.5 * image->GetLength(), VTK_DBL_MIN);
+  data->GetCenter(center);
+  const double radius = std::max(0.5 * data->GetLength(), VTK_DBL_MIN);
   camera->SetViewAngle(30.0);
   const double distance = radius / std::sin(vtkMath::RadiansFromDegrees(15.0));
   const double scale = distance / vtkMath::Norm(direction);
@@ -62,15 +61,15 @@ void LookAt(vtkImageData* image, vtkCamera* camera)
   // The sphere around the box leaves much of the picture empty.
   camera->Zoom(1.4);
   camera->SetParallelScale(radius / 1.4);
-  IncludeWhole(image, camera);
+  IncludeWhole(data, camera);
 }
 
 //------------------------------------------------------------------------------
-void IncludeWhole(vtkImageData* image, vtkCamera* camera)
+void IncludeWhole(vtkDataSet* data, vtkCamera* camera)
 {
   double eye[3];
   double direction[3];
-  const double* bounds = image->GetBounds();
+  const double* bounds = data->GetBounds();
   camera->GetPosition(eye);
   camera->GetDirectionOfProjection(direction);
   double nearest = VTK_DOUBLE_MAX;
@@ -120,8 +119,8 @@ PictureRays::PictureRays(vtkCamera* camera, int width, int height)
 //------------------------------------------------------------------------------
 bool PictureRays::FindHits(TracedIsosurface& isosurface, vtkPolyData* hits) const
 {
-  isosurface.Mapper->SetNormalModeToInterpolantGradient();
-  return isosurface.Mapper->CastRays(isosurface.Volume, this->Origins, this->Directions, hits);
+  isosurface.UseExactNormals();
+  return isosurface.CastRays(this->Origins, this->Directions, hits);
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +140,7 @@ void PictureRays::CastInPortions(TracedIsosurface& isosurface) const
     origins->InsertPoints(0, size, first, this->Origins);
     directions->SetNumberOfTuples(size);
     directions->InsertTuples(0, size, first, this->Directions);
-    isosurface.Mapper->CastRays(isosurface.Volume, origins, directions, hits);
+    isosurface.CastRays(origins, directions, hits);
   }
 }
 
@@ -248,12 +247,12 @@ void WriteDifference(const PictureRays& rays, const std::vector<double>& isosurf
 }
 
 //------------------------------------------------------------------------------
-double CountDifferentPixels(const std::vector<double>& isosurface, const std::vector<double>& mesh)
+double CountPixelsAlone(const std::vector<double>& first, const std::vector<double>& second)
 {
   double count = 0.0;
-  for (std::size_t i = 0; i < isosurface.size(); ++i)
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    count += std::isnan(isosurface[i]) != std::isnan(mesh[i]) ? 1.0 : 0.0;
+    count += !std::isnan(first[i]) && std::isnan(second[i]) ? 1.0 : 0.0;
   }
   return count;
 }

@@ -14,6 +14,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
+class vtkDataSet;
 class vtkDoubleArray;
 class vtkImageData;
 class vtkPoints;
@@ -25,11 +26,11 @@ namespace vtkIsosurfaceComparison
 
 class TracedIsosurface;
 
-/// A camera that looks at the centre of an image from the left, the front and above, with z up.
-void LookAt(vtkImageData* image, vtkCamera* camera);
+/// A camera that looks at the centre of the data from the left, the front and above, with z up.
+void LookAt(vtkDataSet* data, vtkCamera* camera);
 
-/// Resets the clipping range of a camera to include all of the image in front of it.
-void IncludeWhole(vtkImageData* image, vtkCamera* camera);
+/// Resets the clipping range of a camera to include all of the data in front of it.
+void IncludeWhole(vtkDataSet* data, vtkCamera* camera);
 
 /// A ray through the centre of each pixel, rows from the bottom, from the near clipping plane
 /// (T = 0) to the far one (T = 1).
@@ -74,8 +75,8 @@ enum Coverage : unsigned char
 void WriteDifference(const PictureRays& rays, const std::vector<double>& isosurface,
   const std::vector<double>& mesh, vtkImageData* image);
 
-/// The number of pixels that show one and not the other.
-double CountDifferentPixels(const std::vector<double>& isosurface, const std::vector<double>& mesh);
+/// The number of pixels that show the first and not the second.
+double CountPixelsAlone(const std::vector<double>& first, const std::vector<double>& second);
 double CountCoveredPixels(const std::vector<double>& isosurface);
 
 }

@@ -42,6 +42,8 @@ void ForEachColumn(const OnText& onText, const OnCount& onCount, const OnNumber&
   onNumber("LostPoints", &Row::LostPoints);
   onNumber("CoveredPixels", &Row::CoveredPixels);
   onNumber("DifferentPixels", &Row::DifferentPixels);
+  onNumber("IsosurfaceAlonePixels", &Row::IsosurfaceAlonePixels);
+  onNumber("MeshAlonePixels", &Row::MeshAlonePixels);
   onNumber("AmbiguousCells", &Row::AmbiguousCells);
   onNumber("TopologyDifferences", &Row::TopologyDifferences);
   onText("Note", &Row::Note);

@@ -51,6 +51,8 @@ struct Row
 
   double CoveredPixels = NotMeasured;
   double DifferentPixels = NotMeasured;
+  double IsosurfaceAlonePixels = NotMeasured;
+  double MeshAlonePixels = NotMeasured;
 
   double AmbiguousCells = NotMeasured;
   double TopologyDifferences = NotMeasured;

@@ -59,6 +59,7 @@ set(classes
 
 set(private_classes
   Filters/vtkIsosurfaceComparisonErrors
+  Filters/vtkIsosurfaceComparisonInterpolant
   Filters/vtkIsosurfaceComparisonMethods
   Filters/vtkIsosurfaceComparisonPictures
   Filters/vtkIsosurfaceComparisonRays

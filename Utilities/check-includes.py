@@ -46,7 +46,8 @@ def make_rules():
     rules[CORE] = []  # for folders that are not in the order
     compat = "Module/vtkIsosurfaceRayTracingCompat.h"
     rules["Rendering"] = [compat, CORE, "Rendering"]
-    rules["Filters"] = [compat, CORE, "Filters", "Rendering/vtkIsosurfaceRayTraceMapper.h"]
+    mappers = [f"Rendering/vtkIsosurfaceRayTrace{kind}Mapper.h" for kind in ("", "Mesh")]
+    rules["Filters"] = [compat, CORE, "Filters", *mappers]
     public_headers = find_public_headers()
     rules["Programs"] = [compat, "Programs", *public_headers]
     rules["Examples"] = ["Examples", *public_headers]

@@ -54,7 +54,7 @@ def replace_part(page, program, text):
     begin = f"<!-- Utilities/{program} writes from here -->\n"
     end = "<!-- to here -->\n"
     head, rest = page.read_text(encoding="utf-8").split(begin)
-    _, tail = rest.split(end)
+    _, tail = rest.split(end, maxsplit=1)
     page.write_text(f"{head}{begin}\n{text}{end}{tail}", encoding="utf-8")
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write the results of vtkIsosurfaceBenchmark into Documentation/performance.md.
+"""Write the results of vtkIsosurfaceBenchmark and vtkIsosurfaceMeshBenchmark into
+Documentation/performance.md.
 
     document_performance.py cranium.json large.json growth.json
 
@@ -10,6 +11,7 @@ that the text around it still holds."""
 
 import re
 import sys
+from pathlib import Path
 
 from document_parts import (
     environment_list,
@@ -20,22 +22,32 @@ from document_parts import (
     read_json,
 )
 
-# What is required to measure each of the goals.
+# What is required to measure each of the goals of a program.
 NEEDS = {
-    1: "the baseline embree",
-    2: "the baseline polygons",
-    3: "--goals",
-    4: "--input",
-    5: "--goals and a display",
-    6: "--threads 1 and more, --goals",
-    7: "--growth",
+    "vtkIsosurfaceBenchmark": {
+        1: "the baseline embree",
+        2: "the baseline polygons",
+        3: "--goals",
+        4: "--input",
+        5: "--goals and a display",
+        6: "--threads 1 and more, --goals",
+        7: "--growth",
+    },
+    "vtkIsosurfaceMeshBenchmark": {
+        1: "Embree",
+        2: "a display",
+        3: "a display",
+        4: "a display",
+        5: "--shapes hexahedra",
+    },
 }
 
 
-def goal_rows(goals):
-    for number, needs in NEEDS.items():
-        measured = [goal for goal in goals if goal["goal"] == number]
-        for goal in measured:
+def goal_rows(measured):
+    program = Path(measured["environment"]["command"].split()[0]).name
+    for number, needs in NEEDS[program].items():
+        found = [goal for goal in measured["goals"] if goal["goal"] == number]
+        for goal in found:
             limit, value = goal["limit"], goal["measured"]
             is_met = value <= limit if goal["atMost"] else value >= limit
             yield [
@@ -45,7 +57,7 @@ def goal_rows(goals):
                 format_number(value),
                 "met" if is_met else "**missed**",
             ]
-        if not measured:
+        if not found:
             yield [str(number), f"not measured, which needs {needs}", "", "", ""]
 
 
@@ -55,7 +67,7 @@ def describe(measured):
         "Times are medians, in brackets the fastest and the slowest; ratios are medians of the "
         "ratios of\nmeasurements taken in turn.\n\n### Goals\n\n"
     )
-    yield markdown_table(["goal", "what", "target", "measured", ""], goal_rows(measured["goals"]))
+    yield markdown_table(["goal", "what", "target", "measured", ""], goal_rows(measured))
     for table in measured["tables"]:
         yield f"### {table['title']}\n\n" + (f"{table['note']}\n\n" if table["note"] else "")
         rows = [[format_cell(row[name]) for name in table["columns"]] for row in table["rows"]]

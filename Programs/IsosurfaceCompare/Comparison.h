@@ -15,6 +15,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
+class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
 class vtkTable;
@@ -31,7 +32,8 @@ struct Comparison
   /// The processor and its threads, VTK, the load average.
   std::string Machine;
   int Repeats;
-  vtkSmartPointer<vtkImageData> Volume;
+  /// An image, or a mesh.
+  vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkCamera> Camera;
 
   /// The outputs of vtkIsosurfaceComparisonFilter.
@@ -39,7 +41,7 @@ struct Comparison
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkImageData> Difference;
 
-  /// For the first isovalue; measured only for a report.
+  /// For the first isovalue; measured only for a report on an image.
   std::vector<Crossover> Crossovers;
 };
 

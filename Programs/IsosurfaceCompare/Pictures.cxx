@@ -4,12 +4,16 @@
 #include "Pictures.h"
 
 #include "Png.h"
+#include "ReadMesh.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
 
+#include <vtkAbstractVolumeMapper.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkContourGrid.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -19,13 +23,16 @@
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -69,17 +76,46 @@ public:
   vtkNew<vtkRenderWindow> Window;
 };
 
+//------------------------------------------------------------------------------
+template <typename Filter>
+void Extract(Filter* filter, vtkDataSet* data, double isovalue, vtkPolyDataMapper* mapper)
+{
+  filter->SetInputData(data);
+  filter->SetValue(0, isovalue);
+  filter->ComputeScalarsOff();
+  mapper->SetInputConnection(filter->GetOutputPort());
 }
 
 //------------------------------------------------------------------------------
-std::string DrawTriangles(vtkImageData* volume, double isovalue, vtkCamera* camera)
+vtkSmartPointer<vtkAbstractVolumeMapper> NewMapper(vtkDataSet* data)
 {
-  vtkNew<vtkFlyingEdges3D> edges;
-  edges->SetInputData(volume);
-  edges->SetValue(0, isovalue);
-  edges->ComputeScalarsOff();
+  if (vtkImageData::SafeDownCast(data))
+  {
+    return vtkSmartPointer<vtkIsosurfaceRayTraceMapper>::New();
+  }
+  return vtkSmartPointer<vtkIsosurfaceRayTraceMeshMapper>::New();
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string GetExtractionName(vtkDataSet* data)
+{
+  return vtkImageData::SafeDownCast(data) ? "vtkFlyingEdges3D" : "vtkContourGrid";
+}
+
+//------------------------------------------------------------------------------
+std::string DrawTriangles(vtkDataSet* data, double isovalue, vtkCamera* camera)
+{
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(edges->GetOutputPort());
+  if (auto* mesh = vtkPointSet::SafeDownCast(data))
+  {
+    Extract(vtkNew<vtkContourGrid>().Get(), MakeUnstructured(mesh), isovalue, mapper);
+  }
+  else
+  {
+    Extract(vtkNew<vtkFlyingEdges3D>().Get(), data, isovalue, mapper);
+  }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(Bone[0], Bone[1], Bone[2]);
@@ -87,10 +123,10 @@ std::string DrawTriangles(vtkImageData* volume, double isovalue, vtkCamera* came
 }
 
 //------------------------------------------------------------------------------
-std::string DrawRayTraced(vtkImageData* volume, double isovalue, vtkCamera* camera)
+std::string DrawRayTraced(vtkDataSet* data, double isovalue, vtkCamera* camera)
 {
-  vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
-  mapper->SetInputData(volume);
+  const vtkSmartPointer<vtkAbstractVolumeMapper> mapper = NewMapper(data);
+  mapper->SetInputDataObject(data);
   vtkNew<vtkVolume> prop;
   prop->SetMapper(mapper);
   vtkVolumeProperty* surface = prop->GetProperty();

@@ -14,6 +14,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
+class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -21,10 +22,11 @@ VTK_ABI_NAMESPACE_END
 namespace Compare
 {
 
-/// The isosurface as triangles of vtkFlyingEdges3D, and ray traced: with the same lights and
-/// colours.
-std::string DrawTriangles(vtkImageData* volume, double isovalue, vtkCamera* camera);
-std::string DrawRayTraced(vtkImageData* volume, double isovalue, vtkCamera* camera);
+/// The isosurface of an image or a mesh as triangles of the filter that GetExtractionName names,
+/// and ray traced: with the same lights and colours.
+std::string DrawTriangles(vtkDataSet* data, double isovalue, vtkCamera* camera);
+std::string DrawRayTraced(vtkDataSet* data, double isovalue, vtkCamera* camera);
+std::string GetExtractionName(vtkDataSet* data);
 
 /// The triangles of output 1 of vtkIsosurfaceComparisonFilter, each coloured by the distance at its
 /// centroid, logarithmically from a thousandth of a cell to one cell. The number of vertices is

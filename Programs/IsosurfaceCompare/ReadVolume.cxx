@@ -5,13 +5,12 @@
 
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
+#include "ReaderErrors.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
 #include <vtkImageReader2Factory.h>
@@ -27,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -45,14 +43,6 @@ constexpr double BytesPerMebibyte = 1024.0 * 1024.0;
 [[noreturn]] void Throw(const std::string& name, const std::string& problem)
 {
   throw std::runtime_error(name + " cannot be read: " + problem);
-}
-
-//------------------------------------------------------------------------------
-/// Many readers report an error and read on; an incomplete volume is not accepted.
-void CountError(vtkObject*, unsigned long, void* count, void* text)
-{
-  ++*static_cast<int*>(count);
-  std::fprintf(stderr, "%s", static_cast<const char*>(text));
 }
 
 //------------------------------------------------------------------------------
@@ -140,19 +130,12 @@ template <typename ReaderT>
 vtkSmartPointer<vtkImageData> Read(
   ReaderT* reader, const std::string& name, double capacity, double maxMemory)
 {
-  int errors = 0;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(CountError);
-  observer->SetClientData(&errors);
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  // It would only repeat that the reader failed.
-  vtkNew<vtkCallbackCommand> silence;
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+  const ReaderErrors errors(reader);
   const std::string tried = std::string(reader->GetClassName()) + " was tried";
   try
   {
     reader->UpdateInformation();
-    if (errors == 0)
+    if (errors.GetCount() == 0)
     {
       CheckHeader(reader, name);
       CheckSize(reader->GetOutputInformation(0), name, capacity, maxMemory);
@@ -163,7 +146,7 @@ vtkSmartPointer<vtkImageData> Read(
   {
     Throw(name, "there is not enough memory (" + tried + ")");
   }
-  if (errors > 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
+  if (errors.GetCount() > 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
   {
     throw std::runtime_error(name + " cannot be read (" + tried + ")");
   }

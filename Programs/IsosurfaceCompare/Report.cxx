@@ -157,8 +157,10 @@ vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
   double least = std::numeric_limits<double>::max();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const bool isRequested = isRayTraced ==
-      (table->GetValueByName(row, "Method").ToString() == "vtkIsosurfaceRayTraceMapper");
+    // Of both mappers.
+    const bool isRay =
+      table->GetValueByName(row, "Method").ToString().rfind("vtkIsosurfaceRayTrace", 0) == 0;
+    const bool isRequested = isRayTraced == isRay;
     const double seconds = table->GetValueByName(row, "NewIsovaluePictureTime").ToDouble();
     if (isRequested &&
       table->GetValueByName(row, "Isovalue") == table->GetValueByName(0, "Isovalue") &&
@@ -195,10 +197,13 @@ void WriteSummary(std::ostream& out, vtkTable* table)
       << get(mesh, "Bytes", mega) << " MB. Half of the triangles are farther than "
       << get(mesh, "MedianDistanceInCells")
       << " cells from the isosurface of the interpolant, one in a hundred farther than "
-      << get(mesh, "P99DistanceInCells") << "; in " << get(mesh, "TopologyDifferences") << " of "
-      << get(mesh, "AmbiguousCells")
-      << " ambiguous cells they connect corners that it separates, or "
-      << "the reverse; " << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
+      << get(mesh, "P99DistanceInCells") << "; ";
+  if (!std::isnan(table->GetValueByName(mesh, "AmbiguousCells").ToDouble()))
+  {
+    out << "in " << get(mesh, "TopologyDifferences") << " of " << get(mesh, "AmbiguousCells")
+        << " ambiguous cells they connect corners that it separates, or the reverse; ";
+  }
+  out << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
       << " pixels differ.</p>\n";
 }
 
@@ -222,7 +227,8 @@ void WriteTables(std::ostream& out, vtkTable* table)
   WriteTable(out, table,
     { { "triangles", "Triangles", 1.0 }, { "points", "Points", 1.0 },
       { "memory, MB", "Bytes", mega }, { "peak growth, MB", "PeakBytes", mega } });
-  out << "<p class=\"small\">Memory: coordinates and triangles, or macrocells and bricks. Peak "
+  out << "<p class=\"small\">Memory: coordinates and triangles, or macrocells and bricks, or a "
+         "tree. Peak "
          "growth: of the memory of the process meanwhile, as reported by Linux.</p>\n"
          "<h2>Accuracy</h2>\n";
   WriteTable(out, table,
@@ -233,12 +239,15 @@ void WriteTables(std::ostream& out, vtkTable* table)
       { "99 %", "P99NormalError", 1.0 }, { "max", "MaximumNormalError", 1.0 } });
   WriteTable(out, table,
     { { "lost points", "LostPoints", 1.0 }, { "covered pixels", "CoveredPixels", 1.0 },
-      { "different pixels", "DifferentPixels", 1.0 }, { "ambiguous cells", "AmbiguousCells", 1.0 },
+      { "different pixels", "DifferentPixels", 1.0 },
+      { "isosurface alone", "IsosurfaceAlonePixels", 1.0 },
+      { "mesh alone", "MeshAlonePixels", 1.0 }, { "ambiguous cells", "AmbiguousCells", 1.0 },
       { "different topology", "TopologyDifferences", 1.0 } });
-  out << "<p class=\"small\">Distance from the isosurface of the trilinear interpolant, at the "
+  out << "<p class=\"small\">Distance from the isosurface of the interpolant, at the "
          "centroids of the triangles (at the hits of the picture for ray tracing). Angles between "
          "the normals of the triangles and those of the isosurface. Lost points: points from which "
-         "no isosurface was found. Different pixels show one surface and not the other. Different "
+         "no isosurface was found. Different pixels show one surface and not the other: the "
+         "isosurface alone, or the mesh alone. Different "
          "topology: ambiguous cells in which the mesh connects corners that the isosurface "
          "separates, or the reverse.</p>\n";
   WriteNotes(out, table);
@@ -386,16 +395,31 @@ std::string DrawDistances(const Comparison& comparison)
 }
 
 //------------------------------------------------------------------------------
-double GetCellSize(vtkImageData* volume)
+/// The edge of a cube, if as many as there are cells filled the box around them.
+double GetCellSize(vtkDataSet* data)
 {
-  const double* spacing = volume->GetSpacing();
-  return std::cbrt(std::abs(spacing[0] * spacing[1] * spacing[2]));
+  const double* box = data->GetBounds();
+  return std::cbrt((box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]) /
+    static_cast<double>(data->GetNumberOfCells()));
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeSize(vtkDataSet* data)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    const int* size = image->GetDimensions();
+    return std::to_string(size[0]) + " &times; " + std::to_string(size[1]) + " &times; " +
+      std::to_string(size[2]) + " samples";
+  }
+  return std::to_string(data->GetNumberOfCells()) + " cells, " +
+    std::to_string(data->GetNumberOfPoints()) + " points";
 }
 
 //------------------------------------------------------------------------------
 void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw)
 {
-  vtkImageData* volume = comparison.Volume;
+  vtkDataSet* data = comparison.Data;
   vtkTable* table = comparison.Table;
   const double isovalue = table->GetValueByName(0, "Isovalue").ToDouble();
   out << "<h2>Pictures of isovalue " << Format(isovalue) << "</h2>\n";
@@ -405,17 +429,17 @@ void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw
     close->DeepCopy(comparison.Camera);
     close->SetViewAngle(comparison.Camera->GetViewAngle() / 10.0);
     close->SetParallelScale(comparison.Camera->GetParallelScale() / 10.0);
-    WriteFigure(
-      out, DrawTriangles(volume, isovalue, comparison.Camera), "Triangles of flying edges");
-    WriteFigure(out, DrawRayTraced(volume, isovalue, comparison.Camera), "Ray traced");
-    WriteFigure(out, DrawTriangles(volume, isovalue, close), "The centre, magnified ten times");
-    WriteFigure(out, DrawRayTraced(volume, isovalue, close), "The same, ray traced");
+    WriteFigure(out, DrawTriangles(data, isovalue, comparison.Camera),
+      "Triangles of " + GetExtractionName(data));
+    WriteFigure(out, DrawRayTraced(data, isovalue, comparison.Camera), "Ray traced");
+    WriteFigure(out, DrawTriangles(data, isovalue, close), "The centre, magnified ten times");
+    WriteFigure(out, DrawRayTraced(data, isovalue, close), "The same, ray traced");
   }
   const std::string method = table->GetValueByName(0, "Method").ToString();
   const vtkIdType vertices = table->GetValueByName(0, "Points").ToTypeInt64();
   if (comparison.Difference->GetNumberOfPoints() > 0)
   {
-    WriteFigure(out, DrawDifference(comparison.Difference, GetCellSize(volume)),
+    WriteFigure(out, DrawDifference(comparison.Difference, GetCellSize(data)),
       "Where the surface of " + method +
         " is behind (red) or in front of (blue) the isosurface along the ray, saturated at one "
         "cell; yellow where only one of the two is present");
@@ -435,13 +459,12 @@ void WritePictures(std::ostream& out, const Comparison& comparison, bool canDraw
 void WriteReport(const Comparison& comparison, const std::string& fileName)
 {
   const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
-  const int* size = comparison.Volume->GetDimensions();
   std::ostringstream out;
   out
     << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>Isosurfaces of "
     << Escape(comparison.Input) << "</title>\n<style>" << Style << "</style></head>\n<body>\n"
-    << "<h1>Isosurfaces of " << Escape(comparison.Input) << "</h1>\n<p>" << size[0] << " &times; "
-    << size[1] << " &times; " << size[2] << " samples. Repeats: " << comparison.Repeats << ". "
+    << "<h1>Isosurfaces of " << Escape(comparison.Input) << "</h1>\n<p>"
+    << DescribeSize(comparison.Data) << ". Repeats: " << comparison.Repeats << ". "
     << Escape(comparison.Machine) << ".</p>\n<p><code>" << Escape(comparison.Command)
     << "</code></p>\n";
   WriteSummary(out, comparison.Table);

@@ -74,7 +74,12 @@ void WriteJson(const Comparison& comparison, const std::string& fileName)
   root["input"] = comparison.Input;
   root["machine"] = comparison.Machine;
   root["repeats"] = comparison.Repeats;
-  root["dimensions"] = ToJson(comparison.Volume->GetDimensions());
+  root["points"] = static_cast<Json::Int64>(comparison.Data->GetNumberOfPoints());
+  root["cells"] = static_cast<Json::Int64>(comparison.Data->GetNumberOfCells());
+  if (auto* image = vtkImageData::SafeDownCast(comparison.Data))
+  {
+    root["dimensions"] = ToJson(image->GetDimensions());
+  }
   root["rows"] = Json::Value(Json::arrayValue);
   for (vtkIdType row = 0; row < comparison.Table->GetNumberOfRows(); ++row)
   {

@@ -5,6 +5,7 @@
 
 #include "Comparison.h"
 #include "OutputFile.h"
+#include "ReadMesh.h"
 #include "ReadVolume.h"
 #include "Report.h"
 #include "TableFiles.h"
@@ -15,6 +16,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkTable.h>
@@ -55,6 +57,8 @@ const MethodSwitch Methods[] = {
   { "synchronized-templates", &Filter::SetSynchronizedTemplates },
   { "contour-filter", &Filter::SetContourFilter },
   { "span-space", &Filter::SetSpanSpace },
+  { "contour-grid", &Filter::SetContourGrid },
+  { "contour-3d-linear-grid", &Filter::SetContour3DLinearGrid },
   { "ray-tracing", &Filter::SetRayTracing },
 };
 
@@ -62,6 +66,7 @@ const MethodSwitch Methods[] = {
 struct Arguments
 {
   std::string Input;
+  std::string Array;
   std::vector<double> Isovalues;
   std::vector<std::string> Methods;
   int Repeats = 3;
@@ -101,7 +106,9 @@ Arguments ParseArguments(int argc, char* argv[])
   {
     methods += std::string(" ") + method.Name;
   }
-  methods += ". Default: all.";
+  methods +=
+    ". Those with grid in their names are for meshes, ray-tracing is for both, the others are for "
+    "images. Default: all that are for the input.";
 
   Arguments arguments;
   std::vector<std::string> isovalues;
@@ -114,7 +121,11 @@ Arguments ParseArguments(int argc, char* argv[])
   parser.SetClientData(&unknown);
   parser.SetUnknownArgumentCallback(KeepUnknown);
   parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
-    "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads; or a mesh: .vtu, .vts, .vtk, "
+    ".vtm "
+    "or Exodus.");
+  parser.AddArgument("--array", Parser::SPACE_ARGUMENT, &arguments.Array,
+    "The array of a mesh, of points or cells. Default: its active scalars.");
   parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &isovalues,
     "One or more isovalues, separated by spaces.");
   parser.AddArgument("--methods", Parser::MULTI_ARGUMENT, &arguments.Methods, methods.c_str());
@@ -225,6 +236,20 @@ void ShowProgress(vtkObject*, unsigned long, void*, void* progress)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> Read(const Arguments& arguments)
+{
+  if (IsMesh(arguments.Input))
+  {
+    return ReadMesh(arguments.Input, arguments.Array, arguments.MaxMemory);
+  }
+  if (!arguments.Array.empty())
+  {
+    throw std::runtime_error("--array is for meshes; " + arguments.Input + " is none");
+  }
+  return ReadVolume(arguments.Input, arguments.MaxMemory);
+}
+
+//------------------------------------------------------------------------------
 Comparison Run(const Arguments& arguments, const std::string& command)
 {
   Comparison comparison;
@@ -232,13 +257,13 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   comparison.Input = vtksys::SystemTools::GetFilenameName(arguments.Input);
   comparison.Machine = DescribeMachine();
   comparison.Repeats = arguments.Repeats;
-  comparison.Volume = ReadVolume(arguments.Input, arguments.MaxMemory);
+  comparison.Data = Read(arguments);
   comparison.Camera = vtkSmartPointer<vtkCamera>::New();
-  Filter::LookAt(comparison.Volume, comparison.Camera);
+  Filter::LookAt(comparison.Data, comparison.Camera);
 
   vtkNew<Filter> filter;
   ChooseMethods(arguments.Methods, filter);
-  filter->SetInputData(comparison.Volume);
+  filter->SetInputData(comparison.Data);
   filter->SetCamera(comparison.Camera);
   filter->SetNumberOfRepeats(arguments.Repeats);
   for (std::size_t i = 0; i < arguments.Isovalues.size(); ++i)
@@ -257,10 +282,11 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   const bool hasPictures = comparison.Difference->GetNumberOfPoints() > 0 &&
     comparison.Table->GetValueByName(0, "CoveredPixels").ToDouble() > 0.0 &&
     Filter::WhyNoPictures().empty();
-  if (!arguments.Report.empty() && hasPictures)
+  auto* image = vtkImageData::SafeDownCast(comparison.Data);
+  if (!arguments.Report.empty() && hasPictures && image)
   {
-    comparison.Crossovers = MeasureCrossover(
-      comparison.Volume, arguments.Isovalues.front(), arguments.Repeats, comparison.Camera);
+    comparison.Crossovers =
+      MeasureCrossover(image, arguments.Isovalues.front(), arguments.Repeats, comparison.Camera);
   }
   return comparison;
 }

@@ -4,9 +4,8 @@
 #include "Comparison.h"
 
 #include "Baselines.h"
+#include "Environment.h"
 #include "TracedIsosurface.h"
-
-#include <vtksys/SystemInformation.hxx>
 
 #ifdef __unix__
 #include <sys/resource.h>
@@ -21,12 +20,6 @@ namespace
 {
 
 constexpr double Mebi = 1024.0 * 1024.0;
-
-double GetResidentMebibytes()
-{
-  vtksys::SystemInformation system;
-  return static_cast<double>(system.GetProcMemoryUsed()) / 1024.0;
-}
 
 double GetPeakMebibytes()
 {

@@ -12,6 +12,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 
@@ -59,9 +60,10 @@ struct SingleRays
   }
 };
 
-/// Traces a square of pixels; those outside of the part of the picture are switched off.
-int TracePacket(
-  RTCScene scene, const SingleRays& rays, const PixelRectangle& pixels, int left, int bottom)
+/// Traces a square of pixels; those outside of the part of the picture are switched off. Depths may
+/// be null.
+int TracePacket(RTCScene scene, const SingleRays& rays, const PixelRectangle& pixels, int left,
+  int bottom, float* depths)
 {
   RTCRayHit16 packet;
   alignas(64) int valid[PacketSize];
@@ -95,6 +97,11 @@ int TracePacket(
   for (int i = 0; i < PacketSize; ++i)
   {
     hits += valid[i] != 0 && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+    if (depths && valid[i] != 0)
+    {
+      const std::ptrdiff_t row = bottom + i / PacketEdge - pixels.Y;
+      depths[row * pixels.Width + left + i % PacketEdge - pixels.X] = packet.ray.tfar[i];
+    }
   }
   return hits;
 }
@@ -164,7 +171,24 @@ EmbreeTriangles::~EmbreeTriangles()
 }
 
 //------------------------------------------------------------------------------
-int EmbreeTriangles::Trace(const PictureRays& picture, const PixelRectangle& pixels, int threads)
+int EmbreeTriangles::Trace(const PictureRays& rays, const PixelRectangle& pixels, int threads)
+{
+  return this->Trace(rays, pixels, threads, nullptr);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> EmbreeTriangles::FindDepths(
+  const PictureRays& rays, const PixelRectangle& pixels)
+{
+  std::vector<float> depths(
+    static_cast<std::size_t>(pixels.Width) * static_cast<std::size_t>(pixels.Height));
+  this->Trace(rays, pixels, 1, depths.data());
+  return depths;
+}
+
+//------------------------------------------------------------------------------
+int EmbreeTriangles::Trace(
+  const PictureRays& picture, const PixelRectangle& pixels, int threads, float* depths)
 {
   const SingleRays rays(picture);
   constexpr int tileEdge = 16;
@@ -180,7 +204,7 @@ int EmbreeTriangles::Trace(const PictureRays& picture, const PixelRectangle& pix
     {
       for (int x = left; x < left + tileEdge; x += PacketEdge)
       {
-        hits += TracePacket(this->Internal->Scene, rays, pixels, x, y);
+        hits += TracePacket(this->Internal->Scene, rays, pixels, x, y, depths);
       }
     }
   }

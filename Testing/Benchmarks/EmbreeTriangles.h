@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
@@ -30,9 +31,15 @@ public:
   /// are made on the way, as a tracer makes them.
   int Trace(const PictureRays& rays, const PixelRectangle& pixels, int threads);
 
+  /// The depths of the first hits of a part of a picture, row by row from the bottom: along the
+  /// view, and infinite where there is none.
+  std::vector<float> FindDepths(const PictureRays& rays, const PixelRectangle& pixels);
+
   static std::string GetVersion();
 
 private:
+  int Trace(const PictureRays& rays, const PixelRectangle& pixels, int threads, float* depths);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

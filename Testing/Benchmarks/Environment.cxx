@@ -8,7 +8,7 @@
 #endif
 #include "Baselines.h"
 #include "OffScreenWindow.h"
-#include "Setup.h"
+#include "Schedule.h"
 
 #include <vtkSMPTools.h>
 #include <vtkVersion.h>
@@ -51,6 +51,13 @@ Json::Value DescribeEnvironment(const std::vector<std::string>& command, OffScre
     : "none: there is no display (xvfb-run -a gives one); pictures are rays of CastRays, whole "
       "frames are not measured";
   return environment;
+}
+
+//------------------------------------------------------------------------------
+double GetResidentMebibytes()
+{
+  vtksys::SystemInformation system;
+  return static_cast<double>(system.GetProcMemoryUsed()) / 1024.0;
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,9 @@ class OffScreenWindow;
 /// draws in this window, if there is one.
 Json::Value DescribeEnvironment(const std::vector<std::string>& command, OffScreenWindow* window);
 
+/// The memory that the program has now.
+double GetResidentMebibytes();
+
 /// Of the baselines named, those that are available; says of the others why not.
 std::vector<std::string> SelectAvailable(
   const std::vector<std::string>& baselines, Json::Value& environment);

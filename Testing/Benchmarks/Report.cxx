@@ -3,6 +3,8 @@
 
 #include "Report.h"
 
+#include <algorithm>
+
 namespace Benchmark
 {
 namespace
@@ -44,10 +46,24 @@ Json::Value ToJson(const Table& table)
 }
 
 //------------------------------------------------------------------------------
+void Report::AddRow(const Table& empty, const std::vector<Cell>& row)
+{
+  auto table = std::find_if(this->Tables.begin(), this->Tables.end(),
+    [&empty](const Table& other) { return other.Name == empty.Name; });
+  if (table == this->Tables.end())
+  {
+    table = this->Tables.insert(table, empty);
+  }
+  table->Rows.push_back(row);
+}
+
+//------------------------------------------------------------------------------
 Json::Value Report::GetJson() const
 {
   Json::Value root;
   root["environment"] = this->Environment;
+  root["goals"] = Json::Value(Json::arrayValue);
+  root["tables"] = Json::Value(Json::arrayValue);
   for (const Goal& goal : this->Goals)
   {
     root["goals"].append(ToJson(goal));

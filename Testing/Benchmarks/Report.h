@@ -54,6 +54,9 @@ struct Report
   std::vector<Table> Tables;
   std::vector<Goal> Goals;
 
+  /// Adds a row to the table of this name, which is added where it is not there.
+  void AddRow(const Table& empty, const std::vector<Cell>& row);
+
   Json::Value GetJson() const;
 };
 

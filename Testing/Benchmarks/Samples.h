@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace Benchmark
@@ -57,6 +58,29 @@ double Measure(const Function& function)
   const auto start = std::chrono::steady_clock::now();
   function();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The processor time of a call on the calling thread, in seconds: other programs do not lengthen
+/// it.
+template <typename Function>
+double MeasureProcessor(const Function& function)
+{
+  const auto read = []()
+  {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = read();
+  function();
+  return read() - start;
+}
+
+/// The seconds of a call that works on so many threads: on one, processor time.
+template <typename Function>
+double MeasureOn(int threads, const Function& function)
+{
+  return threads == 1 ? MeasureProcessor(function) : Measure(function);
 }
 
 /// Whether a measurement that takes long should be repeated.

@@ -56,6 +56,14 @@ class TestDocuments(unittest.TestCase):
         goals = next(t for t in tables if t[0][:2] == ["goal", "what"])
         self.assertTrue(all(row[4] in ("met", "**missed**") for row in goals[2:]))
 
+    def test_performance_of_meshes(self):
+        text, tables = self.document("performance", RESULTS / "mesh" / "meshes.json")
+        self.assertIn("### First hits of rays, 64 x 64 pixels\n", text)
+        self.assertIn("## Meshes: hexahedra\n", text)
+        goals = [t for t in tables if t[0][:2] == ["goal", "what"]]
+        ours = next(t for t in goals if any("1080 tetrahedra, ball" in row[1] for row in t[2:]))
+        self.assertEqual(ours[-1][1], "not measured, which needs --shapes hexahedra")
+
     def test_accuracy(self):
         reports = [RESULTS / "accuracy" / name for name in ("fields", "cranium")]
         text, tables = self.document("accuracy", *reports)

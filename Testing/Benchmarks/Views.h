@@ -58,6 +58,8 @@ public:
   PictureRays(const View& view, int size);
 
   const Triple& GetOrigin() const { return this->Origin; }
+  /// The direction of the view, of length one. That of a ray has the length one along it.
+  const Triple& GetForward() const { return this->Forward; }
   Triple GetDirection(int x, int y) const;
   /// The difference of the directions of neighbours.
   const Triple& GetStepX() const { return this->StepX; }

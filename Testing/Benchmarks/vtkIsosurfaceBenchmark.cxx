@@ -15,6 +15,7 @@
 #include "PaperTables.h"
 #include "ReadImage.h"
 #include "Report.h"
+#include "Schedule.h"
 
 #include <vtkSMPTools.h>
 #include <vtksys/CommandLineArguments.hxx>
@@ -28,7 +29,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace
@@ -99,29 +99,6 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     return false;
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-std::vector<int> ParseThreads(const std::string& text)
-{
-  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<int> threads;
-  for (const std::string& number : vtksys::SystemTools::SplitString(text, ','))
-  {
-    const int count = std::atoi(number.c_str());
-    if (count < 1 || count > 1024)
-    {
-      throw std::runtime_error("--threads " + text + ": give numbers from 1 to 1024, such as 1,2");
-    }
-    threads.push_back(count);
-  }
-  if (text.empty())
-  {
-    threads = { 1, all };
-  }
-  std::sort(threads.begin(), threads.end());
-  threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
-  return threads;
 }
 
 //------------------------------------------------------------------------------
@@ -197,8 +174,9 @@ void MeasureAll(const Arguments& arguments, const Setup& setup, Report& report,
 void Run(const Arguments& arguments, const std::vector<std::string>& command)
 {
   Report report;
-  Setup setup{ nullptr, arguments.Isovalues, arguments.Size, arguments.Views,
-    ParseThreads(arguments.Threads), arguments.Repeats, {} };
+  Setup setup{ { arguments.Size, arguments.Views, ParseThreads(arguments.Threads),
+                 arguments.Repeats },
+    nullptr, arguments.Isovalues, {} };
   vtkSMPTools::Initialize(setup.GetMostThreads());
   // A display may close itself when it has no window: this one stays.
   const auto window =

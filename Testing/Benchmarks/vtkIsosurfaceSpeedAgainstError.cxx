@@ -14,7 +14,7 @@
 #include "PictureMethods.h"
 #include "RayMethods.h"
 #include "Samples.h"
-#include "Setup.h"
+#include "Schedule.h"
 
 #include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemTools.hxx>

@@ -178,9 +178,9 @@ void CheckColumns(vtkTable* table)
     "NextPictureTime", "NewIsovaluePictureTime", "Triangles", "Points", "Bytes", "PeakBytes",
     "MedianDistanceInCells", "P99DistanceInCells", "MaximumDistanceInCells", "MedianDistance",
     "P99Distance", "MaximumDistance", "MedianNormalError", "P99NormalError", "MaximumNormalError",
-    "LostPoints", "CoveredPixels", "DifferentPixels", "AmbiguousCells", "TopologyDifferences",
-    "Note" };
-  CheckEqual(table->GetNumberOfColumns(), 26, "number of columns");
+    "LostPoints", "CoveredPixels", "DifferentPixels", "IsosurfaceAlonePixels", "MeshAlonePixels",
+    "AmbiguousCells", "TopologyDifferences", "Note" };
+  CheckEqual(table->GetNumberOfColumns(), 28, "number of columns");
   for (const char* name : names)
   {
     Check(table->GetColumnByName(name) != nullptr, std::string("there is no column ") + name);

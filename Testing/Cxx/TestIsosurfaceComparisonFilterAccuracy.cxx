@@ -9,12 +9,14 @@
 #include "TestImages.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 
 #include <array>
@@ -32,10 +34,10 @@ namespace
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkIsosurfaceComparisonFilter> Compare(
-  vtkImageData* image, double isovalue, int pixels = 128, int outputRow = 0)
+  vtkDataSet* data, double isovalue, int pixels = 128, int outputRow = 0)
 {
   auto comparison = vtkSmartPointer<vtkIsosurfaceComparisonFilter>::New();
-  comparison->SetInputData(image);
+  comparison->SetInputData(data);
   comparison->SetValue(0, isovalue);
   comparison->SetNumberOfRepeats(1);
   comparison->MarchingCubesOff();
@@ -73,20 +75,11 @@ void TestPlanes(Checks& checks)
 }
 
 //------------------------------------------------------------------------------
-// A mesh that is off by a known distance must be said to be.
-void TestKnownDistance(Checks& checks)
+// Along x the samples are 0 and 1; the other way they rise, so that a triangle that is flat in a
+// cell is not on the isosurface x (1 + a y + b z) = 1/2 in its middle. Of the cell as an image, or
+// as a mesh.
+void CheckKnownDistance(Checks& checks, vtkDataSet* cell)
 {
-  // Along x the samples are 0 and 1; the other way they rise, so that a triangle that is flat in a
-  // cell is not on the isosurface x (1 + a y + b z) = 1/2 in its middle.
-  vtkNew<vtkImageData> cell;
-  cell->SetDimensions(2, 2, 2);
-  cell->SetSpacing(2.0, 2.0, 2.0);
-  cell->AllocateScalars(VTK_DOUBLE, 1);
-  const double values[8] = { 0, 1, 0, 2, 0, 3, 0, 8 };
-  for (int i = 0; i < 8; ++i)
-  {
-    cell->SetScalarComponentFromDouble(i & 1, i >> 1 & 1, i >> 2, 0, values[i]);
-  }
   const auto comparison = Compare(cell, 0.5);
   auto* mesh = vtkPolyData::SafeDownCast(comparison->GetOutputDataObject(1));
   vtkDataArray* cells = mesh->GetPointData()->GetArray("DistanceInCells");
@@ -124,6 +117,26 @@ void TestKnownDistance(Checks& checks)
   checks.That(largest > 0.01, "the test has a distance to measure");
   checks.Near(Get(comparison, 0, "MaximumDistanceInCells"), largest, 1e-6, "largest distance");
   checks.Near(Get(comparison, 0, "MaximumDistance"), 2.0 * largest, 2e-6, "largest in the world");
+}
+
+//------------------------------------------------------------------------------
+// A mesh that is off by a known distance must be said to be.
+void TestKnownDistance(Checks& checks)
+{
+  vtkNew<vtkImageData> cell;
+  cell->SetDimensions(2, 2, 2);
+  cell->SetSpacing(2.0, 2.0, 2.0);
+  cell->AllocateScalars(VTK_DOUBLE, 1);
+  const double values[8] = { 0, 1, 0, 2, 0, 3, 0, 8 };
+  for (int i = 0; i < 8; ++i)
+  {
+    cell->SetScalarComponentFromDouble(i & 1, i >> 1 & 1, i >> 2, 0, values[i]);
+  }
+  CheckKnownDistance(checks, cell);
+  vtkNew<vtkAppendFilter> voxel;
+  voxel->AddInputData(cell);
+  voxel->Update();
+  CheckKnownDistance(checks, voxel->GetOutput());
 }
 
 //------------------------------------------------------------------------------

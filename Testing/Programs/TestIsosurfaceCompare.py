@@ -9,6 +9,7 @@ import html.parser
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,10 +17,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkCommonCore import VTK_SHORT
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import VTK_SHORT, vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOLegacy import vtkStructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLStructuredGridWriter,
+    vtkXMLUnstructuredGridWriter,
+)
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
 from Displays import why_no_pictures, with_display, without_display
@@ -47,6 +56,42 @@ def new_ball(scalars=True):
             x, y, z = (c - 0.5 * (size - 1) for c in image.GetPoint(i))
             image.GetPointData().GetScalars().SetValue(i, round(10 * math.hypot(x, y, z)))
     return image
+
+
+MESH_METHODS = ["vtkContourGrid", "vtkContour3DLinearGrid", "vtkIsosurfaceRayTraceMeshMapper"]
+
+
+def new_grid(name="radius", scale=1):
+    """A bent curvilinear grid with the distance from its middle, scaled: the isovalue 0.7, scaled, is
+    a ball. Its cells have their height, its points their number, too."""
+    size = 9
+    points, distances, numbers, heights = (
+        vtkPoints(), vtkFloatArray(), vtkFloatArray(), vtkFloatArray()
+    )  # fmt: skip
+    for i in range(size**3):
+        x, y, z = (2 * c / (size - 1) - 1 for c in (i % size, i // size % size, i // size**2))
+        point = (x + 0.1 * math.sin(3 * y + z), y + 0.1 * math.sin(3 * z + x), z)
+        points.InsertNextPoint(point)
+        distances.InsertNextValue(scale * math.hypot(*point))
+        numbers.InsertNextValue(i)
+    for i in range((size - 1) ** 3):
+        heights.InsertNextValue(i // (size - 1) ** 2)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(size, size, size)
+    grid.SetPoints(points)
+    for array_name, array in ((name, distances), ("number", numbers)):
+        array.SetName(array_name)
+        grid.GetPointData().AddArray(array)
+    heights.SetName("height")
+    grid.GetCellData().AddArray(heights)
+    return grid
+
+
+def list_cells(grid):
+    append = vtkAppendFilter()
+    append.SetInputData(grid)
+    append.Update()
+    return append.GetOutput()
 
 
 class Page(html.parser.HTMLParser):
@@ -108,12 +153,13 @@ class TestIsosurfaceCompare(unittest.TestCase):
         writer.Write()
         return str(cls.folder / name)
 
-    def run_program(self, *arguments, environment=None):
+    def run_program(self, *arguments, environment=None, folder=None):
         return subprocess.run(
             [PROGRAM, "--repeats", "1", *map(str, arguments)],
             capture_output=True,
             text=True,
             timeout=300,
+            cwd=folder,
             env=environment,
             check=False,
         )
@@ -185,6 +231,41 @@ class TestIsosurfaceCompare(unittest.TestCase):
             png = (copy / "images" / f"comparison-{name}.png").read_bytes()
             self.assertGreater(read_png(png)[2], 5)
 
+    def check_document_of_meshes(self, table):
+        copy = self.folder / "DocumentationOfMeshes"
+        copy.mkdir()
+        shutil.copy(SOURCE / "Documentation" / "comparison.md", copy)
+        program = SOURCE / "Utilities" / "document_mesh_comparison.py"
+        command = [sys.executable, program, "--documentation", copy, table]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        page = (copy / "comparison.md").read_text(encoding="utf-8")
+        for method in MESH_METHODS:
+            self.assertRegex(page, rf"\| grid.ex2, 0.7 \| 512 \| {method} \| [0-9–]")
+
+    def test_documented_commands(self):
+        """Those of Documentation/comparison.md for meshes, with other data of the same names."""
+        page = (SOURCE / "Documentation" / "comparison.md").read_text(encoding="utf-8")
+        commands = re.findall(r"    xvfb-run -a vtkIsosurfaceCompare (--input data/.*\n.*--json.*)", page)
+        commands = [c.replace("\\\n", " ").split() for c in commands if "cranium" not in c]
+        self.assertEqual(len(commands), 3)
+        (self.folder / "data").mkdir()
+        writers = {
+            ".ex2": vtkExodusIIWriter, ".vtk": vtkStructuredGridWriter, ".vtu": vtkXMLUnstructuredGridWriter
+        }  # fmt: skip
+        for command in commands:
+            options = dict(zip(command[::2], command[1::2]))
+            data = new_grid(options.get("--array", "radius"), float(options["--isovalue"]) / 0.7)
+            path = Path(options["--input"])
+            data = data if path.suffix == ".vtk" else list_cells(data)
+            self.write_mesh(writers[path.suffix](), path, data)
+            result = self.run_program(
+                *command, "--repeats", "1", "--methods", "contour-3d-linear-grid", folder=self.folder
+            )
+            self.assertEqual(result.returncode, 0, result.stderr)
+            rows = json.loads((self.folder / options["--json"]).read_text())["rows"]
+            self.assertGreater(rows[0]["Triangles"], 200)
+
     def check_pictures(self, environment):
         result = self.run_program(
             "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges",
@@ -250,6 +331,96 @@ class TestIsosurfaceCompare(unittest.TestCase):
         result = self.run_program("--input", self.folder / "half.nii", "--isovalue", 60)
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("half.nii cannot be read", result.stderr)
+
+    def write_mesh(self, writer, name, data):
+        path = self.folder / name
+        writer.SetInputData(data)
+        writer.SetFileName(str(path))
+        writer.Write()
+        return path
+
+    def test_meshes(self):
+        """Every kind of file has the same triangles, and hits."""
+        grid, listed = new_grid(), list_cells(new_grid())
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, listed)
+        rows = {}
+        for writer, name, data in (
+            (vtkXMLStructuredGridWriter(), "grid.vts", grid),
+            (vtkStructuredGridWriter(), "grid.vtk", grid),
+            (vtkXMLUnstructuredGridWriter(), "grid.vtu", listed),
+            (vtkXMLMultiBlockDataWriter(), "grid.vtm", blocks),
+            (vtkExodusIIWriter(), "grid.ex2", listed),
+        ):
+            path = self.write_mesh(writer, name, data)
+            result = self.run_program(
+                "--input", path, "--array", "radius", "--isovalue", 0.7,
+                "--json", self.folder / "mesh.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 0, result.stderr)
+            table = json.loads((self.folder / "mesh.json").read_text())
+            self.assertEqual([row["Method"] for row in table["rows"]], MESH_METHODS)
+            self.assertEqual((table["points"], table["cells"]), (729, 512))
+            rows[name] = table["rows"]
+        self.check_document_of_meshes(self.folder / "mesh.json")
+        for name, (contours, linear, rays) in rows.items():
+            self.assertGreater(contours["Triangles"], 200, name)
+            self.assertGreater(contours["MedianDistance"], 1e-3, name)
+            self.assertLess(contours["MaximumDistance"], 0.1, name)
+            self.assertEqual(contours["Triangles"], rows["grid.vts"][0]["Triangles"], name)
+            self.assertEqual(linear["Triangles"], contours["Triangles"], name)
+            self.assertLess(rays["MaximumDistance"], 1e-12, name)
+            self.assertEqual(rays["CoveredPixels"], rows["grid.vts"][2]["CoveredPixels"], name)
+
+    def test_arrays_of_meshes(self):
+        """Those of cells are averaged; without a name it is the first of the points."""
+        path = self.write_mesh(vtkXMLStructuredGridWriter(), "arrays.vts", new_grid())
+        for array, isovalue in ((["--array", "height"], 3.25), ([], 0.6)):
+            result = self.run_program(
+                "--input", path, *array, "--isovalue", isovalue, "--methods", "contour-grid",
+                "--json", self.folder / "a.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 0, result.stderr)
+            rows = json.loads((self.folder / "a.json").read_text())["rows"]
+            self.assertGreater(rows[0]["Triangles"], 100)
+            self.assertEqual(rows[0]["Note"], "")
+
+    def test_report_on_a_mesh(self):
+        path = self.write_mesh(vtkXMLUnstructuredGridWriter(), "report.vtu", list_cells(new_grid()))
+        result = self.run_program(
+            "--input", path, "--array", "radius", "--isovalue", 0.7,
+            "--report", self.folder / "mesh",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = Page(self.folder / "mesh" / "report.html")
+        text = "".join(page.texts)
+        self.assertIn("512 cells, 729 points", text)
+        self.assertIn("from a new isovalue to the first complete frame", text)
+        self.assertNotIn("ambiguous cells they", text)
+        sizes = [read_png(picture) for picture in page.pictures]
+        self.assertEqual(len([size for size in sizes if size[:2] == (512, 512)]), 6)
+        self.assertEqual(len(sizes), 8)  # and the charts of totals and of the distances
+        for size in sizes:
+            self.assertGreater(size[2], 2, "an empty picture")
+
+    def test_errors_of_meshes(self):
+        whole = self.write_mesh(vtkXMLStructuredGridWriter(), "whole.vts", new_grid())
+        half = self.folder / "half.vts"
+        half.write_bytes(whole.read_bytes()[:3000])
+        image = self.folder / "image.vtk"
+        image.write_text("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n"
+                         "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n", encoding="utf-8")  # fmt: skip
+        for arguments, words in (
+            (("--input", self.folder / "absent.vtu", "--isovalue", 1), "there is no file"),
+            (("--input", half, "--isovalue", 1), "half.vts cannot be read"),
+            (("--input", image, "--isovalue", 1), "no unstructured and no structured grid"),
+            (("--input", whole, "--array", "x", "--isovalue", 1), 'no array "x"; it has: radius'),
+            (("--input", whole, "--isovalue", 1, "--max-memory", "1e-3"), "--max-memory"),
+            (("--input", self.ball, "--array", "x", "--isovalue", 1), "--array is for meshes"),
+        ):
+            result = self.run_program(*arguments)
+            self.assertNotEqual(result.returncode, 0, arguments)
+            self.assertIn(words, result.stderr)
 
     def test_errors(self):
         text = self.folder / "text.txt"

@@ -43,12 +43,15 @@ class TestOutputs(unittest.TestCase):
         benchmark = [BENCHMARKS / "vtkIsosurfaceBenchmark", "--input", self.sphere, "--isovalue", "0",
                      "--size", "16", "--views", "1", "--repeats", "1", "--threads", "1",
                      "--baselines", "none"]  # fmt: skip
+        meshes = [BENCHMARKS / "vtkIsosurfaceMeshBenchmark", "--cells", "100", "--fields", "ball",
+                  "--size", "16", "--views", "1", "--repeats", "1", "--threads", "1"]  # fmt: skip
         accuracy = [BENCHMARKS / "vtkIsosurfaceSpeedAgainstError", "--quick", "--input", self.sphere,
                     "--isovalue", "0"]  # fmt: skip
         yield [*compare, "--json", target / "a.json"], target / "a.json"
         yield [*compare, "--csv", target / "a.csv"], target / "a.csv"
         yield [*compare, "--report", target], target / "report.html"
         yield [*benchmark, "--json", target / "b.json"], target / "b.json"
+        yield [*meshes, "--json", target / "d.json"], target / "d.json"
         yield [*accuracy, "--output", target], target / "results.json"
         yield [*accuracy, "--output", target], target / "sphere-errors.vti"
         yield [VOLUME, "--field", "sphere", "--dimensions", "8", "--output", target / "c.mhd"], (
