@@ -4,7 +4,6 @@
 #include "Picture/PixelBlockRenderer.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -57,7 +56,7 @@ void PixelBlockRenderer::Trace(const PixelRectangle& block)
     block.Height };
   const PixelDepths depths = { scene.Depth ? scene.Depth + this->GetOffset(0, 0) : nullptr,
     scene.Pixels.Width };
-  std::fill_n(this->OpaqueT, RayPacket::Capacity, std::numeric_limits<double>::infinity());
+  this->Ends.Clear();
   // Projections last: they end at the surfaces of all fields.
   for (const bool isProjection : { false, true })
   {
@@ -93,13 +92,13 @@ void PixelBlockRenderer::TraceField(
     field.Field->Trace(traced.Packet, traced.Hits, beam);
     return;
   }
-  this->EndAtOpaqueHits(traced.Packet);
+  this->Ends.Cut(traced.Packet);
   field.Field->Trace(traced.Packet, traced.Hits, beam);
   for (Hit& hit : traced.Hits.Hits)
   {
     hit.Field = static_cast<int>(number);
   }
-  this->KeepOpaqueHits(field.Field->GetRequest(), traced.Hits);
+  this->Ends.Add(field.Field->GetRequest(), traced.Hits);
 }
 
 //------------------------------------------------------------------------------
@@ -120,38 +119,6 @@ void PixelBlockRenderer::FindCorners(
         corners.Direction[axis][corners.Count] = ray.Direction[axis];
       }
       ++corners.Count;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Ends rays at the nearest opaque hits so far: nothing is visible behind.
-void PixelBlockRenderer::EndAtOpaqueHits(RayPacket& packet) const
-{
-  for (int i = 0; i < packet.Count; ++i)
-  {
-    if (!Has(packet.Exists, i))
-    {
-      continue;
-    }
-    packet.End[i] = std::min(packet.End[i], this->OpaqueT[i] - packet.Base[i]);
-    if (!(packet.Begin[i] <= packet.End[i]))
-    {
-      Remove(i, packet.Exists);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void PixelBlockRenderer::KeepOpaqueHits(const TraceRequest& request, const RayHits& hits)
-{
-  for (std::size_t ray = 0; !request.Projection && ray + 1 < hits.First.size(); ++ray)
-  {
-    // Behind an opaque hit a ray has no others.
-    const std::size_t end = hits.First[ray + 1];
-    if (hits.First[ray] < end && request.GetOpacity(hits.Hits[end - 1]) >= 1.0)
-    {
-      this->OpaqueT[ray] = std::min(this->OpaqueT[ray], hits.Hits[end - 1].T);
     }
   }
 }
