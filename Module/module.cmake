@@ -79,6 +79,8 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceLeaves
+  Rendering/vtkIsosurfaceRayTraceMesh
   Rendering/vtkIsosurfaceRayTraceMeshInput
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture

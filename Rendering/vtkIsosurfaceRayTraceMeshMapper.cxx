@@ -36,6 +36,7 @@ int vtkIsosurfaceRayTraceMeshMapper::FillInputPortInformation(int /*port*/, vtkI
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -61,6 +62,21 @@ void vtkIsosurfaceRayTraceMeshMapper::Update()
 void vtkIsosurfaceRayTraceMeshMapper::Update(int /*port*/)
 {
   vtkIsosurfaceRayTraceEngine::UpdateInputs(this);
+}
+
+//------------------------------------------------------------------------------
+double* vtkIsosurfaceRayTraceMeshMapper::GetBounds()
+{
+  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(this, this->Bounds)
+    ? this->Bounds
+    : this->Superclass::GetBounds();
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceMeshMapper::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
+{
+  return this->Engine->FindBlock(cellId, cellInBlock, flatIndex);
 }
 
 //------------------------------------------------------------------------------
