@@ -43,8 +43,8 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   for (int field = 0; field < request.Input.GetNumberOfFields(); ++field)
   {
     shown.Field = request.Input.GetField(field);
-    scene.Pixels = vtkirt::Unite(
-      scene.Pixels, vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds()));
+    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
+    scene.Pixels = vtkirt::Unite(scene.Pixels, shown.Pixels);
     scene.Fields.push_back(shown);
   }
   this->Scene = std::move(scene);

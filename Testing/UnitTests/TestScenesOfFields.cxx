@@ -155,6 +155,37 @@ TEST(ScenesOfFields, AFieldWithoutHitsChangesNoBit)
 }
 
 //------------------------------------------------------------------------------
+TEST(ScenesOfFields, RaysAreMadeForThePixelsOfAFieldAlone)
+{
+  TwoSpheres spheres;
+  spheres.A.Select(1.0);
+  const Frame whole = Render({ Show(spheres.A, Red) });
+  SceneField part = Show(spheres.A, Red);
+  part.Pixels = { 0, 0, Width / 2, Height };
+  const Scene scene;
+  const Frame left = Render({ part });
+  int covered = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const auto pixel = static_cast<std::size_t>(y * Width + x);
+      const bool isHit = left.Hits[pixel].Surface != Hit::NoSurface;
+      covered += isHit ? 1 : 0;
+      if (x < Width / 2)
+      {
+        ASSERT_EQ(left.Depths[pixel], whole.Depths[pixel]);
+      }
+      else if (x >= Width / 2 + scene.TileWidth)
+      {
+        ASSERT_FALSE(isHit) << x;
+      }
+    }
+  }
+  EXPECT_GT(covered, 100);
+}
+
+//------------------------------------------------------------------------------
 TEST(ScenesOfFields, OpaqueFieldsHideEachOther)
 {
   TwoSpheres spheres;

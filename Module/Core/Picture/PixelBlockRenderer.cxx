@@ -28,14 +28,21 @@ void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
 {
   for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
-    if (this->Beams[i])
+    const SceneField& field = this->TheScene.Fields[i];
+    if (this->Beams[i] && Overlap(field.Pixels, this->InViewport(tile)))
     {
-      const SceneField& field = this->TheScene.Fields[i];
       RayPacket& corners = this->Traced[i].Packet;
       this->FindCorners(field.View, tile, corners);
       field.Field->Begin(corners, this->Beams[i].get());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+PixelRectangle PixelBlockRenderer::InViewport(const PixelRectangle& pixels) const
+{
+  return { this->TheScene.Pixels.X + pixels.X, this->TheScene.Pixels.Y + pixels.Y, pixels.Width,
+    pixels.Height };
 }
 
 //------------------------------------------------------------------------------
@@ -52,8 +59,7 @@ void PixelBlockRenderer::Trace(const PixelRectangle& block)
 {
   const Scene& scene = this->TheScene;
   this->Block = block;
-  const PixelRectangle pixels = { scene.Pixels.X + block.X, scene.Pixels.Y + block.Y, block.Width,
-    block.Height };
+  const PixelRectangle pixels = this->InViewport(block);
   const PixelDepths depths = { scene.Depth ? scene.Depth + this->GetOffset(0, 0) : nullptr,
     scene.Pixels.Width };
   this->Ends.Clear();
@@ -77,8 +83,7 @@ void PixelBlockRenderer::TraceField(
   const SceneField& field = this->TheScene.Fields[number];
   TracedPacket& traced = this->Traced[number];
   TracedField::Beam* beam = this->Beams[number].get();
-  this->FindCorners(field.View, this->Block, traced.Packet);
-  if (!field.Field->MayHitBetween(traced.Packet, beam))
+  if (!this->MayHit(field, beam, traced.Packet))
   {
     traced.Packet.Clear();
     traced.Packet.Count = pixels.Width * pixels.Height;
@@ -99,6 +104,19 @@ void PixelBlockRenderer::TraceField(
     hit.Field = static_cast<int>(number);
   }
   this->Ends.Add(field.Field->GetRequest(), traced.Hits);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a ray through the block may hit a field: decided by the rays at its corners.
+bool PixelBlockRenderer::MayHit(
+  const SceneField& field, TracedField::Beam* beam, RayPacket& corners) const
+{
+  if (!Overlap(field.Pixels, this->InViewport(this->Block)))
+  {
+    return false;
+  }
+  this->FindCorners(field.View, this->Block, corners);
+  return field.Field->MayHitBetween(corners, beam);
 }
 
 //------------------------------------------------------------------------------

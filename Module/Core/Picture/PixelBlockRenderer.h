@@ -41,6 +41,9 @@ private:
     RayHits Hits;
   };
 
+  /// Pixels that are counted from the rectangle drawn, in the viewport.
+  PixelRectangle InViewport(const PixelRectangle& pixels) const;
+  bool MayHit(const SceneField& field, TracedField::Beam* beam, RayPacket& corners) const;
   void FindCorners(const Camera& view, const PixelRectangle& pixels, RayPacket& corners) const;
   void TraceField(std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths);
   void WriteBackground();

@@ -24,6 +24,11 @@ inline bool IsEmpty(const PixelRectangle& pixels)
   return pixels.Width <= 0 || pixels.Height <= 0;
 }
 
+inline bool Overlap(const PixelRectangle& a, const PixelRectangle& b)
+{
+  return a.X < b.X + b.Width && b.X < a.X + a.Width && a.Y < b.Y + b.Height && b.Y < a.Y + a.Height;
+}
+
 /// The smallest rectangle with the pixels of both.
 inline PixelRectangle Unite(const PixelRectangle& a, const PixelRectangle& b)
 {
