@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceGridInput.h"
 
-#include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceImageColors.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
 #include "vtkCompositeDataSet.h"
@@ -90,10 +90,8 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors()
     const std::string problem = image ? vtkIsosurfaceRayTraceGeometry::FindProblem(image) : "";
     return problem.empty() ? "" : "The image to colour by (port 1): " + problem;
   }
-  return "There are no point data " +
-    (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +
-    (image ? " in the second input" : " in the input") +
-    " to colour by. Give an array with a tuple for every point to SetColorArrayName.";
+  return vtkIsosurfaceRayTraceColors::DescribeMissing(
+    name, image ? "the second input" : "the input");
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +135,7 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceGridInput::MakeColors(
   {
     return nullptr;
   }
-  return std::make_unique<vtkIsosurfaceRayTraceColors>(
+  return std::make_unique<vtkIsosurfaceRayTraceImageColors>(
     this->ColorImage, this->ColorArray, this->Source, colorsOfValues);
 }
 

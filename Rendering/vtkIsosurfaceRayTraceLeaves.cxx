@@ -12,6 +12,17 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace
+{
+
+/// The array to colour by, if there is a name.
+vtkDataArray* FindColors(vtkDataSet* data, const std::string& name)
+{
+  return name.empty() ? nullptr : vtkIsosurfaceRayTraceColors::FindArray(data, name);
+}
+
+}
+
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceLeaf::GetName() const
 {
@@ -66,8 +77,7 @@ void vtkIsosurfaceRayTraceLeaves::Take(
   this->OfCells = scalars.AreOfCells;
   this->NumberOfPoints = data->GetNumberOfPoints();
   this->NumberOfCells = data->GetNumberOfCells();
-  this->Leaves = { { data, 0, 0, 0, scalars.Array,
-    vtkIsosurfaceRayTraceColors::FindArray(data, colorArrayName) } };
+  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName) } };
 }
 
 //------------------------------------------------------------------------------
@@ -102,10 +112,7 @@ std::string vtkIsosurfaceRayTraceLeaves::Append(
   {
     return leaf.GetName() + ": " + problem;
   }
-  if (!colorArrayName.empty())
-  {
-    leaf.Colors = vtkIsosurfaceRayTraceColors::FindArray(leaf.Data, colorArrayName);
-  }
+  leaf.Colors = FindColors(leaf.Data, colorArrayName);
   if (leaf.Colors && first.Colors &&
     leaf.Colors->GetNumberOfComponents() != first.Colors->GetNumberOfComponents())
   {

@@ -21,6 +21,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "Mesh/ShapeFunctions.h"
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -79,27 +81,65 @@ std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
   return ids->GetDataTypeSize() == 8 ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
 }
 
+/// The memory of the points, where they are read where they are.
+const void* FindPoints(vtkPointSet* grid)
+{
+  vtkDataArray* points = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
+  return points && points->HasStandardMemoryLayout() ? points->GetVoidPointer(0) : nullptr;
+}
+
+/// When a grid was modified last, but for its arrays: those that are not traced do not matter.
+vtkMTimeType FindOwnTime(vtkPointSet* grid)
+{
+  return std::max({ grid->vtkObject::GetMTime(), grid->GetPointData()->vtkObject::GetMTime(),
+    grid->GetCellData()->vtkObject::GetMTime() });
+}
+
+/// The objects of a grid that are traced. Some may be null.
+std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
+{
+  std::vector<vtkObject*> parts = { scalars, grid->GetPoints(), grid->GetCellGhostArray(),
+    grid->GetPointGhostArray() };
+  if (auto* listed = vtkUnstructuredGrid::SafeDownCast(grid))
+  {
+    parts.insert(parts.end(), { listed->GetCells(), listed->GetCellTypesArray() });
+  }
+  return parts;
+}
+
 }
 
 //------------------------------------------------------------------------------
 /// While it is the same, so is the mesh.
 struct vtkIsosurfaceRayTraceMesh::Key
 {
-  vtkPointSet* Grid;
-  vtkMTimeType GridTime;
-  vtkDataArray* Array;
-  vtkMTimeType ArrayTime;
-  const void* Points;
-  bool AreOfCells;
-  int Component;
+  Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
+    : Grid(grid)
+    , GridTime(FindOwnTime(grid))
+    , Points(FindPoints(grid))
+    , AreOfCells(scalars.AreOfCells)
+    , Component(scalars.Component)
+  {
+    for (vtkObject* part : FindParts(grid, scalars.Array))
+    {
+      this->Parts.emplace_back(part, part ? part->GetMTime() : 0);
+    }
+  }
 
   bool operator==(const Key& other) const
   {
     return this->Grid == other.Grid && this->GridTime == other.GridTime &&
-      this->Array == other.Array && this->ArrayTime == other.ArrayTime &&
       this->Points == other.Points && this->AreOfCells == other.AreOfCells &&
-      this->Component == other.Component;
+      this->Component == other.Component && this->Parts == other.Parts;
   }
+
+  vtkPointSet* Grid;
+  vtkMTimeType GridTime;
+  /// The memory of the points.
+  const void* Points;
+  bool AreOfCells;
+  int Component;
+  std::vector<std::pair<vtkObject*, vtkMTimeType>> Parts;
 };
 
 //------------------------------------------------------------------------------
@@ -123,7 +163,7 @@ bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
   vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
-  : MadeFrom(std::make_unique<Key>(MakeKey(grid, scalars)))
+  : MadeFrom(std::make_unique<Key>(grid, scalars))
   , Scalars(scalars)
 {
 }
@@ -132,22 +172,10 @@ vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
 vtkIsosurfaceRayTraceMesh::~vtkIsosurfaceRayTraceMesh() = default;
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceMesh::Key vtkIsosurfaceRayTraceMesh::MakeKey(
-  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
-{
-  vtkPoints* points = grid->GetPoints();
-  vtkDataArray* coordinates = points ? points->GetData() : nullptr;
-  return { grid, grid->GetMTime(), scalars.Array, scalars.Array->GetMTime(),
-    coordinates && coordinates->HasStandardMemoryLayout() ? coordinates->GetVoidPointer(0)
-                                                          : nullptr,
-    scalars.AreOfCells, scalars.Component };
-}
-
-//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsOf(
   vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars) const
 {
-  return MakeKey(grid, scalars) == *this->MadeFrom;
+  return Key(grid, scalars) == *this->MadeFrom;
 }
 
 //------------------------------------------------------------------------------
@@ -340,8 +368,7 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
   }
   constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
     vtkDataSetAttributes::DUPLICATECELL;
-  const vtkirt::MeshCells cells(this->View);
-  const std::int64_t count = cells.GetNumberOfCells();
+  const std::int64_t count = this->Cells->GetNumberOfCells();
   this->HiddenCells.resize(static_cast<std::size_t>(count), 0);
   for (std::int64_t i = 0; i < count; ++i)
   {
@@ -349,7 +376,7 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
     const vtkIdType id = this->CellIds.empty() ? i : this->CellIds[number];
     bool isHidden = cellFlags && (cellFlags->GetValue(id) & hiddenCell) != 0;
     vtkirt::MeshCell cell;
-    if (pointFlags && cells.LoadIds(i, cell))
+    if (pointFlags && this->Cells->LoadIds(i, cell))
     {
       isHidden = isHidden ||
         std::any_of(cell.Ids, cell.Ids + cell.Count,
@@ -369,6 +396,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
   }
   this->SelectPoints();
   this->SelectValues();
+  this->Cells = std::make_unique<vtkirt::MeshCells>(this->View);
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(this->View, threads);
   return true;
@@ -415,11 +443,31 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::Interpolate(
+  const vtkirt::Hit& hit, vtkDataArray* array, int components, double* values) const
+{
+  vtkirt::MeshCell cell;
+  this->Cells->LoadIds(hit.Cell, cell);
+  vtkirt::CornerWeights weights;
+  vtkirt::GetWeights(cell.Shape, hit.Parametric, weights);
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] = 0.0;
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      // Values without weight may be NaN.
+      values[component] +=
+        weights[i] == 0.0 ? 0.0 : weights[i] * array->GetComponent(cell.Ids[i], component);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 {
   vtkPointSet* grid = this->GetGrid();
   return this->Field && grid->GetNumberOfPoints() >= this->View.NumberOfPoints &&
-    MakeKey(grid, this->Scalars).Points == this->MadeFrom->Points &&
+    FindPoints(grid) == this->MadeFrom->Points &&
     (this->PlainScalars || this->PointScalars ||
       this->Scalars.Array->GetNumberOfTuples() >= this->View.NumberOfPoints);
 }
@@ -427,10 +475,9 @@ bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMesh::AddObjects(std::vector<vtkObject*>& objects) const
 {
-  vtkPointSet* grid = this->GetGrid();
-  auto* listed = vtkUnstructuredGrid::SafeDownCast(grid);
-  objects.insert(objects.end(),
-    { grid, grid->GetPoints(), this->Scalars.Array, listed ? listed->GetCells() : nullptr });
+  objects.push_back(this->GetGrid());
+  const std::vector<vtkObject*> parts = FindParts(this->GetGrid(), this->Scalars.Array);
+  objects.insert(objects.end(), parts.begin(), parts.end());
 }
 
 VTK_ABI_NAMESPACE_END

@@ -62,6 +62,13 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
+  /// Finds the first components of an array of the points at a hit. Called by many threads at once.
+  void Interpolate(const vtkIsosurfaceRayTracing::Hit& hit, vtkDataArray* array, int components,
+    double* values) const;
+
+  /// The number of points that are traced.
+  vtkIdType GetNumberOfPoints() const { return this->View.NumberOfPoints; }
+
   /// See vtkIsosurfaceRayTraceInput.
   bool IsIntact() const;
   void AddObjects(std::vector<vtkObject*>& objects) const;
@@ -69,7 +76,6 @@ public:
 private:
   struct Key;
 
-  static Key MakeKey(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars);
   std::string SelectListedCells(vtkUnstructuredGrid* grid);
   void ViewCells(vtkCellArray* cells);
   void SubdivideCells(vtkUnstructuredGrid* grid);
@@ -81,6 +87,8 @@ private:
   std::unique_ptr<Key> MadeFrom;
   vtkIsosurfaceRayTraceScalars Scalars;
   vtkIsosurfaceRayTracing::MeshView View;
+  /// Null before Update.
+  std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
   /// Copies of what cannot be read where it is: points, scalars.
   vtkSmartPointer<vtkDataArray> PlainPoints;

@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceMeshColors.h"
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
@@ -51,6 +52,14 @@ std::string vtkIsosurfaceRayTraceMeshInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
+  const std::string colors = this->Mapper->GetColorArrayName();
+  const bool haveColors = colors.empty() ||
+    std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
+      [](const vtkIsosurfaceRayTraceLeaf& leaf) { return leaf.Colors; });
+  if (!haveColors)
+  {
+    return vtkIsosurfaceRayTraceColors::DescribeMissing(colors, "the input");
+  }
   // Leaves have as many components as the first.
   vtkIsosurfaceRayTraceScalars scalars;
   scalars.Array = this->Leaves.Get().front().Scalars;
@@ -84,7 +93,7 @@ std::string vtkIsosurfaceRayTraceMeshInput::SelectLeaves()
   this->IsComposite = composite != nullptr;
   if (composite)
   {
-    return this->Leaves.Collect(composite, this->Mapper, "",
+    return this->Leaves.Collect(composite, this->Mapper, this->Mapper->GetColorArrayName(),
       { Mesh::IsMesh, Mesh::HasVolume, "vtkUnstructuredGrid and vtkStructuredGrid" });
   }
   auto* data = vtkDataSet::SafeDownCast(input);
@@ -93,7 +102,7 @@ std::string vtkIsosurfaceRayTraceMeshInput::SelectLeaves()
     return "There is no input. Give a vtkUnstructuredGrid, a vtkStructuredGrid or composite data "
            "of them with SetInputData, SetInputDataObject or SetInputConnection.";
   }
-  this->Leaves.Take(data, this->Mapper, "");
+  this->Leaves.Take(data, this->Mapper, this->Mapper->GetColorArrayName());
   return "";
 }
 
@@ -179,9 +188,18 @@ const vtkirt::Matrix4& vtkIsosurfaceRayTraceMeshInput::GetPhysicalFromObject() c
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceMeshInput::MakeColors(
-  const vtkIsosurfaceRayTraceValueColors& /*colorsOfValues*/) const
+  const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
 {
-  return nullptr;
+  if (!this->Leaves.Get().front().Colors)
+  {
+    return nullptr;
+  }
+  std::vector<vtkIsosurfaceRayTraceMeshColors::Part> parts;
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    parts.push_back({ this->Meshes[i].get(), this->Leaves.Get()[i].Colors });
+  }
+  return std::make_unique<vtkIsosurfaceRayTraceMeshColors>(parts, colorsOfValues);
 }
 
 //------------------------------------------------------------------------------
@@ -222,8 +240,12 @@ vtkDataSet* vtkIsosurfaceRayTraceMeshInput::FindBlock(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMeshInput::IsIntact() const
 {
-  return std::all_of(this->Meshes.begin(), this->Meshes.end(),
-    [](const std::unique_ptr<Mesh>& mesh) { return mesh->IsIntact(); });
+  return std::equal(this->Meshes.begin(), this->Meshes.end(), this->Leaves.Get().begin(),
+    [](const std::unique_ptr<Mesh>& mesh, const vtkIsosurfaceRayTraceLeaf& leaf)
+    {
+      return mesh->IsIntact() &&
+        (!leaf.Colors || leaf.Colors->GetNumberOfTuples() >= mesh->GetNumberOfPoints());
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -233,6 +255,10 @@ std::vector<vtkObject*> vtkIsosurfaceRayTraceMeshInput::GetObjects() const
   for (const std::unique_ptr<Mesh>& mesh : this->Meshes)
   {
     mesh->AddObjects(objects);
+  }
+  for (const vtkIsosurfaceRayTraceLeaf& leaf : this->Leaves.Get())
+  {
+    objects.push_back(leaf.Colors);
   }
   return objects;
 }

@@ -89,6 +89,15 @@ void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetColorArrayName(const char* name)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetName(name, this->ColorArrayName))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMeshMapper::GetSettings() const
 {
   vtkIsosurfaceRayTraceSettings settings;

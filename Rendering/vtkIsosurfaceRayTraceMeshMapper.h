@@ -37,6 +37,8 @@
  * classes are an error. Each block has a tree, which is built again when that block changes. Cells
  * and points are numbered through all blocks: see FindBlock.
  *
+ * The colour of a surface may come from another array (ColorArrayName).
+ *
  * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
  * ClippingPlanes cut them exactly, along every ray.
  *
@@ -55,6 +57,7 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -143,6 +146,18 @@ public:
    */
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the name of a point array of the input that colours the surfaces instead of their
+   * isovalues: its value at a hit, interpolated in the cell, is mapped through the colour transfer
+   * function of the property; an array of unsigned char with three or four components holds the
+   * colours themselves. All blocks of a composite input must have it. Opacity is always that of the
+   * isovalue. Default: empty, and surfaces are coloured by isovalue.
+   */
+  void SetColorArrayName(const char* name);
+  const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
   ///@}
 
   ///@{
@@ -426,6 +441,7 @@ private:
   int NormalMode = CENTRAL_DIFFERENCES;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  std::string ColorArrayName;
   bool Shadows = false;
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;
