@@ -185,6 +185,14 @@ vtkPointSet* vtkIsosurfaceRayTraceMesh::GetGrid() const
 }
 
 //------------------------------------------------------------------------------
+/// The memory of an array, which must be the same as long as the array is traced.
+const void* vtkIsosurfaceRayTraceMesh::Read(vtkDataArray* array)
+{
+  this->ReadArrays.push_back({ array, array->GetVoidPointer(0), array->GetNumberOfValues() });
+  return this->ReadArrays.back().Memory;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceMesh::SelectCells()
 {
   vtkPointSet* grid = this->GetGrid();
@@ -250,8 +258,8 @@ void vtkIsosurfaceRayTraceMesh::ViewCells(vtkCellArray* cells)
   if (idType && FindIdType(offsets) == idType)
   {
     this->View.IdType = *idType;
-    this->View.Offsets = offsets->GetVoidPointer(0);
-    this->View.Connectivity = connectivity->GetVoidPointer(0);
+    this->View.Offsets = this->Read(offsets);
+    this->View.Connectivity = this->Read(connectivity);
     return;
   }
   const auto copy = [](vtkDataArray* from, std::vector<std::int64_t>& to)
@@ -326,7 +334,7 @@ void vtkIsosurfaceRayTraceMesh::SelectPoints()
     this->PlainPoints->DeepCopy(points);
     points = this->PlainPoints;
   }
-  this->View.Points = points->GetVoidPointer(0);
+  this->View.Points = this->Read(points);
   this->View.PointType =
     points->GetDataType() == VTK_FLOAT ? vtkirt::ScalarType::Float32 : vtkirt::ScalarType::Float64;
 }
@@ -352,6 +360,7 @@ void vtkIsosurfaceRayTraceMesh::SelectValues()
     ofPoints.AreOfCells = false;
   }
   const vtkIsosurfaceRayTraceScalars::View values = ofPoints.MakeView(this->PlainScalars);
+  this->Read(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
   this->View.Values = values.Values;
   this->View.ValueType = values.Type;
   this->View.ValueStride = values.Stride;
@@ -439,7 +448,17 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindNearestPoint(
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
 {
-  return FindNearestPoint(this->GetGrid(), this->FindCell(hit), this->Field->GetPoint(hit).data());
+  // Of what is traced: an observer may have given the grid other points and cells.
+  vtkirt::MeshCell cell;
+  this->Cells->Load(hit.Cell, cell);
+  const vtkirt::Vector3 position = this->Field->GetPoint(hit);
+  const auto* nearest = std::min_element(cell.Points, cell.Points + cell.Count,
+    [&position](const vtkirt::Vector3& a, const vtkirt::Vector3& b)
+    {
+      return vtkMath::Distance2BetweenPoints(a.data(), position.data()) <
+        vtkMath::Distance2BetweenPoints(b.data(), position.data());
+    });
+  return cell.Ids[nearest - cell.Points];
 }
 
 //------------------------------------------------------------------------------
@@ -465,11 +484,12 @@ void vtkIsosurfaceRayTraceMesh::Interpolate(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 {
-  vtkPointSet* grid = this->GetGrid();
-  return this->Field && grid->GetNumberOfPoints() >= this->View.NumberOfPoints &&
-    FindPoints(grid) == this->MadeFrom->Points &&
-    (this->PlainScalars || this->PointScalars ||
-      this->Scalars.Array->GetNumberOfTuples() >= this->View.NumberOfPoints);
+  return std::all_of(this->ReadArrays.begin(), this->ReadArrays.end(),
+    [](const ReadArray& read)
+    {
+      return read.Array->GetVoidPointer(0) == read.Memory &&
+        read.Array->GetNumberOfValues() >= read.Values;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -478,6 +498,10 @@ void vtkIsosurfaceRayTraceMesh::AddObjects(std::vector<vtkObject*>& objects) con
   objects.push_back(this->GetGrid());
   const std::vector<vtkObject*> parts = FindParts(this->GetGrid(), this->Scalars.Array);
   objects.insert(objects.end(), parts.begin(), parts.end());
+  for (const ReadArray& read : this->ReadArrays)
+  {
+    objects.push_back(read.Array);
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -76,6 +76,16 @@ public:
 private:
   struct Key;
 
+  /// An array in the memory of its owner.
+  struct ReadArray
+  {
+    vtkDataArray* Array;
+    const void* Memory;
+    vtkIdType Values;
+  };
+
+  const void* Read(vtkDataArray* array);
+
   std::string SelectListedCells(vtkUnstructuredGrid* grid);
   void ViewCells(vtkCellArray* cells);
   void SubdivideCells(vtkUnstructuredGrid* grid);
@@ -90,7 +100,8 @@ private:
   /// Null before Update.
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
-  /// Copies of what cannot be read where it is: points, scalars.
+  /// What is read where it is, and copies of what cannot: points, scalars.
+  std::vector<ReadArray> ReadArrays;
   vtkSmartPointer<vtkDataArray> PlainPoints;
   vtkSmartPointer<vtkDataArray> PointScalars;
   vtkSmartPointer<vtkDataArray> PlainScalars;
