@@ -40,6 +40,7 @@ public:
   {
     return this->Source.GetField();
   }
+  double GetCellSize(int /*field*/) const override { return 1.0; }
   vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const override;
   const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const override
   {

@@ -42,6 +42,9 @@ public:
   virtual int GetNumberOfFields() const = 0;
   virtual vtkIsosurfaceRayTracing::TracedField* GetField(int number) const = 0;
 
+  /// The size of the cells of a field in object space, about.
+  virtual double GetCellSize(int field) const = 0;
+
   /// What of a field is visible: by blanking, ghosts, and the cropping of the mapper.
   virtual vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const = 0;
 

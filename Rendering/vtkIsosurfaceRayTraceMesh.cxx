@@ -24,6 +24,7 @@
 #include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -417,6 +418,15 @@ vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
   vtkirt::Visibility visible;
   visible.HiddenCells = this->HiddenCells.empty() ? nullptr : this->HiddenCells.data();
   return visible;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMesh::GetCellSize() const
+{
+  using vtkirt::operator-;
+  const vtkirt::Bounds box = this->Field->GetBounds();
+  return vtkirt::Length(box.Upper - box.Lower) /
+    std::cbrt(static_cast<double>(this->Cells->GetNumberOfCells()));
 }
 
 //------------------------------------------------------------------------------

@@ -58,6 +58,9 @@ public:
   vtkIsosurfaceRayTracing::MeshField* GetField() const { return this->Field.get(); }
   vtkIsosurfaceRayTracing::Visibility FindVisible() const;
 
+  /// As if all cells were cubes of one size.
+  double GetCellSize() const;
+
   vtkPointSet* GetGrid() const;
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;

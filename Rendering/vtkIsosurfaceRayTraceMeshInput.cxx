@@ -169,6 +169,12 @@ vtkirt::TracedField* vtkIsosurfaceRayTraceMeshInput::GetField(int number) const
 }
 
 //------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshInput::GetCellSize(int field) const
+{
+  return this->Meshes[static_cast<std::size_t>(field)]->GetCellSize();
+}
+
+//------------------------------------------------------------------------------
 vtkirt::Visibility vtkIsosurfaceRayTraceMeshInput::FindVisible(int field) const
 {
   return this->Meshes[static_cast<std::size_t>(field)]->FindVisible();

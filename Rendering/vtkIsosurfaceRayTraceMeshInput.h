@@ -33,6 +33,7 @@ public:
 
   int GetNumberOfFields() const override;
   vtkIsosurfaceRayTracing::TracedField* GetField(int number) const override;
+  double GetCellSize(int field) const override;
   vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const override;
   const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const override;
   int GetPropertyComponent() const override { return this->PropertyComponent; }

@@ -43,6 +43,7 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   for (int field = 0; field < request.Input.GetNumberOfFields(); ++field)
   {
     shown.Field = request.Input.GetField(field);
+    shown.CellSize = request.Input.GetCellSize(field);
     shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
     scene.Pixels = vtkirt::Unite(scene.Pixels, shown.Pixels);
     scene.Fields.push_back(shown);

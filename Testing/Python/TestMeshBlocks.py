@@ -228,26 +228,33 @@ class TestMeshBlocks(unittest.TestCase):
             self.assertAlmostEqual(hit[1], expected[1], delta=1e-12)
 
     def test_one_block_shadows_another(self):
-        """The light comes from above, where the ball is."""
-        floor = make_structured_grid(lambda p: 1.0 - p[1])
-        for shadows in (False, True):
-            scene = Scene(multi_block(make_grid(VTK_TETRA, ball), floor), 0.3)
-            scene.mapper.SetShadows(shadows)
-            scene.camera.SetPosition(3.0, 16.0, 3.0)
-            scene.camera.SetFocalPoint(3.0, 0.0, 3.0)
-            scene.camera.SetViewUp(0.0, 0.0, 1.0)
-            light = self.light_on_floor(scene, (9.0, 12.0, 3.0))
-            dark = sum(color < 60.0 for color in light)
-            self.assertGreater(len(light), 500)
-            self.assertEqual(dark > 100, shadows, dark)
+        """The light comes from above, where the ball is; whatever the unit of length."""
+        for unit in (1.0, 1e-7, 1e7):
+            ball_block, floor = make_grid(VTK_TETRA, ball), make_structured_grid(lambda p: 1.0 - p[1])
+            for block in (ball_block, floor):
+                points = block.GetPoints()
+                for i in range(block.GetNumberOfPoints()):
+                    points.SetPoint(i, [unit * p for p in points.GetPoint(i)])
+            for shadows in (False, True):
+                with self.subTest(unit=unit, shadows=shadows):
+                    scene = Scene(multi_block(ball_block, floor), 0.3)
+                    scene.mapper.SetShadows(shadows)
+                    scene.camera.SetPosition(3.0 * unit, 16.0 * unit, 3.0 * unit)
+                    scene.camera.SetFocalPoint(3.0 * unit, 0.0, 3.0 * unit)
+                    scene.camera.SetViewUp(0.0, 0.0, 1.0)
+                    scene.camera.SetClippingRange(unit, 30.0 * unit)
+                    light = self.light_on_floor(scene, unit)
+                    dark = sum(color < 60.0 for color in light)
+                    self.assertGreater(len(light), 500)
+                    self.assertEqual(dark > 100, shadows, dark)
 
     @staticmethod
-    def light_on_floor(scene, position):
+    def light_on_floor(scene, unit):
         """The brightness of the pixels that show the floor."""
         light = vtkLight()
         light.PositionalOn()
         light.SetConeAngle(180.0)
-        light.SetPosition(position)
+        light.SetPosition(9.0 * unit, 12.0 * unit, 3.0 * unit)
         lights = vtkLightCollection()
         lights.AddItem(light)
         image = vtkImageData()
@@ -255,7 +262,7 @@ class TestMeshBlocks(unittest.TestCase):
         data = image.GetPointData()
         positions, pixels = data.GetArray("Position"), data.GetArray("Colors")
         return [pixels.GetTuple(i)[0] for i in range(PIXELS**2)
-                if abs(positions.GetTuple(i)[1] - 0.7) < 1e-3]  # fmt: skip
+                if abs(positions.GetTuple(i)[1] - 0.7 * unit) < 1e-3 * unit]  # fmt: skip
 
     def test_picks_and_selections_name_the_block(self):
         blocks = cut(make_structured_grid(ball), ghosts=1)
@@ -350,6 +357,7 @@ class TestMeshBlocks(unittest.TestCase):
         set_values(large, plane)
         small = make_grid(VTK_TETRA, ball)
         mapper, volume = make_volume(multi_block(large, small), 0.0)
+        mapper.SetNumberOfThreads(1)  # Several may wait for each other.
         before = cast(mapper, volume, parallel_rays())
         first = mapper.GetTreeBuildTime()
         times = []
