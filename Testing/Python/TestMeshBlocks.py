@@ -166,6 +166,8 @@ class TestMeshBlocks(unittest.TestCase):
                         self.assertEqual(hit[0], other[0])
                         self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
                         self.check_cells(scene.mapper, hit[2], blocks, whole.GetCell(other[2]))
+                        if ghosts:
+                            self.assertLess(math.dist(hit[3], other[3]), 1e-6)
 
     def check_cells(self, mapper, number, blocks, expected):
         """A cell of the blocks lies where it is expected."""
