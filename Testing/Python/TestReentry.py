@@ -129,8 +129,13 @@ class MeshScene(Scene):
             append.Update()
             block = vtkUnstructuredGrid()
             block.DeepCopy(append.GetOutput())
+            colors = vtkDoubleArray()
+            colors.DeepCopy(block.GetPointData().GetScalars())
+            colors.SetName("colors")
+            block.GetPointData().AddArray(colors)
             self.data.SetBlock(i, block)
         self.mapper.SetInputDataObject(self.data)
+        self.mapper.SetColorArrayName("colors")
 
     def get_leaf(self):
         return self.data.GetBlock(1)
@@ -306,23 +311,33 @@ def shrink_cells(scene):
     scene.get_leaf().GetCells().GetConnectivityArray().Squeeze()
 
 
+def release_colors(scene):
+    scene.get_leaf().GetPointData().GetArray("colors").Initialize()
+
+
+def remove_colors(scene):
+    scene.get_leaf().GetPointData().RemoveArray("colors")
+
+
 def remove_block(scene):
     scene.data.SetBlock(1, None)
 
 
 MESH_ATTACKS = {function.__name__: function for function in
-                (shrink_points, release_points, release_cells, shrink_cells, remove_block)}
+                (shrink_points, release_points, release_cells, shrink_cells, release_colors, remove_colors,
+                 remove_block)}
 
 
 # What is not seen in the frame in which it is done.
 PUT_OFF = {"set_input", "set_input_and_cast", "cast", "render_to_image", "pick", "change_isovalue_and_cast",
            "change_property", "clear_functions", "change_settings", "add_clipping_plane", "reallocate", "initialize",
            "remove_scalars", "remove_input", "render_window", "render_other_window", "take_mapper",
-           "take_volume", "take_all_props", "remove_block"}
+           "take_volume", "take_all_props", "remove_colors", "remove_block"}
 # What changes nothing at all.
 HARMLESS = {"cast", "render_to_image", "pick", "render_window", "render_other_window", "release_resources",
             "select", "abort"}
-RELEASED = ("shrink_scalars", "release_scalars", "shrink_points", "release_points", "release_cells", "shrink_cells")
+RELEASED = ("shrink_scalars", "release_scalars", "shrink_points", "release_points", "release_cells", "shrink_cells",
+            "release_colors")
 ERRORS = {**dict.fromkeys(RELEASED, "has released or made shorter"), "render_other_window": "tracing already"}
 
 
