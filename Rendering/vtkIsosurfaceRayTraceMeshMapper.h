@@ -42,6 +42,9 @@
  * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
  * ClippingPlanes cut them exactly, along every ray.
  *
+ * What vtkIsosurfaceRayTraceMapper says of errors, of events and what their observers may do, and
+ * of threads, holds here too.
+ *
  * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
  * IEEE Computer Graphics and Applications 21(4), 2001.
  *
