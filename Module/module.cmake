@@ -79,7 +79,11 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceGridInput
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder
+  Rendering/vtkIsosurfaceRayTraceImageColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceLeaves
+  Rendering/vtkIsosurfaceRayTraceMesh
+  Rendering/vtkIsosurfaceRayTraceMeshColors
   Rendering/vtkIsosurfaceRayTraceMeshInput
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture

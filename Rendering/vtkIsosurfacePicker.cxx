@@ -4,7 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceGeometry.h"
-#include "vtkIsosurfaceRayTraceMeshInput.h"
+#include "vtkIsosurfaceRayTraceMesh.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
@@ -170,7 +170,7 @@ void vtkIsosurfacePicker::SetPickInfo(
   this->Transform->GetLinearInverse()->TransformNormal(hit.Normal, this->MapperNormal);
   if (vtkPointSet::SafeDownCast(grid))
   {
-    this->PointId = vtkIsosurfaceRayTraceMeshInput::FindNearestPoint(grid, cell, position);
+    this->PointId = vtkIsosurfaceRayTraceMesh::FindNearestPoint(grid, cell, position);
   }
   else
   {

@@ -6,19 +6,16 @@
 #ifndef vtkIsosurfaceRayTraceBlock_h
 #define vtkIsosurfaceRayTraceBlock_h
 
-#include "vtkDataSet.h"                    // for ivars
 #include "vtkDataSetAttributes.h"          // for ghost types
+#include "vtkIsosurfaceRayTraceLeaves.h"   // for base class
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
 #include "Math/Vector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkDataArray;
-
-struct vtkIsosurfaceRayTraceBlock
+struct vtkIsosurfaceRayTraceBlock : vtkIsosurfaceRayTraceLeaf
 {
   using Index3 = vtkIsosurfaceRayTracing::Index3;
 
@@ -43,14 +40,6 @@ struct vtkIsosurfaceRayTraceBlock
     vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   static constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
 
-  vtkSmartPointer<vtkDataSet> Data;
-  unsigned int FlatIndex;
-  /// The numbers of points and cells of the blocks before it.
-  vtkIdType FirstPoint;
-  vtkIdType FirstCell;
-  /// Its scalars; and the array to colour by, which may be null.
-  vtkDataArray* Scalars;
-  vtkDataArray* Colors;
   /// The index of its first point in the grid.
   Index3 First;
 

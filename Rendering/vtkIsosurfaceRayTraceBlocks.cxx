@@ -3,22 +3,15 @@
 #include "vtkIsosurfaceRayTraceBlocks.h"
 
 #include "vtkIsosurfaceRayTraceBlockJoin.h"
-#include "vtkIsosurfaceRayTraceColors.h"
-#include "vtkIsosurfaceRayTraceProblems.h"
+#include "vtkIsosurfaceRayTraceGeometry.h"
 
-#include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -36,9 +29,15 @@ namespace
 
 using Block = vtkIsosurfaceRayTraceBlock;
 
-std::string NameBlock(const Block& block)
+bool IsGrid(vtkDataSet* data)
 {
-  return "Block " + std::to_string(block.FlatIndex) + " of the composite input";
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data);
+}
+
+bool HasVolume(vtkDataSet* grid)
+{
+  const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
+  return std::min({ points[0], points[1], points[2] }) >= 2;
 }
 
 /// The index of a block's first point on the lattice of an image. Returns false if the block lies
@@ -86,13 +85,21 @@ bool FindFirstPoint(vtkImageData* lattice, vtkImageData* block, vtkirt::Index3& 
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceBlocks::Update(vtkCompositeDataSet* input, const Choice& choice)
+std::string vtkIsosurfaceRayTraceBlocks::Update(
+  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName)
 {
-  std::string problem = this->Collect(input, choice);
+  std::string problem = this->Leaves.Collect(input, mapper, colorArrayName,
+    { IsGrid, HasVolume, "vtkImageData, or one vtkRectilinearGrid" });
   if (!problem.empty())
   {
     this->Times.clear();
     return problem;
+  }
+  this->Blocks.resize(this->Leaves.Get().size());
+  for (std::size_t i = 0; i < this->Blocks.size(); ++i)
+  {
+    // The index is kept: it is found again only if something has changed.
+    static_cast<vtkIsosurfaceRayTraceLeaf&>(this->Blocks[i]) = this->Leaves.Get()[i];
   }
   // New blocks may have the addresses of old ones: modification times tell them apart.
   std::vector<vtkMTimeType> times;
@@ -130,101 +137,6 @@ std::string vtkIsosurfaceRayTraceBlocks::Update(vtkCompositeDataSet* input, cons
 }
 
 //------------------------------------------------------------------------------
-/// Finds the blocks that have a volume and the scalars.
-std::string vtkIsosurfaceRayTraceBlocks::Collect(vtkCompositeDataSet* input, const Choice& choice)
-{
-  // The indices are kept: they are found again only if something has changed.
-  std::vector<Block> blocks;
-  this->NumberOfPoints = 0;
-  this->NumberOfCells = 0;
-  const auto iterator = vtk::TakeSmartPointer(input->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    auto* data = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject());
-    if (!data || data->GetNumberOfPoints() == 0)
-    {
-      continue;
-    }
-    const Block block = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
-      this->NumberOfCells, nullptr, nullptr, {} };
-    this->NumberOfPoints += data->GetNumberOfPoints();
-    this->NumberOfCells += data->GetNumberOfCells();
-    const std::string problem = this->Append(block, choice, blocks);
-    if (!problem.empty())
-    {
-      return problem;
-    }
-  }
-  if (blocks.empty())
-  {
-    return "The composite input has no block with a volume and scalars of the requested kind. Give "
-           "blocks of vtkImageData with scalars, or name an array with SelectScalarArray().";
-  }
-  for (std::size_t i = 0; i < std::min(blocks.size(), this->Blocks.size()); ++i)
-  {
-    blocks[i].First = this->Blocks[i].First;
-  }
-  this->Blocks = std::move(blocks);
-  return "";
-}
-
-//------------------------------------------------------------------------------
-/// Appends a block with its arrays, if it has a volume and the scalars. Returns why it cannot be
-/// traced; else empty.
-std::string vtkIsosurfaceRayTraceBlocks::Append(
-  Block block, const Choice& choice, std::vector<Block>& blocks)
-{
-  vtkDataSet* data = block.Data;
-  if (!vtkImageData::SafeDownCast(data) && !vtkRectilinearGrid::SafeDownCast(data))
-  {
-    return NameBlock(block) + " is a " + data->GetClassName() +
-      ". Give blocks of vtkImageData, or one vtkRectilinearGrid.";
-  }
-  int association = 0;
-  block.Scalars = vtkAbstractMapper::GetScalars(
-    data, choice.ScalarMode, choice.ArrayAccessMode, choice.ArrayId, choice.ArrayName, association);
-  const vtkirt::Index3 points = block.GetPoints();
-  if (!block.Scalars || association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
-    std::min({ points[0], points[1], points[2] }) < 2)
-  {
-    return "";
-  }
-  const bool areOfCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  if (blocks.empty())
-  {
-    this->OfCells = areOfCells;
-  }
-  const vtkIdType tuples = areOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  if (this->OfCells != areOfCells || block.Scalars->GetNumberOfTuples() != tuples ||
-    (!blocks.empty() &&
-      block.Scalars->GetNumberOfComponents() != blocks[0].Scalars->GetNumberOfComponents()))
-  {
-    return NameBlock(block) +
-      " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
-      "point, or for every cell, with the same number of components.";
-  }
-  const std::string problem = vtkIsosurfaceRayTraceProblems::FindInGhosts(data);
-  if (!problem.empty())
-  {
-    return NameBlock(block) + ": " + problem;
-  }
-  if (!choice.ColorArrayName.empty())
-  {
-    block.Colors = vtkIsosurfaceRayTraceColors::FindArray(data, choice.ColorArrayName);
-  }
-  if (block.Colors && !blocks.empty() && blocks[0].Colors &&
-    block.Colors->GetNumberOfComponents() != blocks[0].Colors->GetNumberOfComponents())
-  {
-    return NameBlock(block) + " has " + std::to_string(block.Colors->GetNumberOfComponents()) +
-      " components to colour by (" + choice.ColorArrayName + "), others have " +
-      std::to_string(blocks[0].Colors->GetNumberOfComponents()) +
-      ". Give all blocks the same number.";
-  }
-  blocks.push_back(block);
-  return "";
-}
-
-//------------------------------------------------------------------------------
 /// Finds the indices of the blocks on the lattice of the first.
 std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
 {
@@ -237,7 +149,7 @@ std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
     auto* image = vtkImageData::SafeDownCast(block.Data);
     if (!lattice || !image || !FindFirstPoint(lattice, image, block.First))
     {
-      return NameBlock(block) +
+      return block.GetName() +
         " does not lie on the lattice of the blocks before it: its spacing or direction differs, "
         "or its origin is not a whole number of cells from theirs. Use a mapper and a volume for "
         "each lattice.";
@@ -277,9 +189,10 @@ std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
 void vtkIsosurfaceRayTraceBlocks::Join()
 {
   auto* image = vtkImageData::SafeDownCast(this->Grid);
-  const vtkIsosurfaceRayTraceBlockJoin join(this->Blocks, this->Dimensions, this->OfCells);
+  const vtkIsosurfaceRayTraceBlockJoin join(
+    this->Blocks, this->Dimensions, this->Leaves.AreScalarsOfCells());
   this->Scalars = join.JoinScalars();
-  if (this->OfCells)
+  if (this->Leaves.AreScalarsOfCells())
   {
     image->GetCellData()->AddArray(this->Scalars);
   }
@@ -327,19 +240,6 @@ vtkIdType vtkIsosurfaceRayTraceBlocks::GetPointId(
 {
   const Block& block = this->FindOwner(cell);
   return block.FirstPoint + block.GetPointId(point);
-}
-
-//------------------------------------------------------------------------------
-const vtkIsosurfaceRayTraceBlock* vtkIsosurfaceRayTraceBlocks::FindBlock(vtkIdType cellId) const
-{
-  for (const Block& block : this->Blocks)
-  {
-    if (cellId >= block.FirstCell && cellId < block.FirstCell + block.Data->GetNumberOfCells())
-    {
-      return &block;
-    }
-  }
-  return nullptr;
 }
 
 VTK_ABI_NAMESPACE_END

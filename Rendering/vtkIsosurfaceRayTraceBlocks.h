@@ -7,6 +7,7 @@
 #define vtkIsosurfaceRayTraceBlocks_h
 
 #include "vtkIsosurfaceRayTraceBlock.h"    // for ivars
+#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
@@ -18,6 +19,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkAbstractVolumeMapper;
 class vtkCompositeDataSet;
 
 /// Blocks lie on one lattice if their samples coincide, or are whole numbers of cells apart; they
@@ -29,29 +31,17 @@ class vtkIsosurfaceRayTraceBlocks
 public:
   using Block = vtkIsosurfaceRayTraceBlock;
 
-  /// What is taken from the blocks, by the names of vtkAbstractMapper.
-  struct Choice
-  {
-    int ScalarMode;
-    int ArrayAccessMode;
-    int ArrayId;
-    const char* ArrayName;
-    /// Empty for none.
-    std::string ColorArrayName;
-  };
-
-  /// Joins the blocks, unless they are the same as before. Returns the problem, if there is one;
-  /// else empty.
-  std::string Update(vtkCompositeDataSet* input, const Choice& choice);
+  /// Joins the blocks, unless they are the same as before, with the scalars of a mapper. Returns
+  /// the problem, if there is one; else empty.
+  std::string Update(
+    vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
 
   /// The grid of the blocks: an image, or a single block.
   vtkDataSet* GetGrid() const { return this->Grid; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
-  bool AreOfCells() const { return this->OfCells; }
 
-  /// The numbers of points and cells of all blocks.
-  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
-  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+  /// As they are in the composite data.
+  const vtkIsosurfaceRayTraceLeaves& GetLeaves() const { return this->Leaves; }
 
   /// The number of a cell of the grid, counted through all blocks: in the block that shows it.
   vtkIdType GetCellId(const vtkIsosurfaceRayTracing::Index3& cell) const;
@@ -60,16 +50,12 @@ public:
   vtkIdType GetPointId(const vtkIsosurfaceRayTracing::Index3& cell,
     const vtkIsosurfaceRayTracing::Index3& point) const;
 
-  /// The block that has a cell, given its number through all blocks; null if there is none.
-  const Block* FindBlock(vtkIdType cellId) const;
-
 private:
-  std::string Collect(vtkCompositeDataSet* input, const Choice& choice);
-  std::string Append(Block block, const Choice& choice, std::vector<Block>& blocks);
   std::string PlaceBlocks();
   void Join();
   const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
+  vtkIsosurfaceRayTraceLeaves Leaves;
   std::vector<Block> Blocks;
   /// The modification times of the blocks and of their arrays, of which the grid was made.
   std::vector<vtkMTimeType> Times;
@@ -77,9 +63,6 @@ private:
   vtkIsosurfaceRayTracing::Index3 Dimensions = {};
   vtkSmartPointer<vtkDataSet> Grid;
   vtkSmartPointer<vtkDataArray> Scalars;
-  bool OfCells = false;
-  vtkIdType NumberOfPoints = 0;
-  vtkIdType NumberOfCells = 0;
 };
 
 VTK_ABI_NAMESPACE_END

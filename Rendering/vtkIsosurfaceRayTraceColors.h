@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Colours of hits by another array, which may be that of another image.
+// Colours of hits by an array.
 
 #ifndef vtkIsosurfaceRayTraceColors_h
 #define vtkIsosurfaceRayTraceColors_h
@@ -16,8 +16,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkImageData;
-class vtkIsosurfaceRayTraceSource;
 class vtkIsosurfaceRayTraceValueColors;
 
 class vtkIsosurfaceRayTraceColors : public vtkIsosurfaceRayTracing::HitColors
@@ -27,26 +25,26 @@ public:
   /// none.
   static vtkDataArray* FindArray(vtkDataSet* grid, const std::string& name);
 
-  /// The array belongs to an image of its own; with null, to the grid that is traced. Its values
-  /// have colours, unless it has colours of 8 bits itself.
-  vtkIsosurfaceRayTraceColors(vtkImageData* image, vtkDataArray* array,
-    const vtkIsosurfaceRayTraceSource& source,
-    const vtkIsosurfaceRayTraceValueColors& colorsOfValues);
+  /// That an input has no array of that name.
+  static std::string DescribeMissing(const std::string& name, const std::string& input);
 
-  vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  /// Whether an array holds colours of 8 bits, and not values that have colours.
+  static bool IsDirect(vtkDataArray* array);
+
+  vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const final;
+
+protected:
+  /// The values of the array have these colours, unless they are colours themselves.
+  vtkIsosurfaceRayTraceColors(
+    bool isDirect, const vtkIsosurfaceRayTraceValueColors& colorsOfValues);
+
+  /// Finds the first components of the array at a hit.
+  virtual void Sample(
+    const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const = 0;
 
 private:
-  /// The position of a hit in the lattice of the array, in indices counted from the first point.
-  vtkIsosurfaceRayTracing::Vector3 GetIndex(const vtkIsosurfaceRayTracing::Hit& hit) const;
-  double Sample(const vtkIsosurfaceRayTracing::Vector3& index, int component) const;
-
-  vtkImageData* Image;
-  vtkDataArray* Array;
-  const vtkIsosurfaceRayTraceSource& Source;
-  /// The number of points.
-  vtkIsosurfaceRayTracing::Index3 Dimensions;
+  bool AreDirect;
   const vtkIsosurfaceRayTraceValueColors& ColorsOfValues;
-  bool IsDirect;
 };
 
 VTK_ABI_NAMESPACE_END

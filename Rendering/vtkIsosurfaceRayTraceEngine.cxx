@@ -18,6 +18,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -118,10 +119,34 @@ void vtkIsosurfaceRayTraceEngine::UpdateInputs(vtkAlgorithm* mapper)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
+  vtkAbstractVolumeMapper* mapper, double bounds[6])
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
+  if (!blocks)
+  {
+    return false;
+  }
+  UpdateInputs(mapper);
+  blocks->GetBounds(bounds);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
 {
-  const vtkirt::TracedField* field = this->Uses.Input->GetField();
-  return field ? field->GetStatistics() : vtkirt::FieldStatistics();
+  const vtkIsosurfaceRayTraceInput& input = *this->Uses.Input;
+  vtkirt::FieldStatistics all;
+  for (int field = 0; field < input.GetNumberOfFields(); ++field)
+  {
+    const vtkirt::FieldStatistics one = input.GetField(field)->GetStatistics();
+    all.HierarchyMemory += one.HierarchyMemory;
+    all.CacheMemory += one.CacheMemory;
+    all.NumberOfBricks += one.NumberOfBricks;
+    all.MaximumNumberOfBricks += one.MaximumNumberOfBricks;
+    all.BrickNanoseconds += one.BrickNanoseconds;
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +201,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
     this->HierarchyTime = watch.GetSeconds();
   }
   return std::make_unique<vtkIsosurfaceRayTraceRequest>(
-    settings, input, input.FindVisible(), volume, this->Mapper->GetClippingPlanes());
+    settings, input, volume, this->Mapper->GetClippingPlanes());
 }
 
 //------------------------------------------------------------------------------

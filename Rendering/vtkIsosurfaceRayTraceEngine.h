@@ -66,6 +66,9 @@ public:
   /// have requested before.
   static void UpdateInputs(vtkAlgorithm* mapper);
 
+  /// Updates the input of a mapper and finds its bounds, if it is composite. Returns whether it is.
+  static bool FindBoundsOfBlocks(vtkAbstractVolumeMapper* mapper, double bounds[6]);
+
   ///@{
   /// See vtkIsosurfaceRayTraceMapper, which documents them.
   bool HasOnlyOpaqueSurfaces(vtkVolume* volume);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceGridInput.h"
 
-#include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceImageColors.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
 #include "vtkCompositeDataSet.h"
@@ -57,12 +57,10 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectGrid()
   this->Grid = vtkDataSet::SafeDownCast(input);
   if (composite)
   {
-    const std::string problem = this->Blocks.Update(composite,
-      { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-        mapper->GetArrayName(), mapper->GetColorArrayName() });
+    const std::string problem = this->Blocks.Update(composite, mapper, mapper->GetColorArrayName());
     this->Grid = this->Blocks.GetGrid();
     this->Scalars.Array = this->Blocks.GetScalars();
-    this->Scalars.AreOfCells = this->Blocks.AreOfCells();
+    this->Scalars.AreOfCells = this->Blocks.GetLeaves().AreScalarsOfCells();
     return problem;
   }
   if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
@@ -92,10 +90,8 @@ std::string vtkIsosurfaceRayTraceGridInput::SelectColors()
     const std::string problem = image ? vtkIsosurfaceRayTraceGeometry::FindProblem(image) : "";
     return problem.empty() ? "" : "The image to colour by (port 1): " + problem;
   }
-  return "There are no point data " +
-    (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +
-    (image ? " in the second input" : " in the input") +
-    " to colour by. Give an array with a tuple for every point to SetColorArrayName.";
+  return vtkIsosurfaceRayTraceColors::DescribeMissing(
+    name, image ? "the second input" : "the input");
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +111,7 @@ bool vtkIsosurfaceRayTraceGridInput::Update(int threads)
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible() const
+vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible(int /*field*/) const
 {
   vtkirt::Visibility visible;
   visible.HiddenCells = this->Source.GetHiddenCells();
@@ -127,14 +123,8 @@ vtkirt::Visibility vtkIsosurfaceRayTraceGridInput::FindVisible() const
 vtkDataSet* vtkIsosurfaceRayTraceGridInput::FindBlock(
   vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
 {
-  const auto* block = this->IsComposite ? this->Blocks.FindBlock(cellId) : nullptr;
-  if (!block)
-  {
-    return nullptr;
-  }
-  cellInBlock = cellId - block->FirstCell;
-  flatIndex = block->FlatIndex;
-  return block->Data;
+  return this->IsComposite ? this->Blocks.GetLeaves().FindBlock(cellId, cellInBlock, flatIndex)
+                           : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +135,7 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceGridInput::MakeColors(
   {
     return nullptr;
   }
-  return std::make_unique<vtkIsosurfaceRayTraceColors>(
+  return std::make_unique<vtkIsosurfaceRayTraceImageColors>(
     this->ColorImage, this->ColorArray, this->Source, colorsOfValues);
 }
 
@@ -171,13 +161,15 @@ vtkIdType vtkIsosurfaceRayTraceGridInput::FindPoint(const vtkirt::Hit& hit) cons
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfCells() const
 {
-  return this->IsComposite ? this->Blocks.GetNumberOfCells() : this->Grid->GetNumberOfCells();
+  return this->IsComposite ? this->Blocks.GetLeaves().GetNumberOfCells()
+                           : this->Grid->GetNumberOfCells();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceGridInput::GetNumberOfPoints() const
 {
-  return this->IsComposite ? this->Blocks.GetNumberOfPoints() : this->Grid->GetNumberOfPoints();
+  return this->IsComposite ? this->Blocks.GetLeaves().GetNumberOfPoints()
+                           : this->Grid->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------

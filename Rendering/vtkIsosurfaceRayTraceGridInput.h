@@ -35,12 +35,13 @@ public:
       .GetPhysicalFromObject();
   }
   bool Update(int threads) override;
-  vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
-
-  vtkIsosurfaceRayTracing::TracedField* GetField() const override
+  int GetNumberOfFields() const override { return this->Source.GetField() ? 1 : 0; }
+  vtkIsosurfaceRayTracing::TracedField* GetField(int /*number*/) const override
   {
     return this->Source.GetField();
   }
+  double GetCellSize(int /*field*/) const override { return 1.0; }
+  vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const override;
   const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const override
   {
     return this->Source.GetGeometry().GetPhysicalFromObject();

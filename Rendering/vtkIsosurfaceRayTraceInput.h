@@ -37,13 +37,18 @@ public:
   /// Builds what tracing the selection needs. Returns whether its hierarchy had to be built.
   virtual bool Update(int threads) = 0;
 
-  /// What of the data is visible: by blanking, ghosts, and the cropping of the mapper.
-  virtual vtkIsosurfaceRayTracing::Visibility FindVisible() const = 0;
+  /// The fields, which share one object space; there are none before the input is first traced. A
+  /// hit has the number of its field.
+  virtual int GetNumberOfFields() const = 0;
+  virtual vtkIsosurfaceRayTracing::TracedField* GetField(int number) const = 0;
 
-  /// Null before the input is first traced.
-  virtual vtkIsosurfaceRayTracing::TracedField* GetField() const = 0;
+  /// The size of the cells of a field in object space, about.
+  virtual double GetCellSize(int field) const = 0;
 
-  /// From the object space of the field to the coordinates of the data.
+  /// What of a field is visible: by blanking, ghosts, and the cropping of the mapper.
+  virtual vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const = 0;
+
+  /// From the object space of the fields to the coordinates of the data.
   virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const = 0;
 
   /// The component of the volume property that gives the colours of the surfaces.

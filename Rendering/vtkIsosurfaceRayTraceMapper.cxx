@@ -6,7 +6,6 @@
 #include "vtkIsosurfaceRayTraceGridInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -95,14 +94,9 @@ void vtkIsosurfaceRayTraceMapper::Update(int /*port*/)
 //------------------------------------------------------------------------------
 double* vtkIsosurfaceRayTraceMapper::GetBounds()
 {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
-  if (!blocks)
-  {
-    return this->Superclass::GetBounds();
-  }
-  this->Update();
-  blocks->GetBounds(this->Bounds);
-  return this->Bounds;
+  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(this, this->Bounds)
+    ? this->Bounds
+    : this->Superclass::GetBounds();
 }
 
 //------------------------------------------------------------------------------

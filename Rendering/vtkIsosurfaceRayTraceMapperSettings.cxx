@@ -32,7 +32,6 @@ void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
   visit("InterpolationMode", &Self::InterpolationMode, InterpolationModeNames);
   visit("RootSolver", &Self::RootSolver, RootSolverNames);
   visit("NumberOfInterpolations", &Self::NumberOfInterpolations);
-  visit("ColorArrayName", &Self::ColorArrayName);
   visit("CapClippingPlanes", &Self::CapClippingPlanes);
   visit("BrickLayout", &Self::BrickLayout, BrickLayoutNames);
   visit("BrickSize", &Self::BrickSize);
@@ -78,10 +77,8 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::SetColorArrayName(const char* name)
 {
-  const std::string newName = name ? name : "";
-  if (this->ColorArrayName != newName)
+  if (vtkIsosurfaceRayTraceSharedSettings::SetName(name, this->ColorArrayName))
   {
-    this->ColorArrayName = newName;
     this->Modified();
   }
 }

@@ -36,6 +36,7 @@ int vtkIsosurfaceRayTraceMeshMapper::FillInputPortInformation(int /*port*/, vtkI
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -64,9 +65,33 @@ void vtkIsosurfaceRayTraceMeshMapper::Update(int /*port*/)
 }
 
 //------------------------------------------------------------------------------
+double* vtkIsosurfaceRayTraceMeshMapper::GetBounds()
+{
+  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(this, this->Bounds)
+    ? this->Bounds
+    : this->Superclass::GetBounds();
+}
+
+//------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceMeshMapper::FindBlock(
+  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
+{
+  return this->Engine->FindBlock(cellId, cellInBlock, flatIndex);
+}
+
+//------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
 {
   if (vtkIsosurfaceRayTraceSharedSettings::SetTileSize(width, height, this->TileSize))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetColorArrayName(const char* name)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetName(name, this->ColorArrayName))
   {
     this->Modified();
   }

@@ -4,10 +4,10 @@
  * @class   vtkIsosurfaceRayTraceMeshMapper
  * @brief   ray trace isosurfaces straight from meshes, on the CPU
  *
- * Draws the isosurfaces of a vtkUnstructuredGrid or a vtkStructuredGrid without extracting
- * polygons, as vtkIsosurfaceRayTraceMapper does those of images: isovalues, colours, opacities,
- * lights, shadows, occlusion, picking, casting and pictures without a window are the same. A new
- * isovalue costs a frame and nothing else.
+ * Draws the isosurfaces of a vtkUnstructuredGrid, a vtkStructuredGrid or composite data of them
+ * without extracting polygons, as vtkIsosurfaceRayTraceMapper does those of images: isovalues,
+ * colours, opacities, lights, shadows, occlusion, picking, casting and pictures without a window
+ * are the same. A new isovalue costs a frame and nothing else.
  *
  * Cells are what VTK's own functions of them say. In a tetrahedron the values are linear.
  * Hexahedra, voxels, wedges and pyramids are isoparametric: positions and values are the
@@ -26,8 +26,24 @@
  * The mapper keeps a tree over the cells with their boxes and ranges of values, built on the first
  * render, and again when the input changes; it serves every isovalue.
  *
+ * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
+ * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection). Blocks of
+ * vtkUnstructuredGrid and vtkStructuredGrid, mixed and however nested, are one scene: translucent
+ * surfaces of several blocks are composited in the order of each ray, and blocks cast shadows on
+ * each other and occlude each other. Blocks need no lattice in common; they may touch, overlap and
+ * pass through each other. A surface goes on from block to block, but smooth normals know the cells
+ * of one block: give blocks a layer of ghost cells for normals without seams. Blocks that are
+ * empty, have no cells of three dimensions or do not have the scalars are ignored; blocks of other
+ * classes are an error. Each block has a tree, which is built again when that block changes. Cells
+ * and points are numbered through all blocks: see FindBlock.
+ *
+ * The colour of a surface may come from another array (ColorArrayName).
+ *
  * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
  * ClippingPlanes cut them exactly, along every ray.
+ *
+ * What vtkIsosurfaceRayTraceMapper says of errors, of events and what their observers may do, and
+ * of threads, holds here too.
  *
  * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
  * IEEE Computer Graphics and Applications 21(4), 2001.
@@ -44,11 +60,13 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
@@ -67,7 +85,8 @@ public:
 
   ///@{
   /**
-   * Set the input: a vtkUnstructuredGrid or a vtkStructuredGrid.
+   * Set the input: a vtkUnstructuredGrid or a vtkStructuredGrid. (For composite data call
+   * SetInputDataObject or SetInputConnection.)
    */
   void SetInputData(vtkUnstructuredGridBase* grid) override;
   void SetInputData(vtkDataSet* grid) override;
@@ -130,6 +149,18 @@ public:
    */
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the name of a point array of the input that colours the surfaces instead of their
+   * isovalues: its value at a hit, interpolated in the cell, is mapped through the colour transfer
+   * function of the property; an array of unsigned char with three or four components holds the
+   * colours themselves. All blocks of a composite input must have it. Opacity is always that of the
+   * isovalue. Default: empty, and surfaces are coloured by isovalue.
+   */
+  void SetColorArrayName(const char* name);
+  const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
   ///@}
 
   ///@{
@@ -284,7 +315,7 @@ public:
   ///@}
 
   /**
-   * Get the memory of the tree, in bytes.
+   * Get the memory of the trees, in bytes.
    */
   vtkIdType GetTreeMemory();
 
@@ -310,6 +341,14 @@ public:
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
+
+  /**
+   * Finds the block of a composite input that has a cell, given the number of the cell through all
+   * blocks (the cell id that this class reports), and the number of the cell in the block. The flat
+   * index is that of vtkCompositeDataIterator. For other input the block is the input itself, and
+   * the flat index 0.
+   */
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
 
   /**
    * Casts rays, given by origins and directions in world coordinates, on all threads, as
@@ -367,6 +406,14 @@ public:
   void Update() override;
   ///@}
 
+  ///@{
+  /**
+   * Get the bounds of the input; of composite input, those of all blocks.
+   */
+  using vtkUnstructuredGridVolumeMapper::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  ///@}
+
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Trace the isosurfaces of the volume into the window of the renderer.
@@ -397,6 +444,7 @@ private:
   int NormalMode = CENTRAL_DIFFERENCES;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  std::string ColorArrayName;
   bool Shadows = false;
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;

@@ -17,22 +17,21 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
 {
-  vtkirt::SceneField field;
-  field.Field = request.Input.GetField();
-  field.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
+  vtkirt::SceneField shown;
+  shown.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
   if (!this->ColorsOfValues || !this->ColorsOfValues->AreOf(request.Property, request.Component))
   {
     this->ColorsOfValues =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(request.Property, request.Component);
   }
-  field.ColorsOfValues = this->ColorsOfValues.get();
+  shown.ColorsOfValues = this->ColorsOfValues.get();
   for (const vtkirt::Isosurface& surface : request.GetTraceRequest().Surfaces)
   {
-    field.Colors.push_back(this->ColorsOfValues->GetColor(surface.Isovalue));
+    shown.Colors.push_back(this->ColorsOfValues->GetColor(surface.Isovalue));
   }
   this->ColorsOfHits = request.Input.MakeColors(*this->ColorsOfValues);
-  field.ColorsOfHits = this->ColorsOfHits.get();
-  field.View = vtkIsosurfaceRayTraceScene::MakeCamera(
+  shown.ColorsOfHits = this->ColorsOfHits.get();
+  shown.View = vtkIsosurfaceRayTraceScene::MakeCamera(
     view.ClipFromWorld, request.WorldFromObject, view.Width, view.Height);
 
   vtkirt::Scene scene;
@@ -41,8 +40,14 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   scene.Shadows = settings.Shadows;
   scene.OcclusionRays = settings.NumberOfAmbientOcclusionRays;
   scene.OcclusionRadius = settings.AmbientOcclusionRadius;
-  scene.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(field.View, field.Field->GetBounds());
-  scene.Fields.push_back(std::move(field));
+  for (int field = 0; field < request.Input.GetNumberOfFields(); ++field)
+  {
+    shown.Field = request.Input.GetField(field);
+    shown.CellSize = request.Input.GetCellSize(field);
+    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
+    scene.Pixels = vtkirt::Unite(scene.Pixels, shown.Pixels);
+    scene.Fields.push_back(shown);
+  }
   this->Scene = std::move(scene);
 }
 

@@ -15,7 +15,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -60,7 +59,7 @@ std::string vtkIsosurfaceRayTraceRequest::FindProblem(const vtkIsosurfaceRayTrac
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   const vtkIsosurfaceRayTraceSettings& settings, const vtkIsosurfaceRayTraceInput& input,
-  vtkirt::Visibility visible, vtkVolume* volume, vtkPlaneCollection* clippingPlanes)
+  vtkVolume* volume, vtkPlaneCollection* clippingPlanes)
   : Input(input)
   , Property(volume->GetProperty())
   , Component(input.GetPropertyComponent())
@@ -79,7 +78,6 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   }
   this->Execution.Threads = settings.NumberOfThreads;
   vtkirt::TraceRequest request;
-  request.Visible = std::move(visible);
   request.Projection = settings.Projection;
   if (!settings.Projection)
   {
@@ -89,15 +87,22 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   request.Solver = settings.RootSolver;
   request.Interpolations = settings.NumberOfInterpolations;
   request.Normals = settings.NormalMode;
+  std::vector<vtkirt::HalfSpace> planes;
   if (clippingPlanes)
   {
     for (vtkPlane* plane : vtk::Range(clippingPlanes))
     {
-      request.Visible.HalfSpaces.push_back(ToObjectSpace(plane, this->WorldFromObject));
-      request.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
+      planes.push_back(ToObjectSpace(plane, this->WorldFromObject));
+      planes.back().IsCapped = settings.CapClippingPlanes;
     }
   }
-  input.GetField()->Select(request, this->Execution, { settings.MaximumMemory });
+  for (int field = 0; field < input.GetNumberOfFields(); ++field)
+  {
+    request.Visible = input.FindVisible(field);
+    std::vector<vtkirt::HalfSpace>& all = request.Visible.HalfSpaces;
+    all.insert(all.end(), planes.begin(), planes.end());
+    input.GetField(field)->Select(request, this->Execution, { settings.MaximumMemory });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +115,7 @@ int vtkIsosurfaceRayTraceRequest::FindIsovalue(double isovalue) const
 //------------------------------------------------------------------------------
 const vtkirt::TraceRequest& vtkIsosurfaceRayTraceRequest::GetTraceRequest() const
 {
-  return this->Input.GetField()->GetRequest();
+  return this->Input.GetField(0)->GetRequest();
 }
 
 VTK_ABI_NAMESPACE_END

@@ -30,16 +30,15 @@ struct vtkIsosurfaceRayTraceRequest
   /// Why the blend mode cannot be drawn; empty if it can.
   static std::string FindProblem(const vtkIsosurfaceRayTraceSettings& settings);
 
-  /// Selects what the field of the input traces from now on: of what is visible, and not cut off by
+  /// Selects what the fields of the input trace from now on: of what is visible, and not cut off by
   /// clipping planes (which may be null). The input must be up to date, and outlive the request.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
-    const vtkIsosurfaceRayTraceInput& input, vtkIsosurfaceRayTracing::Visibility visible,
-    vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
+    const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
 
   /// The number of an isovalue of the property; -1 if it has no such value.
   int FindIsovalue(double isovalue) const;
 
-  /// What was selected.
+  /// What was selected: the same of all fields, but for what is visible.
   const vtkIsosurfaceRayTracing::TraceRequest& GetTraceRequest() const;
 
   const vtkIsosurfaceRayTraceInput& Input;
@@ -48,7 +47,7 @@ struct vtkIsosurfaceRayTraceRequest
   std::vector<double> Isovalues;
   /// That of the property.
   int Component;
-  /// From the object space of the field to the world.
+  /// From the object space of the fields to the world.
   vtkIsosurfaceRayTracing::Matrix4 WorldFromObject;
   vtkIsosurfaceRayTracing::Execution Execution;
   /// What is traced, and the property: they exist as long as the request, whatever becomes of the

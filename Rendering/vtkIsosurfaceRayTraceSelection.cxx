@@ -54,8 +54,9 @@ void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& pict
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    if (!this->Input.GetField()->GetRequest().Projection) // of which a picture has no depth either
+    if (!this->Input.GetField(hit.Field)->GetRequest().Projection)
     {
+      // Of a projection, a picture has no depth either.
       frame.Depths[pixel] = std::clamp(picture.GetDepth(hit), 0.0F, 1.0F);
     }
   }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>  // for std::size_t
 #include <iterator> // for std::begin
+#include <string>   // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -33,6 +34,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     visit("NormalMode", &Mapper::NormalMode, normalModes);
     visit("VectorMode", &Mapper::VectorMode, vectorModes - Mapper::DISABLED);
     visit("VectorComponent", &Mapper::VectorComponent);
+    visit("ColorArrayName", &Mapper::ColorArrayName);
     visit("Shadows", &Mapper::Shadows);
     visit("AmbientOcclusion", &Mapper::AmbientOcclusion);
     visit("NumberOfAmbientOcclusionRays", &Mapper::NumberOfAmbientOcclusionRays);
@@ -78,6 +80,14 @@ struct vtkIsosurfaceRayTraceSharedSettings
     size[0] = std::clamp(width, 1, 4096);
     size[1] = std::clamp(height, 1, 4096);
     return size[0] != before[0] || size[1] != before[1];
+  }
+
+  /// Sets a name, which may be null. Returns whether it has changed.
+  static bool SetName(const char* name, std::string& setting)
+  {
+    const std::string before = setting;
+    setting = name ? name : "";
+    return setting != before;
   }
 
   /// Copies which scalars are chosen.

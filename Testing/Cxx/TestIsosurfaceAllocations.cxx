@@ -13,8 +13,10 @@
 #include "TestScene.h"
 
 #include "vtkIsosurfacePicker.h"
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
 #include "vtkIsosurfaceVolume.h"
 
+#include <vtkAppendFilter.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -24,6 +26,7 @@
 #include <vtkPolyData.h>
 #include <vtkTimerLog.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <functional>
 #include <string>
@@ -51,13 +54,20 @@ struct Attacked : Scene
     this->Mapper->AutoAdjustSampleDistancesOff();
   }
 
-  void ReplaceMapper()
+  virtual ~Attacked() = default;
+
+  virtual void ReplaceMapper()
   {
     this->Attackee = vtkSmartPointer<vtkIsosurfaceRayTraceMapper>::New();
     this->Attackee->ShallowCopy(this->Mapper);
+    this->Show(this->Attackee);
+  }
+
+  void Show(vtkAbstractVolumeMapper* mapper)
+  {
     this->Errors->Count = 0;
-    this->Attackee->AddObserver(vtkCommand::ErrorEvent, this->Errors);
-    this->Shown->SetMapper(this->Attackee);
+    mapper->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+    this->Shown->SetMapper(mapper);
   }
 
   void ShowInOpaquePass()
@@ -73,6 +83,35 @@ struct Attacked : Scene
   vtkVolume* Shown = this->Volume;
   vtkNew<EventCounter> Errors;
   vtkNew<vtkIsosurfacePicker> Picker;
+};
+
+/// The blocks of a scene as meshes, with a mapper of meshes.
+struct AttackedMeshes : Attacked
+{
+  explicit AttackedMeshes(vtkMultiBlockDataSet* blocks)
+    : Attacked(blocks)
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      vtkNew<vtkAppendFilter> toMesh;
+      toMesh->AddInputData(blocks->GetBlock(i));
+      toMesh->Update();
+      this->Meshes->SetBlock(i, toMesh->GetOutput());
+    }
+    this->MeshMapper->SetInputDataObject(this->Meshes);
+    this->MeshMapper->SetNumberOfThreads(2);
+    this->MeshMapper->AutoAdjustSampleDistancesOff();
+  }
+
+  void ReplaceMapper() override
+  {
+    vtkNew<vtkIsosurfaceRayTraceMeshMapper> attackee;
+    attackee->ShallowCopy(this->MeshMapper);
+    this->Show(attackee);
+  }
+
+  vtkNew<vtkMultiBlockDataSet> Meshes;
+  vtkNew<vtkIsosurfaceRayTraceMeshMapper> MeshMapper;
 };
 
 /// Two translucent surfaces, cut and capped, with colours and shadows.
@@ -312,6 +351,16 @@ int TestIsosurfaceAllocations(int, char*[])
     Attacked scene(NewBlocks());
     total += Attack(check, "Render (blocks)", scene, Render);
     total += Attack(check, "Pick (blocks)", scene, Pick);
+  }
+  {
+    AttackedMeshes scene(NewBlocks());
+    total += Attack(check, "Render (meshes)", scene, Render);
+    total += Attack(check, "Pick (meshes)", scene, Pick);
+    total += Attack(check, "SelectCells (meshes)", scene, SelectCells);
+    scene.SetSurface(0.0, { 0.9, 0.8, 0.7 }, 0.5);
+    scene.MeshMapper->SetColorArrayName("field");
+    scene.MeshMapper->ShadowsOn();
+    total += Attack(check, "Render (translucent meshes)", scene, Render);
   }
   {
     Attacked scene(NewUnevenGrid());

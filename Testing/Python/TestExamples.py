@@ -174,6 +174,44 @@ class TestExamples(unittest.TestCase):
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("matrix.dat has 46 bytes", result.stderr)
 
+    def run_mayavi_meshes(self, *names):
+        """With an apt-get that makes a package of files of these names, and a dpkg-deb that knows it."""
+        tools = Path(self.folder, "tools")
+        tools.mkdir()
+        programs = {"apt-get": "import io, tarfile\n"
+                               "with tarfile.open('mayavi2_1.deb', 'w') as tar:\n"
+                               f"    for name in {names}:\n"
+                               "        member = tarfile.TarInfo('./usr/share/' + name)\n"
+                               "        member.size = len(name)\n"
+                               "        tar.addfile(member, io.BytesIO(name.encode()))\n",
+                    "dpkg-deb": "import sys\n"
+                                "sys.stdout.buffer.write(open(sys.argv[2], 'rb').read())\n"}
+        for name, program in programs.items():
+            Path(tools, name).write_text(f"#!{sys.executable}\n{program}", encoding="ascii")
+            os.chmod(Path(tools, name), 0o755)
+        return subprocess.run(
+            [sys.executable, os.path.join(EXAMPLES, "mayavi_meshes.py"), os.path.join(self.folder, "data")],
+            env={**os.environ, "PATH": str(tools)}, capture_output=True, text=True, check=False)
+
+    def test_mayavi_meshes(self):
+        names = ["disk_out_ref.ex2", "fire_ug.vtu", "SampleStructGrid.vtk"]
+        result = self.run_mayavi_meshes("other.vtk", *names)
+        paths = [os.path.join(self.folder, "data", name) for name in names]
+        self.assertEqual(result.stdout.split(), paths, result.stderr)
+        self.assertEqual([Path(path).read_text(encoding="ascii") for path in paths], names)
+        self.assertEqual(len(os.listdir(os.path.join(self.folder, "data"))), 3)
+
+    def test_mayavi_meshes_of_another_package(self):
+        result = self.run_mayavi_meshes("fire_ug.vtu", "other.vtk")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("mayavi2_1.deb has no disk_out_ref.ex2, SampleStructGrid.vtk", result.stderr)
+
+    def test_mayavi_meshes_without_tools(self):
+        result = subprocess.run([sys.executable, os.path.join(EXAMPLES, "mayavi_meshes.py"), self.folder],
+                                env={**os.environ, "PATH": self.folder}, capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("cannot be had: apt-get: No such file or directory", result.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,14 +8,16 @@ import sys
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
     vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty,
     vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
 from vtkIsosurfaceRayTracing import (
-    vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceVolume)
+    vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume)
 
 EVENTS = ("VolumeMapperRenderProgressEvent", "VolumeMapperRenderStartEvent", "VolumeMapperRenderEndEvent")
 VOLUMES = {"vtkVolume": vtkVolume, "vtkIsosurfaceVolume": vtkIsosurfaceVolume}
@@ -42,12 +44,16 @@ def make_property(isovalue=157.0):
 class Scene:
     """A window with one volume, which takes long enough to trace that progress is reported."""
 
-    def __init__(self, volume_class=vtkVolume, size=200):
-        self.image = make_image()
-        self.mapper = vtkIsosurfaceRayTraceMapper()
-        self.mapper.SetInputData(self.image)
+    MAPPER = vtkIsosurfaceRayTraceMapper
+    EXTENT = 24
+    RAYS = 32
+    SIZE = 200
+
+    def __init__(self, volume_class=vtkVolume):
+        self.mapper = self.MAPPER()
+        self.set_input(self.EXTENT)
         self.mapper.AmbientOcclusionOn()
-        self.mapper.SetNumberOfAmbientOcclusionRays(32)
+        self.mapper.SetNumberOfAmbientOcclusionRays(self.RAYS)
         self.volume = volume_class()
         self.volume.SetMapper(self.mapper)
         self.volume.SetProperty(make_property())
@@ -57,9 +63,17 @@ class Scene:
         self.window = vtkRenderWindow()
         self.window.SetOffScreenRendering(1)
         self.window.SetMultiSamples(0)
-        self.window.SetSize(size, size)
+        self.window.SetSize(self.SIZE, self.SIZE)
         self.window.AddRenderer(self.renderer)
         self.events = 0
+
+    def set_input(self, extent):
+        self.data = make_image(extent)
+        self.mapper.SetInputDataObject(self.data)
+
+    def get_leaf(self):
+        """What has the scalars."""
+        return self.data
 
     def render_with(self, attack, event):
         """Renders, and calls attack(self) at the first event."""
@@ -95,14 +109,44 @@ class Scene:
 
     def pick(self):
         picker = vtkIsosurfacePicker()
-        hit = picker.Pick(100, 100, 0, self.renderer)
+        hit = picker.Pick(self.SIZE // 2, self.SIZE // 2, 0, self.renderer)
         return hit, picker.GetCellId(), picker.GetPickPosition()
+
+
+class MeshScene(Scene):
+    """The same with a mapper of meshes, of two blocks that lie one in the other."""
+
+    MAPPER = vtkIsosurfaceRayTraceMeshMapper
+    EXTENT = 10
+    RAYS = 2
+    SIZE = 90
+
+    def set_input(self, extent):
+        self.data = vtkMultiBlockDataSet()
+        for i in range(2):
+            append = vtkAppendFilter()
+            append.AddInputData(make_image(extent - i))
+            append.Update()
+            block = vtkUnstructuredGrid()
+            block.DeepCopy(append.GetOutput())
+            colors = vtkDoubleArray()
+            colors.DeepCopy(block.GetPointData().GetScalars())
+            colors.SetName("colors")
+            block.GetPointData().AddArray(colors)
+            self.data.SetBlock(i, block)
+        self.mapper.SetInputDataObject(self.data)
+        self.mapper.SetColorArrayName("colors")
+
+    def get_leaf(self):
+        return self.data.GetBlock(1)
+
+
+SCENES = {"image": Scene, "mesh": MeshScene}
 
 
 # Attacks, by name ---------------------------------------------------------------------------------
 def set_input(scene):
-    scene.image = make_image(10)
-    scene.mapper.SetInputData(scene.image)
+    scene.set_input(6)
 
 
 def set_input_and_cast(scene):
@@ -139,9 +183,10 @@ def clear_functions(scene):
 
 
 def change_settings(scene):
-    scene.mapper.SetInterpolationModeToCubic()
-    scene.mapper.SetBrickSize(3)
-    scene.mapper.SetNumberOfMacrocellLevels(1)
+    if isinstance(scene.mapper, vtkIsosurfaceRayTraceMapper):
+        scene.mapper.SetInterpolationModeToCubic()
+        scene.mapper.SetBrickSize(3)
+        scene.mapper.SetNumberOfMacrocellLevels(1)
     scene.mapper.SetTileSize(64, 64)
     scene.mapper.SetNumberOfThreads(1)
     scene.mapper.ShadowsOn()
@@ -153,30 +198,34 @@ def add_clipping_plane(scene):
 
 
 def reallocate(scene):
-    scene.image.SetDimensions(3, 3, 3)
-    scene.image.AllocateScalars(10, 1)
+    if isinstance(scene, MeshScene):
+        scene.get_leaf().SetPoints(vtkPoints())
+        scene.get_leaf().AllocateExact(3, 24)
+    else:
+        scene.data.SetDimensions(3, 3, 3)
+        scene.data.AllocateScalars(10, 1)
 
 
 def initialize(scene):
-    scene.image.Initialize()
+    scene.get_leaf().Initialize()
 
 
 def shrink_scalars(scene):
-    scene.image.GetPointData().GetScalars().SetNumberOfTuples(8)
-    scene.image.GetPointData().GetScalars().Squeeze()
+    scene.get_leaf().GetPointData().GetScalars().SetNumberOfTuples(8)
+    scene.get_leaf().GetPointData().GetScalars().Squeeze()
 
 
 def release_scalars(scene):
-    scene.image.GetPointData().GetScalars().Initialize()
+    scene.get_leaf().GetPointData().GetScalars().Initialize()
 
 
 def remove_scalars(scene):
-    scene.image.GetPointData().SetScalars(None)
+    scene.get_leaf().GetPointData().SetScalars(None)
 
 
 def remove_input(scene):
-    scene.mapper.SetInputData(None)
-    scene.image = None
+    scene.mapper.SetInputDataObject(None)
+    scene.data = None
 
 
 def take_mapper(scene):
@@ -243,24 +292,61 @@ ATTACKS = {name: function for name, function in list(globals().items())
            and function.__code__.co_varnames[:1] == ("scene",)}
 
 
+# Attacks on meshes alone --------------------------------------------------------------------------
+def shrink_points(scene):
+    scene.get_leaf().GetPoints().SetNumberOfPoints(8)
+    scene.get_leaf().GetPoints().Squeeze()
+
+
+def release_points(scene):
+    scene.get_leaf().GetPoints().Initialize()
+
+
+def release_cells(scene):
+    scene.get_leaf().GetCells().Initialize()
+
+
+def shrink_cells(scene):
+    scene.get_leaf().GetCells().GetConnectivityArray().SetNumberOfTuples(8)
+    scene.get_leaf().GetCells().GetConnectivityArray().Squeeze()
+
+
+def release_colors(scene):
+    scene.get_leaf().GetPointData().GetArray("colors").Initialize()
+
+
+def remove_colors(scene):
+    scene.get_leaf().GetPointData().RemoveArray("colors")
+
+
+def remove_block(scene):
+    scene.data.SetBlock(1, None)
+
+
+MESH_ATTACKS = {function.__name__: function for function in
+                (shrink_points, release_points, release_cells, shrink_cells, release_colors, remove_colors,
+                 remove_block)}
+
+
 # What is not seen in the frame in which it is done.
 PUT_OFF = {"set_input", "set_input_and_cast", "cast", "render_to_image", "pick", "change_isovalue_and_cast",
            "change_property", "clear_functions", "change_settings", "add_clipping_plane", "reallocate", "initialize",
            "remove_scalars", "remove_input", "render_window", "render_other_window", "take_mapper",
-           "take_volume", "take_all_props"}
+           "take_volume", "take_all_props", "remove_colors", "remove_block"}
 # What changes nothing at all.
 HARMLESS = {"cast", "render_to_image", "pick", "render_window", "render_other_window", "release_resources",
             "select", "abort"}
-ERRORS = {"shrink_scalars": "has released or made shorter", "release_scalars": "has released or made shorter",
-          "render_other_window": "tracing already"}
+RELEASED = ("shrink_scalars", "release_scalars", "shrink_points", "release_points", "release_cells", "shrink_cells",
+            "release_colors")
+ERRORS = {**dict.fromkeys(RELEASED, "has released or made shorter"), "render_other_window": "tracing already"}
 
 
-def run(name, event, volume_class):
-    reference = Scene(volume_class)
+def run(name, event, volume_class, scene_class):
+    reference = scene_class(volume_class)
     reference.window.Render()
     expected = reference.capture()
-    scene = Scene(volume_class)
-    scene.render_with(ATTACKS[name], event)
+    scene = scene_class(volume_class)
+    scene.render_with({**ATTACKS, **MESH_ATTACKS}[name], event)
     if name in PUT_OFF:
         assert scene.capture() == expected, "the frame shows what was put off"
     if name in HARMLESS:
@@ -296,9 +382,9 @@ class TestRenderToImage(unittest.TestCase):
             self.assertNotEqual(describe(scene), expected)
 
 
-def add_test(name, event, volume):
+def add_test(name, event, volume, scene):
     def test(self):
-        run = subprocess.run([sys.executable, __file__, "--attack", name, event, volume],
+        run = subprocess.run([sys.executable, __file__, "--attack", name, event, volume, scene],
                              capture_output=True, text=True, timeout=100)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         self.assertIn("survived", run.stdout)
@@ -306,20 +392,23 @@ def add_test(name, event, volume):
             self.assertIn(ERRORS[name], run.stderr)
         else:
             self.assertNotIn("ERR|", run.stderr)
-    setattr(TestReentry, f"test_{name}_{event}_{volume}", test)
+    setattr(TestReentry, f"test_{name}_{event}_{volume}_{scene}", test)
 
 
 for attack in ATTACKS:
-    add_test(attack, EVENTS[0], "vtkVolume")
+    add_test(attack, EVENTS[0], "vtkVolume", "image")
+for attack in (*ATTACKS, *MESH_ATTACKS):
+    add_test(attack, EVENTS[0], "vtkVolume", "mesh")
 # Those that take something away, at other moments too.
 for attack in ("set_input", "remove_input", "release_scalars", "take_mapper", "take_volume", "take_renderer",
                "finalize"):
-    add_test(attack, EVENTS[0], "vtkIsosurfaceVolume")
-    add_test(attack, EVENTS[1], "vtkVolume")
-    add_test(attack, EVENTS[2], "vtkIsosurfaceVolume")
+    for scene in SCENES:
+        add_test(attack, EVENTS[0], "vtkIsosurfaceVolume", scene)
+        add_test(attack, EVENTS[1], "vtkVolume", scene)
+        add_test(attack, EVENTS[2], "vtkIsosurfaceVolume", scene)
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--attack"]:
-        run(sys.argv[2], sys.argv[3], VOLUMES[sys.argv[4]])
+        run(sys.argv[2], sys.argv[3], VOLUMES[sys.argv[4]], SCENES[sys.argv[5]])
     else:
         unittest.main()

@@ -93,8 +93,8 @@ Frame Render(const std::vector<SceneField>& fields, const Scene& settings = {})
   return frame;
 }
 
-/// The T of the hits of the ray through each pixel.
-std::vector<std::vector<double>> FindHits(const SceneField& field)
+/// The rays through all pixels, in the object space of a field.
+std::vector<CastRay> MakeRays(const SceneField& field)
 {
   std::vector<CastRay> rays;
   for (int y = 0; y < Height; ++y)
@@ -105,6 +105,13 @@ std::vector<std::vector<double>> FindHits(const SceneField& field)
       rays.push_back({ ray.Origin, ray.Direction, 0.0, ray.End });
     }
   }
+  return rays;
+}
+
+/// The T of the hits of the ray through each pixel.
+std::vector<std::vector<double>> FindHits(const SceneField& field)
+{
+  const std::vector<CastRay> rays = MakeRays(field);
   const RayHits hits = CastRays(*field.Field, rays, 1);
   std::vector<std::vector<double>> ts(rays.size());
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
@@ -145,6 +152,37 @@ TEST(ScenesOfFields, AFieldWithoutHitsChangesNoBit)
     EXPECT_EQ(alone.Colors, swapped.Colors);
     EXPECT_EQ(alone.Depths, swapped.Depths);
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(ScenesOfFields, RaysAreMadeForThePixelsOfAFieldAlone)
+{
+  TwoSpheres spheres;
+  spheres.A.Select(1.0);
+  const Frame whole = Render({ Show(spheres.A, Red) });
+  SceneField part = Show(spheres.A, Red);
+  part.Pixels = { 0, 0, Width / 2, Height };
+  const Scene scene;
+  const Frame left = Render({ part });
+  int covered = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const auto pixel = static_cast<std::size_t>(y * Width + x);
+      const bool isHit = left.Hits[pixel].Surface != Hit::NoSurface;
+      covered += isHit ? 1 : 0;
+      if (x < Width / 2)
+      {
+        ASSERT_EQ(left.Depths[pixel], whole.Depths[pixel]);
+      }
+      else if (x >= Width / 2 + scene.TileWidth)
+      {
+        ASSERT_FALSE(isHit) << x;
+      }
+    }
+  }
+  EXPECT_GT(covered, 100);
 }
 
 //------------------------------------------------------------------------------
@@ -226,6 +264,57 @@ TEST(ScenesOfFields, TranslucentFieldsAreCompositedInOrderAlongTheRay)
     }
   }
   EXPECT_GT(interleaved, 20);
+}
+
+//------------------------------------------------------------------------------
+/// Rays are cast through fields that share an object space.
+TEST(ScenesOfFields, RaysHaveTheHitsOfAllFieldsInOrder)
+{
+  PlacedImage one(AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 }, Translation({}));
+  PlacedImage other(AnalyticFields::Sphere{ { 14.0, 13.0, 15.0 }, 7.0 }, Translation({}));
+  const std::vector<CastRay> rays = MakeRays(Show(one, Red));
+  for (const double opacity : { 0.4, 0.98, 1.0 })
+  {
+    one.Select(opacity);
+    other.Select(0.3);
+    const RayHits ofOne = CastRays(*one.Field, rays, 1);
+    const RayHits ofOther = CastRays(*other.Field, rays, 1);
+    const RayHits both = CastRays({ one.Field.get(), other.Field.get() }, rays, 2);
+    int interleaved = 0;
+    int dropped = 0;
+    for (std::size_t ray = 0; ray < rays.size(); ++ray)
+    {
+      std::vector<Hit> expected(
+        &ofOne.Hits[ofOne.First[ray]], &ofOne.Hits[0] + ofOne.First[ray + 1]);
+      for (std::size_t i = ofOther.First[ray]; i < ofOther.First[ray + 1]; ++i)
+      {
+        expected.push_back(ofOther.Hits[i]);
+        expected.back().Field = 1;
+      }
+      std::sort(
+        expected.begin(), expected.end(), [](const Hit& a, const Hit& b) { return a.T < b.T; });
+      double transmittance = 1.0;
+      std::size_t next = both.First[ray];
+      for (const Hit& hit : expected)
+      {
+        if (transmittance < 1.0 / 1024.0)
+        {
+          ++dropped;
+          continue;
+        }
+        ASSERT_LT(next, both.First[ray + 1]);
+        // A ray that ends at an opaque hit of one field is a shorter ray in the other.
+        ASSERT_NEAR(both.Hits[next].T, hit.T, 1e-12 * hit.T);
+        ASSERT_EQ(both.Hits[next].Field, hit.Field);
+        interleaved += next > both.First[ray] && hit.Field != both.Hits[next - 1].Field ? 1 : 0;
+        transmittance *= hit.Field == 0 ? 1.0 - opacity : 0.7;
+        ++next;
+      }
+      ASSERT_EQ(next, both.First[ray + 1]);
+    }
+    EXPECT_GT(interleaved, 100);
+    EXPECT_EQ(dropped > 0, opacity > 0.9);
+  }
 }
 
 //------------------------------------------------------------------------------

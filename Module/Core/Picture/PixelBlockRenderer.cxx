@@ -4,7 +4,6 @@
 #include "Picture/PixelBlockRenderer.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -29,14 +28,21 @@ void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
 {
   for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
-    if (this->Beams[i])
+    const SceneField& field = this->TheScene.Fields[i];
+    if (this->Beams[i] && Overlap(field.Pixels, this->InViewport(tile)))
     {
-      const SceneField& field = this->TheScene.Fields[i];
       RayPacket& corners = this->Traced[i].Packet;
       this->FindCorners(field.View, tile, corners);
       field.Field->Begin(corners, this->Beams[i].get());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+PixelRectangle PixelBlockRenderer::InViewport(const PixelRectangle& pixels) const
+{
+  return { this->TheScene.Pixels.X + pixels.X, this->TheScene.Pixels.Y + pixels.Y, pixels.Width,
+    pixels.Height };
 }
 
 //------------------------------------------------------------------------------
@@ -53,11 +59,10 @@ void PixelBlockRenderer::Trace(const PixelRectangle& block)
 {
   const Scene& scene = this->TheScene;
   this->Block = block;
-  const PixelRectangle pixels = { scene.Pixels.X + block.X, scene.Pixels.Y + block.Y, block.Width,
-    block.Height };
+  const PixelRectangle pixels = this->InViewport(block);
   const PixelDepths depths = { scene.Depth ? scene.Depth + this->GetOffset(0, 0) : nullptr,
     scene.Pixels.Width };
-  std::fill_n(this->OpaqueT, RayPacket::Capacity, std::numeric_limits<double>::infinity());
+  this->Ends.Clear();
   // Projections last: they end at the surfaces of all fields.
   for (const bool isProjection : { false, true })
   {
@@ -78,8 +83,7 @@ void PixelBlockRenderer::TraceField(
   const SceneField& field = this->TheScene.Fields[number];
   TracedPacket& traced = this->Traced[number];
   TracedField::Beam* beam = this->Beams[number].get();
-  this->FindCorners(field.View, this->Block, traced.Packet);
-  if (!field.Field->MayHitBetween(traced.Packet, beam))
+  if (!this->MayHit(field, beam, traced.Packet))
   {
     traced.Packet.Clear();
     traced.Packet.Count = pixels.Width * pixels.Height;
@@ -93,13 +97,26 @@ void PixelBlockRenderer::TraceField(
     field.Field->Trace(traced.Packet, traced.Hits, beam);
     return;
   }
-  this->EndAtOpaqueHits(traced.Packet);
+  this->Ends.Cut(traced.Packet);
   field.Field->Trace(traced.Packet, traced.Hits, beam);
   for (Hit& hit : traced.Hits.Hits)
   {
     hit.Field = static_cast<int>(number);
   }
-  this->KeepOpaqueHits(field.Field->GetRequest(), traced.Hits);
+  this->Ends.Add(field.Field->GetRequest(), traced.Hits);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a ray through the block may hit a field: decided by the rays at its corners.
+bool PixelBlockRenderer::MayHit(
+  const SceneField& field, TracedField::Beam* beam, RayPacket& corners) const
+{
+  if (!Overlap(field.Pixels, this->InViewport(this->Block)))
+  {
+    return false;
+  }
+  this->FindCorners(field.View, this->Block, corners);
+  return field.Field->MayHitBetween(corners, beam);
 }
 
 //------------------------------------------------------------------------------
@@ -120,38 +137,6 @@ void PixelBlockRenderer::FindCorners(
         corners.Direction[axis][corners.Count] = ray.Direction[axis];
       }
       ++corners.Count;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Ends rays at the nearest opaque hits so far: nothing is visible behind.
-void PixelBlockRenderer::EndAtOpaqueHits(RayPacket& packet) const
-{
-  for (int i = 0; i < packet.Count; ++i)
-  {
-    if (!Has(packet.Exists, i))
-    {
-      continue;
-    }
-    packet.End[i] = std::min(packet.End[i], this->OpaqueT[i] - packet.Base[i]);
-    if (!(packet.Begin[i] <= packet.End[i]))
-    {
-      Remove(i, packet.Exists);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void PixelBlockRenderer::KeepOpaqueHits(const TraceRequest& request, const RayHits& hits)
-{
-  for (std::size_t ray = 0; !request.Projection && ray + 1 < hits.First.size(); ++ray)
-  {
-    // Behind an opaque hit a ray has no others.
-    const std::size_t end = hits.First[ray + 1];
-    if (hits.First[ray] < end && request.GetOpacity(hits.Hits[end - 1]) >= 1.0)
-    {
-      this->OpaqueT[ray] = std::min(this->OpaqueT[ray], hits.Hits[end - 1].T);
     }
   }
 }

@@ -5,6 +5,7 @@
 #define PixelBlockRenderer_h
 
 #include "Picture/Compositor.h"
+#include "Picture/OpaqueEnds.h"
 #include "Picture/RenderTiles.h"
 #include "Picture/Scene.h"
 #include "Picture/Shader.h"
@@ -40,10 +41,11 @@ private:
     RayHits Hits;
   };
 
+  /// Pixels that are counted from the rectangle drawn, in the viewport.
+  PixelRectangle InViewport(const PixelRectangle& pixels) const;
+  bool MayHit(const SceneField& field, TracedField::Beam* beam, RayPacket& corners) const;
   void FindCorners(const Camera& view, const PixelRectangle& pixels, RayPacket& corners) const;
   void TraceField(std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths);
-  void EndAtOpaqueHits(RayPacket& packet) const;
-  void KeepOpaqueHits(const TraceRequest& request, const RayHits& hits);
   void WriteBackground();
   void WriteOpaque();
   void WriteFragments();
@@ -57,8 +59,7 @@ private:
   std::unique_ptr<TracedPacket[]> Traced;
   /// Of each field.
   std::vector<std::unique_ptr<TracedField::Beam>> Beams;
-  /// Of the nearest opaque hit of each ray, in several fields.
-  double OpaqueT[RayPacket::Capacity];
+  OpaqueEnds Ends;
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
 };

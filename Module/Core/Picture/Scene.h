@@ -66,6 +66,11 @@ struct SceneField
   TracedField* Field = nullptr;
   /// The camera, in the object space of the field.
   Camera View;
+  /// The size of its cells in object space, about.
+  double CellSize = 1.0;
+  /// The pixels that the field may cover. Its rays are made for these alone.
+  PixelRectangle Pixels = { 0, 0, std::numeric_limits<int>::max(),
+    std::numeric_limits<int>::max() };
   /// The colour of each surface of the request.
   std::vector<Vector3> Colors;
   /// If not null, it overrides these colours.

@@ -50,7 +50,8 @@ SecondaryRays::SecondaryRays(const Scene& scene, std::size_t field)
     {
       this->Others.push_back({ scene.Fields[other].Field,
         Multiply(
-          InvertAffine(scene.Fields[other].View.GetWorldFromObject()), this->WorldFromObject) });
+          InvertAffine(scene.Fields[other].View.GetWorldFromObject()), this->WorldFromObject),
+        StoppedRays::NearStart * scene.Fields[other].CellSize });
     }
   }
 }
@@ -217,8 +218,8 @@ void SecondaryRays::FindTransmittanceOfOthers(
       {
         numbers[packet.Count] = i;
         const Vector3 direction = TransformDirection(other.OtherFromOwn, rays[i].Direction);
-        // Surfaces of several fields may coincide. They must not shadow each other.
-        const double begin = StoppedRays::NearStart / Length(direction);
+        // Coinciding surfaces must not shadow each other.
+        const double begin = other.NearStart / Length(direction);
         other.Field->AddRay(TransformPoint(other.OtherFromOwn, rays[i].Origin), direction, begin,
           rays[i].End, packet);
       }

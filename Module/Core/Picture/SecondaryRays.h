@@ -41,6 +41,8 @@ private:
   {
     TracedField* Field;
     Matrix4 OtherFromOwn;
+    /// Surfaces so near to the start of a ray may coincide with the one it starts on.
+    double NearStart;
   };
 
   OutgoingRay MakeLightRay(const Light& light, const Hit& hit, const Vector3& gradient) const;

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The data sets that a mapper traces: the blocks of composite data, or a data set by itself.
+
+#ifndef vtkIsosurfaceRayTraceLeaves_h
+#define vtkIsosurfaceRayTraceLeaves_h
+
+#include "vtkDataSet.h"                    // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"               // for ivars
+#include "vtkType.h"                       // for vtkIdType
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAbstractVolumeMapper;
+class vtkCompositeDataSet;
+class vtkDataArray;
+
+/// A data set that is traced.
+struct vtkIsosurfaceRayTraceLeaf
+{
+  vtkSmartPointer<vtkDataSet> Data;
+  /// In composite data.
+  unsigned int FlatIndex;
+  /// The numbers of points and cells of the data sets before it.
+  vtkIdType FirstPoint;
+  vtkIdType FirstCell;
+  /// Its scalars; and the array to colour by, which may be null.
+  vtkDataArray* Scalars;
+  vtkDataArray* Colors;
+
+  /// For the beginning of a sentence.
+  std::string GetName() const;
+};
+
+/// Points and cells are numbered through all data sets of composite data that are not empty.
+class vtkIsosurfaceRayTraceLeaves
+{
+public:
+  using Leaf = vtkIsosurfaceRayTraceLeaf;
+
+  /// What a mapper takes.
+  struct Kind
+  {
+    bool (*IsTaken)(vtkDataSet* data);
+    /// Whether data that are taken have cells of three dimensions.
+    bool (*HasVolume)(vtkDataSet* data);
+    /// The classes that are taken, in a sentence.
+    const char* Names;
+  };
+
+  /// Finds the blocks that have a volume and the scalars of a mapper. Others are passed over, but
+  /// those of a class that is not taken. Returns the problem, if there is one; else empty.
+  std::string Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
+    const std::string& colorArrayName, const Kind& kind);
+
+  /// Takes a data set by itself. Its scalars may be null.
+  void Take(vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
+
+  const std::vector<Leaf>& Get() const { return this->Leaves; }
+  bool AreScalarsOfCells() const { return this->OfCells; }
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+
+  /// The block that has a cell, given its number through all of them, and the number of the cell
+  /// there; null if there is none.
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
+
+private:
+  std::string Append(Leaf leaf, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
+
+  std::vector<Leaf> Leaves;
+  bool OfCells = false;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,517 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceMesh.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Mesh/ShapeFunctions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using vtkirt::CellShape;
+
+static_assert(static_cast<int>(CellShape::Tetrahedron) == VTK_TETRA);
+static_assert(static_cast<int>(CellShape::Voxel) == VTK_VOXEL);
+static_assert(static_cast<int>(CellShape::Hexahedron) == VTK_HEXAHEDRON);
+static_assert(static_cast<int>(CellShape::Wedge) == VTK_WEDGE);
+static_assert(static_cast<int>(CellShape::Pyramid) == VTK_PYRAMID);
+
+bool IsTraced(int shape)
+{
+  return vtkirt::GetTraits(static_cast<CellShape>(shape)).Corners > 0;
+}
+
+/// Whether cells of a type have three dimensions.
+bool IsSolid(int type)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return cell && cell->GetCellDimension() == 3;
+}
+
+/// Whether a grid has cells of a type that is asked for. (The grid keeps a list of its types.)
+template <typename Predicate>
+bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
+{
+  vtkNew<vtkCellTypes> types;
+  grid->GetCellTypes(types);
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    if (isAskedFor(types->GetCellType(i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The type of ids that can be read where they are; none for others.
+std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
+{
+  if (!ids->HasStandardMemoryLayout())
+  {
+    return std::nullopt;
+  }
+  return ids->GetDataTypeSize() == 8 ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
+}
+
+/// The memory of the points, where they are read where they are.
+const void* FindPoints(vtkPointSet* grid)
+{
+  vtkDataArray* points = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
+  return points && points->HasStandardMemoryLayout() ? points->GetVoidPointer(0) : nullptr;
+}
+
+/// When a grid was modified last, but for its arrays: those that are not traced do not matter.
+vtkMTimeType FindOwnTime(vtkPointSet* grid)
+{
+  return std::max({ grid->vtkObject::GetMTime(), grid->GetPointData()->vtkObject::GetMTime(),
+    grid->GetCellData()->vtkObject::GetMTime() });
+}
+
+/// The objects of a grid that are traced. Some may be null.
+std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
+{
+  std::vector<vtkObject*> parts = { scalars, grid->GetPoints(), grid->GetCellGhostArray(),
+    grid->GetPointGhostArray() };
+  if (auto* listed = vtkUnstructuredGrid::SafeDownCast(grid))
+  {
+    parts.insert(parts.end(), { listed->GetCells(), listed->GetCellTypesArray() });
+  }
+  return parts;
+}
+
+}
+
+//------------------------------------------------------------------------------
+/// While it is the same, so is the mesh.
+struct vtkIsosurfaceRayTraceMesh::Key
+{
+  Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
+    : Grid(grid)
+    , GridTime(FindOwnTime(grid))
+    , Points(FindPoints(grid))
+    , AreOfCells(scalars.AreOfCells)
+    , Component(scalars.Component)
+  {
+    for (vtkObject* part : FindParts(grid, scalars.Array))
+    {
+      this->Parts.emplace_back(part, part ? part->GetMTime() : 0);
+    }
+  }
+
+  bool operator==(const Key& other) const
+  {
+    return this->Grid == other.Grid && this->GridTime == other.GridTime &&
+      this->Points == other.Points && this->AreOfCells == other.AreOfCells &&
+      this->Component == other.Component && this->Parts == other.Parts;
+  }
+
+  vtkPointSet* Grid;
+  vtkMTimeType GridTime;
+  /// The memory of the points.
+  const void* Points;
+  bool AreOfCells;
+  int Component;
+  std::vector<std::pair<vtkObject*, vtkMTimeType>> Parts;
+};
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMesh::IsMesh(vtkDataSet* data)
+{
+  return vtkUnstructuredGrid::SafeDownCast(data) || vtkStructuredGrid::SafeDownCast(data);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
+{
+  if (auto* structured = vtkStructuredGrid::SafeDownCast(grid))
+  {
+    int dimensions[3];
+    structured->GetDimensions(dimensions);
+    return *std::min_element(dimensions, dimensions + 3) >= 2;
+  }
+  return HasType(vtkUnstructuredGrid::SafeDownCast(grid), IsSolid);
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
+  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
+  : MadeFrom(std::make_unique<Key>(grid, scalars))
+  , Scalars(scalars)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceMesh::~vtkIsosurfaceRayTraceMesh() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMesh::IsOf(
+  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars) const
+{
+  return Key(grid, scalars) == *this->MadeFrom;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSet* vtkIsosurfaceRayTraceMesh::GetGrid() const
+{
+  return this->MadeFrom->Grid;
+}
+
+//------------------------------------------------------------------------------
+/// The memory of an array, which must be the same as long as the array is traced.
+const void* vtkIsosurfaceRayTraceMesh::Read(vtkDataArray* array)
+{
+  this->ReadArrays.push_back({ array, array->GetVoidPointer(0), array->GetNumberOfValues() });
+  return this->ReadArrays.back().Memory;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMesh::SelectCells()
+{
+  vtkPointSet* grid = this->GetGrid();
+  this->View.NumberOfPoints = grid->GetNumberOfPoints();
+  auto* structured = vtkStructuredGrid::SafeDownCast(grid);
+  if (!structured)
+  {
+    return this->SelectListedCells(vtkUnstructuredGrid::SafeDownCast(grid));
+  }
+  vtkirt::Index3& dimensions = this->View.Dimensions;
+  structured->GetDimensions(dimensions.data());
+  if (!HasVolume(grid))
+  {
+    return "The input has " + std::to_string(dimensions[0]) + " x " +
+      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+      " points. An isosurface needs cells of three dimensions: at least 2 points along each axis.";
+  }
+  if (this->View.NumberOfPoints != static_cast<std::int64_t>(vtkirt::Count(dimensions)))
+  {
+    return "The input has " + std::to_string(this->View.NumberOfPoints) +
+      " points, but its dimensions ask for " + std::to_string(vtkirt::Count(dimensions)) + ".";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType count = grid->GetNumberOfCells();
+  if (count > static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
+  {
+    return "The input has more than 2^32 - 1 cells. Give it in several pieces.";
+  }
+  if (!HasVolume(grid))
+  {
+    return "The input has no cells of three dimensions. Give tetrahedra, hexahedra, voxels, wedges "
+           "or pyramids.";
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    this->Shapes.push_back(static_cast<unsigned char>(grid->GetCellType(i)));
+  }
+  this->ViewCells(grid->GetCells());
+  const std::string problem = vtkirt::FindProblem(
+    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), 1);
+  const auto isSubdivided = [](int type) { return !IsTraced(type) && IsSolid(type); };
+  if (problem.empty() && HasType(grid, isSubdivided))
+  {
+    this->SubdivideCells(grid);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the lists of cells where they are, if their types allow it.
+void vtkIsosurfaceRayTraceMesh::ViewCells(vtkCellArray* cells)
+{
+  vtkDataArray* offsets = cells->GetOffsetsArray();
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  const auto idType = FindIdType(connectivity);
+  this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
+  this->View.Shapes = this->Shapes.data();
+  if (idType && FindIdType(offsets) == idType)
+  {
+    this->View.IdType = *idType;
+    this->View.Offsets = this->Read(offsets);
+    this->View.Connectivity = this->Read(connectivity);
+    return;
+  }
+  const auto copy = [](vtkDataArray* from, std::vector<std::int64_t>& to)
+  {
+    for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
+    {
+      to.push_back(static_cast<std::int64_t>(from->GetTuple1(i)));
+    }
+    return to.data();
+  };
+  this->View.IdType = vtkirt::ScalarType::Int64;
+  this->View.Offsets = copy(offsets, this->Offsets);
+  this->View.Connectivity = copy(connectivity, this->Connectivity);
+}
+
+//------------------------------------------------------------------------------
+/// Quadratic cells, polyhedra and others become tetrahedra, as VTK subdivides them.
+void vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
+{
+  std::vector<unsigned char> shapes;
+  std::vector<std::int64_t> offsets = { 0 };
+  std::vector<std::int64_t> connectivity;
+  const auto add = [&](int shape, vtkIdList* ids, vtkIdType first, vtkIdType count, vtkIdType cell)
+  {
+    shapes.push_back(static_cast<unsigned char>(shape));
+    for (vtkIdType i = first; i < first + count; ++i)
+    {
+      connectivity.push_back(ids->GetId(i));
+    }
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    this->CellIds.push_back(cell);
+  };
+  vtkNew<vtkGenericCell> generic;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const int shape = this->Shapes[static_cast<std::size_t>(i)];
+    if (IsTraced(shape))
+    {
+      grid->GetCellPoints(i, ids);
+      add(shape, ids, 0, ids->GetNumberOfIds(), i);
+      continue;
+    }
+    grid->GetCell(i, generic);
+    if (generic->GetCellDimension() == 3 && generic->Triangulate(0, ids, points) != 0)
+    {
+      for (vtkIdType first = 0; first + 4 <= ids->GetNumberOfIds(); first += 4)
+      {
+        add(VTK_TETRA, ids, first, 4, i);
+      }
+    }
+  }
+  this->Shapes = std::move(shapes);
+  this->Offsets = std::move(offsets);
+  this->Connectivity = std::move(connectivity);
+  this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
+  this->View.Shapes = this->Shapes.data();
+  this->View.IdType = vtkirt::ScalarType::Int64;
+  this->View.Offsets = this->Offsets.data();
+  this->View.Connectivity = this->Connectivity.data();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::SelectPoints()
+{
+  vtkDataArray* points = this->GetGrid()->GetPoints()->GetData();
+  const bool isReal = points->GetDataType() == VTK_FLOAT || points->GetDataType() == VTK_DOUBLE;
+  if (!isReal || !points->HasStandardMemoryLayout())
+  {
+    this->PlainPoints.TakeReference(vtkDataArray::CreateDataArray(VTK_DOUBLE));
+    this->PlainPoints->DeepCopy(points);
+    points = this->PlainPoints;
+  }
+  this->View.Points = this->Read(points);
+  this->View.PointType =
+    points->GetDataType() == VTK_FLOAT ? vtkirt::ScalarType::Float32 : vtkirt::ScalarType::Float64;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::SelectValues()
+{
+  vtkIsosurfaceRayTraceScalars ofPoints = this->Scalars;
+  if (this->Scalars.AreOfCells)
+  {
+    // The averages are those of VTK.
+    auto copy = vtk::TakeSmartPointer(this->GetGrid()->NewInstance());
+    copy->CopyStructure(this->GetGrid());
+    auto array = vtk::TakeSmartPointer(this->Scalars.Array->NewInstance());
+    array->ShallowCopy(this->Scalars.Array);
+    array->SetName("values");
+    copy->GetCellData()->AddArray(array);
+    vtkNew<vtkCellDataToPointData> average;
+    average->SetInputData(copy);
+    average->Update();
+    this->PointScalars = average->GetOutput()->GetPointData()->GetArray("values");
+    ofPoints.Array = this->PointScalars;
+    ofPoints.AreOfCells = false;
+  }
+  const vtkIsosurfaceRayTraceScalars::View values = ofPoints.MakeView(this->PlainScalars);
+  this->Read(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
+  this->View.Values = values.Values;
+  this->View.ValueType = values.Type;
+  this->View.ValueStride = values.Stride;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
+{
+  vtkUnsignedCharArray* cellFlags = this->GetGrid()->GetCellGhostArray();
+  vtkUnsignedCharArray* pointFlags = this->GetGrid()->GetPointGhostArray();
+  if (!cellFlags && !pointFlags)
+  {
+    return;
+  }
+  constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
+    vtkDataSetAttributes::DUPLICATECELL;
+  const std::int64_t count = this->Cells->GetNumberOfCells();
+  this->HiddenCells.resize(static_cast<std::size_t>(count), 0);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const auto number = static_cast<std::size_t>(i);
+    const vtkIdType id = this->CellIds.empty() ? i : this->CellIds[number];
+    bool isHidden = cellFlags && (cellFlags->GetValue(id) & hiddenCell) != 0;
+    vtkirt::MeshCell cell;
+    if (pointFlags && this->Cells->LoadIds(i, cell))
+    {
+      isHidden = isHidden ||
+        std::any_of(cell.Ids, cell.Ids + cell.Count,
+          [pointFlags](vtkIdType point)
+          { return (pointFlags->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+    }
+    this->HiddenCells[number] = isHidden ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMesh::Update(int threads)
+{
+  if (this->Field)
+  {
+    return false;
+  }
+  this->SelectPoints();
+  this->SelectValues();
+  this->Cells = std::make_unique<vtkirt::MeshCells>(this->View);
+  this->FindHiddenCells();
+  this->Field = std::make_unique<vtkirt::MeshField>(this->View, threads);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
+{
+  vtkirt::Visibility visible;
+  visible.HiddenCells = this->HiddenCells.empty() ? nullptr : this->HiddenCells.data();
+  return visible;
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMesh::GetCellSize() const
+{
+  using vtkirt::operator-;
+  const vtkirt::Bounds box = this->Field->GetBounds();
+  return vtkirt::Length(box.Upper - box.Lower) /
+    std::cbrt(static_cast<double>(this->Cells->GetNumberOfCells()));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(const vtkirt::Hit& hit) const
+{
+  return this->CellIds.empty() ? hit.Cell : this->CellIds[static_cast<std::size_t>(hit.Cell)];
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMesh::FindNearestPoint(
+  vtkDataSet* grid, vtkIdType cell, const double position[3])
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  vtkIdType nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
+    if (square < least)
+    {
+      least = square;
+      nearest = ids->GetId(i);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
+{
+  // Of what is traced: an observer may have given the grid other points and cells.
+  vtkirt::MeshCell cell;
+  this->Cells->Load(hit.Cell, cell);
+  const vtkirt::Vector3 position = this->Field->GetPoint(hit);
+  const auto* nearest = std::min_element(cell.Points, cell.Points + cell.Count,
+    [&position](const vtkirt::Vector3& a, const vtkirt::Vector3& b)
+    {
+      return vtkMath::Distance2BetweenPoints(a.data(), position.data()) <
+        vtkMath::Distance2BetweenPoints(b.data(), position.data());
+    });
+  return cell.Ids[nearest - cell.Points];
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::Interpolate(
+  const vtkirt::Hit& hit, vtkDataArray* array, int components, double* values) const
+{
+  vtkirt::MeshCell cell;
+  this->Cells->LoadIds(hit.Cell, cell);
+  vtkirt::CornerWeights weights;
+  vtkirt::GetWeights(cell.Shape, hit.Parametric, weights);
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] = 0.0;
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      // Values without weight may be NaN.
+      values[component] +=
+        weights[i] == 0.0 ? 0.0 : weights[i] * array->GetComponent(cell.Ids[i], component);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMesh::IsIntact() const
+{
+  return std::all_of(this->ReadArrays.begin(), this->ReadArrays.end(),
+    [](const ReadArray& read)
+    {
+      return read.Array->GetVoidPointer(0) == read.Memory &&
+        read.Array->GetNumberOfValues() >= read.Values;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMesh::AddObjects(std::vector<vtkObject*>& objects) const
+{
+  objects.push_back(this->GetGrid());
+  const std::vector<vtkObject*> parts = FindParts(this->GetGrid(), this->Scalars.Array);
+  objects.insert(objects.end(), parts.begin(), parts.end());
+  for (const ReadArray& read : this->ReadArrays)
+  {
+    objects.push_back(read.Array);
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An unstructured or structured grid with scalars, as a field that is traced.
+
+#ifndef vtkIsosurfaceRayTraceMesh_h
+#define vtkIsosurfaceRayTraceMesh_h
+
+#include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"               // for ivars
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Mesh/MeshField.h"
+
+#include <cstdint> // for std::int64_t
+#include <memory>  // for std::unique_ptr
+#include <string>  // for std::string
+#include <vector>  // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDataSet;
+class vtkObject;
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+class vtkIsosurfaceRayTraceMesh
+{
+public:
+  /// Whether a data set is of a class that is traced.
+  static bool IsMesh(vtkDataSet* data);
+
+  /// Whether a mesh has cells of three dimensions.
+  static bool HasVolume(vtkDataSet* grid);
+
+  /// The point of a cell that is nearest to a position.
+  static vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3]);
+
+  /// Of a grid as it is now. The scalars must have no problem.
+  vtkIsosurfaceRayTraceMesh(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars);
+  ~vtkIsosurfaceRayTraceMesh();
+  vtkIsosurfaceRayTraceMesh(const vtkIsosurfaceRayTraceMesh&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceMesh&) = delete;
+
+  /// Whether the mesh is still that of a grid with these scalars.
+  bool IsOf(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars) const;
+
+  /// Finds the cells to trace. Returns why there are none; else empty.
+  std::string SelectCells();
+
+  /// Builds the field of the cells, if it is not there. Returns whether it had to be built.
+  bool Update(int threads);
+
+  /// Null before Update.
+  vtkIsosurfaceRayTracing::MeshField* GetField() const { return this->Field.get(); }
+  vtkIsosurfaceRayTracing::Visibility FindVisible() const;
+
+  /// As if all cells were cubes of one size.
+  double GetCellSize() const;
+
+  vtkPointSet* GetGrid() const;
+  vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
+
+  /// Finds the first components of an array of the points at a hit. Called by many threads at once.
+  void Interpolate(const vtkIsosurfaceRayTracing::Hit& hit, vtkDataArray* array, int components,
+    double* values) const;
+
+  /// The number of points that are traced.
+  vtkIdType GetNumberOfPoints() const { return this->View.NumberOfPoints; }
+
+  /// See vtkIsosurfaceRayTraceInput.
+  bool IsIntact() const;
+  void AddObjects(std::vector<vtkObject*>& objects) const;
+
+private:
+  struct Key;
+
+  /// An array in the memory of its owner.
+  struct ReadArray
+  {
+    vtkDataArray* Array;
+    const void* Memory;
+    vtkIdType Values;
+  };
+
+  const void* Read(vtkDataArray* array);
+
+  std::string SelectListedCells(vtkUnstructuredGrid* grid);
+  void ViewCells(vtkCellArray* cells);
+  void SubdivideCells(vtkUnstructuredGrid* grid);
+  void SelectPoints();
+  void SelectValues();
+  void FindHiddenCells();
+
+  /// What the mesh is made from.
+  std::unique_ptr<Key> MadeFrom;
+  vtkIsosurfaceRayTraceScalars Scalars;
+  vtkIsosurfaceRayTracing::MeshView View;
+  /// Null before Update.
+  std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;
+  std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
+  /// What is read where it is, and copies of what cannot: points, scalars.
+  std::vector<ReadArray> ReadArrays;
+  vtkSmartPointer<vtkDataArray> PlainPoints;
+  vtkSmartPointer<vtkDataArray> PointScalars;
+  vtkSmartPointer<vtkDataArray> PlainScalars;
+  /// Of an unstructured grid, the shapes of the cells; and the cells themselves, if some had to be
+  /// subdivided, with the ids of those that they are parts of.
+  std::vector<unsigned char> Shapes;
+  std::vector<std::int64_t> Offsets;
+  std::vector<std::int64_t> Connectivity;
+  std::vector<vtkIdType> CellIds;
+  std::vector<unsigned char> HiddenCells;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isosurfaces of meshes coloured by another array."""
+
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_PYRAMID,
+    VTK_QUADRATIC_TETRA,
+    VTK_TETRA,
+    VTK_WEDGE,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+import vtkmodules.vtkRenderingOpenGL2  # the window
+
+from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume, plane
+
+PIXELS = 60
+BLUE, RED = (0.1, 0.2, 0.9), (0.9, 0.1, 0.0)
+
+
+def add_array(grid, name, function, array=None):
+    """A point array by a function of the position, of as many components as it has values."""
+    array = array or vtkDoubleArray()
+    array.SetName(name)
+    for i in range(grid.GetNumberOfPoints()):
+        values = function(grid.GetPoint(i))
+        array.SetNumberOfComponents(len(values))
+        array.InsertNextTuple(values)
+    grid.GetPointData().AddArray(array)
+    return grid
+
+
+def height(point):
+    return (point[2] / SIZE,)
+
+
+def paint(point):
+    return tuple(255.0 * p / SIZE for p in point)
+
+
+def make_scene(data, name):
+    """Not lit, so that pixels have the colours themselves."""
+    mapper, volume = make_volume(data, 0.0)
+    surface = volume.GetProperty()
+    surface.ShadeOff()
+    surface.GetScalarOpacity().RemoveAllPoints()
+    surface.GetScalarOpacity().AddPoint(0.0, 1.0)
+    colors = surface.GetRGBTransferFunction()
+    colors.RemoveAllPoints()
+    colors.AddRGBPoint(0.0, *BLUE)
+    colors.AddRGBPoint(1.0, *RED)
+    mapper.SetColorArrayName(name)
+    renderer = vtkRenderer()
+    renderer.AddVolume(volume)
+    renderer.GetActiveCamera().SetPosition(1.0, 0.6, 0.8)
+    renderer.ResetCamera()
+    return mapper, volume, renderer
+
+
+def take_picture(scene):
+    mapper, volume, renderer = scene
+    image = vtkImageData()
+    assert mapper.RenderToImage(volume, renderer.GetActiveCamera(), None, PIXELS, PIXELS, image)
+    data = image.GetPointData()
+    return [(data.GetArray("Colors").GetTuple(i), data.GetArray("Position").GetTuple(i))
+            for i in range(PIXELS**2) if data.GetArray("CellId").GetTuple1(i) >= 0]  # fmt: skip
+
+
+class TestMeshColors(unittest.TestCase):
+    def check(self, data, name, color_at):
+        """Each pixel has the colour of its position."""
+        pixels = take_picture(make_scene(data, name))
+        self.assertGreater(len(pixels), 400)
+        for color, position in pixels:
+            for channel, expected in zip(color, color_at(position)):
+                self.assertAlmostEqual(channel, expected, delta=0.6)
+
+    @staticmethod
+    def color_of_height(position):
+        (t,) = height(position)
+        return [255.0 * ((1.0 - t) * a + t * b) for a, b in zip(BLUE, RED)]
+
+    def test_values_have_the_colours_of_the_function(self):
+        """Linear ones are interpolated exactly in every shape."""
+        for shape in (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA):
+            with self.subTest(shape=shape):
+                self.check(add_array(make_grid(shape, ball), "height", height), "height", self.color_of_height)
+        grid = add_array(make_structured_grid(ball), "height", height)
+        self.check(grid, "height", self.color_of_height)
+
+    def test_colours_are_shown_as_they_are(self):
+        grid = add_array(make_grid(VTK_TETRA, ball), "paint", paint, vtkUnsignedCharArray())
+        pixels = take_picture(make_scene(grid, "paint"))
+        self.assertGreater(len(pixels), 400)
+        for color, position in pixels:
+            for channel, expected in zip(color, paint(position)):
+                self.assertAlmostEqual(channel, expected, delta=1.6)  # bytes at points are rounded down
+
+    def test_blocks(self):
+        one = add_array(make_grid(VTK_TETRA, ball), "height", height)
+        other = add_array(make_structured_grid(lambda p: plane(p) - 4.0), "height", height)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, one)
+        blocks.SetBlock(1, other)
+        self.check(blocks, "height", self.color_of_height)
+
+    def test_a_new_colour_costs_a_frame(self):
+        grid = add_array(make_grid(VTK_TETRA, ball), "height", height)
+        mapper, _, renderer = scene = make_scene(grid, "height")
+        mapper.ProgressiveAccumulationOn()
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(PIXELS, PIXELS)
+        window.AddRenderer(renderer)
+        window.Render()
+        self.assertGreater(mapper.GetTreeBuildTime(), 0.0)
+        window.Render()
+        self.assertEqual(mapper.GetNumberOfAccumulatedFrames(), 2)
+        array = grid.GetPointData().GetArray("height")
+        array.Fill(0.0)
+        array.Modified()
+        window.Render()
+        self.assertEqual(mapper.GetTreeBuildTime(), 0.0)
+        self.assertEqual(mapper.GetNumberOfAccumulatedFrames(), 1)
+        for color, _ in take_picture(scene):
+            for channel, expected in zip(color, BLUE):
+                self.assertAlmostEqual(channel, 255.0 * expected, delta=0.6)
+
+    def test_errors(self):
+        bare = make_grid(VTK_TETRA, ball)
+        painted = add_array(make_structured_grid(ball), "height", height)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, painted)
+        blocks.SetBlock(1, bare)
+        vectors = vtkMultiBlockDataSet()
+        vectors.SetBlock(0, painted)
+        vectors.SetBlock(1, add_array(make_grid(VTK_TETRA, ball), "height", lambda p: p))
+        short = add_array(make_grid(VTK_TETRA, ball), "height", height)
+        short.GetPointData().GetArray("height").SetNumberOfTuples(7)
+        for data, text in ((bare, 'no point data named "height"'), (blocks, 'no point data named "height"'),
+                           (short, 'no point data named "height"'),
+                           (vectors, "Block 2 of the composite input has 3 components to colour by")):
+            with self.subTest(text):
+                mapper, volume, renderer = make_scene(data, "height")
+
+                def draw(mapper=mapper, volume=volume, renderer=renderer):
+                    self.assertFalse(mapper.RenderToImage(
+                        volume, renderer.GetActiveCamera(), None, PIXELS, PIXELS, vtkImageData()))
+
+                messages = errors_of(mapper, draw)
+                self.assertEqual(len(messages), 1, messages)
+                self.assertIn(text, messages[0])
+                self.assertEqual(errors_of(mapper, draw), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
