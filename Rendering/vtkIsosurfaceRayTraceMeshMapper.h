@@ -212,9 +212,8 @@ public:
   ///@{
   /**
    * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
-   * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
-   * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
-   * (Parker et al. used 32 x 4.)
+   * 4096 each. Default: 32 x 32: the cells that a tile may show are found and projected once for
+   * all its rays; smaller tiles keep many threads busy to the end.
    */
   void SetTileSize(int width, int height);
   void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }
@@ -449,7 +448,7 @@ private:
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;
   double AmbientOcclusionRadius = 0.0;
-  int TileSize[2] = { 16, 8 };
+  int TileSize[2] = { 32, 32 };
   vtkTypeBool AutoAdjustSampleDistances = 1;
   float ImageSampleDistance = 1.0F;
   float MinimumImageSampleDistance = 1.0F;

@@ -5,6 +5,7 @@
 
 #include "Mesh/ShapeFunctions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -13,58 +14,61 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Calls visit(cell, point) for every corner of the cells that are traced.
-template <typename Visit>
-void ForEachCorner(const MeshCells& cells, const Visit& visit)
-{
-  for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
-  {
-    MeshCell cell;
-    const int count = cells.Load(i, cell) ? cell.Count : 0;
-    for (int corner = 0; corner < count; ++corner)
-    {
-      visit(i, static_cast<std::size_t>(cell.Ids[corner]));
-    }
-  }
-}
-
-/// The cells around each point, in order: those of point i are from Cells[First[i]] to before
-/// Cells[First[i + 1]].
-struct CellsOfPoints
-{
-  explicit CellsOfPoints(const MeshCells& cells)
-    : First(static_cast<std::size_t>(cells.GetNumberOfPoints()) + 2)
-  {
-    ForEachCorner(cells, [this](std::int64_t, std::size_t point) { ++this->First[point + 2]; });
-    for (std::size_t i = 1; i < this->First.size(); ++i)
-    {
-      this->First[i] += this->First[i - 1];
-    }
-    this->Cells.resize(this->First.back());
-    ForEachCorner(cells,
-      [this](std::int64_t number, std::size_t point)
-      {
-        // What is the end of the point before becomes that of this point.
-        this->Cells[this->First[point + 1]++] = static_cast<std::uint32_t>(number);
-      });
-  }
-
-  std::vector<std::size_t> First;
-  std::vector<std::uint32_t> Cells;
-};
-
-Vector3 GetGradientAtCorner(const MeshCell& cell, std::int64_t id)
+Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
 {
   CornerWeights weights = {};
-  for (int i = 0; i < cell.Count; ++i)
+  weights[corner] = 1.0;
+  return GetGradient(cell, GetParametric(cell.Shape, weights));
+}
+
+/// The sum of the gradients around a point, each times the volume of its cell, and of the volumes.
+struct WeightedSum
+{
+  Vector3 Gradients = {};
+  double Volumes = 0.0;
+
+  void Add(const Vector3& gradient, double volume, double unit)
   {
-    if (cell.Ids[i] == id)
+    this->Gradients = this->Gradients + gradient * (unit * volume);
+    this->Volumes += volume;
+  }
+};
+
+/// Points with consecutive ids.
+struct PointRange
+{
+  std::int64_t First;
+  std::int64_t Last;
+
+  bool Has(std::int64_t id) const { return id >= this->First && id < this->Last; }
+};
+
+/// Adds all cells to the sums of their corners in a range, in the order of the cells.
+void AddCells(
+  const MeshCells& cells, const PointRange& range, double unit, std::vector<WeightedSum>& sums)
+{
+  for (std::int64_t number = 0; number < cells.GetNumberOfCells(); ++number)
+  {
+    MeshCell cell;
+    if (!cells.LoadIds(number, cell) ||
+      std::none_of(
+        cell.Ids, cell.Ids + cell.Count, [&range](std::int64_t id) { return range.Has(id); }) ||
+      !cells.LoadCorners(cell))
     {
-      weights[i] = 1.0;
-      break;
+      continue;
+    }
+    const double volume = GetVolume(cell);
+    const bool isConstant = cell.Shape == CellShape::Tetrahedron;
+    Vector3 gradient = GetGradientAtCorner(cell, 0);
+    for (int corner = 0; corner < cell.Count; ++corner)
+    {
+      if (range.Has(cell.Ids[corner]))
+      {
+        gradient = isConstant || corner == 0 ? gradient : GetGradientAtCorner(cell, corner);
+        sums[static_cast<std::size_t>(cell.Ids[corner])].Add(gradient, volume, unit);
+      }
     }
   }
-  return GetGradient(cell, GetParametric(cell.Shape, weights));
 }
 
 }
@@ -74,22 +78,19 @@ PointGradients::PointGradients(const MeshCells& cells, double unit, int threads)
   : Unit(unit)
   , Gradients(static_cast<std::size_t>(cells.GetNumberOfPoints()))
 {
-  const CellsOfPoints around(cells);
+  const std::int64_t count = cells.GetNumberOfPoints();
+  std::vector<WeightedSum> sums(this->Gradients.size());
+  // Each thread looks at all cells, but sums at points of its own: the order is always the same.
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t id = 0; id < cells.GetNumberOfPoints(); ++id)
+  for (int part = 0; part < threads; ++part)
+  {
+    AddCells(cells, { count * part / threads, count * (part + 1) / threads }, unit, sums);
+  }
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t id = 0; id < count; ++id)
   {
     const auto point = static_cast<std::size_t>(id);
-    Vector3 sum = {};
-    double volumes = 0.0;
-    for (std::size_t i = around.First[point]; i < around.First[point + 1]; ++i)
-    {
-      MeshCell cell;
-      cells.Load(around.Cells[i], cell);
-      const double volume = GetVolume(cell);
-      sum = sum + GetGradientAtCorner(cell, id) * (unit * volume);
-      volumes += volume;
-    }
-    const Vector3 mean = sum * (1.0 / volumes);
+    const Vector3 mean = sums[point].Gradients * (1.0 / sums[point].Volumes);
     constexpr double largest = 1e30;
     if (!(std::abs(mean[0]) + std::abs(mean[1]) + std::abs(mean[2]) < largest))
     {

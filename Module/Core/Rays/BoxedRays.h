@@ -38,7 +38,9 @@ SIMD_INLINE auto MoveToBox(const double lower[3], const double upper[3], BoxedRa
   {
     const Number origin = rays.Origin[axis];
     const Number direction = rays.Direction[axis];
-    isRay = isRay & (Abs(origin) < infinity) & (Abs(direction) < infinity);
+    const Mask isOriginFinite = Abs(origin) < infinity;
+    const Mask isDirectionFinite = Abs(direction) < infinity;
+    isRay = isRay & isOriginFinite & isDirectionFinite;
     rays.Inverse[axis] = one / direction;
     const Number a = (lower[axis] - origin) * rays.Inverse[axis];
     const Number b = (upper[axis] - origin) * rays.Inverse[axis];
@@ -51,7 +53,8 @@ SIMD_INLINE auto MoveToBox(const double lower[3], const double upper[3], BoxedRa
   }
   // A ray in a face of the box, or along it, is in or out by rounding. It has no length to lose.
   const Number slack = 0x1p-40 * (Abs(begin) + Abs(end));
-  isRay = isRay & (one / size < infinity) & (begin <= end + slack);
+  const Mask hasLength = one / size < infinity;
+  isRay = isRay & hasLength & (begin <= end + slack);
   // The new origin is near the box: its coordinates have as many digits as those in it.
   rays.Base = begin;
   for (int axis = 0; axis < 3; ++axis)
