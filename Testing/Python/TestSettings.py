@@ -95,7 +95,8 @@ class TestSettings(unittest.TestCase):
 
     def test_shared_settings_are_alike(self):
         images, meshes = (kind() for kind in MAPPERS)
-        shared = set(find_settings(images)) & set(find_settings(meshes)) - {"BlendMode"}
+        own = {"BlendMode", "TileSize"}  # Meshes gain from larger tiles.
+        shared = set(find_settings(images)) & set(find_settings(meshes)) - own
         self.assertGreater(len(shared), 15)
         for name in shared:
             with self.subTest(name):
