@@ -109,15 +109,15 @@ SIMD_INLINE Number GetEndDepth(const BeamNumbers& frame, Number coordinate)
   return depth + 0x1p-20 * (Abs(depth) + frame.Length);
 }
 
-/// Cells that a surface passes: the coordinates of their corners, and the differences of their
-/// values from the isovalue. Tetrahedra have four corners, in the order of their ids; the others
-/// those of the trilinear cell.
+/// Cells that a surface passes: of each corner the coordinates, and the difference of its value
+/// from the isovalue. Tetrahedra have four corners, in the order of their ids; the others those of
+/// the trilinear cell.
 struct PassedCellRecords
 {
   static constexpr int Capacity = LabelBounds::Capacity;
   static constexpr int Corners = 8;
 
-  alignas(64) double Corner[Corners][4][Capacity];
+  alignas(64) double Corner[Capacity][Corners][4];
 };
 
 /// Bounds of the pieces of surfaces in some cells.
@@ -176,12 +176,10 @@ struct FramedRays
   alignas(64) double Label[2][RayPacket::Capacity];
   /// The depth that they end at.
   alignas(64) double End[RayPacket::Capacity];
-  /// The axes along the ray and across.
-  int Axis[3][RayPacket::Capacity];
-  alignas(64) double Origin[3][RayPacket::Capacity];
-  alignas(64) double ShearX[RayPacket::Capacity];
-  alignas(64) double ShearY[RayPacket::Capacity];
-  alignas(64) double Inverse[RayPacket::Capacity];
+  /// The longest axis of the ray.
+  int Axis[RayPacket::Capacity];
+  /// The numbers of the frame, as in FrameNumbers: its origin, the shears and the inverse.
+  alignas(64) double Frame[RayPacket::Capacity][8];
 };
 
 /// Rays in tetrahedra, and where they hit.
@@ -191,8 +189,8 @@ struct TetrahedronPairs
 
   int Count;
   int Ray[Capacity];
-  /// Where the record of the cell begins, counted from the first one of all in doubles.
-  int Record[Capacity];
+  /// The corners of the cell, as in PassedCellRecords.
+  const double (*Corners[Capacity])[4];
   int Piece[Capacity];
   /// Those with a hit; a bit for each. The numbers of the others are undefined.
   std::uint64_t Found;

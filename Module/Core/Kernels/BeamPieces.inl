@@ -104,17 +104,23 @@ struct ProjectedCells
     Doubles largest = 0.0;
     for (int corner = 0; corner < Corners; ++corner)
     {
-      const auto& numbers = records.Corner[corner];
+      const double* rows[DoubleWidth];
+      for (int lane = 0; lane < DoubleWidth; ++lane)
+      {
+        rows[lane] = records.Corner[first + lane][corner];
+      }
+      Doubles numbers[4];
+      LoadFours(rows, numbers);
       Doubles* point = this->Points[corner];
-      const Doubles z = Load(&numbers[frame.Along][first]) - frame.Plane;
+      const Doubles z = numbers[frame.Along] - frame.Plane;
       for (int k = 0; k < 2; ++k)
       {
-        const Doubles x = Load(&numbers[frame.Across[k]][first]) - frame.Center[k];
+        const Doubles x = numbers[frame.Across[k]] - frame.Center[k];
         point[k] = (x - frame.Slope[k] * z) * frame.InverseSize;
       }
       point[2] = 1.0 + frame.Spread * z;
       point[3] = frame.Sign * z;
-      point[4] = Load(&numbers[3][first]);
+      point[4] = numbers[3];
       largest = Max(largest, Abs(point[4]));
       isBounded = isBounded & (frame.SmallestW < point[2]) &
         (Abs(point[0]) + Abs(point[1]) + point[2] < LargestCoordinate);

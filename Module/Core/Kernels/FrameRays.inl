@@ -14,7 +14,8 @@ struct LongestAxes
   Mask AreFirst;
   Mask AreSecond;
 
-  SIMD_INLINE LongestAxes(const Doubles direction[3])
+  LongestAxes() = default;
+  SIMD_INLINE explicit LongestAxes(const Doubles direction[3])
   {
     const Doubles size[3] = { Abs(direction[0]), Abs(direction[1]), Abs(direction[2]) };
     this->AreFirst = (size[1] <= size[0]) & (size[2] <= size[0]);
@@ -37,25 +38,27 @@ SIMD_INLINE void StoreFrames(const Doubles origin[3], const Doubles direction[3]
 {
   const LongestAxes axes(direction);
   Doubles turned[3];
+  double numbers[6][DoubleWidth];
   axes.Turn(origin, turned);
   for (int i = 0; i < 3; ++i)
   {
-    Store(turned[i], &framed.Origin[i][first]);
+    Store(turned[i], numbers[i]);
   }
   axes.Turn(inverses, turned);
   const Doubles inverse = turned[0];
+  Store(inverse, numbers[5]);
   axes.Turn(direction, turned);
-  Store(turned[1] * inverse, &framed.ShearX[first]);
-  Store(turned[2] * inverse, &framed.ShearY[first]);
-  Store(inverse, &framed.Inverse[first]);
+  Store(turned[1] * inverse, numbers[3]);
+  Store(turned[2] * inverse, numbers[4]);
   const unsigned int areFirst = ToBits(axes.AreFirst);
   const unsigned int areSecond = ToBits(axes.AreSecond);
   for (int lane = 0; lane < DoubleWidth; ++lane)
   {
-    const int along = (areFirst >> lane & 1U) != 0 ? 0 : ((areSecond >> lane & 1U) != 0 ? 1 : 2);
-    for (int i = 0; i < 3; ++i)
+    framed.Axis[first + lane] =
+      (areFirst >> lane & 1U) != 0 ? 0 : ((areSecond >> lane & 1U) != 0 ? 1 : 2);
+    for (int i = 0; i < 6; ++i)
     {
-      framed.Axis[i][first + lane] = (along + i) % 3;
+      framed.Frame[first + lane][i] = numbers[i][lane];
     }
   }
 }

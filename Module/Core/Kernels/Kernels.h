@@ -264,7 +264,7 @@ struct Kernels
     const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs);
 
   /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does.
-  void (*SolveTetrahedra)(const FramedRays& rays, const double* records, TetrahedronPairs& pairs);
+  void (*SolveTetrahedra)(const FramedRays& rays, TetrahedronPairs& pairs);
 };
 
 extern const Kernels BaselineKernels;

@@ -8,45 +8,65 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-SIMD_INLINE FrameNumbers<Doubles> GatherFrames(const FramedRays& rays, const int* numbers)
+/// The rays of a vector of pairs. Behind the last pair it is repeated.
+struct RaysOfPairs
 {
-  return { { Gather(rays.Origin[0], numbers), Gather(rays.Origin[1], numbers),
-             Gather(rays.Origin[2], numbers) },
-    Gather(rays.ShearX, numbers), Gather(rays.ShearY, numbers), Gather(rays.Inverse, numbers) };
-}
+  FrameNumbers<Doubles> Frames;
+  LongestAxes Axes;
+  const double (*Corners[DoubleWidth])[4];
 
-void SolveTetrahedra(const FramedRays& rays, const double* records, TetrahedronPairs& pairs)
+  SIMD_INLINE RaysOfPairs(const FramedRays& rays, const TetrahedronPairs& pairs, int first)
+  {
+    const double* rows[2][DoubleWidth];
+    unsigned int axes[3] = {};
+    for (int lane = 0; lane < DoubleWidth; ++lane)
+    {
+      const int pair = SmallerOf(first + lane, pairs.Count - 1);
+      const int ray = pairs.Ray[pair];
+      rows[0][lane] = rays.Frame[ray];
+      rows[1][lane] = rays.Frame[ray] + 4;
+      axes[rays.Axis[ray]] |= 1U << lane;
+      this->Corners[lane] = pairs.Corners[pair];
+    }
+    this->Axes.AreFirst = ToMask(axes[0]);
+    this->Axes.AreSecond = ToMask(axes[1]);
+    Doubles numbers[2][4];
+    LoadFours(rows[0], numbers[0]);
+    LoadFours(rows[1], numbers[1]);
+    this->Frames = { { numbers[0][0], numbers[0][1], numbers[0][2] }, numbers[0][3], numbers[1][0],
+      numbers[1][1] };
+  }
+
+  /// A corner of each cell, in the frame of its ray, and the difference there.
+  SIMD_INLINE FramePointOf<Doubles> GetCorner(int corner, Doubles& difference) const
+  {
+    const double* rows[DoubleWidth];
+    for (int lane = 0; lane < DoubleWidth; ++lane)
+    {
+      rows[lane] = this->Corners[lane][corner];
+    }
+    Doubles numbers[4];
+    LoadFours(rows, numbers);
+    difference = numbers[3];
+    Doubles turned[3];
+    this->Axes.Turn(numbers, turned);
+    return this->Frames.Get(turned[0], turned[1], turned[2]);
+  }
+};
+
+void SolveTetrahedra(const FramedRays& rays, TetrahedronPairs& pairs)
 {
-  // From one coordinate of a corner to the next, and from corner to corner.
-  constexpr int axis = PassedCellRecords::Capacity;
-  constexpr int corner = 4 * axis;
   pairs.Found = 0;
   pairs.Entering = 0;
   pairs.Extreme = 0;
   for (int first = 0; first < pairs.Count; first += DoubleWidth)
   {
-    int ofRays[DoubleWidth];
-    int ofCells[DoubleWidth];
-    int ofPoints[3][DoubleWidth];
-    for (int lane = 0; lane < DoubleWidth; ++lane)
-    {
-      const int pair = SmallerOf(first + lane, pairs.Count - 1);
-      ofRays[lane] = pairs.Ray[pair];
-      ofCells[lane] = pairs.Record[pair];
-      for (int i = 0; i < 3; ++i)
-      {
-        ofPoints[i][lane] = pairs.Record[pair] + axis * rays.Axis[i][pairs.Ray[pair]];
-      }
-    }
-    const FrameNumbers<Doubles> frames = GatherFrames(rays, ofRays);
+    const RaysOfPairs raysOfPairs(rays, pairs, first);
     TetrahedronHits<Doubles> hits;
     Doubles largest = 0.0;
     for (int i = 0; i < 4; ++i)
     {
-      const double* numbers = records + corner * i;
-      hits.Points[i] = frames.Get(
-        Gather(numbers, ofPoints[0]), Gather(numbers, ofPoints[1]), Gather(numbers, ofPoints[2]));
-      hits.Differences[i] = Gather(numbers + 3 * axis, ofCells);
+      hits.Points[i] = raysOfPairs.GetCorner(i, hits.Differences[i]);
       largest = Max(largest, Max(Abs(hits.Points[i].X), Abs(hits.Points[i].Y)));
     }
     const unsigned int lanes = (1U << SmallerOf(pairs.Count - first, DoubleWidth)) - 1U;

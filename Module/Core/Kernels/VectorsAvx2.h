@@ -149,6 +149,23 @@ SIMD_INLINE double ReduceMin(Doubles a)
   return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
 }
 
+SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
+{
+  __m256d rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = _mm256_loadu_pd(from[i]);
+  }
+  const __m256d low[2] = { _mm256_unpacklo_pd(rows[0], rows[1]),
+    _mm256_unpacklo_pd(rows[2], rows[3]) };
+  const __m256d high[2] = { _mm256_unpackhi_pd(rows[0], rows[1]),
+    _mm256_unpackhi_pd(rows[2], rows[3]) };
+  to[0] = { _mm256_permute2f128_pd(low[0], low[1], 0x20) };
+  to[1] = { _mm256_permute2f128_pd(high[0], high[1], 0x20) };
+  to[2] = { _mm256_permute2f128_pd(low[0], low[1], 0x31) };
+  to[3] = { _mm256_permute2f128_pd(high[0], high[1], 0x31) };
+}
+
 constexpr int FloatWidth = 8;
 
 struct FloatMask

@@ -172,6 +172,27 @@ SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
   return __builtin_popcount(lanes);
 }
 
+/// Four numbers for each lane, each of them in a vector.
+SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
+{
+  __m512d rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = _mm512_insertf64x4(
+      _mm512_castpd256_pd512(_mm256_loadu_pd(from[i])), _mm256_loadu_pd(from[4 + i]), 1);
+  }
+  const __m512d low[2] = { _mm512_unpacklo_pd(rows[0], rows[1]),
+    _mm512_unpacklo_pd(rows[2], rows[3]) };
+  const __m512d high[2] = { _mm512_unpackhi_pd(rows[0], rows[1]),
+    _mm512_unpackhi_pd(rows[2], rows[3]) };
+  const __m512i first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
+  const __m512i second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+  to[0] = { _mm512_permutex2var_pd(low[0], first, low[1]) };
+  to[1] = { _mm512_permutex2var_pd(high[0], first, high[1]) };
+  to[2] = { _mm512_permutex2var_pd(low[0], second, low[1]) };
+  to[3] = { _mm512_permutex2var_pd(high[0], second, high[1]) };
+}
+
 constexpr int FloatWidth = 16;
 
 struct FloatMask

@@ -151,6 +151,14 @@ SIMD_INLINE double ReduceMin(Doubles a)
   return a.Value[1] < a.Value[0] ? a.Value[1] : a.Value[0];
 }
 
+SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    to[i] = { DoubleVector{ from[0][i], from[1][i] } };
+  }
+}
+
 constexpr int FloatWidth = 4;
 
 using FloatVector = float __attribute__((vector_size(16)));

@@ -14,23 +14,6 @@ namespace
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 constexpr int GroupSize = BeamRays::GroupSize;
 
-/// The ray of a packet in a place: rays of a rectangle are grouped in squares of 4 x 4 pixels, if
-/// it can be cut into such.
-int FindRay(const RayPacket& packet, int place)
-{
-  constexpr int edge = 4;
-  const int columns = packet.Columns;
-  if (columns == 0 || columns % edge != 0 || packet.Count % (columns * edge) != 0)
-  {
-    return place;
-  }
-  const int square = place / GroupSize;
-  const int across = columns / edge;
-  const int x = square % across * edge + place % edge;
-  const int y = square / across * edge + place % GroupSize / edge;
-  return x + columns * y;
-}
-
 RayFrame GetFrame(const RayPacket& packet, int ray)
 {
   return { { packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] },
@@ -80,12 +63,12 @@ RaySet BeamTracer::Trace(
 void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
 {
   const RayPacket& packet = *this->Packet;
+  this->PlaceRays();
   selection.PacketKernels->FrameRays(packet, frame.GetNumbers(), this->Framed);
   std::fill_n(this->Rays.End, BeamRays::Capacity, -FloatInfinity);
   for (int place = 0; place < packet.Count; ++place)
   {
-    const int ray = FindRay(packet, place);
-    this->Rays.Ray[place] = ray;
+    const int ray = this->Rays.Ray[place];
     if (Has(this->Framed.InBeam, ray))
     {
       this->Parts[ray] = { packet.Begin[ray], packet.End[ray], packet.Base[ray] };
@@ -121,6 +104,31 @@ void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+/// Finds the ray in each place: rays of a rectangle are grouped in squares of 4 x 4 pixels, if it
+/// can be cut into such.
+void BeamTracer::PlaceRays()
+{
+  constexpr int edge = 4;
+  const int columns = this->Packet->Columns;
+  const int count = this->Packet->Count;
+  if (columns == this->PlacedColumns && count == this->PlacedCount)
+  {
+    return;
+  }
+  this->PlacedColumns = columns;
+  this->PlacedCount = count;
+  const bool isCut = columns > 0 && columns % edge == 0 && count % (columns * edge) == 0;
+  for (int place = 0; place < count; ++place)
+  {
+    const int square = place / GroupSize;
+    const int across = isCut ? columns / edge : 1;
+    const int x = square % across * edge + place % edge;
+    const int y = square / across * edge + place % GroupSize / edge;
+    this->Rays.Ray[place] = isCut ? x + columns * y : place;
+  }
+}
+
+//------------------------------------------------------------------------------
 void BeamTracer::FindEnds()
 {
   this->Rays.EndOfAll = -FloatInfinity;
@@ -141,14 +149,15 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
   {
     const int ray = this->Rays.Ray[this->Pairs.Place[i]];
     const int piece = this->Pairs.Piece[i];
-    if (!beam.GetSetOf(piece).AreTetrahedra)
+    const MeshBeam::PieceSet& set = beam.GetSetOf(piece);
+    if (!set.AreTetrahedra)
     {
       this->SolveByItself(selection, beam, piece, ray, hits);
       continue;
     }
     const int pair = this->InTetrahedra.Count++;
     this->InTetrahedra.Ray[pair] = ray;
-    this->InTetrahedra.Record[pair] = MeshBeam::FindRecord(piece);
+    this->InTetrahedra.Corners[pair] = set.Records.Corner[piece - set.First];
     this->InTetrahedra.Piece[pair] = piece;
     if (this->InTetrahedra.Count == TetrahedronPairs::Capacity)
     {
@@ -175,7 +184,7 @@ void BeamTracer::SolveTetrahedra(
   {
     return;
   }
-  selection.PacketKernels->SolveTetrahedra(this->Framed, beam.GetRecords(), pairs);
+  selection.PacketKernels->SolveTetrahedra(this->Framed, pairs);
   for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
   {
     const int pair = __builtin_ctzll(left);

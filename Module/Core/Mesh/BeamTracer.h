@@ -32,6 +32,7 @@ public:
 
 private:
   void Enter(const MeshSelection& selection, const BeamFrame& frame);
+  void PlaceRays();
   void FindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
@@ -40,6 +41,9 @@ private:
 
   const RayPacket* Packet = nullptr;
   BeamRays Rays;
+  /// What the rays were placed for.
+  int PlacedColumns = 0;
+  int PlacedCount = 0;
   FramedRays Framed;
   RayPart Parts[RayPacket::Capacity];
   BeamPairs Pairs;

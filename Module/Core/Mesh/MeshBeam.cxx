@@ -188,12 +188,12 @@ void MeshBeam::AddSet(const MeshSelection& selection, CellList& cells, std::size
   selection.Cells->LoadRecords(cells.Numbers, count, areTetrahedra, set.Orders, set.Records);
   const MeshSurface& traced = selection.Surfaces[surface];
   const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
-  for (int corner = 0; corner < corners; ++corner)
+  for (int i = 0; i < count; ++i)
   {
-    double* values = set.Records.Corner[corner][3];
-    for (int i = 0; i < count; ++i)
+    for (int corner = 0; corner < corners; ++corner)
     {
-      values[i] = Difference(values[i], traced.Isovalue, traced.Scale);
+      double& value = set.Records.Corner[i][corner][3];
+      value = Difference(value, traced.Isovalue, traced.Scale);
     }
   }
   const Kernels& kernels = *selection.PacketKernels;

@@ -74,14 +74,6 @@ public:
   const PieceSet& GetSet(int set) const { return this->Sets[static_cast<std::size_t>(set)]; }
   const PieceSet& GetSetOf(int piece) const { return this->GetSet(piece / BeamPieces::Capacity); }
 
-  /// The numbers in all records, and where those of a piece begin.
-  const double* GetRecords() const { return &this->Sets[0].Records.Corner[0][0][0]; }
-  static int FindRecord(int piece)
-  {
-    constexpr int size = sizeof(PieceSet) / sizeof(double);
-    return piece / BeamPieces::Capacity * size + piece % BeamPieces::Capacity;
-  }
-
 private:
   /// A node of the tree, and a depth that it is behind.
   struct Node

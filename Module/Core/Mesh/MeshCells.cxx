@@ -72,15 +72,15 @@ void ReadTypedRecordPoints(const MeshView& view,
   const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
   PassedCellRecords& records)
 {
-  for (int corner = 0; corner < corners; ++corner)
+  for (int i = 0; i < count; ++i)
   {
-    auto& numbers = records.Corner[corner];
-    for (int i = 0; i < count; ++i)
+    for (int corner = 0; corner < corners; ++corner)
     {
       const Coordinate* point = static_cast<const Coordinate*>(view.Points) + 3 * ids[corner][i];
-      numbers[0][i] = static_cast<double>(point[0]);
-      numbers[1][i] = static_cast<double>(point[1]);
-      numbers[2][i] = static_cast<double>(point[2]);
+      double* numbers = records.Corner[i][corner];
+      numbers[0] = static_cast<double>(point[0]);
+      numbers[1] = static_cast<double>(point[1]);
+      numbers[2] = static_cast<double>(point[2]);
     }
   }
 }
@@ -90,11 +90,11 @@ void ReadTypedRecordValues(const MeshView& view,
   const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
   PassedCellRecords& records)
 {
-  for (int corner = 0; corner < corners; ++corner)
+  for (int i = 0; i < count; ++i)
   {
-    for (int i = 0; i < count; ++i)
+    for (int corner = 0; corner < corners; ++corner)
     {
-      records.Corner[corner][3][i] = static_cast<double>(
+      records.Corner[i][corner][3] = static_cast<double>(
         static_cast<const Value*>(view.Values)[ids[corner][i] * view.ValueStride]);
     }
   }
