@@ -3,6 +3,7 @@
 
 #include "AllKernels.h"
 #include "Matrices.h"
+#include "Mesh/BeamFrame.h"
 #include "Mesh/MeshField.h"
 #include "Rays/Camera.h"
 #include "SameBits.h"
@@ -234,6 +235,40 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
       MakeCamera(Perspective(0.001, 100.0, 0.7), 0.5, random) };
     EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, 0.5 } }), cameras), 1000U);
   }
+}
+
+//------------------------------------------------------------------------------
+/// Without a frame rays are traced by themselves, which no test of hits would notice.
+TEST(BeamFrame, IsFoundForAllDirections)
+{
+  RandomNumbers random(27);
+  for (int i = 0; i < 10000; ++i)
+  {
+    const Matrix4 projections[] = { Perspective(0.1, 100.0, random.Uniform(0.01, 0.6)),
+      Orthographic(-50.0, 50.0, random.Uniform(0.1, 10.0)) };
+    const Camera camera = MakeCamera(projections[i % 2], random.Uniform(10.0, 30.0), random);
+    const int edge = random.Integer(2, 32);
+    const RayPacket lines = FindCorners(
+      camera, { random.Integer(0, Edge - edge), random.Integer(0, Edge - edge), edge, edge });
+    BeamFrame frame;
+    ASSERT_TRUE(frame.Find(lines, { { 0.0, 0.0, 0.0 }, { 7.0, 6.0, 5.0 } })) << i;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// More pieces than a beam keeps.
+TEST_P(MeshBeams, HitWhatTheirRaysHitAmongManyCells)
+{
+  RandomNumbers random(26);
+  TestMesh mesh = MakeMesh(random, { 30, 30, 30 }, Cutting::Tetrahedra, 0.25,
+    [&random](const Index3&) { return random.Uniform(0.0, 1.0); });
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    mesh.Points[i] += Middle[i % 3] - 15.0;
+  }
+  const Camera camera = MakeCamera(Perspective(10.0, 200.0, 0.3), 90.0, random);
+  const TraceRequest request({ { 0.5, 1e-3 } });
+  EXPECT_GT(this->Compare(mesh.View(), request, { camera }, Edge), 10000U);
 }
 
 //------------------------------------------------------------------------------

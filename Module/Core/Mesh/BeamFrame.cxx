@@ -11,8 +11,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The widest beam: slopes across the axis.
-constexpr double LargestSlope = 2.0;
+/// The sum of the slopes across the longest axis is at most 2 for any direction; beams are wider.
+constexpr double LargestSlope = 8.0;
 
 /// The axis along which a direction is longest.
 std::size_t FindLongestAxis(const Vector3& d)

@@ -43,6 +43,11 @@ RaySet BeamTracer::Trace(
     {
       continue;
     }
+    if (beam.IsFull())
+    {
+      this->Solve(selection, beam, hits);
+      beam.ForgetPieces();
+    }
     beam.Load(selection, leaf, passed);
     for (int number = found.FirstSet; number != MeshBeam::NoSet;)
     {

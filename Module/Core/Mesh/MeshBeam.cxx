@@ -163,6 +163,17 @@ void MeshBeam::Load(const MeshSelection& selection, std::size_t leaf, unsigned i
 }
 
 //------------------------------------------------------------------------------
+void MeshBeam::ForgetPieces()
+{
+  this->NumberOfSets = 0;
+  for (Leaf& leaf : this->Leaves)
+  {
+    leaf.Loaded = 0;
+    leaf.FirstSet = NoSet;
+  }
+}
+
+//------------------------------------------------------------------------------
 void MeshBeam::AddSet(const MeshSelection& selection, CellList& cells, std::size_t surface,
   bool areTetrahedra, Leaf& leaf)
 {

@@ -71,10 +71,17 @@ public:
   /// Makes sure that the pieces in some blocks of a leaf are there; a bit for each block.
   void Load(const MeshSelection& selection, std::size_t leaf, unsigned int blocks);
 
+  /// Whether there are so many pieces that they should be forgotten before further ones are loaded.
+  bool IsFull() const { return this->NumberOfSets >= MaximumSets; }
+  void ForgetPieces();
+
   const PieceSet& GetSet(int set) const { return this->Sets[static_cast<std::size_t>(set)]; }
   const PieceSet& GetSetOf(int piece) const { return this->GetSet(piece / BeamPieces::Capacity); }
 
 private:
+  /// Some 11 MB for each thread.
+  static constexpr int MaximumSets = 2048;
+
   /// A node of the tree, and a depth that it is behind.
   struct Node
   {
