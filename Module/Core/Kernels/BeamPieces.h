@@ -18,6 +18,9 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// Points with a smaller W are too near to where the rays meet: they may have any label.
+constexpr double SmallestW = 0x1p-10;
+
 /// How boxes are projected to labels; see BeamFrame. The coordinates along the beam are z, and
 /// those across it x.
 struct BeamProjection
@@ -40,8 +43,6 @@ struct BeamProjection
   float Error;
   float RelativeError;
   float DepthError;
-  /// What reaches to a smaller W has any label.
-  float SmallestW;
 };
 
 /// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.
@@ -78,8 +79,6 @@ struct BeamNumbers
   /// The change of the slope with the place.
   double Spread;
   double InverseSize;
-  /// Points with a smaller W have any label.
-  double SmallestW;
   /// The extent of the box along the axis.
   double Length;
   /// By how much the labels of rays may be wrong.
@@ -98,7 +97,7 @@ SIMD_INLINE Number GetLabelError(
     const Number expected = frame.Slope[k] + frame.Spread * (place[k] - frame.Center[k]);
     error = Max(error, Abs(slope[k] - expected));
   }
-  return error * (frame.Length * frame.InverseSize / frame.SmallestW);
+  return error * (frame.Length * frame.InverseSize / SmallestW);
 }
 
 /// The depth of a point on the axis, and a margin.

@@ -15,6 +15,9 @@ constexpr float LabelMargin = 0x1p-18F;
 constexpr double SmallestRatio = 1e-30;
 constexpr double LargestCoordinate = 1e15;
 
+/// Boxes that reach to a smaller W have any label: more than all points with one, by rounding.
+constexpr auto NearW = static_cast<float>(4.0 * SmallestW);
+
 /// The children with values on both sides of an isovalue.
 SIMD_INLINE unsigned int FindActive(
   const CellTreeNode& node, int first, const IsovalueSpan* isovalues, int count)
@@ -47,9 +50,9 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
     const Floats w[2] = { MultiplyAdd(beam.Spread, z[0], 1.0F),
       MultiplyAdd(beam.Spread, z[1], 1.0F) };
     const Floats inverse[2] = { ApproximateReciprocal(w[0]), ApproximateReciprocal(w[1]) };
-    const FloatMask isNear = (w[0] < beam.SmallestW) | (w[1] < beam.SmallestW);
+    const FloatMask isNear = (w[0] < NearW) | (w[1] < NearW);
     // Where all of the box is behind the point where the rays meet.
-    FloatMask isOutside = (w[0] < -beam.SmallestW) & (w[1] < -beam.SmallestW);
+    FloatMask isOutside = (w[0] < -NearW) & (w[1] < -NearW);
     for (int k = 0; k < 2; ++k)
     {
       const Floats left = LoadFloats(&node.Lower[beam.Across[k]][i]) - beam.Center[k];
@@ -122,7 +125,7 @@ struct ProjectedCells
       point[3] = frame.Sign * z;
       point[4] = numbers[3];
       largest = Max(largest, Abs(point[4]));
-      isBounded = isBounded & (frame.SmallestW < point[2]) &
+      isBounded = isBounded & (SmallestW < point[2]) &
         (Abs(point[0]) + Abs(point[1]) + point[2] < LargestCoordinate);
     }
     const Doubles inverse = 1.0 / largest;
@@ -181,11 +184,26 @@ struct PointBounds
 
   SIMD_INLINE void Include(const EdgePoints& points)
   {
-    this->Lower[0] = Min(this->Lower[0], points.X);
-    this->Lower[1] = Min(this->Lower[1], points.Y);
-    this->Upper[0] = Max(this->Upper[0], points.X);
-    this->Upper[1] = Max(this->Upper[1], points.Y);
+    const Floats label[2] = { points.X, points.Y };
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Lower[i] = Min(this->Lower[i], label[i]);
+      this->Upper[i] = Max(this->Upper[i], label[i]);
+    }
     this->Near = Min(this->Near, points.Depth);
+  }
+
+  /// Includes the points of some lanes.
+  SIMD_INLINE void Include(FloatMask mask, const EdgePoints& points)
+  {
+    const PointBounds before = *this;
+    this->Include(points);
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Lower[i] = Select(mask, this->Lower[i], before.Lower[i]);
+      this->Upper[i] = Select(mask, this->Upper[i], before.Upper[i]);
+    }
+    this->Near = Select(mask, this->Near, before.Near);
   }
 };
 
@@ -315,47 +333,35 @@ void BoundTetrahedra(const PassedCellRecords& records, const BeamNumbers& frame,
 /// an octagon.
 void BoundTrilinear(const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces)
 {
-  constexpr auto infinity = static_cast<float>(Infinity);
   for (int first = 0; first < pieces.Count; first += FloatWidth)
   {
     ProjectedCorner corners[PassedCellRecords::Corners];
     const unsigned int unbounded = Project(records, first, frame, corners);
     PointBounds bounds;
-    Floats least[2] = { infinity, infinity };
-    Floats most[2] = { -infinity, -infinity };
+    // The same along the diagonals: of the sums and the differences of X and Y.
+    PointBounds ofDiagonals;
     for (int i = 0; i < 7; ++i)
     {
-      const ProjectedCorner& a = corners[i];
       for (int j = i + 1; j < 8; ++j)
       {
-        const ProjectedCorner& b = corners[j];
-        const FloatMask crosses = HaveDifferentSigns(a.Difference, b.Difference);
+        const FloatMask crosses = HaveDifferentSigns(corners[i].Difference, corners[j].Difference);
         if (ToBits(crosses) == 0)
         {
           continue;
         }
-        EdgePoints point = MeetSurface(a, b);
-        const Floats sum = point.X + point.Y;
-        const Floats difference = point.X - point.Y;
-        bounds.Lower[0] = Select(crosses, Min(bounds.Lower[0], point.X), bounds.Lower[0]);
-        bounds.Lower[1] = Select(crosses, Min(bounds.Lower[1], point.Y), bounds.Lower[1]);
-        bounds.Upper[0] = Select(crosses, Max(bounds.Upper[0], point.X), bounds.Upper[0]);
-        bounds.Upper[1] = Select(crosses, Max(bounds.Upper[1], point.Y), bounds.Upper[1]);
-        bounds.Near = Select(crosses, Min(bounds.Near, point.Depth), bounds.Near);
-        least[0] = Select(crosses, Min(least[0], sum), least[0]);
-        most[0] = Select(crosses, Max(most[0], sum), most[0]);
-        least[1] = Select(crosses, Min(least[1], difference), least[1]);
-        most[1] = Select(crosses, Max(most[1], difference), most[1]);
+        const EdgePoints point = MeetSurface(corners[i], corners[j]);
+        bounds.Include(crosses, point);
+        ofDiagonals.Include(crosses, { point.X + point.Y, point.X - point.Y, point.Depth });
       }
     }
     const Floats margin = FindMargin(corners, frame.Margin);
     StoreBounds(bounds, margin, first, pieces);
     const Floats one = 1.0F;
     const Floats two = 2.0F * margin;
-    StoreLine(one, one, two - least[0], 0, first, pieces);
-    StoreLine(0.0F - one, 0.0F - one, two + most[0], 1, first, pieces);
-    StoreLine(one, 0.0F - one, two - least[1], 2, first, pieces);
-    StoreLine(0.0F - one, one, two + most[1], 3, first, pieces);
+    StoreLine(one, one, two - ofDiagonals.Lower[0], 0, first, pieces);
+    StoreLine(0.0F - one, 0.0F - one, two + ofDiagonals.Upper[0], 1, first, pieces);
+    StoreLine(one, 0.0F - one, two - ofDiagonals.Lower[1], 2, first, pieces);
+    StoreLine(0.0F - one, one, two + ofDiagonals.Upper[1], 3, first, pieces);
     OpenUnbounded(unbounded, first, pieces);
   }
 }

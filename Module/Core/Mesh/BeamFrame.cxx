@@ -56,7 +56,6 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   this->Numbers.Along = static_cast<int>(along);
   this->Numbers.Across[0] = static_cast<int>(across[0]);
   this->Numbers.Across[1] = static_cast<int>(across[1]);
-  this->Numbers.SmallestW = SmallestW;
   this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
   this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
   this->Numbers.Length = box.Upper[along] - box.Lower[along];
@@ -130,7 +129,6 @@ BeamProjection BeamFrame::GetProjection() const
   beam.Plane = static_cast<float>(this->Numbers.Plane);
   beam.Spread = static_cast<float>(this->Numbers.Spread);
   beam.Scale = static_cast<float>(this->Numbers.InverseSize);
-  beam.SmallestW = static_cast<float>(4.0 * SmallestW);
   beam.PlaneRest = static_cast<float>(static_cast<double>(beam.Plane) - this->Numbers.Plane);
   double reach = this->Reach;
   double steepest = 0.0;

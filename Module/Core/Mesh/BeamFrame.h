@@ -24,9 +24,6 @@ namespace vtkIsosurfaceRayTracing
 class BeamFrame
 {
 public:
-  /// Points with a smaller W are too near to where the rays meet: they may have any label.
-  static constexpr double SmallestW = 0x1p-10;
-
   /// Finds the frame of the rays between lines that pass through one point, or are parallel, as
   /// they go through a box. Of these the labels are in [-1, 1]. Returns false if there is none: the
   /// lines do not go one way along an axis.

@@ -46,12 +46,13 @@ bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
   {
     this->Points[i] = this->Frame->Get(cell.Points[i]);
   }
-  this->Slack = 1e-9 * this->GetExtent();
-  this->AvoidExtremes();
   if (cell.Shape == CellShape::Tetrahedron)
   {
+    this->AvoidExtremes();
     return true;
   }
+  this->Slack = 1e-9 * this->GetExtent();
+  this->AvoidExtremes();
   this->Faces.Find(cell, this->Points);
   return this->Faces.Count > 0;
 }
