@@ -11,6 +11,7 @@ from pathlib import Path
 
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "../../Examples/Python")
@@ -62,6 +63,16 @@ def read(file_name):
     reader.Update()
     scalars = reader.GetOutput().GetPointData().GetScalars()
     return [scalars.GetTuple(i) for i in range(scalars.GetNumberOfTuples())]
+
+
+def capture(window):
+    """The bytes of the picture in a window as it is."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return bytes(memoryview(grabber.GetOutput().GetPointData().GetScalars()))
 
 
 def difference(picture, other):

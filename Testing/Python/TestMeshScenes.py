@@ -15,7 +15,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
     vtkVolume,
-    vtkWindowToImageFilter,
 )
 from vtkmodules.vtkRenderingOpenGL2 import vtkEDLShading, vtkRenderStepsPass
 from vtkIsosurfaceRayTracing import (
@@ -25,6 +24,7 @@ from vtkIsosurfaceRayTracing import (
 )
 
 from MeshTesting import SIZE, ball, set_values
+from PictureTesting import capture
 
 PIXELS = 120
 
@@ -85,12 +85,7 @@ class Scene:
 
     def picture(self):
         self.window.Render()
-        capture = vtkWindowToImageFilter()
-        capture.SetInput(self.window)
-        capture.ReadFrontBufferOff()
-        capture.ShouldRerenderOff()
-        capture.Update()
-        return bytes(memoryview(capture.GetOutput().GetPointData().GetScalars()))
+        return capture(self.window)
 
 
 # What scenes have, by name -----------------------------------------------------------------------

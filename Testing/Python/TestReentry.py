@@ -13,11 +13,12 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
-    vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty,
-    vtkWindowToImageFilter)
+    vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty)
 import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
 from vtkIsosurfaceRayTracing import (
     vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume)
+
+from PictureTesting import capture
 
 EVENTS = ("VolumeMapperRenderProgressEvent", "VolumeMapperRenderStartEvent", "VolumeMapperRenderEndEvent")
 VOLUMES = {"vtkVolume": vtkVolume, "vtkIsosurfaceVolume": vtkIsosurfaceVolume}
@@ -87,12 +88,7 @@ class Scene:
 
     def capture(self):
         """The picture in the window as it is."""
-        capture = vtkWindowToImageFilter()
-        capture.SetInput(self.window)
-        capture.ReadFrontBufferOff()
-        capture.ShouldRerenderOff()
-        capture.Update()
-        return bytes(memoryview(capture.GetOutput().GetPointData().GetScalars()))
+        return capture(self.window)
 
     def cast(self):
         """The cells that rays through the middle hit."""
