@@ -9,12 +9,12 @@
 #include "Environment.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
-#include "IsosurfaceCompare/OutputFile.h"
 #include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "ReadImage.h"
 #include "Report.h"
+#include "RunProgram.h"
 #include "Schedule.h"
 
 #include <vtkSMPTools.h>
@@ -23,8 +23,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -198,21 +196,10 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  Arguments arguments;
-  try
-  {
-    if (!ParseArguments(argc, argv, arguments))
+  return Benchmark::RunProgram<Arguments>(argc, argv, ParseArguments,
+    [&](const Arguments& arguments)
     {
-      Compare::FlushStandardOutput();
-      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-    Run(arguments, { argv, argv + argc });
-    Compare::FlushStandardOutput();
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+      Run(arguments, { argv, argv + argc });
+      return true;
+    });
 }

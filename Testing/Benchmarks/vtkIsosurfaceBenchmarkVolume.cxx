@@ -7,6 +7,7 @@
 #include "IsosurfaceCompare/OutputFile.h"
 #include "IsosurfaceCompare/ReadVolume.h"
 #include "ReadImage.h"
+#include "RunProgram.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -26,7 +27,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -265,21 +265,10 @@ void Run(const Arguments& arguments)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  Arguments arguments;
-  try
-  {
-    if (!ParseArguments(argc, argv, arguments))
+  return Benchmark::RunProgram<Arguments>(argc, argv, ParseArguments,
+    [&](const Arguments& arguments)
     {
-      Compare::FlushStandardOutput();
-      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-    Run(arguments);
-    Compare::FlushStandardOutput();
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+      Run(arguments);
+      return true;
+    });
 }

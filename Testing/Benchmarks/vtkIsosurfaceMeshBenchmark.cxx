@@ -5,7 +5,6 @@
 // xvfb-run gives one.
 
 #include "Environment.h"
-#include "IsosurfaceCompare/OutputFile.h"
 #include "IsosurfaceCompare/ReadMesh.h"
 #include "IsosurfaceCompare/ReadVolume.h"
 #include "MeshCase.h"
@@ -14,6 +13,7 @@
 #include "MeshTraces.h"
 #include "OffScreenWindow.h"
 #include "Report.h"
+#include "RunProgram.h"
 #include "Schedule.h"
 
 #include <vtkSMPTools.h>
@@ -22,8 +22,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -234,21 +232,10 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  Arguments arguments;
-  try
-  {
-    if (!ParseArguments(argc, argv, arguments))
+  return Benchmark::RunProgram<Arguments>(argc, argv, ParseArguments,
+    [&](const Arguments& arguments)
     {
-      Compare::FlushStandardOutput();
-      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-    Run(arguments, { argv, argv + argc });
-    Compare::FlushStandardOutput();
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+      Run(arguments, { argv, argv + argc });
+      return true;
+    });
 }

@@ -13,6 +13,7 @@
 #include "OffScreenWindow.h"
 #include "PictureMethods.h"
 #include "RayMethods.h"
+#include "RunProgram.h"
 #include "Samples.h"
 #include "Schedule.h"
 
@@ -24,7 +25,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -296,21 +296,8 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  Arguments arguments;
-  try
-  {
-    if (!ParseArguments(argc, argv, arguments))
-    {
-      Compare::FlushStandardOutput();
-      return arguments.Help ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-    const bool kept = Run(arguments, { argv, argv + argc });
-    Compare::FlushStandardOutput();
-    return kept ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return Benchmark::RunProgram<Arguments>(argc, argv, ParseArguments,
+    [&](const Arguments& arguments) {
+      return Run(arguments, { argv, argv + argc });
+    });
 }
