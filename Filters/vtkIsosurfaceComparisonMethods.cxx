@@ -128,7 +128,7 @@ vtkIdType GetMemory(vtkIsosurfaceRayTraceMapper* mapper)
 
 vtkIdType GetMemory(vtkIsosurfaceRayTraceMeshMapper* mapper)
 {
-  return mapper->GetTreeMemory();
+  return mapper->GetTreeMemory() + mapper->GetSurfaceMemory();
 }
 
 /// Keeps the text of an error. What is reported before it, where in the source it comes from, is

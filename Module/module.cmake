@@ -31,6 +31,7 @@ set(core_sources
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
   Mesh/ShapeFunctions.cxx
+  Mesh/SurfacePieces.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx
   Picture/PixelBlockRenderer.cxx

@@ -142,6 +142,12 @@ vtkIdType vtkIsosurfaceRayTraceMeshMapper::GetTreeMemory()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceMeshMapper::GetSurfaceMemory()
+{
+  return static_cast<vtkIdType>(this->Engine->GetStatistics().CacheMemory);
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMeshMapper::HasOnlyOpaqueSurfaces(vtkVolume* volume)
 {
   return this->Engine->HasOnlyOpaqueSurfaces(volume);
@@ -228,6 +234,7 @@ void vtkIsosurfaceRayTraceMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ShadeTime", this->GetShadeTime());
   print("DisplayTime", this->GetDisplayTime());
   print("TreeMemory", this->GetTreeMemory());
+  print("SurfaceMemory", this->GetSurfaceMemory());
 }
 
 VTK_ABI_NAMESPACE_END

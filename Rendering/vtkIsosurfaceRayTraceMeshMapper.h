@@ -212,7 +212,7 @@ public:
   ///@{
   /**
    * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
-   * 4096 each. Default: 32 x 32: the cells that a tile may show are found and projected once for
+   * 4096 each. Default: 64 x 64: the cells that a tile may show are found and projected once for
    * all its rays; smaller tiles keep many threads busy to the end.
    */
   void SetTileSize(int width, int height);
@@ -313,10 +313,15 @@ public:
   double GetDisplayTime();
   ///@}
 
+  ///@{
   /**
-   * Get the memory of the trees, in bytes.
+   * Get the memory of the trees, with the gradients at the points, and that of what was found of
+   * the isosurfaces while rays were traced, in bytes: some 20 for each cell that a surface passes,
+   * as far as the camera saw them. It is released when its isovalue is no longer drawn.
    */
   vtkIdType GetTreeMemory();
+  vtkIdType GetSurfaceMemory();
+  ///@}
 
   /**
    * Returns whether a volume has isosurfaces to draw, and each of them is opaque: the property has
@@ -448,7 +453,7 @@ private:
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;
   double AmbientOcclusionRadius = 0.0;
-  int TileSize[2] = { 32, 32 };
+  int TileSize[2] = { 64, 64 };
   vtkTypeBool AutoAdjustSampleDistances = 1;
   float ImageSampleDistance = 1.0F;
   float MinimumImageSampleDistance = 1.0F;

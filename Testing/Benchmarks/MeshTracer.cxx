@@ -200,7 +200,8 @@ std::vector<float> MeshTracer::FindDepths(vtkirt::Scene scene, const PictureRays
 //------------------------------------------------------------------------------
 double MeshTracer::GetMemory() const
 {
-  return static_cast<double>(this->Field->GetStatistics().HierarchyMemory);
+  const auto statistics = this->Field->GetStatistics();
+  return static_cast<double>(statistics.HierarchyMemory + statistics.CacheMemory);
 }
 
 }

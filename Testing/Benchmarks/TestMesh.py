@@ -118,6 +118,7 @@ class TestMeshBenchmark(ProgramTest):
         # 4 ids and an offset of 8 bytes, a type, and of each fifth a point.
         self.assertGreater(memory["the user's arrays"], 41)
         self.assertGreater(memory["tree, with gradients at the points"], memory["tree"])
+        self.assertGreater(memory["what is known of the surface"], 0.0)
 
     def test_documented_commands(self):
         """Those of Documentation/performance.md, with fewer cells."""

@@ -210,6 +210,7 @@ class TestMeshMapper(unittest.TestCase):
         mapper, volume = make_volume(grid, 0.0)
         first = len(cast(mapper, volume, parallel_rays()))
         self.assertGreater(mapper.GetTreeMemory(), 0)
+        self.assertGreater(mapper.GetSurfaceMemory(), 0)
         volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 1.0)
         volume.GetProperty().GetScalarOpacity().AddPoint(1.0, 1.0)
         self.assertLess(len(cast(mapper, volume, parallel_rays())), first)

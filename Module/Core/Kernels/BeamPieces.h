@@ -53,6 +53,17 @@ struct LabelBounds
   alignas(64) float Lower[2][Capacity];
   alignas(64) float Upper[2][Capacity];
   alignas(64) float Near[Capacity];
+
+  /// Copies those of one thing.
+  void Copy(const LabelBounds& from, int number, int to)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      this->Lower[k][to] = from.Lower[k][number];
+      this->Upper[k][to] = from.Upper[k][number];
+    }
+    this->Near[to] = from.Near[number];
+  }
 };
 
 /// An isovalue between two floats: a range of values holds it if its low is not above Before, and
@@ -108,9 +119,32 @@ SIMD_INLINE Number GetEndDepth(const BeamNumbers& frame, Number coordinate)
   return depth + 0x1p-20 * (Abs(depth) + frame.Length);
 }
 
-/// Cells that a surface passes: of each corner the coordinates, and the difference of its value
-/// from the isovalue. Tetrahedra have four corners, in the order of their ids; the others those of
-/// the trilinear cell.
+/// Pieces of a surface in some cells of a leaf of the tree, for any view. In tetrahedra they are
+/// polygons.
+struct alignas(64) PackedPieces
+{
+  static constexpr int Capacity = LabelBounds::Capacity;
+  static constexpr int Corners = 4;
+  static constexpr int Bits = 10;
+  static constexpr unsigned int Steps = (1U << Bits) - 1U;
+
+  /// The box that they are in.
+  float Lower[3];
+  float Upper[3];
+  /// Of the cells, the numbers within the leaf.
+  std::uint8_t Cells[Capacity];
+  std::uint8_t Count;
+  /// All of them, or none.
+  bool AreInTetrahedra;
+  /// Of the first set of a leaf, the number of sets.
+  std::uint16_t Sets;
+  /// The corners of polygons in order around them: x, y and z in steps of the box from its lower
+  /// corner, x lowest. In triangles the last two are the same.
+  std::uint32_t Polygons[Corners][Capacity];
+};
+
+/// Trilinear cells that a surface passes: of each corner the coordinates, and the difference of its
+/// value from the isovalue.
 struct PassedCellRecords
 {
   static constexpr int Capacity = LabelBounds::Capacity;
@@ -157,9 +191,11 @@ struct BeamRays
 struct BeamPairs
 {
   /// As soon as there are so many they are solved...
-  static constexpr int Batch = 64;
-  /// ...but all rays may meet all of some pieces at once.
-  static constexpr int Capacity = Batch + RayPacket::Capacity * BeamPieces::Capacity;
+  static constexpr int Batch = 32;
+  /// ...but all rays may meet all of some pieces at once. Behind the last there is room for a
+  /// vector.
+  static constexpr int Capacity =
+    Batch + RayPacket::Capacity * BeamPieces::Capacity + BeamRays::GroupSize;
 
   int Count;
   /// The place of the ray.
@@ -188,9 +224,11 @@ struct TetrahedronPairs
 
   int Count;
   int Ray[Capacity];
-  /// The corners of the cell, as in PassedCellRecords.
-  const double (*Corners[Capacity])[4];
-  int Piece[Capacity];
+  /// The number of the cell among the corners.
+  int Cell[Capacity];
+  /// Of each cell the corners in the order of their ids: coordinates, and the difference of the
+  /// value from the isovalue.
+  alignas(64) double Corners[Capacity][4][4];
   /// Those with a hit; a bit for each. The numbers of the others are undefined.
   std::uint64_t Found;
   std::uint64_t Entering;

@@ -257,74 +257,138 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
   }
 }
 
-SIMD_INLINE void SwapWhere(FloatMask mask, ProjectedCorner& a, ProjectedCorner& b)
+/// Bounds polygons, whose corners may be off by the margin.
+SIMD_INLINE void BoundPolygons(
+  const EdgePoints (&points)[4], Floats margin, int first, BeamPieces& pieces)
 {
-  const ProjectedCorner before = a;
-  a = Select(mask, b, a);
-  b = Select(mask, before, b);
+  PointBounds bounds;
+  for (const EdgePoints& point : points)
+  {
+    bounds.Include(point);
+  }
+  StoreBounds(bounds, margin, first, pieces);
+  const Floats area = (points[2].X - points[0].X) * (points[3].Y - points[1].Y) -
+    (points[2].Y - points[0].Y) * (points[3].X - points[1].X);
+  const Floats size =
+    bounds.Upper[0] - bounds.Lower[0] + bounds.Upper[1] - bounds.Lower[1] + margin;
+  // What the margin of the ends of an edge makes across the piece.
+  const Floats slack = 4.0F * margin * size;
+  // Of a piece seen edge on, the orientation is not certain.
+  const FloatMask isFlat = Abs(area) < 4.0F * slack;
+  const Floats sign = Select(isFlat, 0.0F, CopySign(1.0F, area));
+  for (int i = 0; i < BeamPieces::Lines; ++i)
+  {
+    const EdgePoints& p = points[i];
+    const EdgePoints& q = points[(i + 1) % 4];
+    const Floats a = sign * (p.Y - q.Y);
+    const Floats b = sign * (q.X - p.X);
+    const Floats c = MultiplyAdd(2.0F * margin, Abs(a) + Abs(b), slack) - (a * p.X + b * p.Y);
+    StoreLine(a, b, c, i, first, pieces);
+  }
 }
 
-/// Puts the corners of tetrahedra in an order. If one is on one side of the surface and three are
-/// on the other, it comes first; where there are two on either side, which is returned, the first
-/// two are on one.
-SIMD_INLINE FloatMask PutInOrder(ProjectedCorner (&corners)[4])
+/// A number of packed points, as a function of their steps.
+struct StepFunction
 {
-  // Those on the other side than the last one first.
-  for (const int i : { 0, 1, 0 })
+  float Start;
+  float Across;
+  float Along;
+  /// By how much it may be wrong.
+  float Error;
+
+  SIMD_INLINE StepFunction(double start, double across, double along)
+    : Start(static_cast<float>(start))
+    , Across(static_cast<float>(across))
+    , Along(static_cast<float>(along))
   {
-    const Floats last = corners[3].Difference;
-    const FloatMask isBehind = AndNot(HaveDifferentSigns(corners[i + 1].Difference, last),
-      HaveDifferentSigns(corners[i].Difference, last));
-    SwapWhere(isBehind, corners[i], corners[i + 1]);
+    // Points are half a step off at most; and what rounding to single precision takes off.
+    const double perStep = __builtin_fabs(across) + __builtin_fabs(along);
+    this->Error = static_cast<float>(0.51 * perStep +
+      0x1p-21 * (__builtin_fabs(start) + static_cast<double>(PackedPieces::Steps) * perStep));
   }
-  const FloatMask isLastAlone = HaveDifferentSigns(corners[2].Difference, corners[3].Difference);
-  const FloatMask isTwoByTwo =
-    AndNot(HaveDifferentSigns(corners[1].Difference, corners[3].Difference), isLastAlone);
-  SwapWhere(isLastAlone, corners[0], corners[3]);
-  return isTwoByTwo;
-}
+
+  SIMD_INLINE Floats Get(Floats across, Floats along) const
+  {
+    return MultiplyAdd(this->Across, across, MultiplyAdd(this->Along, along, this->Start));
+  }
+};
+
+/// How the points of a set are projected to labels.
+struct PackedProjection
+{
+  StepFunction X;
+  StepFunction Y;
+  StepFunction W;
+  StepFunction Depth;
+
+  SIMD_INLINE static double GetLower(const PackedPieces& packed, const BeamNumbers& frame, int k)
+  {
+    return static_cast<double>(packed.Lower[frame.Across[k]]) - frame.Center[k];
+  }
+  SIMD_INLINE static double GetStep(const PackedPieces& packed, int axis)
+  {
+    return (static_cast<double>(packed.Upper[axis]) - static_cast<double>(packed.Lower[axis])) *
+      (1.0 / PackedPieces::Steps);
+  }
+  SIMD_INLINE static StepFunction MakeAcross(
+    const PackedPieces& packed, const BeamNumbers& frame, int k, double z, double stepOfZ)
+  {
+    const double slope = frame.Slope[k] * frame.InverseSize;
+    return StepFunction(GetLower(packed, frame, k) * frame.InverseSize - slope * z,
+      GetStep(packed, frame.Across[k]) * frame.InverseSize, -slope * stepOfZ);
+  }
+
+  SIMD_INLINE PackedProjection(
+    const PackedPieces& packed, const BeamNumbers& frame, double z, double stepOfZ)
+    : X(MakeAcross(packed, frame, 0, z, stepOfZ))
+    , Y(MakeAcross(packed, frame, 1, z, stepOfZ))
+    , W(1.0 + frame.Spread * z, 0.0, frame.Spread * stepOfZ)
+    , Depth(frame.Sign * z, 0.0, frame.Sign * stepOfZ)
+  {
+  }
+  SIMD_INLINE PackedProjection(const PackedPieces& packed, const BeamNumbers& frame)
+    : PackedProjection(packed, frame, static_cast<double>(packed.Lower[frame.Along]) - frame.Plane,
+        GetStep(packed, frame.Along))
+  {
+  }
+};
 
 /// In a tetrahedron the piece is a triangle or a quadrangle.
-void BoundTetrahedra(const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces)
+void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
 {
-  for (int first = 0; first < pieces.Count; first += FloatWidth)
+  constexpr unsigned int mask = PackedPieces::Steps;
+  const PackedProjection projection(packed, frame);
+  const float errorAcross =
+    projection.X.Error > projection.Y.Error ? projection.X.Error : projection.Y.Error;
+  const float largest = static_cast<float>(LargestCoordinate) * 0x1p-10F;
+  const bool isBounded = errorAcross < largest && projection.W.Error < largest;
+  pieces.Count = packed.Count;
+  for (int first = 0; first < packed.Count; first += FloatWidth)
   {
-    ProjectedCorner corners[4];
-    const unsigned int unbounded = Project(records, first, frame, corners);
-    const FloatMask isTwoByTwo = PutInOrder(corners);
-    // In order around the piece; of a triangle the last two points are one.
-    const ProjectedCorner from = Select(isTwoByTwo, corners[1], corners[0]);
-    const EdgePoints points[4] = { MeetSurface(corners[0], corners[2]),
-      MeetSurface(corners[0], corners[3]),
-      MeetSurface(from, Select(isTwoByTwo, corners[3], corners[1])),
-      MeetSurface(from, Select(isTwoByTwo, corners[2], corners[1])) };
-    PointBounds bounds;
-    for (const EdgePoints& point : points)
+    EdgePoints points[PackedPieces::Corners];
+    Floats least = static_cast<float>(Infinity);
+    Floats size = 0.0F;
+    for (int i = 0; i < PackedPieces::Corners; ++i)
     {
-      bounds.Include(point);
+      const std::uint32_t* words = &packed.Polygons[i][first];
+      const Floats x = GetBits(words, PackedPieces::Bits * frame.Across[0], mask);
+      const Floats y = GetBits(words, PackedPieces::Bits * frame.Across[1], mask);
+      const Floats z = GetBits(words, PackedPieces::Bits * frame.Along, mask);
+      const Floats w = projection.W.Get(0.0F, z);
+      const Floats inverse = ApproximateReciprocal(w);
+      points[i] = { projection.X.Get(x, z) * inverse, projection.Y.Get(y, z) * inverse,
+        projection.Depth.Get(0.0F, z) - projection.Depth.Error };
+      size = Max(size, Max(Abs(points[i].X), Abs(points[i].Y)));
+      least = Min(least, w);
     }
-    const Floats margin = FindMargin(corners, frame.Margin);
-    StoreBounds(bounds, margin, first, pieces);
-
-    const Floats area = (points[2].X - points[0].X) * (points[3].Y - points[1].Y) -
-      (points[2].Y - points[0].Y) * (points[3].X - points[1].X);
-    const Floats size =
-      bounds.Upper[0] - bounds.Lower[0] + bounds.Upper[1] - bounds.Lower[1] + margin;
-    // What the margin of the ends of an edge makes across the piece.
-    const Floats slack = 4.0F * margin * size;
-    // Of a piece seen edge on, the orientation is not certain.
-    const FloatMask isFlat = Abs(area) < 4.0F * slack;
-    const Floats sign = Select(isFlat, 0.0F, CopySign(1.0F, area));
-    for (int i = 0; i < BeamPieces::Lines; ++i)
-    {
-      const EdgePoints& p = points[i];
-      const EdgePoints& q = points[(i + 1) % 4];
-      const Floats a = sign * (p.Y - q.Y);
-      const Floats b = sign * (q.X - p.X);
-      const Floats c = MultiplyAdd(2.0F * margin, Abs(a) + Abs(b), slack) - (a * p.X + b * p.Y);
-      StoreLine(a, b, c, i, first, pieces);
-    }
-    OpenUnbounded(unbounded, first, pieces);
+    // Where W keeps at least half of itself, the quotient is off by no more than this.
+    const FloatMask hasLabel = static_cast<float>(SmallestW) + 2.0F * projection.W.Error < least;
+    const Floats margin = MultiplyAdd(MultiplyAdd(size, projection.W.Error, errorAcross),
+      2.0F * ApproximateReciprocal(least),
+      MultiplyAdd(size, LabelMargin, frame.Margin + LabelMargin));
+    BoundPolygons(points, margin, first, pieces);
+    const unsigned int bounded = isBounded ? ToBits(hasLabel) : 0;
+    OpenUnbounded(~bounded & ((1U << FloatWidth) - 1U), first, pieces);
   }
 }
 
@@ -435,12 +499,13 @@ SIMD_INLINE void AddPairs(const BeamPieces& pieces, int piece, int number, const
         MultiplyAdd(line[0][piece], a, MultiplyAdd(line[1][piece], b, line[2][piece]));
       isBeside = isBeside | (height < 0.0F);
     }
-    for (unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U); found != 0;
-         found &= found - 1)
+    const unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
+    for (int lane = 0; lane < FloatWidth; ++lane)
     {
-      pairs.Place[count] = first + __builtin_ctz(found);
-      pairs.Piece[count++] = number;
+      pairs.Piece[count + lane] = number;
     }
+    count += AppendLanes(first, found & ((1U << DoubleWidth) - 1U), &pairs.Place[count]);
+    count += AppendLanes(first + DoubleWidth, found >> DoubleWidth, &pairs.Place[count]);
   }
   pairs.Count = count;
 }

@@ -250,9 +250,10 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
-  /// Bounds the pieces of surfaces in cells: in tetrahedra, or in trilinear cells.
-  void (*BoundTetrahedra)(
-    const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces);
+  /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
+  /// cells.
+  void (*BoundPackedPieces)(
+    const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces);
   void (*BoundTrilinear)(
     const PassedCellRecords& records, const BeamNumbers& frame, BeamPieces& pieces);
 

@@ -85,5 +85,5 @@ SIMD_INLINE int LargerOf(int a, int b)
   const Kernels name = { MakeRays, MakeBoxedRays, Align, FindPassages,                             \
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, ProjectChildren, BoundTetrahedra, BoundTrilinear, FindPassed, FindPairs,            \
+    FrameRays, ProjectChildren, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,          \
     SolveTetrahedra }

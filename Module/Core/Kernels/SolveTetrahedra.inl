@@ -26,7 +26,7 @@ struct RaysOfPairs
       rows[0][lane] = rays.Frame[ray];
       rows[1][lane] = rays.Frame[ray] + 4;
       axes[rays.Axis[ray]] |= 1U << lane;
-      this->Corners[lane] = pairs.Corners[pair];
+      this->Corners[lane] = pairs.Corners[pairs.Cell[pair]];
     }
     this->Axes.AreFirst = ToMask(axes[0]);
     this->Axes.AreSecond = ToMask(axes[1]);

@@ -3,8 +3,6 @@
 
 #include "Mesh/ActiveCells.h"
 
-#include <algorithm>
-
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -21,20 +19,22 @@ ActiveCells::ActiveCells(const MeshCells& cells, const CellTree& tree, double is
 //------------------------------------------------------------------------------
 unsigned int ActiveCells::Find(std::size_t block)
 {
-  std::uint32_t mask = 0;
-  for (int i = 0; i < this->Tree->GetNumberOfCells(block); ++i)
+  std::uint32_t numbers[CellTree::Width];
+  const int count = this->Tree->GetNumberOfCells(block);
+  for (int i = 0; i < count; ++i)
+  {
+    numbers[i] = this->Tree->GetCell(block, i);
+  }
+  unsigned int active = 0;
+  for (unsigned int left = this->Cells->FindStraddling(numbers, count, this->Isovalue); left != 0;
+       left &= left - 1)
   {
     MeshCell cell;
-    if (!this->Cells->Load(this->Tree->GetCell(block, i), cell))
-    {
-      continue;
-    }
-    const auto [low, high] = std::minmax_element(cell.Values, cell.Values + cell.Count);
-    const bool isActive = *low < this->Isovalue && this->Isovalue <= *high;
-    mask |= static_cast<std::uint32_t>(isActive) << i;
+    const int i = __builtin_ctz(left);
+    active |= this->Cells->Load(numbers[i], cell) ? 1U << i : 0U;
   }
-  this->Masks[block].store(mask | Known, std::memory_order_relaxed);
-  return mask;
+  this->Masks[block].store(active | Known, std::memory_order_relaxed);
+  return active;
 }
 
 }

@@ -29,35 +29,26 @@ RaySet BeamTracer::Trace(
   this->Packet = &packet;
   this->Enter(selection, beam.GetFrame());
   this->Pairs.Count = 0;
-  for (std::vector<Hit>& hitsOfRay : hits)
+  hits.Clear();
+  for (std::size_t next = 0;
+       next < beam.GetNumberOfSets() || beam.FindMore(selection, this->Rays.EndOfAll);)
   {
-    hitsOfRay.clear();
-  }
-  const Kernels& kernels = *selection.PacketKernels;
-  for (std::size_t leaf = 0;
-       leaf < beam.GetNumberOfLeaves() || beam.FindMore(selection, this->Rays.EndOfAll); ++leaf)
-  {
-    const MeshBeam::Leaf& found = beam.GetLeaf(leaf);
-    const unsigned int passed = kernels.FindPassed(found.Bounds, found.Blocks, this->Rays);
-    if (passed == 0)
+    const std::size_t first = next / MeshBeam::GroupSize * MeshBeam::GroupSize;
+    for (unsigned int passed = beam.FindPassed(selection, this->Rays, next); passed != 0;
+         passed &= passed - 1)
     {
-      continue;
-    }
-    if (beam.IsFull())
-    {
-      this->Solve(selection, beam, hits);
-      beam.ForgetPieces();
-    }
-    beam.Load(selection, leaf, passed);
-    for (int number = found.FirstSet; number != MeshBeam::NoSet;)
-    {
-      const MeshBeam::PieceSet& set = beam.GetSet(number);
-      kernels.FindPairs(set.Pieces, set.First, this->Rays, this->Pairs);
+      if (beam.IsFull())
+      {
+        this->Solve(selection, beam, hits);
+        beam.Forget();
+      }
+      const int set = beam.Load(selection, first + static_cast<std::size_t>(__builtin_ctz(passed)));
+      selection.PacketKernels->FindPairs(
+        beam.GetPieces(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
       if (this->Pairs.Count >= BeamPairs::Batch)
       {
         this->Solve(selection, beam, hits);
       }
-      number = set.Next;
     }
   }
   this->Solve(selection, beam, hits);
@@ -105,6 +96,7 @@ void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
     this->Rays.LowerOfAll[k] = *std::min_element(lower, lower + BeamRays::Groups);
     this->Rays.UpperOfAll[k] = *std::max_element(upper, upper + BeamRays::Groups);
   }
+  this->Shortened = (1U << BeamRays::Groups) - 1U;
   this->FindEnds();
 }
 
@@ -134,50 +126,94 @@ void BeamTracer::PlaceRays()
 }
 
 //------------------------------------------------------------------------------
+/// Finds the ends of the groups with rays that were shortened, and that of all.
 void BeamTracer::FindEnds()
 {
-  this->Rays.EndOfAll = -FloatInfinity;
-  for (int group = 0; group < BeamRays::Groups; ++group)
+  for (; this->Shortened != 0; this->Shortened &= this->Shortened - 1)
   {
+    const int group = __builtin_ctz(this->Shortened);
     const float* ends = this->Rays.End + group * GroupSize;
     this->Rays.GroupEnd[group] = *std::max_element(ends, ends + GroupSize);
-    this->Rays.EndOfAll = std::max(this->Rays.EndOfAll, this->Rays.GroupEnd[group]);
   }
+  this->Rays.EndOfAll =
+    *std::max_element(this->Rays.GroupEnd, this->Rays.GroupEnd + BeamRays::Groups);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::Shorten(const BeamFrame& frame, int place)
+{
+  const int ray = this->Rays.Ray[place];
+  this->Rays.End[place] = frame.GetEnd(*this->Packet, ray, this->Parts[ray].End);
+  this->Shortened |= 1U << (place / GroupSize);
 }
 
 //------------------------------------------------------------------------------
 /// Solves the pairs, and ends the rays at their hits.
 void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
 {
-  this->InTetrahedra.Count = 0;
-  for (int i = 0; i < this->Pairs.Count; ++i)
+  // Pairs with one piece follow each other.
+  for (int i = 0; i < this->Pairs.Count;)
   {
-    const int ray = this->Rays.Ray[this->Pairs.Place[i]];
-    const int piece = this->Pairs.Piece[i];
-    const MeshBeam::PieceSet& set = beam.GetSetOf(piece);
-    if (!set.AreTetrahedra)
+    const int first = i;
+    const int piece = this->Pairs.Piece[first];
+    while (i < this->Pairs.Count && this->Pairs.Piece[i] == piece)
     {
-      this->SolveByItself(selection, beam, piece, ray, hits);
-      continue;
+      ++i;
     }
-    const int pair = this->InTetrahedra.Count++;
-    this->InTetrahedra.Ray[pair] = ray;
-    this->InTetrahedra.Corners[pair] = set.Records.Corner[piece - set.First];
-    this->InTetrahedra.Piece[pair] = piece;
-    if (this->InTetrahedra.Count == TetrahedronPairs::Capacity)
+    const int* places = &this->Pairs.Place[first];
+    if (beam.IsInTetrahedron(piece))
     {
-      this->SolveTetrahedra(selection, beam, hits);
+      this->AddTetrahedron(selection, beam, piece, places, i - first, hits);
+    }
+    else
+    {
+      std::for_each(places, places + (i - first),
+        [&](int place) { this->SolveByItself(selection, beam, piece, place, hits); });
     }
   }
   this->SolveTetrahedra(selection, beam, hits);
-  for (int i = 0; i < this->Pairs.Count; ++i)
-  {
-    const int place = this->Pairs.Place[i];
-    const int ray = this->Rays.Ray[place];
-    this->Rays.End[place] = beam.GetFrame().GetEnd(*this->Packet, ray, this->Parts[ray].End);
-  }
   this->Pairs.Count = 0;
   this->FindEnds();
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::AddTetrahedron(const MeshSelection& selection, const MeshBeam& beam, int piece,
+  const int* places, int count, HitsOfRays& hits)
+{
+  TetrahedronPairs& pairs = this->InTetrahedra;
+  for (int i = 0; i < count;)
+  {
+    if (pairs.Count == TetrahedronPairs::Capacity)
+    {
+      this->SolveTetrahedra(selection, beam, hits);
+    }
+    const int cell = this->Tetrahedra++;
+    this->Cells[cell] = beam.GetCell(selection, piece);
+    this->Pieces[cell] = piece;
+    selection.Cells->Prefetch(this->Cells[cell]);
+    for (; i < count && pairs.Count < TetrahedronPairs::Capacity; ++i)
+    {
+      this->Places[pairs.Count] = places[i];
+      pairs.Ray[pairs.Count] = this->Rays.Ray[places[i]];
+      pairs.Cell[pairs.Count++] = cell;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::LoadTetrahedra(const MeshSelection& selection, const MeshBeam& beam)
+{
+  selection.Cells->LoadTetrahedra(
+    this->Cells, this->Tetrahedra, this->Orders, this->InTetrahedra.Corners);
+  for (int i = 0; i < this->Tetrahedra; ++i)
+  {
+    const MeshSurface& surface =
+      selection.Surfaces[static_cast<std::size_t>(beam.GetSurface(this->Pieces[i]))];
+    for (auto& corner : this->InTetrahedra.Corners[i])
+    {
+      corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -189,35 +225,63 @@ void BeamTracer::SolveTetrahedra(
   {
     return;
   }
+  this->LoadTetrahedra(selection, beam);
   selection.PacketKernels->SolveTetrahedra(this->Framed, pairs);
   for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
   {
     const int pair = __builtin_ctzll(left);
     const int ray = pairs.Ray[pair];
-    const MeshBeam::PieceSet& set = beam.GetSetOf(pairs.Piece[pair]);
-    const int number = pairs.Piece[pair] - set.First;
-    const double weights[4] = { pairs.Weights[0][pair], pairs.Weights[1][pair],
-      pairs.Weights[2][pair], pairs.Weights[3][pair] };
-    const CellHit hit = { pairs.T[pair], set.Orders[number].GetParametric(weights),
-      (pairs.Entering >> pair & 1) != 0 };
-    KeepHit(selection, hit, set.Cells[number], set.Surface, this->Parts[ray],
-      hits[static_cast<std::size_t>(ray)]);
+    RayPart& part = this->Parts[ray];
+    if (part.Has(pairs.T[pair]))
+    {
+      Hit& hit = hits.Add(ray);
+      this->MakeHit(beam, pair, hit);
+      if (KeepHit(selection, hit, pairs.T[pair], part))
+      {
+        this->Shorten(beam.GetFrame(), this->Places[pair]);
+      }
+      else
+      {
+        hits.Remove(ray);
+      }
+    }
   }
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
     const int pair = __builtin_ctzll(left);
-    this->SolveByItself(selection, beam, pairs.Piece[pair], pairs.Ray[pair], hits);
+    this->SolveByItself(selection, beam, this->Pieces[pairs.Cell[pair]], this->Places[pair], hits);
   }
   pairs.Count = 0;
+  this->Tetrahedra = 0;
+}
+
+//------------------------------------------------------------------------------
+/// Field by field: the numbers come from many places.
+void BeamTracer::MakeHit(const MeshBeam& beam, int pair, Hit& hit) const
+{
+  const TetrahedronPairs& pairs = this->InTetrahedra;
+  const int cell = pairs.Cell[pair];
+  hit.T = this->Parts[pairs.Ray[pair]].Base + pairs.T[pair];
+  hit.Cell = this->Cells[cell];
+  hit.Surface = beam.GetSurface(this->Pieces[cell]);
+  hit.Parametric =
+    this->Orders[cell].GetParametric(&pairs.Weights[0][pair], TetrahedronPairs::Capacity);
+  hit.Entering = (pairs.Entering >> pair & 1) != 0;
 }
 
 //------------------------------------------------------------------------------
 void BeamTracer::SolveByItself(
-  const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits)
+  const MeshSelection& selection, const MeshBeam& beam, int piece, int place, HitsOfRays& hits)
 {
-  const MeshBeam::PieceSet& set = beam.GetSetOf(piece);
-  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), set.Cells[piece - set.First], set.Surface,
-    this->InCell, this->Parts[ray], hits[static_cast<std::size_t>(ray)]);
+  const int ray = this->Rays.Ray[place];
+  this->HitsInCell.clear();
+  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), beam.GetCell(selection, piece),
+    beam.GetSurface(piece), this->InCell, this->Parts[ray], this->HitsInCell);
+  for (const Hit& hit : this->HitsInCell)
+  {
+    hits.Add(ray) = hit;
+    this->Shorten(beam.GetFrame(), place);
+  }
 }
 
 }

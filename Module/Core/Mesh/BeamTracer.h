@@ -6,13 +6,15 @@
 
 #include "Kernels/BeamPieces.h"
 #include "Mesh/CellHits.h"
+#include "Mesh/CornerOrder.h"
+#include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshSelection.h"
 #include "Mesh/RayHitsInCells.h"
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -23,9 +25,6 @@ namespace vtkIsosurfaceRayTracing
 class BeamTracer
 {
 public:
-  /// Of each ray of a packet, in no order; those beyond the first opaque one may be missing.
-  using HitsOfRays = std::array<std::vector<Hit>, RayPacket::Capacity>;
-
   /// Finds the hits of the rays that are in the beam. Returns which these are.
   RaySet Trace(
     const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);
@@ -34,10 +33,15 @@ private:
   void Enter(const MeshSelection& selection, const BeamFrame& frame);
   void PlaceRays();
   void FindEnds();
+  void Shorten(const BeamFrame& frame, int place);
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
+  void AddTetrahedron(const MeshSelection& selection, const MeshBeam& beam, int piece,
+    const int* places, int count, HitsOfRays& hits);
+  void LoadTetrahedra(const MeshSelection& selection, const MeshBeam& beam);
   void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
+  void MakeHit(const MeshBeam& beam, int pair, Hit& hit) const;
   void SolveByItself(
-    const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits);
+    const MeshSelection& selection, const MeshBeam& beam, int piece, int place, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
   BeamRays Rays;
@@ -46,9 +50,18 @@ private:
   int PlacedCount = 0;
   FramedRays Framed;
   RayPart Parts[RayPacket::Capacity];
+  /// The groups with rays that end earlier than they did; a bit for each.
+  unsigned int Shortened;
   BeamPairs Pairs;
   TetrahedronPairs InTetrahedra;
+  int Places[TetrahedronPairs::Capacity];
+  /// The tetrahedra of these pairs.
+  int Tetrahedra = 0;
+  std::uint32_t Cells[TetrahedronPairs::Capacity];
+  int Pieces[TetrahedronPairs::Capacity];
+  CornerOrder Orders[TetrahedronPairs::Capacity];
   CellHits InCell;
+  std::vector<Hit> HitsInCell;
 };
 
 }

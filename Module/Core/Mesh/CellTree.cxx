@@ -3,6 +3,8 @@
 
 #include "Mesh/CellTree.h"
 
+#include "Math/RoundOutward.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,18 +15,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
-
-float RoundDown(double value)
-{
-  const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) > value ? std::nextafterf(rounded, -FloatInfinity) : rounded;
-}
-
-float RoundUp(double value)
-{
-  return -RoundDown(-value);
-}
 
 /// Behind all keys.
 constexpr std::uint64_t NoKey = std::numeric_limits<std::uint64_t>::max();

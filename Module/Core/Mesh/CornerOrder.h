@@ -17,6 +17,8 @@ namespace vtkIsosurfaceRayTracing
 struct CornerOrder
 {
   unsigned char Corners[4] = { 0, 1, 2, 3 };
+  /// Where each corner is among them.
+  unsigned char Places[4] = { 0, 1, 2, 3 };
 
   CornerOrder() = default;
   /// Of equal ids the first corner is first.
@@ -43,18 +45,16 @@ struct CornerOrder
     for (std::size_t i = 0; i < 4; ++i)
     {
       this->Corners[i] = static_cast<unsigned char>(keys[i] % 4);
+      this->Places[this->Corners[i]] = static_cast<unsigned char>(i);
     }
   }
 
-  /// VTK's parametric coordinates of a point, given the weights of the corners in this order.
-  Vector3 GetParametric(const double* weights) const
+  /// VTK's parametric coordinates of a point, given the weights of the corners in this order, at
+  /// some distance from each other.
+  Vector3 GetParametric(const double* weights, int stride = 1) const
   {
-    double ofCorners[4];
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      ofCorners[this->Corners[i]] = weights[i];
-    }
-    return { ofCorners[1], ofCorners[2], ofCorners[3] };
+    return { weights[stride * this->Places[1]], weights[stride * this->Places[2]],
+      weights[stride * this->Places[3]] };
   }
 };
 

@@ -13,8 +13,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double Tolerance = 1e-13;
-
 /// At one point a ray enters the surface with the smaller isovalue first, and leaves it last.
 bool IsBefore(const Hit& a, const Hit& b)
 {
@@ -31,7 +29,7 @@ bool IsBefore(const Hit& a, const Hit& b)
 /// cells.
 bool AreTogether(const Hit& a, const Hit& b)
 {
-  return std::abs(a.T - b.T) <= Tolerance * (std::abs(a.T) + std::abs(b.T));
+  return std::abs(a.T - b.T) <= ToleranceOfPlace * (std::abs(a.T) + std::abs(b.T));
 }
 
 /// Hits of one surface that are at one place are not in the order of T, but take turns: a ray that
@@ -71,12 +69,6 @@ void RemoveHidden(const TraceRequest& request, std::vector<Hit>& hits)
     hits.end());
 }
 
-}
-
-//------------------------------------------------------------------------------
-double GetReachOfPlace(double t, double base)
-{
-  return 4.0 * Tolerance * (std::abs(t) + std::abs(base));
 }
 
 //------------------------------------------------------------------------------

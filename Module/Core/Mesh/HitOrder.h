@@ -7,6 +7,7 @@
 #include "Rays/Hit.h"
 #include "Rays/TraceRequest.h"
 
+#include <cmath>
 #include <vector>
 
 // Where a ray passes a face, an edge or a vertex, hits in several cells are at one place, but for
@@ -15,9 +16,15 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// Hits at one place differ by no more than this part of their t.
+constexpr double ToleranceOfPlace = 1e-13;
+
 /// What rounding may move hits by that are at one place: by so much, on a ray that was moved to
 /// begin at the base. Hits that far beyond the first opaque one decide about its order.
-double GetReachOfPlace(double t, double base);
+inline double GetReachOfPlace(double t, double base)
+{
+  return 4.0 * ToleranceOfPlace * (std::abs(t) + std::abs(base));
+}
 
 /// Puts the hits of a ray in order. In: all up to the first opaque one and its place, and perhaps
 /// some beyond, in any order; out: those without the ones beyond.

@@ -12,6 +12,9 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// The nodes that hold blocks of cells.
+constexpr int LevelOfLeaves = 0;
+
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
 IsovalueSpan FindSpan(double isovalue)
@@ -25,11 +28,19 @@ IsovalueSpan FindSpan(double isovalue)
 }
 
 //------------------------------------------------------------------------------
+MeshBeam::MeshBeam()
+  : Boxes{}
+{
+  std::fill_n(this->Boxes.Low, CellTreeNode::Width, -FloatInfinity);
+  std::fill_n(this->Boxes.High, CellTreeNode::Width, FloatInfinity);
+}
+
+//------------------------------------------------------------------------------
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 {
   this->Heap.clear();
-  this->Leaves.clear();
-  this->NumberOfSets = 0;
+  this->Sets.clear();
+  this->NumberOfSeen = 0;
   const int levels = selection.Tree->GetNumberOfLevels();
   this->HasFrame =
     levels > 0 && selection.PacketKernels && this->Frame.Find(lines, selection.Tree->GetBounds());
@@ -64,11 +75,9 @@ bool MeshBeam::MayHitBetween(const MeshSelection& selection, const RayPacket& li
     rays.Upper[k][0] = rays.UpperOfAll[k];
   }
   rays.EndOfAll = FloatInfinity;
-  for (std::size_t leaf = 0; leaf < this->Leaves.size() || this->FindMore(selection, FloatInfinity);
-       ++leaf)
+  for (std::size_t next = 0; next < this->Sets.size() || this->FindMore(selection, FloatInfinity);)
   {
-    const Leaf& found = this->Leaves[leaf];
-    if (selection.PacketKernels->FindPassed(found.Bounds, found.Blocks, rays) != 0)
+    if (this->FindPassed(selection, rays, next) != 0)
     {
       return true;
     }
@@ -79,15 +88,22 @@ bool MeshBeam::MayHitBetween(const MeshSelection& selection, const RayPacket& li
 //------------------------------------------------------------------------------
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
-  const std::size_t before = this->Leaves.size();
-  while (this->Leaves.size() == before && !this->Heap.empty() && this->Heap.front().Near <= end)
+  const std::size_t before = this->Sets.size();
+  while (this->Sets.size() == before && !this->Heap.empty() && this->Heap.front().Near <= end)
   {
     std::pop_heap(this->Heap.begin(), this->Heap.end());
     const Node node = this->Heap.back();
     this->Heap.pop_back();
-    this->Expand(selection, node);
+    if (node.Level == LevelOfLeaves)
+    {
+      this->AddLeaf(selection, node.Number);
+    }
+    else
+    {
+      this->Expand(selection, node);
+    }
   }
-  return this->Leaves.size() > before;
+  return this->Sets.size() > before;
 }
 
 //------------------------------------------------------------------------------
@@ -97,119 +113,161 @@ void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
   unsigned int found =
     selection.PacketKernels->ProjectChildren(selection.Tree->GetNode(node.Level, node.Number),
       this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
-  if (node.Level == 0)
-  {
-    this->AddLeaf(selection, node.Number, found, bounds);
-    return;
-  }
   for (; found != 0; found &= found - 1)
   {
     const int child = __builtin_ctz(found);
     const std::size_t number = node.Number * CellTree::Width + static_cast<std::size_t>(child);
-    selection.Tree->Prefetch(node.Level - 1, number);
+    this->Prefetch(selection, node.Level - 1, number);
     this->Heap.push_back({ bounds.Near[child], node.Level - 1, number });
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddLeaf(const MeshSelection& selection, std::size_t number, unsigned int blocks,
-  const LabelBounds& bounds)
+/// Begins to fetch what is read of a node when it is expanded.
+void MeshBeam::Prefetch(const MeshSelection& selection, int level, std::size_t number)
 {
-  if (blocks == 0)
+  if (level > LevelOfLeaves)
   {
-    return;
+    selection.Tree->Prefetch(level, number);
   }
-  this->Leaves.push_back({ bounds, number, blocks, 0, NoSet });
-  for (; blocks != 0 && !selection.Tree->AreCellsSorted(); blocks &= blocks - 1)
+  for (const MeshSurface& surface : selection.Surfaces)
   {
-    const std::size_t block =
-      number * CellTree::Width + static_cast<std::size_t>(__builtin_ctz(blocks));
-    selection.Cells->Prefetch(
-      selection.Tree->GetCell(block, 0), selection.Tree->GetNumberOfCells(block));
-  }
-}
-
-//------------------------------------------------------------------------------
-void MeshBeam::Load(const MeshSelection& selection, std::size_t leaf, unsigned int blocks)
-{
-  Leaf& found = this->Leaves[leaf];
-  const unsigned int missing = blocks & ~found.Loaded;
-  found.Loaded |= missing;
-  for (std::size_t surface = 0; surface < selection.Surfaces.size() && missing != 0; ++surface)
-  {
-    CellList tetrahedra;
-    CellList others;
-    for (unsigned int left = missing; left != 0; left &= left - 1)
+    if (level == LevelOfLeaves)
     {
-      const std::size_t block =
-        found.Number * CellTree::Width + static_cast<std::size_t>(__builtin_ctz(left));
-      for (unsigned int active = selection.Surfaces[surface].Active->Get(block); active != 0;
-           active &= active - 1)
-      {
-        const std::uint32_t number = selection.Tree->GetCell(block, __builtin_ctz(active));
-        const bool isTetrahedron = selection.Cells->IsTetrahedron(number);
-        CellList& list = isTetrahedron ? tetrahedra : others;
-        list.Numbers[list.Count++] = number;
-        if (list.Count == BeamPieces::Capacity)
-        {
-          this->AddSet(selection, list, surface, isTetrahedron, found);
-        }
-      }
+      surface.Pieces->PrefetchBoxes(number);
     }
-    this->AddSet(selection, tetrahedra, surface, true, found);
-    this->AddSet(selection, others, surface, false, found);
+    else if (level == LevelOfLeaves + 1)
+    {
+      surface.Pieces->Prefetch(number * CellTree::Width, CellTree::Width);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::ForgetPieces()
+void MeshBeam::AddLeaf(const MeshSelection& selection, std::size_t leaf)
 {
-  this->NumberOfSets = 0;
-  for (Leaf& leaf : this->Leaves)
+  for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
   {
-    leaf.Loaded = 0;
-    leaf.FirstSet = NoSet;
+    const PackedPieces* sets = selection.Surfaces[surface].Pieces->Get(leaf);
+    for (int first = 0; first < sets->Sets; first += CellTreeNode::Width)
+    {
+      this->AddSets(selection, leaf, static_cast<int>(surface), sets + first,
+        std::min(sets->Sets - first, CellTreeNode::Width));
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::AddSet(const MeshSelection& selection, CellList& cells, std::size_t surface,
-  bool areTetrahedra, Leaf& leaf)
+/// Adds those of some sets that the beam may meet.
+void MeshBeam::AddSets(const MeshSelection& selection, std::size_t leaf, int surface,
+  const PackedPieces* first, int count)
 {
-  if (cells.Count == 0)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    return;
+    for (int i = 0; i < count; ++i)
+    {
+      this->Boxes.Lower[axis][i] = first[i].Lower[axis];
+      this->Boxes.Upper[axis][i] = first[i].Upper[axis];
+    }
   }
-  const auto number = static_cast<std::size_t>(this->NumberOfSets++);
-  if (number == this->Sets.size())
+  constexpr IsovalueSpan anyValue = { 0.0F, 0.0F };
+  LabelBounds bounds;
+  unsigned int found =
+    selection.PacketKernels->ProjectChildren(this->Boxes, this->Projection, &anyValue, 1, bounds);
+  int order[CellTreeNode::Width];
+  int passed = 0;
+  for (found &= (1U << count) - 1U; found != 0; found &= found - 1)
   {
-    this->Sets.emplace_back();
+    order[passed++] = __builtin_ctz(found);
   }
-  PieceSet& set = this->Sets[number];
-  set.First = static_cast<int>(number) * BeamPieces::Capacity;
-  set.Surface = static_cast<int>(surface);
-  set.AreTetrahedra = areTetrahedra;
-  set.Next = leaf.FirstSet;
-  leaf.FirstSet = static_cast<int>(number);
-  const int count = cells.Count;
-  cells.Count = 0;
-  set.Pieces.Count = count;
-  std::copy_n(cells.Numbers, count, set.Cells);
-  selection.Cells->LoadRecords(cells.Numbers, count, areTetrahedra, set.Orders, set.Records);
-  const MeshSurface& traced = selection.Surfaces[surface];
-  const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
+  std::sort(order, order + passed, [&](int a, int b) { return bounds.Near[a] < bounds.Near[b]; });
+  for (int i = 0; i < passed; ++i)
+  {
+    const std::size_t group = this->Sets.size() / GroupSize;
+    if (group == this->Bounds.size())
+    {
+      this->Bounds.emplace_back();
+    }
+    this->Bounds[group].Copy(bounds, order[i], static_cast<int>(this->Sets.size() % GroupSize));
+    const PackedPieces* set = first + order[i];
+    for (const auto& corners : set->Polygons)
+    {
+      __builtin_prefetch(corners);
+    }
+    this->Sets.push_back({ set, leaf, surface, NotSeen });
+  }
+}
+
+//------------------------------------------------------------------------------
+unsigned int MeshBeam::FindPassed(
+  const MeshSelection& selection, const BeamRays& rays, std::size_t& next) const
+{
+  const std::size_t group = next / GroupSize;
+  const std::size_t first = group * GroupSize;
+  const std::size_t last = std::min(first + GroupSize, this->Sets.size());
+  const unsigned int among = ((1U << (last - first)) - 1U) & ~((1U << (next - first)) - 1U);
+  next = last;
+  return selection.PacketKernels->FindPassed(this->Bounds[group], among, rays);
+}
+
+//------------------------------------------------------------------------------
+int MeshBeam::Load(const MeshSelection& selection, std::size_t set)
+{
+  Set& loaded = this->Sets[set];
+  if (loaded.Seen != NotSeen)
+  {
+    return loaded.Seen;
+  }
+  loaded.Seen = this->NumberOfSeen++;
+  if (static_cast<std::size_t>(loaded.Seen) == this->Seen.size())
+  {
+    this->Seen.emplace_back();
+  }
+  SeenPieces& seen = this->Seen[static_cast<std::size_t>(loaded.Seen)];
+  seen.Set = set;
+  if (loaded.Packed->AreInTetrahedra)
+  {
+    selection.PacketKernels->BoundPackedPieces(
+      *loaded.Packed, this->Frame.GetNumbers(), seen.Pieces);
+  }
+  else
+  {
+    this->BoundTrilinear(selection, loaded, seen.Pieces);
+  }
+  return loaded.Seen;
+}
+
+//------------------------------------------------------------------------------
+void MeshBeam::BoundTrilinear(const MeshSelection& selection, const Set& set, BeamPieces& pieces)
+{
+  const int count = set.Packed->Count;
+  std::uint32_t cells[PackedPieces::Capacity] = {};
   for (int i = 0; i < count; ++i)
   {
-    for (int corner = 0; corner < corners; ++corner)
+    cells[i] = GetCell(selection, set, i);
+  }
+  selection.Cells->LoadRecords(cells, count, this->Records);
+  const MeshSurface& surface = selection.Surfaces[static_cast<std::size_t>(set.Surface)];
+  for (int i = 0; i < count; ++i)
+  {
+    for (auto& corner : this->Records.Corner[i])
     {
-      double& value = set.Records.Corner[i][corner][3];
-      value = Difference(value, traced.Isovalue, traced.Scale);
+      corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
     }
   }
-  const Kernels& kernels = *selection.PacketKernels;
-  (areTetrahedra ? kernels.BoundTetrahedra : kernels.BoundTrilinear)(
-    set.Records, this->Frame.GetNumbers(), set.Pieces);
+  pieces.Count = count;
+  selection.PacketKernels->BoundTrilinear(this->Records, this->Frame.GetNumbers(), pieces);
+}
+
+//------------------------------------------------------------------------------
+void MeshBeam::Forget()
+{
+  for (int i = 0; i < this->NumberOfSeen; ++i)
+  {
+    this->Sets[this->GetSeen(i).Set].Seen = NotSeen;
+  }
+  this->NumberOfSeen = 0;
 }
 
 }

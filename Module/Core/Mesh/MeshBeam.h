@@ -7,7 +7,6 @@
 #include "Field/TracedField.h"
 #include "Kernels/BeamPieces.h"
 #include "Mesh/BeamFrame.h"
-#include "Mesh/CornerOrder.h"
 #include "Mesh/MeshSelection.h"
 
 #include <cstddef>
@@ -17,13 +16,16 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// What a beam of rays may meet in a mesh: blocks of cells, and in them pieces of surfaces. The
-/// leaves of the tree, of 16 blocks each, are found front to back, as far as the packets of the
-/// beam need them. The cells of a block are read and projected when the first packet comes to it,
-/// for all packets.
+/// What a beam of rays may meet in a mesh: sets of pieces of surfaces. The leaves of the tree that
+/// hold them are found front to back, as far as the packets of the beam need them. The pieces of a
+/// set are projected when the first packet comes to it, for all packets.
 class MeshBeam final : public TracedField::Beam
 {
 public:
+  static constexpr std::size_t GroupSize = LabelBounds::Capacity;
+
+  MeshBeam();
+
   /// Begins with the rays between lines.
   void Begin(const MeshSelection& selection, const RayPacket& lines);
 
@@ -31,56 +33,50 @@ public:
   bool IsBeam() const { return this->HasFrame; }
   const BeamFrame& GetFrame() const { return this->Frame; }
 
-  /// Pieces of a surface in a leaf, all in tetrahedra or all in others.
-  struct PieceSet
-  {
-    /// The number of the first one. There are as many numbers to a set as it may have pieces.
-    int First;
-    int Surface;
-    bool AreTetrahedra;
-    /// The next set of the leaf, or NoSet.
-    int Next;
-    BeamPieces Pieces;
-    PassedCellRecords Records;
-    std::uint32_t Cells[BeamPieces::Capacity];
-    /// Of tetrahedra.
-    CornerOrder Orders[BeamPieces::Capacity];
-  };
-  static constexpr int NoSet = -1;
+  /// The number of sets found so far.
+  std::size_t GetNumberOfSets() const { return this->Sets.size(); }
 
-  /// A leaf of the tree: the blocks that the beam may meet, and those whose pieces are there.
-  struct Leaf
-  {
-    LabelBounds Bounds;
-    std::size_t Number;
-    unsigned int Blocks;
-    unsigned int Loaded;
-    int FirstSet;
-  };
+  /// Finds which of the sets rays may meet that are in the group of 16 of the next one, from that
+  /// on; a bit for each of the group. The next one moves behind them.
+  unsigned int FindPassed(
+    const MeshSelection& selection, const BeamRays& rays, std::size_t& next) const;
 
-  /// The number of leaves found so far.
-  std::size_t GetNumberOfLeaves() const { return this->Leaves.size(); }
-  const Leaf& GetLeaf(std::size_t leaf) const { return this->Leaves[leaf]; }
-
-  /// Whether rays of the beam between lines may meet a block.
+  /// Whether rays of the beam between lines may meet a piece.
   bool MayHitBetween(const MeshSelection& selection, const RayPacket& lines);
 
-  /// Finds another leaf. Returns false if there is none before a depth.
+  /// Finds the sets in another leaf. Returns false if there is none before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 
-  /// Makes sure that the pieces in some blocks of a leaf are there; a bit for each block.
-  void Load(const MeshSelection& selection, std::size_t leaf, unsigned int blocks);
+  /// Pieces as the beam sees them.
+  struct SeenPieces
+  {
+    std::size_t Set;
+    BeamPieces Pieces;
+  };
 
-  /// Whether there are so many pieces that they should be forgotten before further ones are loaded.
-  bool IsFull() const { return this->NumberOfSets >= MaximumSets; }
-  void ForgetPieces();
+  /// Returns the number of the pieces of a set. There are as many numbers to a set as it may have
+  /// pieces: this is that of the first, divided by it.
+  int Load(const MeshSelection& selection, std::size_t set);
 
-  const PieceSet& GetSet(int set) const { return this->Sets[static_cast<std::size_t>(set)]; }
-  const PieceSet& GetSetOf(int piece) const { return this->GetSet(piece / BeamPieces::Capacity); }
+  /// Whether there are so many that they should be forgotten before further ones are loaded.
+  bool IsFull() const { return this->NumberOfSeen >= MaximumSeen; }
+  void Forget();
+
+  const BeamPieces& GetPieces(int number) const { return this->GetSeen(number).Pieces; }
+
+  /// The cell and the surface of a piece.
+  bool IsInTetrahedron(int piece) const { return this->GetSetOf(piece).Packed->AreInTetrahedra; }
+  int GetSurface(int piece) const { return this->GetSetOf(piece).Surface; }
+  std::uint32_t GetCell(const MeshSelection& selection, int piece) const
+  {
+    const Set& set = this->GetSetOf(piece);
+    return GetCell(selection, set, piece % BeamPieces::Capacity);
+  }
 
 private:
-  /// Some 11 MB for each thread.
-  static constexpr int MaximumSets = 2048;
+  /// Some 2.5 MB for each thread.
+  static constexpr int MaximumSeen = 2048;
+  static constexpr int NotSeen = -1;
 
   /// A node of the tree, and a depth that it is behind.
   struct Node
@@ -93,28 +89,52 @@ private:
     bool operator<(const Node& other) const { return this->Near > other.Near; }
   };
 
-  /// Cells of one kind.
-  struct CellList
+  /// Pieces of a surface in a leaf.
+  struct Set
   {
-    int Count = 0;
-    std::uint32_t Numbers[BeamPieces::Capacity];
+    const PackedPieces* Packed;
+    std::size_t Leaf;
+    int Surface;
+    int Seen;
   };
 
+  static std::uint32_t GetCell(const MeshSelection& selection, const Set& set, int number)
+  {
+    const int place = set.Packed->Cells[number];
+    return selection.Tree->GetCell(
+      set.Leaf * CellTree::Width + static_cast<std::size_t>(place / CellTree::Width),
+      place % CellTree::Width);
+  }
+
+  const SeenPieces& GetSeen(int number) const
+  {
+    return this->Seen[static_cast<std::size_t>(number)];
+  }
+  const Set& GetSetOf(int piece) const
+  {
+    return this->Sets[this->GetSeen(piece / BeamPieces::Capacity).Set];
+  }
+
   void Expand(const MeshSelection& selection, const Node& node);
-  void AddLeaf(const MeshSelection& selection, std::size_t number, unsigned int blocks,
-    const LabelBounds& bounds);
-  void AddSet(const MeshSelection& selection, CellList& cells, std::size_t surface,
-    bool areTetrahedra, Leaf& leaf);
+  static void Prefetch(const MeshSelection& selection, int level, std::size_t number);
+  void AddLeaf(const MeshSelection& selection, std::size_t leaf);
+  void AddSets(const MeshSelection& selection, std::size_t leaf, int surface,
+    const PackedPieces* first, int count);
+  void BoundTrilinear(const MeshSelection& selection, const Set& set, BeamPieces& pieces);
 
   bool HasFrame = false;
   BeamFrame Frame;
   BeamProjection Projection;
   std::vector<IsovalueSpan> Spans;
   std::vector<Node> Heap;
-  std::vector<Leaf> Leaves;
+  std::vector<Set> Sets;
+  std::vector<LabelBounds> Bounds;
   /// Those in use are the first: the memory is kept from beam to beam.
-  std::vector<PieceSet> Sets;
-  int NumberOfSets = 0;
+  std::vector<SeenPieces> Seen;
+  int NumberOfSeen = 0;
+  /// The boxes of sets, as children of a node with all values.
+  CellTreeNode Boxes;
+  PassedCellRecords Records;
 };
 
 }

@@ -10,6 +10,16 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// The ids of the corners of a listed cell.
+template <typename Id>
+const Id* GetIds(const MeshView& view, std::int64_t number)
+{
+  const std::int64_t first = view.CornersOfAll != 0
+    ? number * view.CornersOfAll
+    : std::int64_t{ static_cast<const Id*>(view.Offsets)[number] };
+  return static_cast<const Id*>(view.Connectivity) + first;
+}
+
 template <typename Id>
 bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
 {
@@ -19,8 +29,7 @@ bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
   {
     return false; // Its offset may be anything.
   }
-  const Id* ids =
-    static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[number];
+  const Id* ids = GetIds<Id>(view, number);
   for (int i = 0; i < cell.Count; ++i)
   {
     cell.Ids[i] = ids[i];
@@ -49,55 +58,58 @@ void ReadTypedValues(const MeshView& view, MeshCell& cell)
   }
 }
 
-constexpr int Capacity = PassedCellRecords::Capacity;
-
 template <typename Id>
 void ReadListedTetrahedra(const MeshView& view, const std::uint32_t* numbers, int count,
-  CornerOrder* orders, std::int64_t (&ids)[PassedCellRecords::Corners][Capacity])
+  CornerOrder* orders, std::int64_t (*ids)[4])
 {
   for (int i = 0; i < count; ++i)
   {
-    const Id* listed =
-      static_cast<const Id*>(view.Connectivity) + static_cast<const Id*>(view.Offsets)[numbers[i]];
+    const Id* listed = GetIds<Id>(view, numbers[i]);
     orders[i] = CornerOrder(listed);
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      ids[corner][i] = listed[orders[i].Corners[corner]];
+      ids[i][corner] = listed[orders[i].Corners[corner]];
     }
   }
 }
 
 template <typename Coordinate>
-void ReadTypedRecordPoints(const MeshView& view,
-  const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
-  PassedCellRecords& records)
+void ReadTypedCornerPoints(
+  const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4])
 {
   for (int i = 0; i < count; ++i)
   {
-    for (int corner = 0; corner < corners; ++corner)
+    const Coordinate* point = static_cast<const Coordinate*>(view.Points) + 3 * ids[i];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const Coordinate* point = static_cast<const Coordinate*>(view.Points) + 3 * ids[corner][i];
-      double* numbers = records.Corner[i][corner];
-      numbers[0] = static_cast<double>(point[0]);
-      numbers[1] = static_cast<double>(point[1]);
-      numbers[2] = static_cast<double>(point[2]);
+      corners[i][axis] = static_cast<double>(point[axis]);
     }
   }
 }
 
 template <typename Value>
-void ReadTypedRecordValues(const MeshView& view,
-  const std::int64_t (&ids)[PassedCellRecords::Corners][Capacity], int corners, int count,
-  PassedCellRecords& records)
+void ReadTypedCornerValues(
+  const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4])
 {
   for (int i = 0; i < count; ++i)
   {
-    for (int corner = 0; corner < corners; ++corner)
-    {
-      records.Corner[i][corner][3] = static_cast<double>(
-        static_cast<const Value*>(view.Values)[ids[corner][i] * view.ValueStride]);
-    }
+    corners[i][3] =
+      static_cast<double>(static_cast<const Value*>(view.Values)[ids[i] * view.ValueStride]);
   }
+}
+
+/// If all listed cells have as many corners, how many; else 0.
+template <typename Id>
+std::int64_t FindCornersOfAll(const MeshView& view)
+{
+  const auto* offsets = static_cast<const Id*>(view.Offsets);
+  const std::int64_t corners = offsets[1] - offsets[0];
+  bool areEqual = offsets[0] == 0 && corners <= MaximumCorners;
+  for (std::int64_t i = 0; i < view.NumberOfCells && areEqual; ++i)
+  {
+    areEqual = offsets[i + 1] - offsets[i] == corners;
+  }
+  return areEqual ? corners : 0;
 }
 
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
@@ -144,22 +156,31 @@ MeshCells::MeshCells(const MeshView& view)
   }
   else if (view.NumberOfCells > 0)
   {
-    this->LengthOfConnectivity = view.IdType == ScalarType::Int32
+    const bool isShort = view.IdType == ScalarType::Int32;
+    this->View.CornersOfAll =
+      isShort ? FindCornersOfAll<std::int32_t>(view) : FindCornersOfAll<std::int64_t>(view);
+    const std::int64_t length = isShort
       ? static_cast<const std::int32_t*>(view.Offsets)[view.NumberOfCells]
       : static_cast<const std::int64_t*>(view.Offsets)[view.NumberOfCells];
+    this->BytesOfCell =
+      (isShort ? 4 : 8) * std::clamp<std::int64_t>(length / view.NumberOfCells, 0, MaximumCorners);
   }
   this->ReadIds =
     view.IdType == ScalarType::Int32 ? ReadListedIds<std::int32_t> : ReadListedIds<std::int64_t>;
   const bool hasFloats = view.PointType == ScalarType::Float32;
   this->ReadPoints = hasFloats ? ReadTypedPoints<float> : ReadTypedPoints<double>;
-  this->ReadRecordPoints = hasFloats ? ReadTypedRecordPoints<float> : ReadTypedRecordPoints<double>;
+  this->ReadCornerPoints = hasFloats ? ReadTypedCornerPoints<float> : ReadTypedCornerPoints<double>;
   this->ReadTetrahedra = view.IdType == ScalarType::Int32 ? ReadListedTetrahedra<std::int32_t>
                                                           : ReadListedTetrahedra<std::int64_t>;
   DispatchScalarType(view.ValueType,
     [this](auto value)
     {
       this->ReadValues = ReadTypedValues<decltype(value)>;
-      this->ReadRecordValues = ReadTypedRecordValues<decltype(value)>;
+      this->ReadCornerValues = ReadTypedCornerValues<decltype(value)>;
+      this->ReadStraddling = this->View.IsLattice() ? FindLatticeStraddling
+        : this->View.IdType == ScalarType::Int32
+        ? FindListedStraddling<std::int32_t, decltype(value)>
+        : FindListedStraddling<std::int64_t, decltype(value)>;
     });
 }
 
@@ -175,53 +196,33 @@ bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::Prefetch(std::int64_t first, int count) const
+void MeshCells::LoadTetrahedra(
+  const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const
 {
-  if (this->View.IsLattice())
-  {
-    return;
-  }
-  const std::int64_t size = this->View.IdType == ScalarType::Int32 ? 4 : 8;
-  const auto* offsets = static_cast<const char*>(this->View.Offsets);
-  const auto* connectivity = static_cast<const char*>(this->View.Connectivity);
-  __builtin_prefetch(this->View.Shapes + first);
-  __builtin_prefetch(offsets + size * first);
-  __builtin_prefetch(offsets + size * (first + count));
-  // Where they are if all cells have as many corners.
-  const std::int64_t corners =
-    std::clamp<std::int64_t>(this->LengthOfConnectivity / this->NumberOfCells, 0, MaximumCorners);
-  const char* begin = connectivity + size * corners * first;
-  for (std::int64_t line = 0; line < size * corners * count; line += 64)
-  {
-    __builtin_prefetch(begin + line);
-  }
+  std::int64_t ids[MaximumTetrahedra][4];
+  this->ReadTetrahedra(this->View, numbers, count, orders, ids);
+  this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
+  this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::LoadRecords(const std::uint32_t* numbers, int count, bool areTetrahedra,
-  CornerOrder* orders, PassedCellRecords& records) const
+void MeshCells::LoadRecords(
+  const std::uint32_t* numbers, int count, PassedCellRecords& records) const
 {
-  RecordIds ids;
-  if (areTetrahedra)
+  constexpr int corners = PassedCellRecords::Corners;
+  std::int64_t ids[PassedCellRecords::Capacity][corners];
+  for (int i = 0; i < count; ++i)
   {
-    this->ReadTetrahedra(this->View, numbers, count, orders, ids);
-  }
-  else
-  {
-    for (int i = 0; i < count; ++i)
+    MeshCell cell;
+    this->LoadIds(numbers[i], cell);
+    const ShapeTraits& traits = GetTraits(cell.Shape);
+    for (int corner = 0; corner < corners; ++corner)
     {
-      MeshCell cell;
-      this->LoadIds(numbers[i], cell);
-      const ShapeTraits& traits = GetTraits(cell.Shape);
-      for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
-      {
-        ids[corner][i] = cell.Ids[traits.Trilinear[corner]];
-      }
+      ids[i][corner] = cell.Ids[traits.Trilinear[corner]];
     }
   }
-  const int corners = areTetrahedra ? 4 : PassedCellRecords::Corners;
-  this->ReadRecordPoints(this->View, ids, corners, count, records);
-  this->ReadRecordValues(this->View, ids, corners, count, records);
+  this->ReadCornerPoints(this->View, ids[0], corners * count, records.Corner[0]);
+  this->ReadCornerValues(this->View, ids[0], corners * count, records.Corner[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -259,6 +260,47 @@ bool MeshCells::LoadCorners(MeshCell& cell) const
     sum += 0.0 * p[0] + 0.0 * p[1] + 0.0 * p[2] + 0.0 * cell.Values[i];
   }
   return sum == 0.0;
+}
+
+//------------------------------------------------------------------------------
+/// Reads no more than it needs: it is called for all cells that may be active.
+template <typename Id, typename Value>
+unsigned int MeshCells::FindListedStraddling(
+  const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue)
+{
+  const MeshView& view = cells.View;
+  const auto* values = static_cast<const Value*>(view.Values);
+  unsigned int mask = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const int corners = GetTraits(static_cast<CellShape>(view.Shapes[numbers[i]])).Corners;
+    const Id* ids = corners != 0 ? GetIds<Id>(view, numbers[i]) : nullptr;
+    int below = 0;
+    for (int corner = 0; corner < corners; ++corner)
+    {
+      const auto value = static_cast<double>(values[ids[corner] * view.ValueStride]);
+      below += value < isovalue ? 1 : 0;
+    }
+    mask |= static_cast<unsigned int>(below > 0 && below < corners) << i;
+  }
+  return mask;
+}
+
+//------------------------------------------------------------------------------
+unsigned int MeshCells::FindLatticeStraddling(
+  const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue)
+{
+  unsigned int mask = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    MeshCell cell;
+    cells.LoadLatticeIds(numbers[i], cell);
+    cells.ReadValues(cells.View, cell);
+    const auto below = std::count_if(
+      cell.Values, cell.Values + cell.Count, [isovalue](double value) { return value < isovalue; });
+    mask |= static_cast<unsigned int>(below > 0 && below < cell.Count) << i;
+  }
+  return mask;
 }
 
 //------------------------------------------------------------------------------

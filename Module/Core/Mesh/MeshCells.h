@@ -28,9 +28,6 @@ public:
   /// traced.
   bool LoadIds(std::int64_t number, MeshCell& cell) const;
 
-  /// Begins to fetch what is read first of some consecutive cells.
-  void Prefetch(std::int64_t first, int count) const;
-
   /// Reads the points and values of the corners whose ids are there. Returns whether they are
   /// finite.
   bool LoadCorners(MeshCell& cell) const;
@@ -41,36 +38,54 @@ public:
     return this->LoadIds(number, cell) && this->LoadCorners(cell);
   }
 
-  bool IsTetrahedron(std::int64_t number) const
+  /// Finds which of up to 16 cells have values on both sides of an isovalue, below it and at or
+  /// above it; a bit for each. Cells that are not finite may be among them.
+  unsigned int FindStraddling(const std::uint32_t* numbers, int count, double isovalue) const
   {
-    return !this->View.IsLattice() &&
-      this->View.Shapes[number] == static_cast<unsigned char>(CellShape::Tetrahedron);
+    return this->ReadStraddling(*this, numbers, count, isovalue);
   }
 
-  /// Reads the corners of cells that are traced and finite: all of them tetrahedra, whose order is
-  /// found, or all others. In place of differences there are values.
-  void LoadRecords(const std::uint32_t* numbers, int count, bool areTetrahedra, CornerOrder* orders,
-    PassedCellRecords& records) const;
+  /// Begins to fetch the ids of a cell's corners, if they are where they should be.
+  void Prefetch(std::int64_t number) const
+  {
+    __builtin_prefetch(
+      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
+  }
+
+  /// Reads cells that are traced and finite: their corners, and in place of differences the values.
+  /// Tetrahedra, as many as there are pairs, whose corners are put in the order of their ids...
+  void LoadTetrahedra(
+    const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const;
+  /// ...or as many cells of any shape as there are records.
+  void LoadRecords(const std::uint32_t* numbers, int count, PassedCellRecords& records) const;
 
 private:
-  /// The ids of the corners of records.
-  using RecordIds = std::int64_t[PassedCellRecords::Corners][PassedCellRecords::Capacity];
+  /// The largest number of tetrahedra that are read at once.
+  static constexpr int MaximumTetrahedra = TetrahedronPairs::Capacity;
 
   void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
+  template <typename Id, typename Value>
+  static unsigned int FindListedStraddling(
+    const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue);
+  static unsigned int FindLatticeStraddling(
+    const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue);
 
   MeshView View;
   std::int64_t NumberOfCells;
-  std::int64_t LengthOfConnectivity = 0;
+  /// The mean size of a listed cell in the connectivity.
+  std::int64_t BytesOfCell = 0;
   /// For the types of the arrays.
   bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
+  unsigned int (*ReadStraddling)(
+    const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue) = nullptr;
   void (*ReadTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,
-    CornerOrder* orders, RecordIds& ids) = nullptr;
-  void (*ReadRecordPoints)(const MeshView& view, const RecordIds& ids, int corners, int count,
-    PassedCellRecords& records) = nullptr;
-  void (*ReadRecordValues)(const MeshView& view, const RecordIds& ids, int corners, int count,
-    PassedCellRecords& records) = nullptr;
+    CornerOrder* orders, std::int64_t (*ids)[4]) = nullptr;
+  void (*ReadCornerPoints)(
+    const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4]) = nullptr;
+  void (*ReadCornerValues)(
+    const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4]) = nullptr;
 };
 
 /// What is wrong with the list of cells of a mesh, as a sentence that names the first bad cell;

@@ -8,6 +8,7 @@
 #include "Mesh/BeamTracer.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
+#include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshRay.h"
 #include "Mesh/ShapeFunctions.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -25,7 +27,7 @@ class MeshField::ThreadBeam final : public Beam
 public:
   MeshBeam Pieces;
   BeamTracer Tracer;
-  BeamTracer::HitsOfRays Hits;
+  HitsOfRays Hits;
 };
 
 //------------------------------------------------------------------------------
@@ -50,23 +52,26 @@ void MeshField::Select(
   std::vector<MeshSurface> surfaces;
   for (const Isosurface& surface : request.Surfaces)
   {
-    surfaces.push_back({ surface.Isovalue,
-      GetValueScale(this->Tree.GetLow(), this->Tree.GetHigh(), surface.Isovalue),
-      this->FindActiveCells(surface.Isovalue) });
+    surfaces.push_back(this->SelectSurface(surface.Isovalue));
   }
   this->Selection = { &this->Cells, &this->Tree, request, std::move(surfaces),
     execution.PacketKernels };
 }
 
 //------------------------------------------------------------------------------
-/// Those of the last request, if it had the isovalue.
-std::shared_ptr<ActiveCells> MeshField::FindActiveCells(double isovalue) const
+/// That of the last request, if it had the isovalue.
+MeshSurface MeshField::SelectSurface(double isovalue) const
 {
   const auto known = std::find_if(this->Selection.Surfaces.begin(), this->Selection.Surfaces.end(),
     [isovalue](const MeshSurface& surface) { return surface.Isovalue == isovalue; });
-  return known != this->Selection.Surfaces.end()
-    ? known->Active
-    : std::make_shared<ActiveCells>(this->Cells, this->Tree, isovalue);
+  if (known != this->Selection.Surfaces.end())
+  {
+    return *known;
+  }
+  const double scale = GetValueScale(this->Tree.GetLow(), this->Tree.GetHigh(), isovalue);
+  auto active = std::make_shared<ActiveCells>(this->Cells, this->Tree, isovalue);
+  auto pieces = std::make_shared<SurfacePieces>(this->Cells, this->Tree, *active, scale);
+  return { isovalue, scale, std::move(active), std::move(pieces) };
 }
 
 //------------------------------------------------------------------------------
@@ -143,17 +148,22 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     ? thread->Tracer.Trace(this->Selection, packet, thread->Pieces, thread->Hits)
     : RaySet{};
   CellHits inCell;
-  std::vector<Hit> foundAlone;
+  std::vector<Hit> found;
   for (int i = 0; i < packet.Count; ++i)
   {
-    foundAlone.clear();
-    if (Has(packet.Exists, i) && !Has(inBeam, i))
+    found.clear();
+    if (Has(inBeam, i))
     {
-      MeshRay(this->Selection, packet, i).FindHits(inCell, foundAlone);
+      thread->Hits.Get(i, found);
     }
-    std::vector<Hit>& found =
-      Has(inBeam, i) ? thread->Hits[static_cast<std::size_t>(i)] : foundAlone;
-    PutInOrder(this->Selection.Request, found);
+    else if (Has(packet.Exists, i))
+    {
+      MeshRay(this->Selection, packet, i).FindHits(inCell, found);
+    }
+    if (found.size() > 1)
+    {
+      PutInOrder(this->Selection.Request, found);
+    }
     HitCollector collector(*this, hits.Hits);
     std::any_of(found.begin(), found.end(),
       [&collector](const Hit& hit) { return collector.AddVisible(hit); });
@@ -244,7 +254,7 @@ FieldStatistics MeshField::GetStatistics() const
   statistics.HierarchyMemory = this->Tree.GetMemory() + this->Smooth.GetMemory();
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
-    statistics.CacheMemory += surface.Active->GetMemory();
+    statistics.CacheMemory += surface.Active->GetMemory() + surface.Pieces->GetMemory();
   }
   return statistics;
 }

@@ -54,7 +54,7 @@ public:
 private:
   class ThreadBeam;
 
-  std::shared_ptr<ActiveCells> FindActiveCells(double isovalue) const;
+  MeshSurface SelectSurface(double isovalue) const;
 
   double GetUnitOfGradients() const;
   Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;

@@ -8,6 +8,7 @@
 #include "Mesh/ActiveCells.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
+#include "Mesh/SurfacePieces.h"
 #include "Rays/TraceRequest.h"
 
 #include <memory>
@@ -23,6 +24,7 @@ struct MeshSurface
   /// The power of two that values are multiplied by before the isovalue is subtracted.
   double Scale;
   std::shared_ptr<ActiveCells> Active;
+  std::shared_ptr<SurfacePieces> Pieces;
 };
 
 /// What is traced of a mesh, and with what. All must outlive it.

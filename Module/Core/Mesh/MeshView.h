@@ -50,6 +50,9 @@ struct MeshView
   const void* Connectivity = nullptr;
   ScalarType IdType = ScalarType::Int64;
   std::int64_t NumberOfCells = 0;
+  /// If all listed cells have as many corners, how many: then the offsets are not needed. MeshCells
+  /// finds it.
+  std::int64_t CornersOfAll = 0;
 
   /// Of a lattice, the number of points along each axis; zero for listed cells.
   Index3 Dimensions = { 0, 0, 0 };

@@ -3,38 +3,17 @@
 
 #include "Mesh/RayHitsInCells.h"
 
-#include "Mesh/HitOrder.h"
 #include "Mesh/ShapeFunctions.h"
-
-#include <algorithm>
 
 namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-void KeepHit(const MeshSelection& selection, const CellHit& found, std::int64_t cell, int surface,
-  RayPart& part, std::vector<Hit>& hits)
+bool IsVisible(const MeshSelection& selection, const Hit& hit)
 {
-  if (!(found.T >= part.Begin && found.T <= part.End))
-  {
-    return;
-  }
-  const Hit hit = { part.Base + found.T, cell, surface, found.Parametric, found.Entering };
-  const TraceRequest& request = selection.Request;
-  if (!request.Visible.IsConvex())
-  {
-    MeshCell loaded;
-    selection.Cells->Load(cell, loaded);
-    if (!request.Visible.Shows(hit, GetPoint(loaded, hit.Parametric)))
-    {
-      return;
-    }
-  }
-  hits.push_back(hit);
-  if (request.GetOpacity(hit) >= 1.0)
-  {
-    part.End = std::min(part.End, found.T + GetReachOfPlace(found.T, part.Base));
-  }
+  MeshCell cell;
+  selection.Cells->Load(hit.Cell, cell);
+  return selection.Request.Visible.Shows(hit, GetPoint(cell, hit.Parametric));
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +34,11 @@ void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::
   }
   for (const CellHit& found : inCell.Find(differences))
   {
-    KeepHit(selection, found, cell, surface, part, hits);
+    const Hit hit = { part.Base + found.T, cell, surface, found.Parametric, found.Entering };
+    if (part.Has(found.T) && KeepHit(selection, hit, found.T, part))
+    {
+      hits.push_back(hit);
+    }
   }
 }
 

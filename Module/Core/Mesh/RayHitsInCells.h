@@ -5,10 +5,12 @@
 #define RayHitsInCells_h
 
 #include "Mesh/CellHits.h"
+#include "Mesh/HitOrder.h"
 #include "Mesh/MeshSelection.h"
 #include "Rays/Hit.h"
 #include "Rays/RayFrame.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,12 +24,27 @@ struct RayPart
   double Begin;
   double End;
   double Base;
+
+  bool Has(double t) const { return t >= this->Begin && t <= this->End; }
 };
 
-/// Appends a hit with a surface in a cell if it is in the part of the ray, and visible. The part
-/// ends at the place of an opaque one.
-void KeepHit(const MeshSelection& selection, const CellHit& found, std::int64_t cell, int surface,
-  RayPart& part, std::vector<Hit>& hits);
+/// Whether a hit is in a part of the field that is visible.
+bool IsVisible(const MeshSelection& selection, const Hit& hit);
+
+/// Whether a hit at t in a part of a ray is kept: if it is visible. The part ends at the place of
+/// an opaque one.
+inline bool KeepHit(const MeshSelection& selection, const Hit& hit, double t, RayPart& part)
+{
+  if (!selection.Request.Visible.IsConvex() && !IsVisible(selection, hit))
+  {
+    return false;
+  }
+  if (selection.Request.GetOpacity(hit) >= 1.0)
+  {
+    part.End = std::min(part.End, t + GetReachOfPlace(t, part.Base));
+  }
+  return true;
+}
 
 /// Appends all hits with a surface in a cell.
 void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::int64_t cell,

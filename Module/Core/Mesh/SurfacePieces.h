@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SurfacePieces_h
+#define SurfacePieces_h
+
+#include "Kernels/BeamPieces.h"
+#include "Mesh/ActiveCells.h"
+#include "Mesh/CellTree.h"
+#include "Mesh/MeshCells.h"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The pieces of a surface in the cells of a mesh, 20 bytes for each, for any view. Those in a leaf
+/// of the tree (in its 16 blocks of 16 cells) are made when the first beam comes to it, by any
+/// thread, since all make the same.
+///
+/// They tell beams where the surface may be, and no more: what rays hit is found in the cells.
+class SurfacePieces
+{
+public:
+  /// All must outlive it.
+  SurfacePieces(const MeshCells& cells, const CellTree& tree, ActiveCells& active, double scale);
+  ~SurfacePieces();
+  SurfacePieces(const SurfacePieces&) = delete;
+  SurfacePieces& operator=(const SurfacePieces&) = delete;
+
+  /// Those in a leaf: the first of so many sets as it says.
+  const PackedPieces* Get(std::size_t leaf)
+  {
+    const PackedPieces* made = this->Leaves[leaf].load(std::memory_order_acquire);
+    return made ? made : this->Make(leaf);
+  }
+
+  /// Begins to fetch what is known of some consecutive leaves...
+  void Prefetch(std::size_t leaf, std::size_t count) const
+  {
+    const auto* first = reinterpret_cast<const char*>(&this->Leaves[leaf]);
+    for (std::size_t byte = 0; byte < count * sizeof(this->Leaves[0]); byte += 64)
+    {
+      __builtin_prefetch(first + byte);
+    }
+  }
+  /// ...and the boxes of most sets of a leaf.
+  void PrefetchBoxes(std::size_t leaf) const
+  {
+    constexpr int most = 4;
+    const PackedPieces* made = this->Leaves[leaf].load(std::memory_order_relaxed);
+    for (int i = 0; i < most && made; ++i)
+    {
+      __builtin_prefetch(made + i);
+    }
+  }
+
+  std::size_t GetMemory() const { return this->Memory.load(); }
+
+private:
+  const PackedPieces* Make(std::size_t leaf);
+  std::vector<PackedPieces> Find(std::size_t leaf) const;
+
+  const MeshCells* Cells;
+  const CellTree* Tree;
+  ActiveCells* Active;
+  double Scale;
+  std::size_t NumberOfLeaves;
+  std::unique_ptr<std::atomic<const PackedPieces*>[]> Leaves;
+  std::atomic<std::size_t> Memory{ 0 };
+};
+
+}
+
+#endif
