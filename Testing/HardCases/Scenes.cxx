@@ -124,4 +124,11 @@ bool IsLongRun()
 {
   return std::getenv("HARD_CASES_LONG") != nullptr;
 }
+
+//------------------------------------------------------------------------------
+std::uint64_t GetNumber(const char* variable, std::uint64_t otherwise)
+{
+  const char* text = std::getenv(variable);
+  return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
 }

@@ -94,6 +94,9 @@ bool IsSame(const RayHits& a, const RayHits& b);
 /// Whether the long form of the tests is requested (environment variable HARD_CASES_LONG).
 bool IsLongRun();
 
+/// The number in an environment variable; otherwise another.
+std::uint64_t GetNumber(const char* variable, std::uint64_t otherwise);
+
 }
 
 #endif

@@ -4,6 +4,7 @@
 // Meshes against the oracle, which looks at every cell by itself.
 
 #include "ExactMesh.h"
+#include "Kernels/InstructionSets.h"
 #include "Mesh/MeshField.h"
 #include "Picture/CastRays.h"
 #include "Tally.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -311,6 +313,23 @@ Line AimAt(RandomNumbers& random, const TestMesh& mesh)
   return { target - direction * 64.0, direction };
 }
 
+constexpr int EdgeOfClosed = 5;
+
+/// A mesh of random values, outside of the surface at its border.
+TestMesh MakeClosed(RandomNumbers& random, Cutting cutting, double jitter, bool hasWholeValues)
+{
+  TestMesh mesh = MakeMesh(random, { EdgeOfClosed, EdgeOfClosed, EdgeOfClosed }, cutting, jitter,
+    [&random, hasWholeValues](const vtkIsosurfaceRayTracing::Index3& p)
+    {
+      const bool isBorder = std::any_of(
+        p.begin(), p.end(), [](int coordinate) { return coordinate % EdgeOfClosed == 0; });
+      const double value = hasWholeValues ? random.Integer(-1, 1) + 0.0 : random.Uniform(-1.0, 1.0);
+      return isBorder ? -1.0 : value;
+    });
+  RoundPoints(mesh);
+  return mesh;
+}
+
 /// Counts rays whose hits are not even in number, and rays that do not enter and leave in turn.
 struct ParityCount
 {
@@ -321,24 +340,19 @@ struct ParityCount
 
   void Check(RandomNumbers& random, Cutting cutting, double jitter, bool hasWholeValues)
   {
-    constexpr int size = 5;
-    TestMesh mesh = MakeMesh(random, { size, size, size }, cutting, jitter,
-      [&random, hasWholeValues](const vtkIsosurfaceRayTracing::Index3& p)
-      {
-        const bool isBorder =
-          std::any_of(p.begin(), p.end(), [](int coordinate) { return coordinate % size == 0; });
-        const double value =
-          hasWholeValues ? random.Integer(-1, 1) + 0.0 : random.Uniform(-1.0, 1.0);
-        return isBorder ? -1.0 : value;
-      });
-    RoundPoints(mesh);
+    const TestMesh mesh = MakeClosed(random, cutting, jitter, hasWholeValues);
     std::vector<Line> lines;
     for (int ray = 0; ray < 500; ++ray)
     {
       lines.push_back(AimAt(random, mesh));
     }
-    const RayHits hits = TraceAll(mesh, 0.0, lines);
-    for (std::size_t ray = 0; ray < lines.size(); ++ray)
+    this->Count(TraceAll(mesh, 0.0, lines));
+  }
+
+  void Count(const RayHits& hits)
+  {
+    const std::size_t rays = hits.First.size() - 1;
+    for (std::size_t ray = 0; ray < rays; ++ray)
     {
       bool isInside = false;
       bool isOrdered = true;
@@ -350,7 +364,7 @@ struct ParityCount
       this->Cracks += (hits.First[ray + 1] - hits.First[ray]) % 2;
       this->Disorder += isOrdered ? 0 : 1;
     }
-    this->Rays += lines.size();
+    this->Rays += rays;
     this->Hits += hits.Hits.size();
   }
 };
@@ -383,6 +397,143 @@ TEST(TestMeshes, RaysThroughPointsEdgesAndFaces)
       }
       tally.Report();
     }
+  }
+}
+
+namespace
+{
+
+/// Rays from a point with few bits before a closed mesh through its points, its edges and its
+/// faces, exactly, traced in beams.
+class AimedBeams
+{
+public:
+  AimedBeams(RandomNumbers& random, const TestMesh& mesh)
+    : Random(random)
+    , Mesh(mesh)
+    , Field(mesh.View(), 1)
+  {
+    this->Field.Select(
+      TraceRequest({ { 0.0, Glass } }), { 1, &vtkIsosurfaceRayTracing::GetBestKernels() });
+    this->Beam = this->Field.MakeBeam();
+  }
+
+  /// Begins with rays from another point.
+  void Move()
+  {
+    using namespace vtkIsosurfaceRayTracing;
+    this->Along = static_cast<std::size_t>(this->Random.Integer(0, 2));
+    for (double& coordinate : this->Origin)
+    {
+      coordinate = this->Random.Integer(-8, 8 * (EdgeOfClosed + 1)) / 8.0;
+    }
+    const bool isUp = this->Random.Integer(0, 1) == 0;
+    const double far = this->Random.Integer(2, 40);
+    this->Origin[this->Along] = isUp ? -far : EdgeOfClosed + far;
+    // Before the mesh all rays are in the rectangle around the origin and the nearest face.
+    this->Packet.Clear();
+    for (const int corner : { 0, 1, 2, 3 })
+    {
+      Triple direction = this->Origin * -1.0;
+      direction[this->Along] += isUp ? -0.5 : EdgeOfClosed + 0.5;
+      for (const std::size_t k : { 0U, 1U })
+      {
+        direction[(this->Along + 1 + k) % 3] += (corner >> k & 1) == 0 ? -1.5 : EdgeOfClosed + 1.5;
+      }
+      this->AddLine(direction);
+    }
+    this->Field.Begin(this->Packet, this->Beam.get());
+  }
+
+  /// Traces a packet.
+  const RayHits& Trace()
+  {
+    using namespace vtkIsosurfaceRayTracing;
+    this->Packet.Clear();
+    for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+    {
+      this->Field.AddRay(this->Origin, this->FindTarget() - this->Origin, 0.0,
+        std::numeric_limits<double>::infinity(), this->Packet);
+    }
+    this->Field.Trace(this->Packet, this->Hits, this->Beam.get());
+    return this->Hits;
+  }
+
+private:
+  void AddLine(const Triple& direction)
+  {
+    const int line = this->Packet.Count++;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Packet.Origin[axis][line] = this->Origin[axis];
+      this->Packet.Direction[axis][line] = direction[axis];
+    }
+  }
+
+  /// A corner of a cell, or a point with the same number of bits on an edge or a face.
+  Triple FindTarget()
+  {
+    using namespace vtkIsosurfaceRayTracing;
+    const auto cell = static_cast<std::size_t>(
+      this->Random.Integer(0, static_cast<int>(this->Mesh.Shapes.size()) - 1));
+    const auto corners = static_cast<int>(this->Mesh.Offsets[cell + 1] - this->Mesh.Offsets[cell]);
+    const auto corner = [&]
+    {
+      const std::int64_t at = this->Mesh.Offsets[cell] + this->Random.Integer(0, corners - 1);
+      return this->Mesh.GetPoint(this->Mesh.Connectivity[static_cast<std::size_t>(at)]);
+    };
+    const Triple first = corner();
+    switch (this->Random.Integer(0, 3))
+    {
+      case 0:
+        return (first + corner()) * 0.5;
+      case 1:
+        return first * 0.5 + (corner() + corner()) * 0.25;
+      default:
+        return first;
+    }
+  }
+
+  RandomNumbers& Random;
+  const TestMesh& Mesh;
+  MeshField Field;
+  std::unique_ptr<MeshField::Beam> Beam;
+  std::size_t Along = 0;
+  Triple Origin = {};
+  vtkIsosurfaceRayTracing::RayPacket Packet;
+  RayHits Hits;
+};
+
+}
+
+// ATTACK_RAYS says how many rays there are for each kind of cells (100 000), ATTACK_SEED with which
+// seed they are drawn.
+TEST(TestMeshes, BeamsThroughPointsEdgesAndFaces)
+{
+  const std::uint64_t rays = GetNumber("ATTACK_RAYS", 100000);
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(GetNumber("ATTACK_SEED", 202));
+    ParityCount count;
+    while (count.Rays < rays)
+    {
+      const TestMesh mesh =
+        MakeClosed(random, cutting, 0.05 * random.Integer(0, 4), random.Integer(0, 1) == 0);
+      AimedBeams beams(random, mesh);
+      for (int i = 0; i < 200 && count.Rays < rays; ++i)
+      {
+        if (i % 20 == 0)
+        {
+          beams.Move();
+        }
+        count.Count(beams.Trace());
+      }
+    }
+    Tally tally(std::string("mesh of ") + NameOf(cutting) + ", beams through points, edges and " +
+      "faces, parity");
+    tally.Count(
+      count.Rays, count.Hits, count.Cracks, cutting == Cutting::Tetrahedra ? count.Disorder : 0);
+    tally.Report();
   }
 }
 

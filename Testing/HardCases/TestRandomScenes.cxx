@@ -13,8 +13,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 using namespace HardCases;
 using vtkIsosurfaceRayTracing::Frame;
 using vtkIsosurfaceRayTracing::ImageField;
@@ -23,12 +21,6 @@ using vtkIsosurfaceRayTracing::SceneField;
 
 namespace
 {
-
-std::uint64_t GetNumber(const char* variable, std::uint64_t otherwise)
-{
-  const char* text = std::getenv(variable);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 /// Visits the random numbers of every seed, up to the first with a failure.
 template <typename Visit>
