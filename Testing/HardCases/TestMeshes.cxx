@@ -459,6 +459,14 @@ public:
     return this->Hits;
   }
 
+  /// Whether the rays of the packet have the hits that they have by themselves.
+  bool AreAsAlone()
+  {
+    RayHits alone;
+    this->Field.Trace(this->Packet, alone);
+    return IsSame(alone, this->Hits);
+  }
+
 private:
   void AddLine(const Triple& direction)
   {
@@ -527,6 +535,7 @@ TEST(TestMeshes, BeamsThroughPointsEdgesAndFaces)
           beams.Move();
         }
         count.Count(beams.Trace());
+        EXPECT_TRUE(i % 20 != 0 || beams.AreAsAlone());
       }
     }
     Tally tally(std::string("mesh of ") + NameOf(cutting) + ", beams through points, edges and " +
