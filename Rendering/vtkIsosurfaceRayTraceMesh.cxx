@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -71,6 +72,30 @@ bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
   }
   return false;
 }
+
+/// Whether every cell of a grid has a type.
+bool HasAllTypes(vtkUnstructuredGrid* grid)
+{
+  const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  return types && types->GetNumberOfValues() >= grid->GetNumberOfCells();
+}
+
+/// What is known of the cells of a type that is not traced.
+struct SubdividedType
+{
+  explicit SubdividedType(int type)
+  {
+    const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+    this->IsSolid = cell && cell->GetCellDimension() == 3;
+    // Cells of later types may have any number.
+    this->Points = this->IsSolid && type < VTK_CONVEX_POINT_SET ? cell->GetNumberOfPoints() : 0;
+  }
+
+  bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
+
+  bool IsSolid;
+  vtkIdType Points;
+};
 
 /// The type of ids that can be read where they are; none for others.
 std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
@@ -158,7 +183,9 @@ bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
     structured->GetDimensions(dimensions);
     return *std::min_element(dimensions, dimensions + 3) >= 2;
   }
-  return HasType(vtkUnstructuredGrid::SafeDownCast(grid), IsSolid);
+  // Of what has no types, SelectCells says so.
+  auto* listed = vtkUnstructuredGrid::SafeDownCast(grid);
+  return !HasAllTypes(listed) || HasType(listed, IsSolid);
 }
 
 //------------------------------------------------------------------------------
@@ -227,7 +254,11 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
   {
     return "The input has more than 2^32 - 1 cells. Give it in several pieces.";
   }
-  if (!HasVolume(grid))
+  if (!HasAllTypes(grid))
+  {
+    return "The input has " + std::to_string(count) + " cells, but not a type for each.";
+  }
+  if (count <= 0 || !HasVolume(grid))
   {
     return "The input has no cells of three dimensions. Give tetrahedra, hexahedra, voxels, wedges "
            "or pyramids.";
@@ -237,14 +268,14 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
     this->Shapes.push_back(static_cast<unsigned char>(grid->GetCellType(i)));
   }
   this->ViewCells(grid->GetCells());
+  const bool areSubdivided =
+    HasType(grid, [](int type) { return !IsTraced(type) && IsSolid(type); });
+  // VTK itself reads cells of all shapes.
+  const auto checked = areSubdivided || this->Scalars.AreOfCells ? vtkirt::CheckedCells::All
+                                                                 : vtkirt::CheckedCells::Traced;
   const std::string problem = vtkirt::FindProblem(
-    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), 1);
-  const auto isSubdivided = [](int type) { return !IsTraced(type) && IsSolid(type); };
-  if (problem.empty() && HasType(grid, isSubdivided))
-  {
-    this->SubdivideCells(grid);
-  }
-  return problem;
+    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), 1, checked);
+  return problem.empty() && areSubdivided ? this->SubdivideCells(grid) : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +309,7 @@ void vtkIsosurfaceRayTraceMesh::ViewCells(vtkCellArray* cells)
 
 //------------------------------------------------------------------------------
 /// Quadratic cells, polyhedra and others become tetrahedra, as VTK subdivides them.
-void vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
+std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
 {
   std::vector<unsigned char> shapes;
   std::vector<std::int64_t> offsets = { 0 };
@@ -293,6 +324,7 @@ void vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     this->CellIds.push_back(cell);
   };
+  std::map<int, SubdividedType> types;
   vtkNew<vtkGenericCell> generic;
   vtkNew<vtkIdList> ids;
   vtkNew<vtkPoints> points;
@@ -305,8 +337,18 @@ void vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
       add(shape, ids, 0, ids->GetNumberOfIds(), i);
       continue;
     }
+    const SubdividedType& type = types.try_emplace(shape, shape).first->second;
+    if (!type.IsSolid)
+    {
+      continue;
+    }
+    grid->GetCellPoints(i, ids);
+    if (!type.MayHave(ids->GetNumberOfIds()))
+    {
+      return "Cell " + std::to_string(i) + " has a wrong number of points.";
+    }
     grid->GetCell(i, generic);
-    if (generic->GetCellDimension() == 3 && generic->Triangulate(0, ids, points) != 0)
+    if (generic->Triangulate(0, ids, points) != 0)
     {
       for (vtkIdType first = 0; first + 4 <= ids->GetNumberOfIds(); first += 4)
       {
@@ -322,6 +364,7 @@ void vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
   this->View.IdType = vtkirt::ScalarType::Int64;
   this->View.Offsets = this->Offsets.data();
   this->View.Connectivity = this->Connectivity.data();
+  return "";
 }
 
 //------------------------------------------------------------------------------

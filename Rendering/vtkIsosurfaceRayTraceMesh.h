@@ -91,7 +91,7 @@ private:
 
   std::string SelectListedCells(vtkUnstructuredGrid* grid);
   void ViewCells(vtkCellArray* cells);
-  void SubdivideCells(vtkUnstructuredGrid* grid);
+  std::string SubdivideCells(vtkUnstructuredGrid* grid);
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();

@@ -345,6 +345,13 @@ TEST(MeshField, FirstBadCellIsNamed)
   mesh.Shapes[8] = 25;
   mesh.Offsets[8] = std::numeric_limits<int>::max();
   EXPECT_EQ(FindProblem(mesh.View(), length, 1), "");
+  // But not if somebody reads them.
+  EXPECT_EQ(FindProblem(mesh.View(), length, 1, CheckedCells::All).substr(0, 7), "Cell 7 ");
+  mesh = good;
+  mesh.Shapes[7] = 5;
+  EXPECT_EQ(FindProblem(mesh.View(), length, 1, CheckedCells::All), "");
+  mesh.Connectivity[static_cast<std::size_t>(mesh.Offsets[7])] = -1;
+  EXPECT_EQ(FindProblem(mesh.View(), length, 1, CheckedCells::All).substr(0, 7), "Cell 7 ");
 }
 
 //------------------------------------------------------------------------------

@@ -115,7 +115,8 @@ std::int64_t FindCornersOfAll(const MeshView& view)
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
 /// point; that of cells, if there is none.
 template <typename Id>
-std::int64_t FindBadCell(const MeshView& view, std::int64_t lengthOfConnectivity, int threads)
+std::int64_t FindBadCell(
+  const MeshView& view, std::int64_t lengthOfConnectivity, int threads, CheckedCells checked)
 {
   const auto* offsets = static_cast<const Id*>(view.Offsets);
   const auto* ids = static_cast<const Id*>(view.Connectivity);
@@ -124,14 +125,14 @@ std::int64_t FindBadCell(const MeshView& view, std::int64_t lengthOfConnectivity
   for (std::int64_t cell = 0; cell < view.NumberOfCells; ++cell)
   {
     const int corners = GetTraits(static_cast<CellShape>(view.Shapes[cell])).Corners;
-    if (corners == 0)
+    if (corners == 0 && checked == CheckedCells::Traced)
     {
       continue;
     }
     const std::int64_t first = offsets[cell];
     const std::int64_t last = offsets[cell + 1];
-    const bool isList =
-      first >= 0 && first <= last && last <= lengthOfConnectivity && last - first == corners;
+    const bool isList = first >= 0 && first <= last && last <= lengthOfConnectivity &&
+      (corners == 0 || last - first == corners);
     if (!isList ||
       !std::all_of(ids + first, ids + last,
         [&view](std::int64_t id) { return id >= 0 && id < view.NumberOfPoints; }))
@@ -304,15 +305,16 @@ unsigned int MeshCells::FindLatticeStraddling(
 }
 
 //------------------------------------------------------------------------------
-std::string FindProblem(const MeshView& view, std::int64_t lengthOfConnectivity, int threads)
+std::string FindProblem(
+  const MeshView& view, std::int64_t lengthOfConnectivity, int threads, CheckedCells checked)
 {
   if (view.IsLattice())
   {
     return {};
   }
   const std::int64_t bad = view.IdType == ScalarType::Int32
-    ? FindBadCell<std::int32_t>(view, lengthOfConnectivity, threads)
-    : FindBadCell<std::int64_t>(view, lengthOfConnectivity, threads);
+    ? FindBadCell<std::int32_t>(view, lengthOfConnectivity, threads, checked)
+    : FindBadCell<std::int64_t>(view, lengthOfConnectivity, threads, checked);
   return bad < view.NumberOfCells ? "Cell " + std::to_string(bad) +
       " has a wrong number of points, or refers to a point that is not there."
                                   : std::string();

@@ -88,11 +88,20 @@ private:
     const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4]) = nullptr;
 };
 
+/// Which cells of a list are looked at: those of other shapes may refer to anything if nobody reads
+/// them.
+enum class CheckedCells
+{
+  Traced,
+  All
+};
+
 /// What is wrong with the list of cells of a mesh, as a sentence that names the first bad cell;
 /// empty if nothing is. Everything that reading cells relies on is checked: the number of corners
 /// of each, and that there is a point of every id. The length of the connectivity is that which
 /// its owner allocated.
-std::string FindProblem(const MeshView& view, std::int64_t lengthOfConnectivity, int threads);
+std::string FindProblem(const MeshView& view, std::int64_t lengthOfConnectivity, int threads,
+  CheckedCells checked = CheckedCells::Traced);
 
 }
 
