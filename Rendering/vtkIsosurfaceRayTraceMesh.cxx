@@ -10,8 +10,10 @@
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDataSetTriangleFilter.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -27,6 +29,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -139,12 +142,13 @@ std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
 /// While it is the same, so is the mesh.
 struct vtkIsosurfaceRayTraceMesh::Key
 {
-  Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
+  Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized)
     : Grid(grid)
     , GridTime(FindOwnTime(grid))
     , Points(FindPoints(grid))
     , AreOfCells(scalars.AreOfCells)
     , Component(scalars.Component)
+    , IsTetrahedralized(isTetrahedralized)
   {
     for (vtkObject* part : FindParts(grid, scalars.Array))
     {
@@ -156,7 +160,8 @@ struct vtkIsosurfaceRayTraceMesh::Key
   {
     return this->Grid == other.Grid && this->GridTime == other.GridTime &&
       this->Points == other.Points && this->AreOfCells == other.AreOfCells &&
-      this->Component == other.Component && this->Parts == other.Parts;
+      this->Component == other.Component && this->IsTetrahedralized == other.IsTetrahedralized &&
+      this->Parts == other.Parts;
   }
 
   vtkPointSet* Grid;
@@ -165,6 +170,7 @@ struct vtkIsosurfaceRayTraceMesh::Key
   const void* Points;
   bool AreOfCells;
   int Component;
+  bool IsTetrahedralized;
   std::vector<std::pair<vtkObject*, vtkMTimeType>> Parts;
 };
 
@@ -190,8 +196,8 @@ bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
-  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars)
-  : MadeFrom(std::make_unique<Key>(grid, scalars))
+  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized)
+  : MadeFrom(std::make_unique<Key>(grid, scalars, isTetrahedralized))
   , Scalars(scalars)
 {
 }
@@ -201,9 +207,9 @@ vtkIsosurfaceRayTraceMesh::~vtkIsosurfaceRayTraceMesh() = default;
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsOf(
-  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars) const
+  vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized) const
 {
-  return Key(grid, scalars) == *this->MadeFrom;
+  return Key(grid, scalars, isTetrahedralized) == *this->MadeFrom;
 }
 
 //------------------------------------------------------------------------------
@@ -226,12 +232,21 @@ std::string vtkIsosurfaceRayTraceMesh::SelectCells()
   vtkPointSet* grid = this->GetGrid();
   this->View.NumberOfPoints = grid->GetNumberOfPoints();
   auto* structured = vtkStructuredGrid::SafeDownCast(grid);
-  if (!structured)
+  const std::string problem = structured
+    ? this->SelectLattice(structured)
+    : this->SelectListedCells(vtkUnstructuredGrid::SafeDownCast(grid));
+  if (problem.empty() && this->MadeFrom->IsTetrahedralized)
   {
-    return this->SelectListedCells(vtkUnstructuredGrid::SafeDownCast(grid));
+    this->Tetrahedralize();
   }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMesh::SelectLattice(vtkStructuredGrid* grid)
+{
   vtkirt::Index3& dimensions = this->View.Dimensions;
-  structured->GetDimensions(dimensions.data());
+  grid->GetDimensions(dimensions.data());
   if (!HasVolume(grid))
   {
     return "The input has " + std::to_string(dimensions[0]) + " x " +
@@ -271,8 +286,9 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
   const bool areSubdivided =
     HasType(grid, [](int type) { return !IsTraced(type) && IsSolid(type); });
   // VTK itself reads cells of all shapes.
-  const auto checked = areSubdivided || this->Scalars.AreOfCells ? vtkirt::CheckedCells::All
-                                                                 : vtkirt::CheckedCells::Traced;
+  const bool areAllRead =
+    areSubdivided || this->Scalars.AreOfCells || this->MadeFrom->IsTetrahedralized;
+  const auto checked = areAllRead ? vtkirt::CheckedCells::All : vtkirt::CheckedCells::Traced;
   const std::string problem = vtkirt::FindProblem(
     this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), 1, checked);
   return problem.empty() && areSubdivided ? this->SubdivideCells(grid) : problem;
@@ -359,12 +375,53 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
   this->Shapes = std::move(shapes);
   this->Offsets = std::move(offsets);
   this->Connectivity = std::move(connectivity);
+  this->ViewOwnCells();
+  return "";
+}
+
+//------------------------------------------------------------------------------
+/// Replaces all cells by tetrahedra between their points, which agree on faces.
+void vtkIsosurfaceRayTraceMesh::Tetrahedralize()
+{
+  auto copy = vtk::TakeSmartPointer(this->GetGrid()->NewInstance());
+  copy->CopyStructure(this->GetGrid());
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  ids->SetNumberOfValues(copy->GetNumberOfCells());
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), 0);
+  copy->GetCellData()->AddArray(ids);
+  vtkNew<vtkDataSetTriangleFilter> filter;
+  filter->SetInputData(copy);
+  filter->TetrahedraOnlyOn();
+  filter->Update();
+  vtkUnstructuredGrid* made = filter->GetOutput();
+  auto* idsOfMade = vtkIdTypeArray::SafeDownCast(made->GetCellData()->GetArray("ids"));
+  this->Shapes.clear();
+  this->Offsets = { 0 };
+  this->Connectivity.clear();
+  this->CellIds.clear();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < made->GetNumberOfCells(); ++i)
+  {
+    made->GetCellPoints(i, corners);
+    this->Shapes.push_back(VTK_TETRA);
+    this->Connectivity.insert(this->Connectivity.end(), corners->begin(), corners->end());
+    this->Offsets.push_back(static_cast<std::int64_t>(this->Connectivity.size()));
+    this->CellIds.push_back(idsOfMade->GetValue(i));
+  }
+  this->ViewOwnCells();
+}
+
+//------------------------------------------------------------------------------
+/// Lists the cells that are kept here.
+void vtkIsosurfaceRayTraceMesh::ViewOwnCells()
+{
+  this->View.Dimensions = { 0, 0, 0 };
   this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
   this->View.Shapes = this->Shapes.data();
   this->View.IdType = vtkirt::ScalarType::Int64;
   this->View.Offsets = this->Offsets.data();
   this->View.Connectivity = this->Connectivity.data();
-  return "";
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkObject;
 class vtkPointSet;
+class vtkStructuredGrid;
 class vtkUnstructuredGrid;
 
 class vtkIsosurfaceRayTraceMesh
@@ -39,14 +40,17 @@ public:
   /// The point of a cell that is nearest to a position.
   static vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3]);
 
-  /// Of a grid as it is now. The scalars must have no problem.
-  vtkIsosurfaceRayTraceMesh(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars);
+  /// Of a grid as it is now, or of its cells split into tetrahedra. The scalars must have no
+  /// problem.
+  vtkIsosurfaceRayTraceMesh(
+    vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized);
   ~vtkIsosurfaceRayTraceMesh();
   vtkIsosurfaceRayTraceMesh(const vtkIsosurfaceRayTraceMesh&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMesh&) = delete;
 
-  /// Whether the mesh is still that of a grid with these scalars.
-  bool IsOf(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars) const;
+  /// Whether the mesh is still that of a grid with these.
+  bool IsOf(
+    vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized) const;
 
   /// Finds the cells to trace. Returns why there are none; else empty.
   std::string SelectCells();
@@ -89,9 +93,12 @@ private:
 
   const void* Read(vtkDataArray* array);
 
+  std::string SelectLattice(vtkStructuredGrid* grid);
   std::string SelectListedCells(vtkUnstructuredGrid* grid);
   void ViewCells(vtkCellArray* cells);
   std::string SubdivideCells(vtkUnstructuredGrid* grid);
+  void Tetrahedralize();
+  void ViewOwnCells();
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
@@ -108,8 +115,8 @@ private:
   vtkSmartPointer<vtkDataArray> PlainPoints;
   vtkSmartPointer<vtkDataArray> PointScalars;
   vtkSmartPointer<vtkDataArray> PlainScalars;
-  /// Of an unstructured grid, the shapes of the cells; and the cells themselves, if some had to be
-  /// subdivided, with the ids of those that they are parts of.
+  /// Of listed cells, their shapes; and the cells themselves, if some had to be subdivided, with
+  /// the ids of those that they are parts of.
   std::vector<unsigned char> Shapes;
   std::vector<std::int64_t> Offsets;
   std::vector<std::int64_t> Connectivity;

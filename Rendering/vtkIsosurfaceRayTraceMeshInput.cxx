@@ -126,15 +126,16 @@ std::string vtkIsosurfaceRayTraceMeshInput::SelectMesh(
   {
     return problem;
   }
+  const bool isTetrahedralized = this->Mapper->GetTetrahedralize();
   const auto found = std::find_if(before.begin(), before.end(),
-    [grid, &scalars](const std::unique_ptr<Mesh>& mesh)
-    { return mesh && mesh->IsOf(grid, scalars); });
+    [&](const std::unique_ptr<Mesh>& mesh)
+    { return mesh && mesh->IsOf(grid, scalars, isTetrahedralized); });
   if (found != before.end())
   {
     this->Meshes.push_back(std::move(*found));
     return "";
   }
-  auto mesh = std::make_unique<Mesh>(grid, scalars);
+  auto mesh = std::make_unique<Mesh>(grid, scalars, isTetrahedralized);
   problem = mesh->SelectCells();
   if (problem.empty())
   {

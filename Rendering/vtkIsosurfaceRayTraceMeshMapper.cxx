@@ -211,6 +211,7 @@ void vtkIsosurfaceRayTraceMeshMapper::ShallowCopy(vtkAbstractMapper* mapper)
       0, other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
     vtkIsosurfaceRayTraceSharedSettings::CopyChoiceOfScalars(other, this);
     this->SetBlendMode(other->GetBlendMode());
+    this->SetTetrahedralize(other->GetTetrahedralize());
     vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
       [this, other](const char*, auto setting, auto...)
       { vtkIsosurfaceRayTraceSharedSettings::Assign(this->*setting, other->*setting); });
@@ -225,6 +226,7 @@ void vtkIsosurfaceRayTraceMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const vtkIsosurfaceRayTraceSharedSettings::Printer print{ os, indent };
   print.PrintChoiceOfScalars(this);
+  print("Tetrahedralize", this->Tetrahedralize);
   vtkIsosurfaceRayTraceSharedSettings::Visit<vtkIsosurfaceRayTraceMeshMapper>(
     [this, print](const char* name, auto setting, auto... names)
     { print(name, this->*setting, names...); });

@@ -165,6 +165,18 @@ public:
 
   ///@{
   /**
+   * Set/Get whether cells are split into tetrahedra, as vtkDataSetTriangleFilter does, in which
+   * values are linear: the surface is that of a contour of these, and not that of the cells as VTK
+   * interpolates them. Rays take less time; the tetrahedra take memory, about 50 bytes each (a
+   * hexahedron becomes five or six). Default: off.
+   */
+  vtkSetMacro(Tetrahedralize, bool);
+  vtkGetMacro(Tetrahedralize, bool);
+  vtkBooleanMacro(Tetrahedralize, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the surfaces cast shadows on each other and on themselves, from every light
    * that is switched on. A translucent surface transmits one minus its opacity. Other props neither
    * cast nor receive these shadows. Shading must be on (vtkVolumeProperty::ShadeOn). Default: off,
@@ -449,6 +461,7 @@ private:
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   std::string ColorArrayName;
+  bool Tetrahedralize = false;
   bool Shadows = false;
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;

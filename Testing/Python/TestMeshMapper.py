@@ -20,7 +20,8 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkUnstructuredGrid,
 )
-from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkIdFilter
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
@@ -64,6 +65,44 @@ class TestMeshMapper(unittest.TestCase):
                         for n, m in zip(hits[i][1], (1.0, 0.5, -0.25)):
                             self.assertAlmostEqual(n, -m / length, delta=1e-9)
                 self.assertGreater(expected, 40)
+
+    def test_cells_are_split_into_tetrahedra(self):
+        grids = [make_grid(shape, ball) for shape in LINEAR_SHAPES]
+        grids.append(make_structured_grid(ball))
+        hidden = vtkUnsignedCharArray()
+        hidden.SetName(vtkDataSetAttributes.GhostArrayName())
+        for i in range(grids[1].GetNumberOfCells()):
+            hidden.InsertNextValue(vtkDataSetAttributes.HIDDENCELL if i % 5 == 0 else 0)
+        grids[1].GetCellData().AddArray(hidden)
+        for grid in grids:
+            with self.subTest(grid.GetCellType(0)):
+                ids = vtkIdFilter()
+                ids.SetInputData(grid)
+                ids.SetCellIdsArrayName("ids")
+                ids.FieldDataOn()
+                ids.PointIdsOff()
+                split = vtkDataSetTriangleFilter()
+                split.SetInputConnection(ids.GetOutputPort())
+                split.Update()
+                expected = cast(*make_volume(split.GetOutput(), 0.0), parallel_rays())
+                ids_of_split = split.GetOutput().GetCellData().GetArray("ids")
+                mapper, volume = make_volume(grid, 0.0)
+                of_cells = cast(mapper, volume, parallel_rays())
+                mapper.TetrahedralizeOn()
+                found = cast(mapper, volume, parallel_rays())
+                self.assertGreater(len(found), 40)
+                self.assertEqual(len(found), len(expected))
+                for hit, other in zip(found, expected):
+                    self.assertEqual(hit[0], other[0])
+                    # The filter rounds the points of structured grids.
+                    self.assertAlmostEqual(hit[1], other[1], delta=1e-6)
+                    self.assertEqual(hit[2], ids_of_split.GetValue(other[2]))
+                mapper.TetrahedralizeOff()
+                self.assertEqual(cast(mapper, volume, parallel_rays()), of_cells)
+                if grid.GetCellType(0) == VTK_TETRA:
+                    self.assertEqual(found, of_cells)
+                else:
+                    self.assertNotEqual([hit[1] for hit in found], [hit[1] for hit in of_cells])
 
     def test_voxels_are_hexahedra(self):
         grid = make_grid(VTK_HEXAHEDRON, ball)
