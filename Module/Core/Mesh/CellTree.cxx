@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -19,10 +20,33 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Behind all keys.
 constexpr std::uint64_t NoKey = std::numeric_limits<std::uint64_t>::max();
 
+/// Sorts keys by their upper halves, digit by digit. Those with the same one stay in order.
+void SortByCode(std::vector<std::uint64_t>& keys)
+{
+  constexpr unsigned int bits = 11;
+  constexpr std::uint64_t digits = std::uint64_t{ 1 } << bits;
+  std::vector<std::uint64_t> sorted(keys.size());
+  for (unsigned int shift = 32; shift < 64; shift += bits)
+  {
+    const auto getDigit = [shift](std::uint64_t key) { return (key >> shift) % digits; };
+    std::vector<std::size_t> places(digits + 1, 0);
+    for (const std::uint64_t key : keys)
+    {
+      ++places[getDigit(key) + 1];
+    }
+    std::partial_sum(places.begin(), places.end(), places.begin());
+    for (const std::uint64_t key : keys)
+    {
+      sorted[places[getDigit(key)]++] = key;
+    }
+    keys.swap(sorted);
+  }
+}
+
 /// Sorts keys, and returns their lower halves, without those that are none.
 std::vector<std::uint32_t> SortKeys(std::vector<std::uint64_t>& keys)
 {
-  std::sort(keys.begin(), keys.end());
+  SortByCode(keys);
   keys.erase(std::lower_bound(keys.begin(), keys.end(), NoKey), keys.end());
   std::vector<std::uint32_t> order(keys.size());
   std::transform(keys.begin(), keys.end(), order.begin(),
