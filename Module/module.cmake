@@ -25,6 +25,7 @@ set(core_sources
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
   Mesh/MeshBeam.cxx
+  Mesh/MeshCaps.cxx
   Mesh/MeshCells.cxx
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx

@@ -32,7 +32,6 @@ void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
   visit("InterpolationMode", &Self::InterpolationMode, InterpolationModeNames);
   visit("RootSolver", &Self::RootSolver, RootSolverNames);
   visit("NumberOfInterpolations", &Self::NumberOfInterpolations);
-  visit("CapClippingPlanes", &Self::CapClippingPlanes);
   visit("BrickLayout", &Self::BrickLayout, BrickLayoutNames);
   visit("BrickSize", &Self::BrickSize);
   visit("BrickGroupSize", &Self::BrickGroupSize);
@@ -132,7 +131,6 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
   settings.InterpolationMode = enumerators::ToInterpolant(this->InterpolationMode);
   settings.RootSolver = enumerators::ToRootSolver(this->RootSolver);
   settings.NumberOfInterpolations = this->NumberOfInterpolations;
-  settings.CapClippingPlanes = this->CapClippingPlanes;
   if (this->MaximumBrickMemory > 0)
   {
     settings.MaximumMemory = static_cast<std::size_t>(this->MaximumBrickMemory) << 20;

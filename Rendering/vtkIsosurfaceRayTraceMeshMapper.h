@@ -40,7 +40,7 @@
  * The colour of a surface may come from another array (ColorArrayName).
  *
  * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
- * ClippingPlanes cut them exactly, along every ray.
+ * ClippingPlanes cut them exactly, along every ray, and are closed by CapClippingPlanes.
  *
  * What vtkIsosurfaceRayTraceMapper says of errors, of events and what their observers may do, and
  * of threads, holds here too.
@@ -173,6 +173,31 @@ public:
   vtkSetMacro(Tetrahedralize, bool);
   vtkGetMacro(Tetrahedralize, bool);
   vtkBooleanMacro(Tetrahedralize, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether clipping planes are capped where they cut through the inside of a surface,
+   * where values are at or above its isovalue. A cap is a surface like any other: it hides, casts
+   * shadows, is picked, and is visible from behind. It shows the data: its colour is that of the
+   * value in the plane, by the colour transfer function of the property (or by ColorArrayName), and
+   * its normal is that of the plane, towards the clipped side. Everything else is that of the
+   * isosurface whose inside it shows, the one of the largest isovalue of several: the opacity, and
+   * the isovalue that is reported.
+   *
+   * A cap ends exactly where the isosurface meets the plane, without a gap. Of several planes each
+   * is capped within what the others leave. Capped planes are moved to the side that they leave, by
+   * what rounding may have moved the points of the mesh by: 1e-12 of their coordinates, or 6e-8 if
+   * they are float. So a plane in faces of cells shows the cells that it leaves, also those of
+   * another block, and in a face of the mesh it closes the surface, which is open there otherwise.
+   * There is no cap where there is no cell that is traced, nor in cells that are hidden; of cells
+   * that overlap one has it. Default: off, which costs nothing.
+   *
+   * @sa vtkCutter
+   */
+  vtkSetMacro(CapClippingPlanes, bool);
+  vtkGetMacro(CapClippingPlanes, bool);
+  vtkBooleanMacro(CapClippingPlanes, bool);
   ///@}
 
   ///@{
@@ -462,6 +487,7 @@ private:
   int VectorComponent = 0;
   std::string ColorArrayName;
   bool Tetrahedralize = false;
+  bool CapClippingPlanes = false;
   bool Shadows = false;
   bool AmbientOcclusion = false;
   int NumberOfAmbientOcclusionRays = 32;

@@ -35,6 +35,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     visit("VectorMode", &Mapper::VectorMode, vectorModes - Mapper::DISABLED);
     visit("VectorComponent", &Mapper::VectorComponent);
     visit("ColorArrayName", &Mapper::ColorArrayName);
+    visit("CapClippingPlanes", &Mapper::CapClippingPlanes);
     visit("Shadows", &Mapper::Shadows);
     visit("AmbientOcclusion", &Mapper::AmbientOcclusion);
     visit("NumberOfAmbientOcclusionRays", &Mapper::NumberOfAmbientOcclusionRays);
@@ -54,6 +55,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
   static void Fill(const Mapper& mapper, vtkIsosurfaceRayTraceSettings& settings)
   {
     settings.NormalMode = vtkIsosurfaceRayTraceEnumerators::ToNormalMode(mapper.NormalMode);
+    settings.CapClippingPlanes = mapper.CapClippingPlanes;
     settings.Shadows = mapper.Shadows;
     settings.NumberOfAmbientOcclusionRays =
       mapper.AmbientOcclusion ? mapper.NumberOfAmbientOcclusionRays : 0;

@@ -106,6 +106,7 @@ def disk(data):
     picture.add_surface(800.0, (1.0, 0.3, 0.15), 1.0)
     picture.surface.SetAmbient(0.35)
     picture.add_plane((0.0, 0.0, 0.0), (-0.5, 1.0, 0.0))
+    picture.mapper.CapClippingPlanesOn()
     picture.look_from((0.65, -0.65, 0.4), (0.0, 0.0, 1.0), 1.55)
     return picture
 

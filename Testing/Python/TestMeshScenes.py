@@ -128,6 +128,18 @@ def clipped(scene):
         scene.mapper.AddClippingPlane(plane)
 
 
+def capped(scene):
+    clipped(scene)
+    scene.mapper.CapClippingPlanesOn()
+
+
+def capped_with_shadows(scene):
+    capped(scene)
+    scene.surface.SetAmbient(0.4)
+    scene.mapper.ShadowsOn()
+    scene.mapper.AmbientOcclusionOn()
+
+
 def turned(scene):
     translucent(scene)
     scene.volume.SetScale(1.3, -0.8, 0.6)
@@ -194,8 +206,9 @@ def accumulated(scene):
     assert scene.mapper.GetNumberOfAccumulatedFrames() == 3
 
 
-SCENES = (plain, exact_normals, translucent, lights, shadows, clipped, turned, parallel_camera, inside, polygons,
-          translucent_polygons, ssao, eye_dome_lighting, stereo, coarse, smooth_edges, accumulated)  # fmt: skip
+SCENES = (plain, exact_normals, translucent, lights, shadows, clipped, capped, capped_with_shadows, turned,
+          parallel_camera, inside, polygons, translucent_polygons, ssao, eye_dome_lighting, stereo, coarse,
+          smooth_edges, accumulated)  # fmt: skip
 
 
 class TestMeshScenes(unittest.TestCase):

@@ -4,6 +4,7 @@
 // Caps close what half-spaces cut open: entries and exits of rays alternate, however they are cut;
 // and caps are where the field says.
 
+#include "CapTesting.h"
 #include "Image/ImageField.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
@@ -27,69 +28,19 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// A half-space with caps that ends in a point of its plane.
-HalfSpace Behind(const Vector3& normal, const Vector3& point)
-{
-  return { normal, -Dot(normal, point), true };
-}
-
-/// Half-spaces that leave something of a volume: oblique, or along lattice planes.
-std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Index3& size)
-{
-  std::vector<HalfSpace> halves;
-  for (int count = random.Integer(1, 4); count > 0; --count)
-  {
-    const bool isInLattice = random.Integer(0, 1) == 0;
-    Vector3 normal = random.Direction();
-    Vector3 point;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = random.Integer(size[axis] / 3, size[axis] - size[axis] / 3);
-    }
-    if (isInLattice)
-    {
-      normal = { 0.0, 0.0, 0.0 };
-      normal[static_cast<std::size_t>(random.Integer(0, 2))] = random.Integer(0, 1) == 0 ? -1 : 1;
-    }
-    halves.push_back(Behind(normal, point));
-  }
-  return halves;
-}
-
-/// Counts the rays, among many, whose entries and exits do not alternate, or which enter and never
-/// leave, or which meet another cap or hit first with surfaces that are opaque. Adds up the caps.
 int CountLeaks(const TestVolume<float>& volume, TestRequest request, int& caps)
 {
   const auto traced = ImageField::New(volume.View(), {}, 2);
   const auto opaque = ImageField::New(volume.View(), {}, 2);
-  RandomNumbers random(77);
-  int leaks = 0;
-  for (int scene = 0; scene < 40; ++scene)
+  const auto select = [&](const std::vector<HalfSpace>& halves, double opacity) -> TracedField&
   {
-    request.Visible.HalfSpaces = RandomHalfSpaces(random, volume.Dimensions);
-    request.Surfaces[0].Opacity = 1.0;
-    Select(*opaque, request, 2);
-    request.Surfaces[0].Opacity = Glass;
-    Select(*traced, request, 2);
-    for (int ray = 0; ray < 500; ++ray)
-    {
-      Line line = ray % 2 == 0 ? RandomLine(random, volume.Dimensions)
-                               : LatticeLine(random, volume.Dimensions);
-      line.Origin = line.Origin - line.Direction * 64.0; // from without
-      const std::vector<Hit> hits = Trace(*traced, line);
-      const std::vector<Hit> first = Trace(*opaque, line);
-      bool isInTurn = hits.size() % 2 == 0;
-      for (std::size_t i = 0; i < hits.size(); ++i)
-      {
-        isInTurn = isInTurn && hits[i].Entering == (i % 2 == 0);
-        caps += hits[i].Plane != Hit::NoPlane ? 1 : 0;
-      }
-      const bool isFirst = first.size() == std::min<std::size_t>(1, hits.size()) &&
-        (first.empty() || AreSame(first[0], hits[0]));
-      leaks += isInTurn && isFirst ? 0 : 1;
-    }
-  }
-  return leaks;
+    ImageField& field = opacity < 1.0 ? *traced : *opaque;
+    request.Visible.HalfSpaces = halves;
+    request.Surfaces[0].Opacity = opacity;
+    Select(field, request, 2);
+    return field;
+  };
+  return CountLeakingRays(volume.Dimensions, 40, caps, select);
 }
 
 //------------------------------------------------------------------------------

@@ -112,7 +112,7 @@ class MeshBeams : public WithKernels
 protected:
   /// Returns the number of hits.
   std::size_t Compare(const MeshView& view, const TraceRequest& request,
-    const std::vector<Camera>& cameras, int tile = 32) const
+    const std::vector<Camera>& cameras, int tile = 32)
   {
     MeshField field(view, 2);
     std::size_t count = 0;
@@ -125,9 +125,14 @@ protected:
       EXPECT_EQ(alone.size(), inBeams.size());
       EXPECT_TRUE(AreSame(alone, inBeams));
       count += alone.size();
+      this->Caps += static_cast<std::size_t>(std::count_if(
+        alone.begin(), alone.end(), [](const Hit& hit) { return hit.Plane != Hit::NoPlane; }));
     }
     return count;
   }
+
+  /// Of all hits that were compared, the caps.
+  std::size_t Caps = 0;
 };
 
 double NoisyWaves(RandomNumbers& random, const Index3& p)
@@ -289,6 +294,33 @@ TEST_P(MeshBeams, HitWhatIsVisibleOnly)
   EXPECT_GT(count, 1000U);
   request.Visible = {};
   EXPECT_GT(this->Compare(mesh.View(), request, MakeCameras(random)), count);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, HitTheCapsThatTheirRaysHit)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(28);
+    const TestMesh mesh = MakeMesh(
+      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    const std::vector<Camera> cameras = { MakeCamera(Perspective(1.0, 100.0, 0.2), 20.0, random),
+      MakeCamera(Orthographic(-50.0, 50.0, 3.0), 0.0, random) };
+    // The inside of the last is all of the mesh.
+    for (const std::vector<Isosurface>& surfaces :
+      { std::vector<Isosurface>{ { -1.0, 0.5 }, { 0.3, 0.5 } }, { { -1.0, 1.0 }, { 0.3, 0.5 } },
+        { { -9.0, 1.0 } } })
+    {
+      TraceRequest request(surfaces);
+      for (const Vector3& normal : { Vector3{ 1.0, 0.2, 0.1 }, Vector3{ 0.0, -1.0, 0.0 } })
+      {
+        request.Visible.HalfSpaces.push_back({ normal, -Dot(normal, Middle), true });
+      }
+      this->Compare(mesh.View(), request, cameras);
+    }
+  }
+  std::cout << "[ tried    ] " << this->Caps << " caps\n";
+  EXPECT_GT(this->Caps, 5000U);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MeshBeams, AllKernels(), NameOfKernels);

@@ -58,6 +58,16 @@ bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
 }
 
 //------------------------------------------------------------------------------
+const FaceCrossings& CellHits::FindCrossings()
+{
+  if (this->Cell->Shape == CellShape::Tetrahedron)
+  {
+    this->Faces.Find(*this->Cell, this->Points); // Its hits do not need them.
+  }
+  return this->Faces;
+}
+
+//------------------------------------------------------------------------------
 /// Products of coordinates may overflow, or vanish: then those across the ray are multiplied by a
 /// power of two, which changes no sign and no weight.
 void CellHits::AvoidExtremes()

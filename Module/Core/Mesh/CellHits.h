@@ -36,6 +36,12 @@ public:
   /// Begins with a ray and a cell. Returns whether the ray crosses it.
   bool Enter(const RayFrame& frame, const MeshCell& cell);
 
+  /// Where the ray crosses the faces of the cell, in order.
+  const FaceCrossings& FindCrossings();
+  /// How many crossings belong together: between the first and the last of them the ray is in the
+  /// cell.
+  int GetStep() const;
+
   /// Finds the hits with an isosurface, in order. The differences are those between the values at
   /// the corners and the isovalue: see Difference.
   const std::vector<CellHit>& Find(const double* differences);
@@ -45,9 +51,6 @@ private:
   void AvoidExtremes();
   void FindOfTetrahedron(const double* differences);
   void FindOfTrilinear(const double* differences);
-  /// How many crossings belong together: between the first and the last of them the ray is in the
-  /// cell.
-  int GetStep() const;
   /// Whether t is between such crossings.
   bool IsInSegment(double t) const;
   void MatchParity(const FaceCrossing* crossings, int count, const double* differences,

@@ -268,15 +268,22 @@ std::vector<CellTree::Extent> CellTree::SortCells(const MeshCells& cells, int th
 }
 
 //------------------------------------------------------------------------------
-void CellTree::BuildLeaves(const std::vector<Extent>& extents, int threads)
+double CellTree::GetMargin() const
 {
-  // What the arithmetic of rays may lose, many times over; and boxes without a thickness get one.
-  double margin = 0.0;
+  double largest = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    margin = std::max({ margin, std::abs(this->Box.Lower[axis]), std::abs(this->Box.Upper[axis]) });
+    largest =
+      std::max({ largest, std::abs(this->Box.Lower[axis]), std::abs(this->Box.Upper[axis]) });
   }
-  margin = margin * 0x1p-40 + static_cast<double>(std::numeric_limits<float>::min());
+  // Boxes without a thickness get one.
+  return largest * 0x1p-40 + static_cast<double>(std::numeric_limits<float>::min());
+}
+
+//------------------------------------------------------------------------------
+void CellTree::BuildLeaves(const std::vector<Extent>& extents, int threads)
+{
+  const double margin = this->GetMargin();
   std::vector<CellTreeNode> nodes((extents.size() + Width - 1) / Width);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)

@@ -39,6 +39,10 @@ public:
   double GetLow() const { return this->Low; }
   double GetHigh() const { return this->High; }
 
+  /// What the boxes of nodes are larger by than their cells: what the arithmetic of rays may lose,
+  /// many times over.
+  double GetMargin() const;
+
   /// The levels of nodes, the root last. The children of the nodes of level 0 are blocks of cells.
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
   const CellTreeNode& GetNode(int level, std::size_t node) const

@@ -33,10 +33,10 @@ bool AreTogether(const Hit& a, const Hit& b)
 }
 
 /// Hits of one surface that are at one place are not in the order of T, but take turns: a ray that
-/// enters leaves next. Goes through the hits from one end. Starts tells whether a ray may be taken
-/// to start outside.
-template <typename Iterator>
-void TakeTurns(Iterator first, Iterator last, bool starts)
+/// enters leaves next. Goes through the hits from one end. MayBeFirst(hit) tells whether a hit may
+/// be the first with its surface.
+template <typename Iterator, typename Predicate>
+void TakeTurns(Iterator first, Iterator last, const Predicate& mayBeFirst)
 {
   for (Iterator hit = first; hit != last; ++hit)
   {
@@ -44,7 +44,7 @@ void TakeTurns(Iterator first, Iterator last, bool starts)
     const auto before =
       std::find_if(std::make_reverse_iterator(hit), std::make_reverse_iterator(first), isSame);
     const bool isFirst = before == std::make_reverse_iterator(first);
-    const bool isInTurn = isFirst ? !starts || hit->Entering : before->Entering != hit->Entering;
+    const bool isInTurn = isFirst ? mayBeFirst(*hit) : before->Entering != hit->Entering;
     if (isInTurn)
     {
       continue;
@@ -72,7 +72,7 @@ void RemoveHidden(const TraceRequest& request, std::vector<Hit>& hits)
 }
 
 //------------------------------------------------------------------------------
-void PutInOrder(const TraceRequest& request, std::vector<Hit>& hits)
+void PutInOrder(const TraceRequest& request, int startsInside, std::vector<Hit>& hits)
 {
   if (hits.size() < 2)
   {
@@ -80,8 +80,9 @@ void PutInOrder(const TraceRequest& request, std::vector<Hit>& hits)
   }
   std::sort(hits.begin(), hits.end(), &IsBefore);
   RemoveHidden(request, hits);
-  TakeTurns(hits.begin(), hits.end(), true);
-  TakeTurns(hits.rbegin(), hits.rend(), false);
+  TakeTurns(hits.begin(), hits.end(),
+    [startsInside](const Hit& hit) { return hit.Entering == (hit.Surface > startsInside); });
+  TakeTurns(hits.rbegin(), hits.rend(), [](const Hit&) { return true; });
 }
 
 }

@@ -27,8 +27,9 @@ inline double GetReachOfPlace(double t, double base)
 }
 
 /// Puts the hits of a ray in order. In: all up to the first opaque one and its place, and perhaps
-/// some beyond, in any order; out: those without the ones beyond.
-void PutInOrder(const TraceRequest& request, std::vector<Hit>& hits);
+/// some beyond, in any order; out: those without the ones beyond. The ray starts inside of the
+/// surfaces up to one, or of none: Hit::NoSurface.
+void PutInOrder(const TraceRequest& request, int startsInside, std::vector<Hit>& hits);
 
 }
 

@@ -23,6 +23,7 @@ public:
 
   std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
   std::int64_t GetNumberOfPoints() const { return this->View.NumberOfPoints; }
+  ScalarType GetPointType() const { return this->View.PointType; }
 
   /// Reads the shape and the ids of the corners. Returns whether the cell has a shape that is
   /// traced.

@@ -10,6 +10,7 @@
 #include "Mesh/HitOrder.h"
 #include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshBeam.h"
+#include "Mesh/MeshCaps.h"
 #include "Mesh/MeshRay.h"
 #include "Mesh/ShapeFunctions.h"
 #include "Rays/BoxedRays.h"
@@ -54,7 +55,9 @@ void MeshField::Select(
   {
     surfaces.push_back(this->SelectSurface(surface.Isovalue));
   }
-  this->Selection = { &this->Cells, &this->Tree, request, std::move(surfaces),
+  std::vector<HalfSpace> halves =
+    MovePlanesIntoCells(request.Visible.HalfSpaces, this->Tree, this->Cells.GetPointType());
+  this->Selection = { &this->Cells, &this->Tree, request, std::move(halves), std::move(surfaces),
     execution.PacketKernels };
 }
 
@@ -131,23 +134,51 @@ void MeshField::Begin(const RayPacket& lines, Beam* beam) const
 bool MeshField::MayHitBetween(RayPacket& lines, Beam* beam) const
 {
   auto* thread = static_cast<ThreadBeam*>(beam);
-  return !thread || !thread->Pieces.IsBeam() ||
+  // Caps may be anywhere, not where surfaces are alone.
+  return this->Selection.Request.Visible.HasCaps() || !thread || !thread->Pieces.IsBeam() ||
     thread->Pieces.MayHitBetween(this->Selection, lines);
+}
+
+//------------------------------------------------------------------------------
+/// The caps that rays begin with, if there are any on request. Rays behind opaque ones no longer
+/// exist.
+std::vector<std::optional<Hit>> MeshField::FindFirstCaps(RayPacket& packet, CellHits& inCell) const
+{
+  std::vector<std::optional<Hit>> caps;
+  if (!this->Selection.Request.Visible.HasCaps())
+  {
+    return caps;
+  }
+  caps.resize(static_cast<std::size_t>(packet.Count));
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    std::optional<Hit>& cap = caps[static_cast<std::size_t>(i)];
+    if (Has(packet.Exists, i))
+    {
+      cap = FindCap(this->Selection, packet, i, RayEnd::Begin, inCell);
+    }
+    if (cap && this->Selection.Request.GetOpacity(*cap) >= 1.0)
+    {
+      Remove(i, packet.Exists);
+    }
+  }
+  return caps;
 }
 
 //------------------------------------------------------------------------------
 void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 {
   hits.Clear();
-  for (const HalfSpace& half : this->Selection.Request.Visible.HalfSpaces)
+  for (const HalfSpace& half : this->Selection.HalfSpaces)
   {
     CutRays(half, packet);
   }
+  CellHits inCell;
+  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
   auto* thread = static_cast<ThreadBeam*>(beam);
   const RaySet inBeam = thread && thread->Pieces.IsBeam()
     ? thread->Tracer.Trace(this->Selection, packet, thread->Pieces, thread->Hits)
     : RaySet{};
-  CellHits inCell;
   std::vector<Hit> found;
   for (int i = 0; i < packet.Count; ++i)
   {
@@ -160,13 +191,23 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     {
       MeshRay(this->Selection, packet, i).FindHits(inCell, found);
     }
+    const std::optional<Hit> first =
+      caps.empty() ? std::nullopt : caps[static_cast<std::size_t>(i)];
     if (found.size() > 1)
     {
-      PutInOrder(this->Selection.Request, found);
+      PutInOrder(this->Selection.Request, first ? first->Surface : Hit::NoSurface, found);
     }
     HitCollector collector(*this, hits.Hits);
-    std::any_of(found.begin(), found.end(),
-      [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+    const bool isOver = (first && collector.AddVisible(*first)) ||
+      std::any_of(found.begin(), found.end(),
+        [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+    const std::optional<Hit> last = !caps.empty() && !isOver && Has(packet.Exists, i)
+      ? FindCap(this->Selection, packet, i, RayEnd::End, inCell)
+      : std::nullopt;
+    if (last)
+    {
+      collector.AddVisible(*last);
+    }
     hits.EndRay();
   }
 }
@@ -206,7 +247,7 @@ double MeshField::GetUnitOfGradients() const
 }
 
 //------------------------------------------------------------------------------
-Vector3 MeshField::GetGradient(
+Vector3 MeshField::GetFieldGradient(
   const MeshCell& cell, const Vector3& parametric, NormalMode mode) const
 {
   if (mode == NormalMode::CentralDifferences && this->Smooth.AreThere())
@@ -223,9 +264,13 @@ Vector3 MeshField::GetGradient(
 //------------------------------------------------------------------------------
 Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
 {
+  if (hit.Plane != Hit::NoPlane)
+  {
+    return this->Selection.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
+  }
   MeshCell cell;
   this->Cells.Load(hit.Cell, cell);
-  return this->GetGradient(cell, hit.Parametric, mode);
+  return this->GetFieldGradient(cell, hit.Parametric, mode);
 }
 
 //------------------------------------------------------------------------------
@@ -237,8 +282,10 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count,
     MeshCell cell;
     this->Cells.Load(hits[i].Cell, cell);
     const Vector3 point = vtkIsosurfaceRayTracing::GetPoint(cell, hits[i].Parametric);
-    const Vector3 gradient =
-      this->GetGradient(cell, hits[i].Parametric, this->Selection.Request.Normals);
+    const NormalMode mode = this->Selection.Request.Normals;
+    const Vector3 gradient = hits[i].Plane != Hit::NoPlane
+      ? this->GetGradient(hits[i], mode)
+      : this->GetFieldGradient(cell, hits[i].Parametric, mode);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       points[axis][i] = point[axis];

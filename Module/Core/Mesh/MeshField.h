@@ -5,6 +5,7 @@
 #define MeshField_h
 
 #include "Field/TracedField.h"
+#include "Mesh/CellHits.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/MeshSelection.h"
@@ -12,6 +13,8 @@
 #include "Mesh/PointGradients.h"
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -23,7 +26,7 @@ namespace vtkIsosurfaceRayTracing
 /// Central differences are, in a mesh, gradients that are interpolated between those at the points:
 /// see PointGradients.h. Parametric coordinates of hits are VTK's. Cells may overlap, have gaps
 /// between them, and touch without sharing points; those with a point or a value that is not finite
-/// are left out.
+/// are left out. Half-spaces may have caps: see MeshCaps.h.
 class MeshField final : public TracedField
 {
 public:
@@ -56,8 +59,10 @@ private:
 
   MeshSurface SelectSurface(double isovalue) const;
 
+  std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
+
   double GetUnitOfGradients() const;
-  Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;
+  Vector3 GetFieldGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;
 
   MeshCells Cells;
   CellTree Tree;

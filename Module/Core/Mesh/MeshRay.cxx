@@ -44,7 +44,7 @@ struct MeshRay::Child
 //------------------------------------------------------------------------------
 MeshRay::MeshRay(const MeshSelection& selection, const RayPacket& packet, int ray)
   : Selection(&selection)
-  , Origin{ packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] }
+  , Origin(packet.GetOrigin(ray))
   , Direction(packet.GetDirection(ray))
   , Inverse{ packet.Inverse[0][ray], packet.Inverse[1][ray], packet.Inverse[2][ray] }
   , Part{ packet.Begin[ray], packet.End[ray], packet.Base[ray] }

@@ -33,6 +33,8 @@ struct MeshSelection
   const MeshCells* Cells = nullptr;
   const CellTree* Tree = nullptr;
   TraceRequest Request;
+  /// Those of the request, as rays are cut to them: see MeshCaps.h.
+  std::vector<HalfSpace> HalfSpaces;
   std::vector<MeshSurface> Surfaces;
   /// With null each ray is traced by itself.
   const Kernels* PacketKernels = nullptr;

@@ -45,6 +45,10 @@ struct RayPacket
     this->Exists = {};
   }
 
+  Vector3 GetOrigin(int ray) const
+  {
+    return { this->Origin[0][ray], this->Origin[1][ray], this->Origin[2][ray] };
+  }
   Vector3 GetDirection(int ray) const
   {
     return { this->Direction[0][ray], this->Direction[1][ray], this->Direction[2][ray] };

@@ -20,8 +20,14 @@ struct HalfSpace
 {
   Vector3 Normal;
   double Offset;
-  /// Whether the insides of surfaces are capped at its plane: see Caps.h.
+  /// Whether the insides of surfaces are capped at its plane: see Caps.h, and MeshCaps.h.
   bool IsCapped = false;
+};
+
+enum class RayEnd
+{
+  Begin,
+  End
 };
 
 /// How a ray crosses the plane of a half-space.
@@ -109,9 +115,7 @@ inline void CutRays(const HalfSpace& half, RayPacket& rays)
     {
       continue;
     }
-    const Vector3 origin = { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] };
-    const Vector3 direction = { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] };
-    const PlaneCrossing crossing = FindCrossing(half, origin, direction);
+    const PlaneCrossing crossing = FindCrossing(half, rays.GetOrigin(i), rays.GetDirection(i));
     if (crossing.Slope > 0.0)
     {
       rays.Begin[i] = std::max(rays.Begin[i], crossing.T);

@@ -18,12 +18,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-enum class RayEnd
-{
-  Begin,
-  End
-};
-
 /// The half-space with caps in whose plane a ray begins or ends that is cut to all of them;
 /// Hit::NoPlane if there is none. A plane may coincide with a face of the volume, as those of a box
 /// around it do.
