@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
@@ -13,7 +14,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// At one point a ray enters the surface with the smaller isovalue first, and leaves it last.
+/// At one point a ray enters the surface with the smaller isovalue first, and leaves it last. All
+/// else makes the order one that does not depend on how the hits were found.
 bool IsBefore(const Hit& a, const Hit& b)
 {
   if (a.T != b.T)
@@ -22,7 +24,13 @@ bool IsBefore(const Hit& a, const Hit& b)
   }
   const int first = a.Entering ? a.Surface : -a.Surface;
   const int second = b.Entering ? b.Surface : -b.Surface;
-  return first != second ? first < second : a.Cell < b.Cell;
+  if (first != second)
+  {
+    return first < second;
+  }
+  const auto rest = [](const Hit& hit)
+  { return std::tie(hit.Cell, hit.Surface, hit.Entering, hit.Parametric); };
+  return rest(a) < rest(b);
 }
 
 /// Whether hits are at one place, but for rounding: on the face, the edge or the vertex of several
