@@ -412,10 +412,12 @@ public:
     : Random(random)
     , Mesh(mesh)
     , Field(mesh.View(), 1)
+    , FieldOfRays(mesh.View(), 1)
   {
     this->Field.Select(
       TraceRequest({ { 0.0, Glass } }), { 1, &vtkIsosurfaceRayTracing::GetBestKernels() });
     this->Beam = this->Field.MakeBeam();
+    this->FieldOfRays.Select(TraceRequest({ { 0.0, Glass } }), {});
   }
 
   /// Begins with rays from another point.
@@ -463,7 +465,7 @@ public:
   bool AreAsAlone()
   {
     RayHits alone;
-    this->Field.Trace(this->Packet, alone);
+    this->FieldOfRays.Trace(this->Packet, alone);
     return IsSame(alone, this->Hits);
   }
 
@@ -506,6 +508,8 @@ private:
   const TestMesh& Mesh;
   MeshField Field;
   std::unique_ptr<MeshField::Beam> Beam;
+  /// The same, without beams.
+  MeshField FieldOfRays;
   std::size_t Along = 0;
   Triple Origin = {};
   vtkIsosurfaceRayTracing::RayPacket Packet;

@@ -10,6 +10,7 @@
 #include "TestMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -256,8 +257,79 @@ TEST(BeamFrame, IsFoundForAllDirections)
     const RayPacket lines = FindCorners(
       camera, { random.Integer(0, Edge - edge), random.Integer(0, Edge - edge), edge, edge });
     BeamFrame frame;
-    ASSERT_TRUE(frame.Find(lines, { { 0.0, 0.0, 0.0 }, { 7.0, 6.0, 5.0 } })) << i;
+    const RaySet all = { { 15, 0 } };
+    ASSERT_TRUE(frame.Find(lines, all, { { 0.0, 0.0, 0.0 }, { 7.0, 6.0, 5.0 } })) << i;
   }
+}
+
+//------------------------------------------------------------------------------
+/// Rays without a picture: parallel ones, to a point, or in any direction.
+enum class Aim
+{
+  Parallel,
+  ToPoint,
+  Any
+};
+
+RayPacket MakeRays(const MeshField& field, Aim aim, RandomNumbers& random, int count)
+{
+  RayPacket packet;
+  packet.Clear();
+  const Vector3 target = random.PointInBox({ -9.0, -9.0, 8.0 }, { 9.0, 9.0, 20.0 });
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 origin = random.PointInBox({ 0.0, 0.0, 0.0 }, { 7.0, 6.0, 5.0 });
+    const Vector3 any = random.PointInBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
+    const Vector3 directions[] = { target, target - origin, any };
+    field.AddRay(
+      origin, directions[static_cast<int>(aim)], 0.0, 1.0 + random.Integer(0, 1) * 100.0, packet);
+  }
+  return packet;
+}
+
+/// What rays hit, and what reaches them if they start on the surface.
+struct FoundByRays
+{
+  RayHits Hits;
+  std::vector<double> Transmittance;
+
+  FoundByRays(MeshField& field, const RayPacket& packet)
+    : Transmittance(static_cast<std::size_t>(packet.Count))
+  {
+    RayPacket rays = packet;
+    field.Trace(rays, this->Hits);
+    rays = packet;
+    const std::vector<Departure> departures(
+      static_cast<std::size_t>(packet.Count), Departure{ 0, false });
+    field.FindTransmittance(rays, departures.data(), this->Transmittance.data());
+  }
+};
+
+TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
+{
+  std::size_t count = 0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(31);
+    const TestMesh mesh = MakeMesh(
+      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    MeshField field(mesh.View(), 1);
+    for (int i = 0; i < 30; ++i)
+    {
+      const TraceRequest request({ { 0.2, i % 2 == 0 ? 0.5 : 1.0 } });
+      const Aim aim = std::array{ Aim::Parallel, Aim::ToPoint, Aim::Any }[i % 3U];
+      const RayPacket packet = MakeRays(field, aim, random, random.Integer(1, 128));
+      field.Select(request, { 1, nullptr });
+      const FoundByRays alone(field, packet);
+      field.Select(request, { 1, &this->TheKernels });
+      const FoundByRays inBeams(field, packet);
+      EXPECT_EQ(alone.Hits.First, inBeams.Hits.First);
+      EXPECT_TRUE(AreSame(alone.Hits.Hits, inBeams.Hits.Hits));
+      EXPECT_EQ(alone.Transmittance, inBeams.Transmittance);
+      count += alone.Hits.Hits.size();
+    }
+  }
+  EXPECT_GT(count, 5000U);
 }
 
 //------------------------------------------------------------------------------

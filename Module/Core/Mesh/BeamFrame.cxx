@@ -44,12 +44,18 @@ LinePoint MeetPlane(const RayPacket& lines, int line, const BeamNumbers& frame)
 }
 
 //------------------------------------------------------------------------------
-bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
+bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& box)
 {
+  int numbers[RayPacket::Capacity];
+  int count = 0;
   Vector3 direction = {};
   for (int i = 0; i < lines.Count; ++i)
   {
-    direction = direction + Normalized(lines.GetDirection(i));
+    if (Has(some, i))
+    {
+      numbers[count++] = i;
+      direction = direction + Normalized(lines.GetDirection(i));
+    }
   }
   const std::size_t along = FindLongestAxis(direction);
   const std::size_t across[2] = { (along + 1) % 3, (along + 2) % 3 };
@@ -59,33 +65,33 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
   this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
   this->Numbers.Length = box.Upper[along] - box.Lower[along];
-  LinePoint corners[4];
+  LinePoint points[RayPacket::Capacity];
   double lower[2] = { HUGE_VAL, HUGE_VAL };
   double upper[2] = { -HUGE_VAL, -HUGE_VAL };
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    corners[i] = MeetPlane(lines, i, this->Numbers);
-    const double forward = lines.Direction[along][i] * this->Numbers.Sign;
+    points[i] = MeetPlane(lines, numbers[i], this->Numbers);
+    const double forward = lines.Direction[along][numbers[i]] * this->Numbers.Sign;
     if (!(forward > 0.0) ||
-      !(std::abs(corners[i].Slope[0]) + std::abs(corners[i].Slope[1]) < LargestSlope))
+      !(std::abs(points[i].Slope[0]) + std::abs(points[i].Slope[1]) < LargestSlope))
     {
       return false;
     }
     for (std::size_t k = 0; k < 2; ++k)
     {
-      lower[k] = std::min(lower[k], corners[i].Place[k]);
-      upper[k] = std::max(upper[k], corners[i].Place[k]);
+      lower[k] = std::min(lower[k], points[i].Place[k]);
+      upper[k] = std::max(upper[k], points[i].Place[k]);
     }
   }
-  // Slopes are linear in places: by the two corners that are farthest apart.
+  // Slopes are linear in places: by the first line and the one that is farthest from it.
   double square = 0.0;
   this->Numbers.Spread = 0.0;
-  for (const int i : { 1, 2, 3 })
+  for (int i = 1; i < count; ++i)
   {
-    const double way[2] = { corners[i].Place[0] - corners[0].Place[0],
-      corners[i].Place[1] - corners[0].Place[1] };
-    const double rise[2] = { corners[i].Slope[0] - corners[0].Slope[0],
-      corners[i].Slope[1] - corners[0].Slope[1] };
+    const double way[2] = { points[i].Place[0] - points[0].Place[0],
+      points[i].Place[1] - points[0].Place[1] };
+    const double rise[2] = { points[i].Slope[0] - points[0].Slope[0],
+      points[i].Slope[1] - points[0].Slope[1] };
     const double squareOfWay = way[0] * way[0] + way[1] * way[1];
     if (squareOfWay > square)
     {
@@ -97,7 +103,7 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   {
     this->Numbers.Center[k] = 0.5 * (lower[k] + upper[k]);
     this->Numbers.Slope[k] =
-      corners[0].Slope[k] + this->Numbers.Spread * (this->Numbers.Center[k] - corners[0].Place[k]);
+      points[0].Slope[k] + this->Numbers.Spread * (this->Numbers.Center[k] - points[0].Place[k]);
   }
   this->Reach = 0.0;
   for (std::size_t k = 0; k < 2; ++k)
@@ -110,10 +116,9 @@ bool BeamFrame::Find(const RayPacket& lines, const Bounds& box)
   this->Numbers.InverseSize =
     1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Numbers.Length));
   double error = 0x1p-30;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    error =
-      std::max(error, 16.0 * GetLabelError(this->Numbers, corners[i].Place, corners[i].Slope));
+    error = std::max(error, 16.0 * GetLabelError(this->Numbers, points[i].Place, points[i].Slope));
   }
   this->Numbers.Margin = static_cast<float>(error);
   return error < 1.0 && std::abs(this->Numbers.Spread) * this->Numbers.Length < 256.0 &&

@@ -24,10 +24,10 @@ namespace vtkIsosurfaceRayTracing
 class BeamFrame
 {
 public:
-  /// Finds the frame of the rays between lines that pass through one point, or are parallel, as
-  /// they go through a box. Of these the labels are in [-1, 1]. Returns false if there is none: the
-  /// lines do not go one way along an axis.
-  bool Find(const RayPacket& lines, const Bounds& box);
+  /// Finds the frame of the rays between some lines that pass through one point, or are parallel,
+  /// as they go through a box. Of these the labels are in [-1, 1]. Returns false if there is none:
+  /// the lines do neither, or do not go one way along an axis.
+  bool Find(const RayPacket& lines, const RaySet& some, const Bounds& box);
 
   /// How the boxes of a tree are projected, in single precision.
   BeamProjection GetProjection() const;

@@ -36,14 +36,14 @@ MeshBeam::MeshBeam()
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
+void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines, const RaySet& some)
 {
   this->Heap.clear();
   this->Sets.clear();
   this->NumberOfSeen = 0;
   const int levels = selection.Tree->GetNumberOfLevels();
-  this->HasFrame =
-    levels > 0 && selection.PacketKernels && this->Frame.Find(lines, selection.Tree->GetBounds());
+  this->HasFrame = levels > 0 && selection.PacketKernels &&
+    this->Frame.Find(lines, some, selection.Tree->GetBounds());
   if (!this->HasFrame)
   {
     return;

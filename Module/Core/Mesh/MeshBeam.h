@@ -26,8 +26,8 @@ public:
 
   MeshBeam();
 
-  /// Begins with the rays between lines.
-  void Begin(const MeshSelection& selection, const RayPacket& lines);
+  /// Begins with the rays between some lines.
+  void Begin(const MeshSelection& selection, const RayPacket& lines, const RaySet& some);
 
   /// Whether the rays have a frame.
   bool IsBeam() const { return this->HasFrame; }

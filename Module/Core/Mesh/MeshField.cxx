@@ -127,7 +127,12 @@ std::unique_ptr<TracedField::Beam> MeshField::MakeBeam() const
 //------------------------------------------------------------------------------
 void MeshField::Begin(const RayPacket& lines, Beam* beam) const
 {
-  static_cast<ThreadBeam*>(beam)->Pieces.Begin(this->Selection, lines);
+  RaySet all = {};
+  for (int i = 0; i < lines.Count; ++i)
+  {
+    Add(i, all);
+  }
+  static_cast<ThreadBeam*>(beam)->Pieces.Begin(this->Selection, lines, all);
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +171,20 @@ std::vector<std::optional<Hit>> MeshField::FindFirstCaps(RayPacket& packet, Cell
 }
 
 //------------------------------------------------------------------------------
+/// Rays to a light, and others without a picture, may be a beam. Null if they are too few.
+std::unique_ptr<MeshField::ThreadBeam> MeshField::MakeBeamOf(const RayPacket& packet) const
+{
+  constexpr int fewest = 8;
+  if (!this->Selection.PacketKernels || CountOf(packet.Exists) < fewest)
+  {
+    return nullptr;
+  }
+  auto beam = std::make_unique<ThreadBeam>();
+  beam->Pieces.Begin(this->Selection, packet, packet.Exists);
+  return beam;
+}
+
+//------------------------------------------------------------------------------
 void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 {
   hits.Clear();
@@ -175,7 +194,8 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   }
   CellHits inCell;
   const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
-  auto* thread = static_cast<ThreadBeam*>(beam);
+  const std::unique_ptr<ThreadBeam> own = beam ? nullptr : this->MakeBeamOf(packet);
+  auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
   const RaySet inBeam = thread && thread->Pieces.IsBeam()
     ? thread->Tracer.Trace(this->Selection, packet, thread->Pieces, thread->Hits)
     : RaySet{};

@@ -58,6 +58,7 @@ private:
   class ThreadBeam;
 
   MeshSurface SelectSurface(double isovalue) const;
+  std::unique_ptr<ThreadBeam> MakeBeamOf(const RayPacket& packet) const;
 
   std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
 
