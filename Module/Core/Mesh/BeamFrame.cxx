@@ -112,10 +112,13 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
       std::abs(box.Upper[across[k]] - this->Numbers.Center[k]) });
   }
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
-  // Rays need not be between the lines to the last bit; and there may be one line only.
+  // Rays need not be between the lines to the last bit. One line alone has room for rounding.
+  const double least = count == 1 ? 0x1p-20 : 0x1p-40;
   this->Numbers.InverseSize =
-    1.0 / (size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Numbers.Length));
-  double error = 0x1p-30;
+    1.0 / (size * (1.0 + 0x1p-12) + least * (this->Reach + this->Numbers.Length));
+  // Slopes are rounded.
+  double error =
+    std::max(0x1p-30, 0x1p-47 * this->Numbers.Length * this->Numbers.InverseSize / SmallestW);
   for (int i = 0; i < count; ++i)
   {
     error = std::max(error, 16.0 * GetLabelError(this->Numbers, points[i].Place, points[i].Slope));

@@ -31,6 +31,74 @@ public:
   HitsOfRays Hits;
 };
 
+/// Traces rays of a packet one by one.
+class MeshField::LoneRays
+{
+public:
+  LoneRays(const MeshSelection& selection, const RayPacket& packet)
+    : Selection(selection)
+    , Packet(packet)
+  {
+  }
+
+  /// Appends the hits of a ray; those beyond the first opaque one may be missing.
+  void FindHits(int ray, std::vector<Hit>& hits)
+  {
+    if (!this->FindHitsOfBeam(ray, hits))
+    {
+      MeshRay(this->Selection, this->Packet, ray).FindHits(this->InCell, hits);
+    }
+  }
+
+  CellHits InCell;
+
+private:
+  /// A ray is a beam with one line. Returns false if it has no frame.
+  bool FindHitsOfBeam(int ray, std::vector<Hit>& hits)
+  {
+    if (!this->Selection.PacketKernels)
+    {
+      return false;
+    }
+    if (!this->Beam)
+    {
+      this->Beam = std::make_unique<ThreadBeam>();
+      this->Lone.Clear();
+      this->Lone.Count = 1;
+      Add(0, this->Lone.Exists);
+    }
+    this->CopyRay(ray);
+    this->Beam->Pieces.Begin(this->Selection, this->Lone, this->Lone.Exists);
+    if (!this->Beam->Pieces.IsBeam() ||
+      !Has(
+        this->Beam->Tracer.Trace(this->Selection, this->Lone, this->Beam->Pieces, this->Beam->Hits),
+        0))
+    {
+      return false;
+    }
+    this->Beam->Hits.Get(0, hits);
+    return true;
+  }
+
+  void CopyRay(int ray)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Lone.Origin[axis][0] = this->Packet.Origin[axis][ray];
+      this->Lone.Direction[axis][0] = this->Packet.Direction[axis][ray];
+      this->Lone.Inverse[axis][0] = this->Packet.Inverse[axis][ray];
+    }
+    this->Lone.Begin[0] = this->Packet.Begin[ray];
+    this->Lone.End[0] = this->Packet.End[ray];
+    this->Lone.Base[0] = this->Packet.Base[ray];
+  }
+
+  const MeshSelection& Selection;
+  const RayPacket& Packet;
+  std::unique_ptr<ThreadBeam> Beam;
+  RayPacket Lone;
+};
+
 //------------------------------------------------------------------------------
 MeshField::MeshField(const MeshView& view, int threads)
   : Cells(view)
@@ -192,8 +260,8 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   {
     CutRays(half, packet);
   }
-  CellHits inCell;
-  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
+  LoneRays rays(this->Selection, packet);
+  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, rays.InCell);
   const std::unique_ptr<ThreadBeam> own = beam ? nullptr : this->MakeBeamOf(packet);
   auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
   const RaySet inBeam = thread && thread->Pieces.IsBeam()
@@ -209,7 +277,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     }
     else if (Has(packet.Exists, i))
     {
-      MeshRay(this->Selection, packet, i).FindHits(inCell, found);
+      rays.FindHits(i, found);
     }
     const std::optional<Hit> first =
       caps.empty() ? std::nullopt : caps[static_cast<std::size_t>(i)];
@@ -222,7 +290,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
       std::any_of(found.begin(), found.end(),
         [&collector](const Hit& hit) { return collector.AddVisible(hit); });
     const std::optional<Hit> last = !caps.empty() && !isOver && Has(packet.Exists, i)
-      ? FindCap(this->Selection, packet, i, RayEnd::End, inCell)
+      ? FindCap(this->Selection, packet, i, RayEnd::End, rays.InCell)
       : std::nullopt;
     if (last)
     {

@@ -56,6 +56,7 @@ public:
 
 private:
   class ThreadBeam;
+  class LoneRays;
 
   MeshSurface SelectSurface(double isovalue) const;
   std::unique_ptr<ThreadBeam> MakeBeamOf(const RayPacket& packet) const;
