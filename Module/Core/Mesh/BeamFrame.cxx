@@ -21,6 +21,19 @@ std::size_t FindLongestAxis(const Vector3& d)
   return size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
 }
 
+/// Whether products of coordinates in a box neither overflow nor vanish in single precision.
+bool IsSinglePrecision(const Bounds& box)
+{
+  double largest = 0.0;
+  double size = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({ largest, std::abs(box.Lower[axis]), std::abs(box.Upper[axis]) });
+    size = std::max(size, box.Upper[axis] - box.Lower[axis]);
+  }
+  return largest < 0x1p60 && size > 0x1p-60;
+}
+
 /// Where a line meets a plane across an axis, and its slopes.
 struct LinePoint
 {
@@ -124,7 +137,8 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
     error = std::max(error, 16.0 * GetLabelError(this->Numbers, points[i].Place, points[i].Slope));
   }
   this->Numbers.Margin = static_cast<float>(error);
-  return error < 1.0 && std::abs(this->Numbers.Spread) * this->Numbers.Length < 256.0 &&
+  return IsSinglePrecision(box) && error < 1.0 &&
+    std::abs(this->Numbers.Spread) * this->Numbers.Length < 256.0 &&
     (this->Reach + this->Numbers.Length) * this->Numbers.InverseSize < 0x1p60;
 }
 
