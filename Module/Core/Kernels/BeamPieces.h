@@ -7,6 +7,7 @@
 #include "Kernels/CellTreeNode.h"
 #include "Math/Arithmetic.h"
 #include "Rays/RayPacket.h"
+#include "Rays/TrilinearSearch.h"
 
 #include <cstdint>
 
@@ -236,6 +237,20 @@ struct TetrahedronPairs
   std::uint64_t Extreme;
   alignas(64) double T[Capacity];
   alignas(64) double Weights[4][Capacity];
+};
+
+/// Rays in trilinear cells, and where they hit.
+struct TrilinearPairs
+{
+  static constexpr int Capacity = TetrahedronPairs::Capacity;
+
+  int Count;
+  int Ray[Capacity];
+  /// The number of the cell among the corners.
+  int Cell[Capacity];
+  /// Of each cell the corners, as in PassedCellRecords.
+  alignas(64) double Corners[Capacity][PassedCellRecords::Corners][4];
+  TrilinearSolutions Solutions[Capacity];
 };
 
 }

@@ -266,6 +266,9 @@ struct Kernels
 
   /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does.
   void (*SolveTetrahedra)(const FramedRays& rays, TetrahedronPairs& pairs);
+
+  /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
+  void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
 };
 
 extern const Kernels BaselineKernels;

@@ -22,6 +22,8 @@
 #include "Rays/PixelRays.h"
 #include "Rays/RayFrame.h"
 #include "Rays/TetrahedronHits.h"
+#include "Rays/TrilinearHits.h"
+#include "Rays/TrilinearSearch.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -72,6 +74,7 @@ SIMD_INLINE int LargerOf(int a, int b)
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
 #include "Kernels/SolveTetrahedra.inl"
+#include "Kernels/SolveTrilinear.inl"
 
 // One for every ScalarType.
 #define FOR_ALL_TYPES(function)                                                                    \
@@ -86,4 +89,4 @@ SIMD_INLINE int LargerOf(int a, int b)
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, ProjectChildren, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,          \
-    SolveTetrahedra }
+    SolveTetrahedra, SolveTrilinear }

@@ -15,7 +15,8 @@ struct RaysOfPairs
   LongestAxes Axes;
   const double (*Corners[DoubleWidth])[4];
 
-  SIMD_INLINE RaysOfPairs(const FramedRays& rays, const TetrahedronPairs& pairs, int first)
+  template <typename Pairs>
+  SIMD_INLINE RaysOfPairs(const FramedRays& rays, const Pairs& pairs, int first)
   {
     const double* rows[2][DoubleWidth];
     unsigned int axes[3] = {};

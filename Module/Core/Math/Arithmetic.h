@@ -27,6 +27,16 @@ SIMD_INLINE bool Any(bool a)
   return a;
 }
 
+SIMD_INLINE unsigned int ToBits(bool a)
+{
+  return a ? 1U : 0U;
+}
+
+SIMD_INLINE void Store(double a, double* to)
+{
+  *to = a;
+}
+
 SIMD_INLINE double Select(bool condition, double yes, double no)
 {
   return condition ? yes : no;

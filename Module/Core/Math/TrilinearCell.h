@@ -89,13 +89,30 @@ inline double Interpolate(const CellCorners& v, const Vector3& p)
 }
 
 /// The gradient of the trilinear interpolant, per cell edge along each axis.
+template <typename Number>
+SIMD_INLINE void FindInterpolantGradient(const Number v[8], const Number p[3], Number gradient[3])
+{
+  // The ends of the four edges along each axis.
+  constexpr int ends[3][4][2] = { { { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 } },
+    { { 0, 2 }, { 1, 3 }, { 4, 6 }, { 5, 7 } }, { { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } } };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Number changes[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      changes[i] = v[ends[axis][i][1]] - v[ends[axis][i][0]];
+    }
+    const Number s = p[axis == 0 ? 1 : 0];
+    const Number t = p[axis == 2 ? 1 : 2];
+    gradient[axis] = Lerp(Lerp(changes[0], changes[1], s), Lerp(changes[2], changes[3], s), t);
+  }
+}
+
 inline Vector3 InterpolantGradient(const CellCorners& v, const Vector3& p)
 {
-  const auto bilinear = [](double d00, double d10, double d01, double d11, double s, double t)
-  { return Lerp(Lerp(d00, d10, s), Lerp(d01, d11, s), t); };
-  return { bilinear(v[1] - v[0], v[3] - v[2], v[5] - v[4], v[7] - v[6], p[1], p[2]),
-    bilinear(v[2] - v[0], v[3] - v[1], v[6] - v[4], v[7] - v[5], p[0], p[2]),
-    bilinear(v[4] - v[0], v[5] - v[1], v[6] - v[2], v[7] - v[3], p[0], p[1]) };
+  Vector3 gradient;
+  FindInterpolantGradient(v.data(), p.data(), gradient.data());
+  return gradient;
 }
 
 /// The trilinear interpolant of the corners v along the straight line from p to q, as a cubic of

@@ -29,6 +29,8 @@ RaySet BeamTracer::Trace(
   this->Packet = &packet;
   this->Enter(selection, beam.GetFrame());
   this->Pairs.Count = 0;
+  this->InTetrahedra.Count = 0;
+  this->InTrilinear.Count = 0;
   hits.Clear();
   for (std::size_t next = 0;
        next < beam.GetNumberOfSets() || beam.FindMore(selection, this->Rays.EndOfAll);)
@@ -163,37 +165,40 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
     const int* places = &this->Pairs.Place[first];
     if (beam.IsInTetrahedron(piece))
     {
-      this->AddTetrahedron(selection, beam, piece, places, i - first, hits);
+      this->Add(
+        selection, beam, piece, places, i - first, this->InTetrahedra, this->Tetrahedra, hits);
     }
     else
     {
-      std::for_each(places, places + (i - first),
-        [&](int place) { this->SolveByItself(selection, beam, piece, place, hits); });
+      this->Add(
+        selection, beam, piece, places, i - first, this->InTrilinear, this->Trilinear, hits);
     }
   }
   this->SolveTetrahedra(selection, beam, hits);
+  this->SolveTrilinear(selection, beam, hits);
   this->Pairs.Count = 0;
   this->FindEnds();
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::AddTetrahedron(const MeshSelection& selection, const MeshBeam& beam, int piece,
-  const int* places, int count, HitsOfRays& hits)
+template <typename CellPairs>
+void BeamTracer::Add(const MeshSelection& selection, const MeshBeam& beam, int piece,
+  const int* places, int count, CellPairs& pairs, PairedCells& cells, HitsOfRays& hits)
 {
-  TetrahedronPairs& pairs = this->InTetrahedra;
   for (int i = 0; i < count;)
   {
-    if (pairs.Count == TetrahedronPairs::Capacity)
+    if (pairs.Count == CellPairs::Capacity)
     {
       this->SolveTetrahedra(selection, beam, hits);
+      this->SolveTrilinear(selection, beam, hits);
     }
-    const int cell = this->Tetrahedra++;
-    this->Cells[cell] = beam.GetCell(selection, piece);
-    this->Pieces[cell] = piece;
-    selection.Cells->Prefetch(this->Cells[cell]);
-    for (; i < count && pairs.Count < TetrahedronPairs::Capacity; ++i)
+    const int cell = cells.Count++;
+    cells.Cells[cell] = beam.GetCell(selection, piece);
+    cells.Pieces[cell] = piece;
+    selection.Cells->Prefetch(cells.Cells[cell]);
+    for (; i < count && pairs.Count < CellPairs::Capacity; ++i)
     {
-      this->Places[pairs.Count] = places[i];
+      cells.Places[pairs.Count] = places[i];
       pairs.Ray[pairs.Count] = this->Rays.Ray[places[i]];
       pairs.Cell[pairs.Count++] = cell;
     }
@@ -201,15 +206,16 @@ void BeamTracer::AddTetrahedron(const MeshSelection& selection, const MeshBeam& 
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::LoadTetrahedra(const MeshSelection& selection, const MeshBeam& beam)
+/// From the values at the corners.
+template <int Corners>
+void BeamTracer::FindDifferences(const MeshSelection& selection, const MeshBeam& beam,
+  const PairedCells& cells, double (*corners)[Corners][4])
 {
-  selection.Cells->LoadTetrahedra(
-    this->Cells, this->Tetrahedra, this->Orders, this->InTetrahedra.Corners);
-  for (int i = 0; i < this->Tetrahedra; ++i)
+  for (int i = 0; i < cells.Count; ++i)
   {
     const MeshSurface& surface =
-      selection.Surfaces[static_cast<std::size_t>(beam.GetSurface(this->Pieces[i]))];
-    for (auto& corner : this->InTetrahedra.Corners[i])
+      selection.Surfaces[static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]))];
+    for (auto& corner : corners[i])
     {
       corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
     }
@@ -225,7 +231,9 @@ void BeamTracer::SolveTetrahedra(
   {
     return;
   }
-  this->LoadTetrahedra(selection, beam);
+  PairedCells& cells = this->Tetrahedra;
+  selection.Cells->LoadTetrahedra(cells.Cells, cells.Count, this->Orders, pairs.Corners);
+  FindDifferences(selection, beam, cells, pairs.Corners);
   selection.PacketKernels->SolveTetrahedra(this->Framed, pairs);
   for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
   {
@@ -238,7 +246,7 @@ void BeamTracer::SolveTetrahedra(
       this->MakeHit(beam, pair, hit);
       if (KeepHit(selection, hit, pairs.T[pair], part))
       {
-        this->Shorten(beam.GetFrame(), this->Places[pair]);
+        this->Shorten(beam.GetFrame(), cells.Places[pair]);
       }
       else
       {
@@ -249,10 +257,10 @@ void BeamTracer::SolveTetrahedra(
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
     const int pair = __builtin_ctzll(left);
-    this->SolveByItself(selection, beam, this->Pieces[pairs.Cell[pair]], this->Places[pair], hits);
+    this->SolveByItself(selection, beam, cells.Pieces[pairs.Cell[pair]], cells.Places[pair], hits);
   }
   pairs.Count = 0;
-  this->Tetrahedra = 0;
+  cells.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -262,11 +270,48 @@ void BeamTracer::MakeHit(const MeshBeam& beam, int pair, Hit& hit) const
   const TetrahedronPairs& pairs = this->InTetrahedra;
   const int cell = pairs.Cell[pair];
   hit.T = this->Parts[pairs.Ray[pair]].Base + pairs.T[pair];
-  hit.Cell = this->Cells[cell];
-  hit.Surface = beam.GetSurface(this->Pieces[cell]);
+  hit.Cell = this->Tetrahedra.Cells[cell];
+  hit.Surface = beam.GetSurface(this->Tetrahedra.Pieces[cell]);
   hit.Parametric =
     this->Orders[cell].GetParametric(&pairs.Weights[0][pair], TetrahedronPairs::Capacity);
   hit.Entering = (pairs.Entering >> pair & 1) != 0;
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::SolveTrilinear(
+  const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
+{
+  TrilinearPairs& pairs = this->InTrilinear;
+  PairedCells& cells = this->Trilinear;
+  selection.Cells->LoadTrilinear(cells.Cells, cells.Count, pairs.Corners);
+  FindDifferences(selection, beam, cells, pairs.Corners);
+  selection.PacketKernels->SolveTrilinear(this->Framed, pairs);
+  for (int pair = 0; pair < pairs.Count; ++pair)
+  {
+    const TrilinearSolutions& solutions = pairs.Solutions[pair];
+    const int piece = cells.Pieces[pairs.Cell[pair]];
+    const int place = cells.Places[pair];
+    if (!solutions.AreCertain)
+    {
+      this->SolveByItself(selection, beam, piece, place, hits);
+      continue;
+    }
+    const std::uint32_t cell = cells.Cells[pairs.Cell[pair]];
+    RayPart& part = this->Parts[pairs.Ray[pair]];
+    for (int i = 0; i < solutions.Count; ++i)
+    {
+      const CellHit found = MakeCellHit(selection.Cells->GetShape(cell), solutions, i);
+      const Hit hit = { part.Base + found.T, cell, beam.GetSurface(piece), found.Parametric,
+        found.Entering };
+      if (part.Has(found.T) && KeepHit(selection, hit, found.T, part))
+      {
+        hits.Add(pairs.Ray[pair]) = hit;
+        this->Shorten(beam.GetFrame(), place);
+      }
+    }
+  }
+  pairs.Count = 0;
+  cells.Count = 0;
 }
 
 //------------------------------------------------------------------------------

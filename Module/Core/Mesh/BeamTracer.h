@@ -35,11 +35,24 @@ private:
   void FindEnds();
   void Shorten(const BeamFrame& frame, int place);
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
-  void AddTetrahedron(const MeshSelection& selection, const MeshBeam& beam, int piece,
-    const int* places, int count, HitsOfRays& hits);
-  void LoadTetrahedra(const MeshSelection& selection, const MeshBeam& beam);
+  /// The cells of pairs, the pieces they were found by, and the places of the rays of the pairs.
+  struct PairedCells
+  {
+    int Count = 0;
+    std::uint32_t Cells[TetrahedronPairs::Capacity];
+    int Pieces[TetrahedronPairs::Capacity];
+    int Places[TetrahedronPairs::Capacity];
+  };
+
+  template <typename CellPairs>
+  void Add(const MeshSelection& selection, const MeshBeam& beam, int piece, const int* places,
+    int count, CellPairs& pairs, PairedCells& cells, HitsOfRays& hits);
+  template <int Corners>
+  static void FindDifferences(const MeshSelection& selection, const MeshBeam& beam,
+    const PairedCells& cells, double (*corners)[Corners][4]);
   void SolveTetrahedra(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void MakeHit(const MeshBeam& beam, int pair, Hit& hit) const;
+  void SolveTrilinear(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void SolveByItself(
     const MeshSelection& selection, const MeshBeam& beam, int piece, int place, HitsOfRays& hits);
 
@@ -54,11 +67,9 @@ private:
   unsigned int Shortened;
   BeamPairs Pairs;
   TetrahedronPairs InTetrahedra;
-  int Places[TetrahedronPairs::Capacity];
-  /// The tetrahedra of these pairs.
-  int Tetrahedra = 0;
-  std::uint32_t Cells[TetrahedronPairs::Capacity];
-  int Pieces[TetrahedronPairs::Capacity];
+  PairedCells Tetrahedra;
+  TrilinearPairs InTrilinear;
+  PairedCells Trilinear;
   CornerOrder Orders[TetrahedronPairs::Capacity];
   CellHits InCell;
   std::vector<Hit> HitsInCell;

@@ -27,6 +27,26 @@ bool IsIsolated(const Vector3& solution, const TrilinearSystem& system)
       solution.begin(), solution.end(), [](double x) { return x > 1e-9 && x < 1.0 - 1e-9; });
 }
 
+/// Loads a cell for TrilinearSearch.
+struct CornersOfCell
+{
+  const int (&Trilinear)[8];
+  const FramePoint* Points;
+  const double* Differences;
+
+  void Load(
+    const TrilinearPart* part, int /*count*/, bool /*areWhole*/, TrilinearHits<double>& hits) const
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const int corner = this->Trilinear[i];
+      hits.SetCorner(i, this->Points[corner], this->Differences[corner]);
+    }
+    std::copy_n(part->Middle, 3, hits.Middle);
+    std::copy_n(part->Half, 3, hits.Half);
+  }
+};
+
 void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weights)
 {
   for (int i = 0; i < crossing.Count; ++i)
@@ -38,7 +58,15 @@ void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weig
 }
 
 //------------------------------------------------------------------------------
-bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
+CellHit MakeCellHit(CellShape shape, const TrilinearSolutions& solutions, int number)
+{
+  const double* p = solutions.Parametric[number];
+  return { solutions.T[number], GetParametric(shape, Vector3{ p[0], p[1], p[2] }),
+    solutions.Entering[number] };
+}
+
+//------------------------------------------------------------------------------
+void CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
 {
   this->Frame = &frame;
   this->Cell = &cell;
@@ -46,24 +74,17 @@ bool CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
   {
     this->Points[i] = this->Frame->Get(cell.Points[i]);
   }
-  if (cell.Shape == CellShape::Tetrahedron)
+  if (cell.Shape != CellShape::Tetrahedron)
   {
-    this->AvoidExtremes();
-    return true;
+    this->Slack = 1e-9 * this->GetExtent();
   }
-  this->Slack = 1e-9 * this->GetExtent();
   this->AvoidExtremes();
-  this->Faces.Find(cell, this->Points);
-  return this->Faces.Count > 0;
 }
 
 //------------------------------------------------------------------------------
 const FaceCrossings& CellHits::FindCrossings()
 {
-  if (this->Cell->Shape == CellShape::Tetrahedron)
-  {
-    this->Faces.Find(*this->Cell, this->Points); // Its hits do not need them.
-  }
+  this->Faces.Find(*this->Cell, this->Points);
   return this->Faces;
 }
 
@@ -112,9 +133,9 @@ const std::vector<CellHit>& CellHits::Find(const double* differences)
   {
     this->FindOfTetrahedron(differences);
   }
-  else
+  else if (!this->FindClearOfFaces(differences))
   {
-    this->FindOfTrilinear(differences);
+    this->FindBetweenFaces(differences);
   }
   return this->Hits;
 }
@@ -137,8 +158,26 @@ void CellHits::FindOfTetrahedron(const double* differences)
 }
 
 //------------------------------------------------------------------------------
-void CellHits::FindOfTrilinear(const double* differences)
+bool CellHits::FindClearOfFaces(const double* differences)
 {
+  const CornersOfCell source = { GetTraits(this->Cell->Shape).Trilinear, this->Points,
+    differences };
+  TrilinearSolutions found;
+  TrilinearSearch<double, 1, 1, CornersOfCell>(source, &found).Solve(1);
+  for (int i = 0; i < found.Count && found.AreCertain; ++i)
+  {
+    this->Hits.push_back(MakeCellHit(this->Cell->Shape, found, i));
+  }
+  return found.AreCertain;
+}
+
+//------------------------------------------------------------------------------
+void CellHits::FindBetweenFaces(const double* differences)
+{
+  if (this->FindCrossings().Count == 0)
+  {
+    return;
+  }
   const TrilinearSystem system = {
     { MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].X; }),
       MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].Y; }),
@@ -263,23 +302,14 @@ CellHit CellHits::MakeHitOnFace(const FaceCrossing& crossing) const
 //------------------------------------------------------------------------------
 CellHit CellHits::MakeHit(const Vector3& trilinear, const TrilinearSystem& system) const
 {
-  CornerWeights ofTrilinear;
-  GetWeights(CellShape::Voxel, trilinear, ofTrilinear);
-  const ShapeTraits& traits = GetTraits(this->Cell->Shape);
   const CellCorners ts =
     MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].T; });
-  CornerWeights weights = {};
-  double t = 0.0;
-  for (std::size_t i = 0; i < 8; ++i)
-  {
-    weights[traits.Trilinear[i]] += ofTrilinear[i];
-    t += ofTrilinear[i] * ts[i];
-  }
   const std::array<Vector3, 3> rows = system.GetJacobian(trilinear);
   const Vector3 along = Cross(rows[0], rows[1]);
   const bool isRising = Dot(along, rows[2]) > 0.0;
   const bool isForward = Dot(along, InterpolantGradient(ts, trilinear)) > 0.0;
-  return { t, GetParametric(this->Cell->Shape, weights), isRising == isForward };
+  return { Interpolate(ts, trilinear), GetParametric(this->Cell->Shape, trilinear),
+    isRising == isForward };
 }
 
 }

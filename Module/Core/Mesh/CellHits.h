@@ -8,6 +8,7 @@
 #include "Mesh/MeshCell.h"
 #include "Mesh/TrilinearSystem.h"
 #include "Rays/RayFrame.h"
+#include "Rays/TrilinearSearch.h"
 
 #include <vector>
 
@@ -23,18 +24,21 @@ struct CellHit
   bool Entering;
 };
 
+/// One of the solutions in a cell of a shape.
+CellHit MakeCellHit(CellShape shape, const TrilinearSolutions& solutions, int number);
+
 /// Finds the hits of rays with the isosurfaces in cells, one after the other.
 ///
 /// A ray is inside or outside of a surface where it crosses a face, the same for both cells of the
 /// face. Between its crossings of a cell it has an odd number of hits if and only if it is inside
 /// at one of them alone. So along the ray the hits are as many as these signs ask for, whatever
 /// rounding does to those next to a face: none is lost between two cells, and none is found in
-/// both.
+/// both. Where all is clear of rounding, the faces need not be asked: see TrilinearHits.
 class CellHits
 {
 public:
-  /// Begins with a ray and a cell. Returns whether the ray crosses it.
-  bool Enter(const RayFrame& frame, const MeshCell& cell);
+  /// Begins with a ray and a cell.
+  void Enter(const RayFrame& frame, const MeshCell& cell);
 
   /// Where the ray crosses the faces of the cell, in order.
   const FaceCrossings& FindCrossings();
@@ -50,7 +54,9 @@ private:
   double GetExtent() const;
   void AvoidExtremes();
   void FindOfTetrahedron(const double* differences);
-  void FindOfTrilinear(const double* differences);
+  /// Finds the hits in a trilinear cell if they are certain, which is returned.
+  bool FindClearOfFaces(const double* differences);
+  void FindBetweenFaces(const double* differences);
   /// Whether t is between such crossings.
   bool IsInSegment(double t) const;
   void MatchParity(const FaceCrossing* crossings, int count, const double* differences,

@@ -247,7 +247,7 @@ void MeshBeam::BoundTrilinear(const MeshSelection& selection, const Set& set, Be
   {
     cells[i] = GetCell(selection, set, i);
   }
-  selection.Cells->LoadRecords(cells, count, this->Records);
+  selection.Cells->LoadTrilinear(cells, count, this->Records.Corner);
   const MeshSurface& surface = selection.Surfaces[static_cast<std::size_t>(set.Surface)];
   for (int i = 0; i < count; ++i)
   {

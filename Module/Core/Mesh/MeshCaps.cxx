@@ -167,11 +167,11 @@ void CutPlace::VisitBlock(std::size_t block)
 /// the one that is left out otherwise: its hits at the crossing are traced, too.
 bool CutPlace::Enter(std::int64_t number)
 {
-  if (!this->Selection->Cells->Load(number, this->Cell) || !this->MayBeInCell() ||
-    !this->InCell->Enter(this->Frame, this->Cell))
+  if (!this->Selection->Cells->Load(number, this->Cell) || !this->MayBeInCell())
   {
     return false;
   }
+  this->InCell->Enter(this->Frame, this->Cell);
   const FaceCrossings& faces = this->InCell->FindCrossings();
   const int step = this->InCell->GetStep();
   for (int i = 0; i < faces.Count; i += step)

@@ -200,30 +200,30 @@ bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
 void MeshCells::LoadTetrahedra(
   const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const
 {
-  std::int64_t ids[MaximumTetrahedra][4];
+  std::int64_t ids[MaximumCells][4];
   this->ReadTetrahedra(this->View, numbers, count, orders, ids);
   this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
   this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::LoadRecords(
-  const std::uint32_t* numbers, int count, PassedCellRecords& records) const
+void MeshCells::LoadTrilinear(
+  const std::uint32_t* numbers, int count, double (*corners)[PassedCellRecords::Corners][4]) const
 {
-  constexpr int corners = PassedCellRecords::Corners;
-  std::int64_t ids[PassedCellRecords::Capacity][corners];
+  constexpr int cornersOfCell = PassedCellRecords::Corners;
+  std::int64_t ids[MaximumCells][cornersOfCell];
   for (int i = 0; i < count; ++i)
   {
     MeshCell cell;
     this->LoadIds(numbers[i], cell);
     const ShapeTraits& traits = GetTraits(cell.Shape);
-    for (int corner = 0; corner < corners; ++corner)
+    for (int corner = 0; corner < cornersOfCell; ++corner)
     {
       ids[i][corner] = cell.Ids[traits.Trilinear[corner]];
     }
   }
-  this->ReadCornerPoints(this->View, ids[0], corners * count, records.Corner[0]);
-  this->ReadCornerValues(this->View, ids[0], corners * count, records.Corner[0]);
+  this->ReadCornerPoints(this->View, ids[0], cornersOfCell * count, corners[0]);
+  this->ReadCornerValues(this->View, ids[0], cornersOfCell * count, corners[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -39,6 +39,12 @@ public:
     return this->LoadIds(number, cell) && this->LoadCorners(cell);
   }
 
+  CellShape GetShape(std::int64_t number) const
+  {
+    return this->View.IsLattice() ? CellShape::Hexahedron
+                                  : static_cast<CellShape>(this->View.Shapes[number]);
+  }
+
   /// Finds which of up to 16 cells have values on both sides of an isovalue, below it and at or
   /// above it; a bit for each. Cells that are not finite may be among them.
   unsigned int FindStraddling(const std::uint32_t* numbers, int count, double isovalue) const
@@ -57,12 +63,13 @@ public:
   /// Tetrahedra, as many as there are pairs, whose corners are put in the order of their ids...
   void LoadTetrahedra(
     const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const;
-  /// ...or as many cells of any shape as there are records.
-  void LoadRecords(const std::uint32_t* numbers, int count, PassedCellRecords& records) const;
+  /// ...or as many cells of any shape, as in PassedCellRecords.
+  void LoadTrilinear(const std::uint32_t* numbers, int count,
+    double (*corners)[PassedCellRecords::Corners][4]) const;
 
 private:
-  /// The largest number of tetrahedra that are read at once.
-  static constexpr int MaximumTetrahedra = TetrahedronPairs::Capacity;
+  /// The largest number of cells that are read at once.
+  static constexpr int MaximumCells = TetrahedronPairs::Capacity;
 
   void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
   template <typename Id, typename Value>

@@ -22,10 +22,7 @@ void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::
 {
   MeshCell loaded;
   selection.Cells->Load(cell, loaded);
-  if (!inCell.Enter(frame, loaded))
-  {
-    return;
-  }
+  inCell.Enter(frame, loaded);
   const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
   double differences[MaximumCorners];
   for (int i = 0; i < loaded.Count; ++i)

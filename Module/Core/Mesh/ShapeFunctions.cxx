@@ -129,6 +129,15 @@ Vector3 GetParametric(CellShape shape, const CornerWeights& w)
 }
 
 //------------------------------------------------------------------------------
+Vector3 GetParametric(CellShape shape, const Vector3& trilinear)
+{
+  // In a wedge the edges of the lower and the upper triangle at y = 1 are points.
+  return shape == CellShape::Wedge
+    ? Vector3{ trilinear[0] * (1.0 - trilinear[1]), trilinear[1], trilinear[2] }
+    : trilinear;
+}
+
+//------------------------------------------------------------------------------
 Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric)
 {
   CornerWeights weights;

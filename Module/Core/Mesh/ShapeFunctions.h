@@ -22,6 +22,9 @@ void GetWeightDerivatives(
 /// The point with these weights.
 Vector3 GetParametric(CellShape shape, const CornerWeights& weights);
 
+/// A point given in coordinates of the trilinear cell.
+Vector3 GetParametric(CellShape shape, const Vector3& trilinear);
+
 Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric);
 
 /// The gradient of the interpolant of the values; zero where the cell is flat.

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef TrilinearHits_h
+#define TrilinearHits_h
+
+#include "Math/Arithmetic.h"
+#include "Math/TrilinearCell.h"
+#include "Math/TrilinearPolynomials.h"
+#include "Math/Vector.h"
+#include "Rays/RayFrame.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Finds where rays meet an isosurface in parts of trilinear cells, wherever that is certain: one
+/// ray, or one for each lane.
+///
+/// A hit is where three functions vanish: the coordinates across the ray, and the difference to the
+/// isovalue. Multiplied by the inverse of their Jacobian in the middle of the part, they do where
+/// x = -constant - products(x), in coordinates of the part between -1 and 1. Where the right side
+/// changes by less than x, it is a contraction: there is one solution at most. To be precise, with
+/// products that stay as they are beyond the border there is exactly one solution in space, and it
+/// is in the part or not. (R. Krawczyk: Newton-Algorithmen zur Bestimmung von Nullstellen mit
+/// Fehlerschranken, Computing 4, 1969.)
+///
+/// Solutions next to a face are left to FaceCrossings: what is certain here, rounding cannot change
+/// there. So signs chain from cell to cell, whoever finds them.
+template <typename Number>
+class TrilinearHits
+{
+public:
+  using Mask = decltype(Number() < Number());
+
+  /// The coordinates of the corners across the ray, and the differences between their values and
+  /// the isovalue.
+  Number Functions[3][8];
+  /// Their coordinates along the ray.
+  Number Along[8];
+  /// The part, in coordinates of the cell between -1 and 1.
+  Number Middle[3];
+  Number Half[3];
+
+  /// Where the ray has one hit in the part. Only there the next three are defined.
+  Mask HasHit;
+  Number T;
+  /// In coordinates of the cell between 0 and 1.
+  Number Parametric[3];
+  Mask Entering;
+  /// Where it has none.
+  Mask IsEmpty;
+  /// Where smaller parts may tell: those between Low and High, in coordinates of this part, if they
+  /// are less than half of it. Elsewhere it cannot be told here.
+  Mask IsOpen;
+  Mask IsSmaller;
+  Number Low[3];
+  Number High[3];
+
+  SIMD_INLINE void SetCorner(int corner, const FramePointOf<Number>& point, Number difference)
+  {
+    this->Functions[0][corner] = point.X;
+    this->Functions[1][corner] = point.Y;
+    this->Functions[2][corner] = difference;
+    this->Along[corner] = point.T;
+  }
+
+  SIMD_INLINE void Find(bool areWhole)
+  {
+    this->FindPolynomials(areWhole);
+    const Mask isOrdinary =
+      (0x1p-110 < this->Largest) & (this->Largest < 0x1p110) & (this->Clearance < LargestClearance);
+    const Mask isAside = this->IsAside();
+    this->IsEmpty = isOrdinary & isAside;
+    this->HasHit = this->IsOpen = AndNot(isOrdinary, this->IsEmpty);
+    if (!Any(this->IsOpen))
+    {
+      return;
+    }
+    if (areWhole)
+    {
+      this->IsOpen = AndNot(this->IsOpen, this->IsNearEdge());
+    }
+    this->Bound(this->System.Find(this->Polynomials));
+    if (Any(this->HasHit))
+    {
+      this->Solve();
+    }
+  }
+
+private:
+  /// How far from faces a solution is certain, in coordinates of the cell: far more than what
+  /// rounding moves it by, and so little that hardly any is nearer.
+  static constexpr double LeastClearance = 1e-6;
+  /// In coordinates of a part it is more. Thinner parts than this are given up.
+  static constexpr double LargestClearance = 1e-2;
+  /// What rounding may move functions by, in units of their coefficients.
+  static constexpr double Rounding = 1e-14;
+
+  SIMD_INLINE void FindPolynomials(bool areWhole)
+  {
+    this->Clearance = areWhole
+      ? Number(LeastClearance)
+      : LeastClearance / Min(Min(this->Half[0], this->Half[1]), this->Half[2]);
+    this->Largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      TrilinearPolynomial<Number>& polynomial = this->Polynomials[i];
+      polynomial = TrilinearPolynomial<Number>(this->Functions[i]);
+      const Number size = polynomial.GetVariation() + Abs(polynomial.Coefficients[0]);
+      this->Errors[i] = Rounding * size;
+      this->Largest = i < 2 ? Max(this->Largest, size) : this->Largest;
+      if (!areWhole)
+      {
+        polynomial.Restrict(this->Middle, this->Half);
+      }
+    }
+  }
+
+  /// Whether one of the functions has one sign in the part, clearly.
+  SIMD_INLINE Mask IsAside() const
+  {
+    Number distance = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Number variation = (1.0 + 4.0 * this->Clearance) * this->Polynomials[i].GetVariation();
+      distance =
+        Max(distance, Abs(this->Polynomials[i].Coefficients[0]) - (variation + this->Errors[i]));
+    }
+    return 0.0 < distance;
+  }
+
+  /// Whether the ray comes so near to an edge of the cell that rounding decides through which face
+  /// it passes: curved faces may have their other points far away.
+  SIMD_INLINE Mask IsNearEdge() const
+  {
+    const Number* x = this->Functions[0];
+    const Number* y = this->Functions[1];
+    const Number tolerance = 1e-12 * this->Largest * this->Largest;
+    Mask isNear = tolerance < 0.0;
+    for (int bit = 1; bit < 8; bit *= 2)
+    {
+      for (int a = 0; a < 8; ++a)
+      {
+        if ((a & bit) == 0)
+        {
+          const int b = a | bit;
+          isNear = isNear |
+            ((Abs(x[a] * y[b] - x[b] * y[a]) < tolerance) &
+              (x[a] * x[b] + y[a] * y[b] < tolerance));
+        }
+      }
+    }
+    return isNear;
+  }
+
+  /// Bounds the solutions, given where the Jacobian is regular.
+  SIMD_INLINE void Bound(Mask isRegular)
+  {
+    Mask isSafe = this->IsOpen & isRegular;
+    Number volume = 1.0;
+    Number steepness = 0.0;
+    Number farthest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Number* row = this->System.Inverse[i];
+      const Number error = Abs(row[0]) * this->Errors[0] + Abs(row[1]) * this->Errors[1] +
+        Abs(row[2]) * this->Errors[2];
+      isSafe = isSafe & (8.0 * error < this->Clearance);
+      const Number size = this->System.GetSize(i);
+      const Number reach = size + 4.0 * this->Clearance * (1.0 + size);
+      const Number constant = this->System.Constant[i];
+      farthest = Max(farthest, Abs(constant) - reach);
+      this->Low[i] = Max(0.0 - constant - reach, Number(-1.0));
+      this->High[i] = Min(reach - constant, Number(1.0));
+      volume = volume * (this->High[i] - this->Low[i]);
+      steepness = Max(steepness, this->System.GetSteepness(i));
+    }
+    this->Slack = 1.0 - steepness;
+    this->IsSmaller = isSafe & (volume < 4.0);
+    this->IsEmpty = this->IsEmpty | (isSafe & (1.0 < farthest));
+    this->HasHit = AndNot(isSafe, this->IsEmpty) & (steepness < 0.95);
+    this->IsOpen = AndNot(AndNot(this->IsOpen, this->IsEmpty), this->HasHit);
+  }
+
+  /// Finds the only solutions of contractions, by Newton's method.
+  SIMD_INLINE void Solve()
+  {
+    Number x[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      x[i] = 0.0 - this->System.Constant[i];
+    }
+    Number farthest = 0.0;
+    Mask isMoving = this->HasHit;
+    for (int step = 0; step < 10; ++step)
+    {
+      Number inside[3];
+      Number rest[3];
+      const Number size = this->Evaluate(x, inside, rest);
+      farthest = Max(Max(Abs(x[0]), Abs(x[1])), Abs(x[2]));
+      // The solution is no farther away than this.
+      const Number error = size / this->Slack;
+      this->IsEmpty = this->IsEmpty | (isMoving & (1.0 + this->Clearance + error < farthest));
+      isMoving = AndNot(AndNot(isMoving, this->IsEmpty), size <= 1e-8);
+      if (!Any(isMoving))
+      {
+        break;
+      }
+      Number inverse[3][3];
+      this->System.InvertJacobian(inside, inverse);
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i] = Select(isMoving, x[i] - Dot(inverse[i], rest), x[i]);
+      }
+    }
+    this->HasHit =
+      AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving) & (farthest + this->Clearance < 1.0);
+    if (Any(this->HasHit))
+    {
+      this->MakeHit(x);
+    }
+  }
+
+  /// What is left of the functions at a point, with the products of the nearest point inside.
+  /// Returns the largest.
+  SIMD_INLINE Number Evaluate(const Number x[3], Number inside[3], Number rest[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      inside[i] = Clamp(x[i], Number(-1.0), Number(1.0));
+    }
+    this->System.EvaluateProducts(inside, rest);
+    Number largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      rest[i] = this->System.Constant[i] + x[i] + rest[i];
+      largest = Max(largest, Abs(rest[i]));
+    }
+    return largest;
+  }
+
+  /// Makes hits of solutions, with a last step of Newton's method for the functions themselves.
+  SIMD_INLINE void MakeHit(const Number x[3])
+  {
+    Number point[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = 0.5 + 0.5 * (this->Middle[i] + this->Half[i] * x[i]);
+    }
+    // As large as the polynomials.
+    const Number values[3] = { 8.0 * Interpolate(this->Functions[0], point),
+      8.0 * Interpolate(this->Functions[1], point), 8.0 * Interpolate(this->Functions[2], point) };
+    Number rest[3];
+    Number slopes[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      rest[i] = Dot(this->System.Inverse[i], values);
+      slopes[i] = this->System.Inverse[i][2];
+    }
+    Number inverse[3][3];
+    this->System.InvertJacobian(x, inverse);
+    // The way along the ray on which the difference rises.
+    Number rise[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Parametric[i] = point[i] - 0.5 * this->Half[i] * Dot(inverse[i], rest);
+      rise[i] = this->Half[i] * Dot(inverse[i], slopes);
+    }
+    this->T = Interpolate(this->Along, this->Parametric);
+    Number gradient[3];
+    FindInterpolantGradient(this->Along, this->Parametric, gradient);
+    const Number way = Dot(gradient, rise);
+    const Number size =
+      Abs(gradient[0] * rise[0]) + Abs(gradient[1] * rise[1]) + Abs(gradient[2] * rise[2]);
+    this->Entering = 0.0 < way;
+    this->HasHit = this->HasHit & (1e-7 * size < Abs(way));
+  }
+
+  TrilinearPolynomial<Number> Polynomials[3];
+  PreconditionedTrilinears<Number> System;
+  /// The size of the coordinates across the ray, some ten times the largest.
+  Number Largest;
+  /// What rounding may have moved the polynomials by.
+  Number Errors[3];
+  /// In coordinates of the part.
+  Number Clearance;
+  /// By how much less than x the right side changes.
+  Number Slack;
+};
+
+}
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is found in trilinear cells for certain, against the contraction and bisection that finds
+// all solutions; and that what is next to faces and edges is not certain.
+
+#include "Math/TrilinearCell.h"
+#include "Mesh/TrilinearSystem.h"
+#include "RandomNumbers.h"
+#include "Rays/TrilinearSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// A cell in the frame of a ray.
+struct FramedCell
+{
+  TrilinearSystem System;
+  CellCorners Along;
+
+  /// A unit cube in any direction whose corners are moved, with random values at the corners.
+  static FramedCell Make(RandomNumbers& random, double jitter)
+  {
+    FramedCell cell;
+    const Vector3 axis = random.Direction();
+    const Vector3 other = Normalized(Cross(axis, random.Direction()));
+    const Vector3 third = Cross(axis, other);
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const Vector3 corner = Vector3{ (i & 1U) * 1.0, (i >> 1 & 1U) * 1.0, (i >> 2) * 1.0 } +
+        random.PointInBox({ -jitter, -jitter, -jitter }, { jitter, jitter, jitter });
+      cell.System.Functions[0][i] = Dot(corner, axis);
+      cell.System.Functions[1][i] = Dot(corner, other);
+      cell.System.Functions[2][i] = random.Uniform(-1.0, 1.0);
+      cell.Along[i] = Dot(corner, third);
+    }
+    return cell;
+  }
+
+  /// Moves the ray, and the isovalue if asked for, to a point of the cell.
+  void MoveTo(const Vector3& point, int functions)
+  {
+    for (int i = 0; i < functions; ++i)
+    {
+      const double there = Interpolate(this->System.Functions[i], point);
+      for (double& corner : this->System.Functions[i])
+      {
+        corner -= there;
+      }
+    }
+  }
+
+  bool HasBothSigns() const
+  {
+    const CellCorners& values = this->System.Functions[2];
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *low < 0.0 && *high > 0.0;
+  }
+
+  void Load(
+    const TrilinearPart* part, int /*count*/, bool /*areWhole*/, TrilinearHits<double>& hits) const
+  {
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      hits.SetCorner(static_cast<int>(i),
+        { this->System.Functions[0][i], this->System.Functions[1][i], this->Along[i] },
+        this->System.Functions[2][i]);
+    }
+    std::copy_n(part->Middle, 3, hits.Middle);
+    std::copy_n(part->Half, 3, hits.Half);
+  }
+
+  TrilinearSolutions Solve() const
+  {
+    TrilinearSolutions solutions;
+    TrilinearSearch<double, 1, 1, FramedCell>(*this, &solutions).Solve(1);
+    return solutions;
+  }
+};
+
+Vector3 GetPoint(const TrilinearSolutions& solutions, int i)
+{
+  const double* p = solutions.Parametric[i];
+  return { p[0], p[1], p[2] };
+}
+
+double GetDistance(const Vector3& a, const Vector3& b)
+{
+  return Length(a - b);
+}
+
+//------------------------------------------------------------------------------
+TEST(TrilinearHits, AreThoseThatBisectionFinds)
+{
+  RandomNumbers random(30);
+  constexpr int cells = 20000;
+  int certain = 0;
+  int several = 0;
+  for (int i = 0; i < cells; ++i)
+  {
+    FramedCell cell = FramedCell::Make(random, random.Uniform(0.0, 0.4));
+    cell.MoveTo(random.PointInBox({ -0.2, -0.2, -0.2 }, { 1.2, 1.2, 1.2 }), 2);
+    const TrilinearSolutions found = cell.Solve();
+    if (!found.AreCertain)
+    {
+      continue;
+    }
+    ++certain;
+    several += found.Count > 1 ? 1 : 0;
+    std::vector<Vector3> expected;
+    cell.System.Solve(expected);
+    ASSERT_EQ(static_cast<std::size_t>(found.Count), expected.size()) << i;
+    for (int k = 0; k < found.Count; ++k)
+    {
+      const Vector3 point = GetPoint(found, k);
+      const auto isThere = [&point](const Vector3& p) { return GetDistance(p, point) < 1e-9; };
+      ASSERT_EQ(std::count_if(expected.begin(), expected.end(), isThere), 1) << i;
+      ASSERT_NEAR(found.T[k], Interpolate(cell.Along, point), 1e-15) << i;
+    }
+  }
+  std::cout << "[ certain  ] " << certain << ", several hits in " << several << "\n";
+  EXPECT_GT(certain, cells * 98 / 100);
+  EXPECT_GT(several, cells / 100);
+}
+
+//------------------------------------------------------------------------------
+TEST(TrilinearHits, EnterWhereValuesRise)
+{
+  RandomNumbers random(31);
+  int tried = 0;
+  for (int i = 0; i < 5000; ++i)
+  {
+    FramedCell cell = FramedCell::Make(random, 0.2);
+    cell.MoveTo(random.PointInBox({ 0.1, 0.1, 0.1 }, { 0.9, 0.9, 0.9 }), 3);
+    const TrilinearSolutions found = cell.Solve();
+    for (double& value : cell.System.Functions[2])
+    {
+      value -= 1e-7;
+    }
+    const TrilinearSolutions moved = cell.Solve();
+    if (found.AreCertain && moved.AreCertain && found.Count == 1 && moved.Count == 1)
+    {
+      ++tried;
+      ASSERT_EQ(found.Entering[0], moved.T[0] > found.T[0]) << i;
+    }
+  }
+  EXPECT_GT(tried, 3000);
+}
+
+//------------------------------------------------------------------------------
+TEST(TrilinearHits, AreNotCertainNextToFaces)
+{
+  RandomNumbers random(32);
+  int clear = 0;
+  for (int i = 0; i < 5000; ++i)
+  {
+    FramedCell cell = FramedCell::Make(random, 0.2);
+    for (const double distance : { -1e-8, 0.0, 1e-8, 1e-3 })
+    {
+      Vector3 point = random.PointInBox({ 0.2, 0.2, 0.2 }, { 0.8, 0.8, 0.8 });
+      point[static_cast<std::size_t>(random.Integer(0, 2))] = distance;
+      cell.MoveTo(point, 3);
+      const TrilinearSolutions found = cell.Solve();
+      const bool isClear = distance > 1e-6;
+      EXPECT_TRUE(isClear || !found.AreCertain || !cell.HasBothSigns()) << i << " " << distance;
+      bool isFound = false;
+      for (int k = 0; k < found.Count; ++k)
+      {
+        isFound = isFound || GetDistance(GetPoint(found, k), point) < 1e-9;
+      }
+      clear += isClear && found.AreCertain && isFound ? 1 : 0;
+    }
+  }
+  EXPECT_GT(clear, 4000);
+}
+
+//------------------------------------------------------------------------------
+/// Faces are curved: next to an edge rounding may decide about points of the face far away.
+TEST(TrilinearHits, AreNotCertainNextToEdges)
+{
+  RandomNumbers random(33);
+  int tried = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    FramedCell cell = FramedCell::Make(random, 0.2);
+    Vector3 point = { random.Integer(0, 1) * 1.0, random.Integer(0, 1) * 1.0,
+      random.Integer(0, 1) * 1.0 };
+    point[static_cast<std::size_t>(random.Integer(0, 2))] =
+      i % 2 == 0 ? random.Uniform(0.0, 1.0) : 0.0;
+    cell.MoveTo(point, 2);
+    if (cell.HasBothSigns())
+    {
+      ++tried;
+      ASSERT_FALSE(cell.Solve().AreCertain) << i;
+    }
+  }
+  EXPECT_GT(tried, 15000);
+}
+
+}
+}
