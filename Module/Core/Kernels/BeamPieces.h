@@ -44,6 +44,8 @@ struct BeamProjection
   float Error;
   float RelativeError;
   float DepthError;
+  /// The depth that the rays begin at.
+  float Begin;
 };
 
 /// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.

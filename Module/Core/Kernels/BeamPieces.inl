@@ -69,6 +69,8 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
       StoreFloats(upper, &bounds.Upper[k][i]);
     }
     const Floats near = beam.IsUp ? z[0] : 0.0F - z[1];
+    const Floats far = beam.IsUp ? z[1] : 0.0F - z[0];
+    isOutside = isOutside | (far + beam.DepthError < beam.Begin);
     StoreFloats(near - beam.DepthError, &bounds.Near[i]);
     found |= (active & ~ToBits(isOutside)) << i;
   }

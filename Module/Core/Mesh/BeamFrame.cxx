@@ -170,7 +170,24 @@ BeamProjection BeamFrame::GetProjection() const
   beam.RelativeError =
     static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Numbers.Spread) / SmallestW);
   beam.DepthError = static_cast<float>(0x1p-20 * length);
+  beam.Begin = -HUGE_VALF;
   return beam;
+}
+
+//------------------------------------------------------------------------------
+float BeamFrame::FindBegin(const RayPacket& rays, const RaySet& some) const
+{
+  const int along = this->Numbers.Along;
+  double begin = HUGE_VAL;
+  for (int i = 0; i < rays.Count; ++i)
+  {
+    if (Has(some, i))
+    {
+      const double coordinate = rays.Origin[along][i] + rays.Begin[i] * rays.Direction[along][i];
+      begin = std::min(begin, this->Numbers.Sign * (coordinate - this->Numbers.Plane));
+    }
+  }
+  return static_cast<float>(begin - 0x1p-20 * (std::abs(begin) + this->Numbers.Length));
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ public:
       GetEndDepth(this->Numbers, packet.Origin[along][ray] + end * packet.Direction[along][ray]));
   }
 
+  /// The depth where the first of some rays begins, and a margin.
+  float FindBegin(const RayPacket& rays, const RaySet& some) const;
+
   /// The bounds of the labels between lines, and a margin.
   void FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const;
 

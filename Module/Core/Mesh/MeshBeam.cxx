@@ -36,7 +36,28 @@ MeshBeam::MeshBeam()
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines, const RaySet& some)
+void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
+{
+  RaySet all = {};
+  for (int i = 0; i < lines.Count; ++i)
+  {
+    Add(i, all);
+  }
+  this->FindFrame(selection, lines, all);
+}
+
+//------------------------------------------------------------------------------
+void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some)
+{
+  this->FindFrame(selection, rays, some);
+  if (this->HasFrame)
+  {
+    this->Projection.Begin = this->Frame.FindBegin(rays, some);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshBeam::FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some)
 {
   this->Heap.clear();
   this->Sets.clear();

@@ -26,8 +26,11 @@ public:
 
   MeshBeam();
 
-  /// Begins with the rays between some lines.
-  void Begin(const MeshSelection& selection, const RayPacket& lines, const RaySet& some);
+  /// Begins with the rays between lines, of which the origins and directions are set.
+  void Begin(const MeshSelection& selection, const RayPacket& lines);
+
+  /// Begins with some rays, from where they begin.
+  void Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some);
 
   /// Whether the rays have a frame.
   bool IsBeam() const { return this->HasFrame; }
@@ -115,6 +118,7 @@ private:
     return this->Sets[this->GetSeen(piece / BeamPieces::Capacity).Set];
   }
 
+  void FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some);
   void Expand(const MeshSelection& selection, const Node& node);
   static void Prefetch(const MeshSelection& selection, int level, std::size_t number);
   void AddLeaf(const MeshSelection& selection, std::size_t leaf);

@@ -195,12 +195,7 @@ std::unique_ptr<TracedField::Beam> MeshField::MakeBeam() const
 //------------------------------------------------------------------------------
 void MeshField::Begin(const RayPacket& lines, Beam* beam) const
 {
-  RaySet all = {};
-  for (int i = 0; i < lines.Count; ++i)
-  {
-    Add(i, all);
-  }
-  static_cast<ThreadBeam*>(beam)->Pieces.Begin(this->Selection, lines, all);
+  static_cast<ThreadBeam*>(beam)->Pieces.Begin(this->Selection, lines);
 }
 
 //------------------------------------------------------------------------------
