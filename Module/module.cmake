@@ -17,7 +17,6 @@ set(core_sources
   Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
   Image/Traversal/RayFollower.cxx
-  Mesh/ActiveCells.cxx
   Mesh/BeamFrame.cxx
   Mesh/BeamTracer.cxx
   Mesh/CellHits.cxx

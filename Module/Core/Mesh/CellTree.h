@@ -80,6 +80,17 @@ public:
     return this->IsSorted ? this->Order[block * Width + place] : this->Order[block] * Width + place;
   }
 
+  /// The numbers of all of them. Returns how many there are.
+  int GetCells(std::size_t block, std::uint32_t (&numbers)[Width]) const
+  {
+    const int count = this->GetNumberOfCells(block);
+    for (int i = 0; i < count; ++i)
+    {
+      numbers[i] = this->GetCell(block, i);
+    }
+    return count;
+  }
+
   std::size_t GetMemory() const;
 
 private:

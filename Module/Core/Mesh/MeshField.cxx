@@ -140,9 +140,8 @@ MeshSurface MeshField::SelectSurface(double isovalue) const
     return *known;
   }
   const double scale = GetValueScale(this->Tree.GetLow(), this->Tree.GetHigh(), isovalue);
-  auto active = std::make_shared<ActiveCells>(this->Cells, this->Tree, isovalue);
-  auto pieces = std::make_shared<SurfacePieces>(this->Cells, this->Tree, *active, scale);
-  return { isovalue, scale, std::move(active), std::move(pieces) };
+  return { isovalue, scale,
+    std::make_shared<SurfacePieces>(this->Cells, this->Tree, isovalue, scale) };
 }
 
 //------------------------------------------------------------------------------
@@ -384,7 +383,7 @@ FieldStatistics MeshField::GetStatistics() const
   statistics.HierarchyMemory = this->Tree.GetMemory() + this->Smooth.GetMemory();
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
-    statistics.CacheMemory += surface.Active->GetMemory() + surface.Pieces->GetMemory();
+    statistics.CacheMemory += surface.Pieces->GetMemory();
   }
   return statistics;
 }

@@ -121,14 +121,16 @@ double MeshRay::FindBegin(const CellTreeNode& node, int child) const
 //------------------------------------------------------------------------------
 void MeshRay::VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& hits)
 {
+  std::uint32_t numbers[CellTree::Width];
+  const int count = this->Selection->Tree->GetCells(block, numbers);
   for (std::size_t surface = 0; surface < this->Selection->Surfaces.size(); ++surface)
   {
-    for (unsigned int active = this->Selection->Surfaces[surface].Active->Get(block); active != 0;
-         active &= active - 1)
+    const double isovalue = this->Selection->Surfaces[surface].Isovalue;
+    for (unsigned int active = this->Selection->Cells->FindStraddling(numbers, count, isovalue);
+         active != 0; active &= active - 1)
     {
-      KeepHitsInCell(*this->Selection, this->Frame,
-        this->Selection->Tree->GetCell(block, __builtin_ctz(active)), static_cast<int>(surface),
-        inCell, this->Part, hits);
+      KeepHitsInCell(*this->Selection, this->Frame, numbers[__builtin_ctz(active)],
+        static_cast<int>(surface), inCell, this->Part, hits);
     }
   }
 }

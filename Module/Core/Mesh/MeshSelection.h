@@ -5,7 +5,6 @@
 #define MeshSelection_h
 
 #include "Kernels/Kernels.h"
-#include "Mesh/ActiveCells.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/SurfacePieces.h"
@@ -23,7 +22,6 @@ struct MeshSurface
   double Isovalue;
   /// The power of two that values are multiplied by before the isovalue is subtracted.
   double Scale;
-  std::shared_ptr<ActiveCells> Active;
   std::shared_ptr<SurfacePieces> Pieces;
 };
 

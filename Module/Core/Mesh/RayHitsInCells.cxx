@@ -21,7 +21,10 @@ void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::
   int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits)
 {
   MeshCell loaded;
-  selection.Cells->Load(cell, loaded);
+  if (!selection.Cells->Load(cell, loaded))
+  {
+    return;
+  }
   inCell.Enter(frame, loaded);
   const MeshSurface& traced = selection.Surfaces[static_cast<std::size_t>(surface)];
   double differences[MaximumCorners];

@@ -46,7 +46,7 @@ inline bool KeepHit(const MeshSelection& selection, const Hit& hit, double t, Ra
   return true;
 }
 
-/// Appends all hits with a surface in a cell.
+/// Appends all hits with a surface in a cell; none if the cell is not finite.
 void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::int64_t cell,
   int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits);
 

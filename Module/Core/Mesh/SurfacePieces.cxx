@@ -177,10 +177,10 @@ private:
 
 //------------------------------------------------------------------------------
 SurfacePieces::SurfacePieces(
-  const MeshCells& cells, const CellTree& tree, ActiveCells& active, double scale)
+  const MeshCells& cells, const CellTree& tree, double isovalue, double scale)
   : Cells(&cells)
   , Tree(&tree)
-  , Active(&active)
+  , Isovalue(isovalue)
   , Scale(scale)
   , NumberOfLeaves((tree.GetNumberOfBlocks() + CellTree::Width - 1) / CellTree::Width)
   , Leaves(new std::atomic<const PackedPieces*>[this->NumberOfLeaves]())
@@ -228,23 +228,28 @@ std::vector<PackedPieces> SurfacePieces::Find(std::size_t leaf) const
   std::vector<PackedPieces> sets;
   SetOfPieces inTetrahedra(true);
   SetOfPieces inOthers(false);
-  const double isovalue = this->Active->GetIsovalue();
   const CellTreeNode& node = this->Tree->GetNode(0, leaf);
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (!(static_cast<double>(node.Low[child]) < isovalue &&
-          isovalue <= static_cast<double>(node.High[child])))
+    if (!(static_cast<double>(node.Low[child]) < this->Isovalue &&
+          this->Isovalue <= static_cast<double>(node.High[child])))
     {
       continue;
     }
-    const std::size_t block = leaf * CellTree::Width + static_cast<std::size_t>(child);
-    for (unsigned int active = this->Active->Get(block); active != 0; active &= active - 1)
+    std::uint32_t numbers[CellTree::Width];
+    const int count =
+      this->Tree->GetCells(leaf * CellTree::Width + static_cast<std::size_t>(child), numbers);
+    for (unsigned int active = this->Cells->FindStraddling(numbers, count, this->Isovalue);
+         active != 0; active &= active - 1)
     {
       const int i = __builtin_ctz(active);
       MeshCell cell;
-      this->Cells->Load(this->Tree->GetCell(block, i), cell);
+      if (!this->Cells->Load(numbers[i], cell))
+      {
+        continue;
+      }
       SetOfPieces& set = cell.Shape == CellShape::Tetrahedron ? inTetrahedra : inOthers;
-      set.Add(child * CellTree::Width + i, CellCut(cell, isovalue, this->Scale));
+      set.Add(child * CellTree::Width + i, CellCut(cell, this->Isovalue, this->Scale));
       if (set.IsFull())
       {
         set.Finish(sets);

@@ -5,7 +5,6 @@
 #define SurfacePieces_h
 
 #include "Kernels/BeamPieces.h"
-#include "Mesh/ActiveCells.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 
@@ -25,8 +24,8 @@ namespace vtkIsosurfaceRayTracing
 class SurfacePieces
 {
 public:
-  /// All must outlive it.
-  SurfacePieces(const MeshCells& cells, const CellTree& tree, ActiveCells& active, double scale);
+  /// Cells and tree must outlive it. For the scale, see MeshSurface.
+  SurfacePieces(const MeshCells& cells, const CellTree& tree, double isovalue, double scale);
   ~SurfacePieces();
   SurfacePieces(const SurfacePieces&) = delete;
   SurfacePieces& operator=(const SurfacePieces&) = delete;
@@ -58,7 +57,10 @@ public:
     }
   }
 
-  std::size_t GetMemory() const { return this->Memory.load(); }
+  std::size_t GetMemory() const
+  {
+    return this->NumberOfLeaves * sizeof(this->Leaves[0]) + this->Memory.load();
+  }
 
 private:
   const PackedPieces* Make(std::size_t leaf);
@@ -66,7 +68,7 @@ private:
 
   const MeshCells* Cells;
   const CellTree* Tree;
-  ActiveCells* Active;
+  double Isovalue;
   double Scale;
   std::size_t NumberOfLeaves;
   std::unique_ptr<std::atomic<const PackedPieces*>[]> Leaves;
