@@ -150,9 +150,28 @@ Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric)
   return point;
 }
 
-//------------------------------------------------------------------------------
-Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+namespace
 {
+
+/// The derivatives of the point and of the value by parametric coordinates.
+struct CellDerivatives
+{
+  Vector3 Edges[3] = {};
+  Vector3 Slopes = {};
+};
+
+CellDerivatives GetDerivatives(const MeshCell& cell, const Vector3& parametric)
+{
+  CellDerivatives made;
+  if (cell.Shape == CellShape::Tetrahedron)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      made.Edges[axis] = cell.Points[axis + 1] - cell.Points[0];
+      made.Slopes[axis] = cell.Values[axis + 1] - cell.Values[0];
+    }
+    return made;
+  }
   Vector3 inside = parametric;
   if (cell.Shape == CellShape::Pyramid)
   {
@@ -161,17 +180,24 @@ Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
   }
   CornerWeights derivatives[3];
   GetWeightDerivatives(cell.Shape, inside, derivatives);
-  Vector3 edges[3] = {};
-  Vector3 slopes = {};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int i = 0; i < cell.Count; ++i)
     {
-      edges[axis] = edges[axis] + cell.Points[i] * derivatives[axis][i];
+      made.Edges[axis] = made.Edges[axis] + cell.Points[i] * derivatives[axis][i];
       // Differences: the derivatives of all weights have the sum zero.
-      slopes[axis] += (cell.Values[i] - cell.Values[0]) * derivatives[axis][i];
+      made.Slopes[axis] += (cell.Values[i] - cell.Values[0]) * derivatives[axis][i];
     }
   }
+  return made;
+}
+
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+{
+  auto [edges, slopes] = GetDerivatives(cell, parametric);
   // With edges about 1 no product overflows or vanishes.
   const double length = std::max({ Length(edges[0]), Length(edges[1]), Length(edges[2]) });
   for (Vector3& edge : edges)
