@@ -213,12 +213,8 @@ void BeamTracer::FindDifferences(const MeshSelection& selection, const MeshBeam&
 {
   for (int i = 0; i < cells.Count; ++i)
   {
-    const MeshSurface& surface =
-      selection.Surfaces[static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]))];
-    for (auto& corner : corners[i])
-    {
-      corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
-    }
+    const auto surface = static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]));
+    SubtractIsovalue(selection.Surfaces[surface], corners[i]);
   }
 }
 
@@ -282,6 +278,10 @@ void BeamTracer::SolveTrilinear(
   const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
 {
   TrilinearPairs& pairs = this->InTrilinear;
+  if (pairs.Count == 0)
+  {
+    return;
+  }
   PairedCells& cells = this->Trilinear;
   selection.Cells->LoadTrilinear(cells.Cells, cells.Count, pairs.Corners);
   FindDifferences(selection, beam, cells, pairs.Corners);

@@ -50,6 +50,13 @@ public:
     return this->Levels[static_cast<std::size_t>(level)][node];
   }
 
+  /// Whether a child of a node has values on both sides of an isovalue.
+  static bool HasBothSides(const CellTreeNode& node, int child, double isovalue)
+  {
+    return static_cast<double>(node.Low[child]) < isovalue &&
+      isovalue <= static_cast<double>(node.High[child]);
+  }
+
   /// Begins to fetch a node.
   void Prefetch(int level, std::size_t node) const
   {
@@ -59,9 +66,6 @@ public:
       __builtin_prefetch(first + line);
     }
   }
-
-  /// Whether the cells of blocks are not consecutive ones.
-  bool AreCellsSorted() const { return this->IsSorted; }
 
   std::size_t GetNumberOfBlocks() const { return this->Blocks; }
 

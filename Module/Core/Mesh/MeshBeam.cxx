@@ -272,10 +272,7 @@ void MeshBeam::BoundTrilinear(const MeshSelection& selection, const Set& set, Be
   const MeshSurface& surface = selection.Surfaces[static_cast<std::size_t>(set.Surface)];
   for (int i = 0; i < count; ++i)
   {
-    for (auto& corner : this->Records.Corner[i])
-    {
-      corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
-    }
+    SubtractIsovalue(surface, this->Records.Corner[i]);
   }
   pieces.Count = count;
   selection.PacketKernels->BoundTrilinear(this->Records, this->Frame.GetNumbers(), pieces);

@@ -98,10 +98,7 @@ bool MeshRay::IsActive(const CellTreeNode& node, int child) const
 {
   return std::any_of(this->Selection->Surfaces.begin(), this->Selection->Surfaces.end(),
     [&node, child](const MeshSurface& surface)
-    {
-      return static_cast<double>(node.Low[child]) < surface.Isovalue &&
-        surface.Isovalue <= static_cast<double>(node.High[child]);
-    });
+    { return CellTree::HasBothSides(node, child, surface.Isovalue); });
 }
 
 //------------------------------------------------------------------------------

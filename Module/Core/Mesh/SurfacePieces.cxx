@@ -231,8 +231,7 @@ std::vector<PackedPieces> SurfacePieces::Find(std::size_t leaf) const
   const CellTreeNode& node = this->Tree->GetNode(0, leaf);
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (!(static_cast<double>(node.Low[child]) < this->Isovalue &&
-          this->Isovalue <= static_cast<double>(node.High[child])))
+    if (!CellTree::HasBothSides(node, child, this->Isovalue))
     {
       continue;
     }
