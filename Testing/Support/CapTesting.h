@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -42,6 +43,18 @@ inline std::vector<HalfSpace> RandomHalfSpaces(RandomNumbers& random, const Inde
     halves.push_back(Behind(normal, point));
   }
   return halves;
+}
+
+/// A letter for each hit with one of two surfaces, skin and bone; capital for caps.
+inline std::string NameHits(const std::vector<Hit>& hits)
+{
+  std::string names;
+  for (const Hit& hit : hits)
+  {
+    names +=
+      hit.Plane == Hit::NoPlane ? (hit.Surface == 0 ? 's' : 'b') : (hit.Surface == 0 ? 'S' : 'B');
+  }
+  return names;
 }
 
 /// Counts the rays, among many through a volume, whose entries and exits do not alternate, or which

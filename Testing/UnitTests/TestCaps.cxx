@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -203,13 +202,7 @@ TEST(Caps, HaveTheOpacityOfTheirSurface)
     TestRequest request({ { 2.0, skin }, { 4.0, bone } });
     request.Visible.HalfSpaces = { Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }) };
     Select(*traced, request, 2);
-    std::string order;
-    for (const Hit& hit : Trace(*traced, line))
-    {
-      order +=
-        hit.Plane == Hit::NoPlane ? (hit.Surface == 0 ? 's' : 'b') : (hit.Surface == 0 ? 'S' : 'B');
-    }
-    return order;
+    return NameHits(Trace(*traced, line));
   };
   EXPECT_EQ(trace(0.5, 0.5, 1.0), "sbbs");
   EXPECT_EQ(trace(0.5, 0.5, 3.0), "Sbbs");

@@ -142,6 +142,13 @@ double NoisyWaves(RandomNumbers& random, const Index3& p)
     random.Uniform(-0.3, 0.3);
 }
 
+/// Waves with noise; points are moved by the jitter.
+TestMesh MakeNoisyMesh(RandomNumbers& random, Cutting cutting, double jitter = 0.25)
+{
+  return MakeMesh(
+    random, Cubes, cutting, jitter, [&random](const Index3& p) { return NoisyWaves(random, p); });
+}
+
 //------------------------------------------------------------------------------
 TEST_P(MeshBeams, HitWhatTheirRaysHit)
 {
@@ -149,8 +156,7 @@ TEST_P(MeshBeams, HitWhatTheirRaysHit)
   for (const Cutting cutting : AllCuttings)
   {
     RandomNumbers random(20);
-    const TestMesh mesh = MakeMesh(
-      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    const TestMesh mesh = MakeNoisyMesh(random, cutting);
     const std::vector<Camera> cameras = MakeCameras(random);
     count += this->Compare(mesh.View(), TraceRequest({ { 0.2, 1.0 } }), cameras);
     count += this->Compare(
@@ -164,8 +170,7 @@ TEST_P(MeshBeams, HitWhatTheirRaysHit)
 TEST_P(MeshBeams, MayHaveTilesOfAnySize)
 {
   RandomNumbers random(21);
-  const TestMesh mesh = MakeMesh(random, Cubes, Cutting::Mixed, 0.25,
-    [&random](const Index3& p) { return NoisyWaves(random, p); });
+  const TestMesh mesh = MakeNoisyMesh(random, Cutting::Mixed);
   const Camera camera = MakeCamera(Perspective(1.0, 100.0, 0.2), 20.0, random);
   for (const int tile : { 1, 2, 8, Edge })
   {
@@ -202,8 +207,7 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitFarFromTheOrigin)
   for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Hexahedra })
   {
     RandomNumbers random(23);
-    TestMesh mesh = MakeMesh(
-      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    TestMesh mesh = MakeNoisyMesh(random, cutting);
     for (std::size_t i = 0; i < mesh.Points.size(); ++i)
     {
       mesh.Points[i] += far[i % 3];
@@ -223,8 +227,7 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
   for (const Cutting cutting : AllCuttings)
   {
     RandomNumbers random(24);
-    TestMesh mesh = MakeMesh(
-      random, Cubes, cutting, 0.9, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    TestMesh mesh = MakeNoisyMesh(random, cutting, 0.9);
     for (int i = 0; i < 40; ++i)
     {
       const auto point =
@@ -311,8 +314,7 @@ TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
   for (const Cutting cutting : AllCuttings)
   {
     RandomNumbers random(31);
-    const TestMesh mesh = MakeMesh(
-      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    const TestMesh mesh = MakeNoisyMesh(random, cutting);
     MeshField field(mesh.View(), 1);
     for (int i = 0; i < 30; ++i)
     {
@@ -352,8 +354,7 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitAmongManyCells)
 TEST_P(MeshBeams, HitWhatIsVisibleOnly)
 {
   RandomNumbers random(25);
-  const TestMesh mesh = MakeMesh(random, Cubes, Cutting::Mixed, 0.25,
-    [&random](const Index3& p) { return NoisyWaves(random, p); });
+  const TestMesh mesh = MakeNoisyMesh(random, Cutting::Mixed);
   std::vector<unsigned char> hidden(mesh.Shapes.size());
   std::generate(hidden.begin(), hidden.end(),
     [&random]() { return static_cast<unsigned char>(random.Integer(0, 1)); });
@@ -374,8 +375,7 @@ TEST_P(MeshBeams, HitTheCapsThatTheirRaysHit)
   for (const Cutting cutting : AllCuttings)
   {
     RandomNumbers random(28);
-    const TestMesh mesh = MakeMesh(
-      random, Cubes, cutting, 0.25, [&random](const Index3& p) { return NoisyWaves(random, p); });
+    const TestMesh mesh = MakeNoisyMesh(random, cutting);
     const std::vector<Camera> cameras = { MakeCamera(Perspective(1.0, 100.0, 0.2), 20.0, random),
       MakeCamera(Orthographic(-50.0, 50.0, 3.0), 0.0, random) };
     // The inside of the last is all of the mesh.

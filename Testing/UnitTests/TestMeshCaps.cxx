@@ -19,7 +19,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -471,13 +470,7 @@ TEST(MeshCaps, HaveTheOpacityOfTheirSurface)
     TraceRequest request({ { 1.0, skin }, { 2.5, bone } });
     request.Visible.HalfSpaces.push_back(Behind({ 1.0, 0.0, 0.0 }, { cut, 0.0, 0.0 }));
     traced.Select(request, { 1, nullptr });
-    std::string order;
-    for (const Hit& hit : Trace(traced, line))
-    {
-      order +=
-        hit.Plane == Hit::NoPlane ? (hit.Surface == 0 ? 's' : 'b') : (hit.Surface == 0 ? 'S' : 'B');
-    }
-    return order;
+    return NameHits(Trace(traced, line));
   };
   EXPECT_EQ(trace(0.5, 0.5, 0.5), "sbbs");
   EXPECT_EQ(trace(0.5, 0.5, 2.0), "Sbbs");
