@@ -156,6 +156,30 @@ struct PassedCellRecords
   alignas(64) double Corner[Capacity][Corners][4];
 };
 
+/// The boxes and the ranges of values of some cells: x, y, z and value.
+struct CellExtents
+{
+  static constexpr int Capacity = CellTreeNode::Width;
+
+  alignas(64) double Lower[4][Capacity];
+  alignas(64) double Upper[4][Capacity];
+  /// The cells without a number that is not finite; a bit for each.
+  unsigned int Finite;
+  /// Of these: the extent of all, and the sum of half the surfaces of the boxes.
+  double LowerOfAll[4];
+  double UpperOfAll[4];
+  double Area;
+};
+
+/// The gradients in some tetrahedra, each multiplied by a weight: six times the volume.
+struct WeightedGradients
+{
+  static constexpr int Capacity = CellTreeNode::Width;
+
+  alignas(64) double Gradient[3][Capacity];
+  alignas(64) double Weight[Capacity];
+};
+
 /// Bounds of the pieces of surfaces in some cells.
 struct BeamPieces
 {

@@ -250,6 +250,18 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
+  /// Finds the extents of cells, given their corners: coordinates and value. Tetrahedra, or
+  /// trilinear cells.
+  void (*FindTetrahedronExtents)(const double (*corners)[4][4], int count, CellExtents& extents);
+  void (*FindTrilinearExtents)(const double (*corners)[8][4], int count, CellExtents& extents);
+
+  /// Finds the gradients in tetrahedra, given their corners: coordinates and value.
+  void (*WeightGradients)(const double (*corners)[4][4], int count, WeightedGradients& gradients);
+
+  /// Makes a set of pieces in tetrahedra, as many as its count, but not its cells. The corners are
+  /// as in TetrahedronPairs.
+  void (*PackPolygons)(const double (*corners)[4][4], PackedPieces& packed);
+
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.
   void (*BoundPackedPieces)(

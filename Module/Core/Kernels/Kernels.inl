@@ -65,16 +65,19 @@ SIMD_INLINE int LargerOf(int a, int b)
 #include "Kernels/AlignRays.inl"
 #include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
+#include "Kernels/FindExtents.inl"
 #include "Kernels/FindPassages.inl"
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/InterpolateGradients.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
+#include "Kernels/PackPolygons.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
 #include "Kernels/SolveTetrahedra.inl"
 #include "Kernels/SolveTrilinear.inl"
+#include "Kernels/WeightGradients.inl"
 
 // One for every ScalarType.
 #define FOR_ALL_TYPES(function)                                                                    \
@@ -88,5 +91,5 @@ SIMD_INLINE int LargerOf(int a, int b)
   const Kernels name = { MakeRays, MakeBoxedRays, Align, FindPassages,                             \
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, ProjectChildren, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,          \
-    SolveTetrahedra, SolveTrilinear }
+    FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \
+    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear }

@@ -3,12 +3,16 @@
 
 #include "Mesh/CellTree.h"
 
+#include "Kernels/InstructionSets.h"
+#include "Kernels/Kernels.h"
 #include "Math/RoundOutward.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -67,122 +71,250 @@ std::uint32_t Spread(std::uint32_t bits)
 }
 
 //------------------------------------------------------------------------------
-/// The box and the range of values of some cells.
-struct CellTree::Extent
+/// The box and the range of values of some cells: x, y, z and value. It is not initialized, so that
+/// the threads that fill an array of them are the first to touch its memory.
+struct alignas(64) CellTree::Extent
 {
-  Bounds Box = { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
-  double Low = Infinity;
-  double High = -Infinity;
+  double Lower[4];
+  double Upper[4];
 
-  void Include(const MeshCell& cell)
+  static Extent MakeEmpty()
   {
-    for (int i = 0; i < cell.Count; ++i)
+    return { { Infinity, Infinity, Infinity, Infinity },
+      { -Infinity, -Infinity, -Infinity, -Infinity } };
+  }
+
+  void Include(const double (&lower)[4], const double (&upper)[4])
+  {
+    for (int i = 0; i < 4; ++i)
     {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        this->Box.Lower[axis] = std::min(this->Box.Lower[axis], cell.Points[i][axis]);
-        this->Box.Upper[axis] = std::max(this->Box.Upper[axis], cell.Points[i][axis]);
-      }
-      this->Low = std::min(this->Low, cell.Values[i]);
-      this->High = std::max(this->High, cell.Values[i]);
+      this->Lower[i] = std::min(this->Lower[i], lower[i]);
+      this->Upper[i] = std::max(this->Upper[i], upper[i]);
     }
   }
 
-  bool IsEmpty() const { return !(this->Low <= this->High); }
+  bool IsEmpty() const { return !(this->Lower[3] <= this->Upper[3]); }
+
+  Vector3 GetMiddle() const
+  {
+    Vector3 middle;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] = this->Lower[axis] * 0.5 + this->Upper[axis] * 0.5;
+    }
+    return middle;
+  }
 
   /// Half of the surface of the box.
   double GetArea() const
   {
-    const Vector3 size = this->Box.Upper - this->Box.Lower;
-    return this->IsEmpty() ? 0.0 : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    const double x = this->Upper[0] - this->Lower[0];
+    const double y = this->Upper[1] - this->Lower[1];
+    const double z = this->Upper[2] - this->Lower[2];
+    return this->IsEmpty() ? 0.0 : x * y + y * z + z * x;
   }
 
   void SetChild(CellTreeNode& node, int child, double margin) const
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      node.Lower[axis][child] = RoundDown(this->Box.Lower[axis] - margin);
-      node.Upper[axis][child] = RoundUp(this->Box.Upper[axis] + margin);
+      node.Lower[axis][child] = RoundDown(this->Lower[axis] - margin);
+      node.Upper[axis][child] = RoundUp(this->Upper[axis] + margin);
     }
-    node.Low[child] = RoundDown(this->Low);
-    node.High[child] = RoundUp(this->High);
+    node.Low[child] = RoundDown(this->Lower[3]);
+    node.High[child] = RoundUp(this->Upper[3]);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Reads cells, up to 16 together, and finds their extents.
+class CellTree::CellReader
+{
+public:
+  explicit CellReader(const MeshCells& cells)
+    : Cells(&cells)
+  {
   }
 
-  void Include(const Extent& other)
+  /// Those that are traced and finite.
+  void Read(const std::uint32_t* numbers, int count)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    this->Tetrahedra.Count = 0;
+    this->Others.Count = 0;
+    for (int i = 0; i < count; ++i)
     {
-      this->Box.Lower[axis] = std::min(this->Box.Lower[axis], other.Box.Lower[axis]);
-      this->Box.Upper[axis] = std::max(this->Box.Upper[axis], other.Box.Upper[axis]);
+      const int corners = GetTraits(this->Cells->GetShape(numbers[i])).Corners;
+      if (corners != 0)
+      {
+        Group& group = corners == 4 ? this->Tetrahedra : this->Others;
+        group.Numbers[group.Count++] = numbers[i];
+      }
     }
-    this->Low = std::min(this->Low, other.Low);
-    this->High = std::max(this->High, other.High);
+    if (this->Tetrahedra.Count > 0)
+    {
+      double corners[Width][4][4];
+      this->Cells->LoadTetrahedra(this->Tetrahedra.Numbers, this->Tetrahedra.Count, corners);
+      this->Kernel->FindTetrahedronExtents(
+        corners, this->Tetrahedra.Count, this->Tetrahedra.Extents);
+    }
+    if (this->Others.Count > 0)
+    {
+      double corners[Width][PassedCellRecords::Corners][4];
+      this->Cells->LoadTrilinear(this->Others.Numbers, this->Others.Count, corners);
+      this->Kernel->FindTrilinearExtents(corners, this->Others.Count, this->Others.Extents);
+    }
   }
+
+  /// Those with consecutive numbers of a block.
+  void ReadBlock(std::int64_t block)
+  {
+    std::uint32_t numbers[Width];
+    std::iota(numbers, numbers + Width, static_cast<std::uint32_t>(block * Width));
+    const std::int64_t left = this->Cells->GetNumberOfCells() - block * Width;
+    this->Read(numbers, static_cast<int>(std::min<std::int64_t>(left, Width)));
+  }
+
+  /// Whether none of those that are traced was left out.
+  bool AreAllFinite() const { return this->Tetrahedra.AreFinite() && this->Others.AreFinite(); }
+
+  /// The extent of all.
+  Extent GetExtent() const
+  {
+    Extent extent = Extent::MakeEmpty();
+    for (const Group* group : { &this->Tetrahedra, &this->Others })
+    {
+      if (group->Count > 0)
+      {
+        extent.Include(group->Extents.LowerOfAll, group->Extents.UpperOfAll);
+      }
+    }
+    return extent;
+  }
+
+  /// The sum of half the surfaces of their boxes.
+  double GetArea() const { return this->Tetrahedra.GetArea() + this->Others.GetArea(); }
+
+  /// Calls a function with the number and the middle of each.
+  template <typename Function>
+  void ForMiddles(const Function& function) const
+  {
+    for (const Group* group : { &this->Tetrahedra, &this->Others })
+    {
+      for (int i = 0; i < group->Count; ++i)
+      {
+        if ((group->Extents.Finite >> i & 1U) != 0)
+        {
+          function(group->Numbers[i], group->GetMiddle(i));
+        }
+      }
+    }
+  }
+
+private:
+  struct Group
+  {
+    int Count = 0;
+    std::uint32_t Numbers[Width];
+    CellExtents Extents;
+
+    bool AreFinite() const
+    {
+      return this->Extents.Finite == (1U << this->Count) - 1U || this->Count == 0;
+    }
+    double GetArea() const { return this->Count > 0 ? this->Extents.Area : 0.0; }
+    Vector3 GetMiddle(int cell) const
+    {
+      Vector3 middle;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        middle[axis] =
+          this->Extents.Lower[axis][cell] * 0.5 + this->Extents.Upper[axis][cell] * 0.5;
+      }
+      return middle;
+    }
+  };
+
+  const MeshCells* Cells;
+  const Kernels* Kernel = &GetBestKernels();
+  Group Tetrahedra;
+  Group Others;
 };
 
 //------------------------------------------------------------------------------
 CellTree::CellTree(const MeshCells& cells, int threads)
   : Cells(static_cast<std::size_t>(cells.GetNumberOfCells()))
 {
-  std::vector<Extent> extents = this->FindBlocks(cells, threads);
-  if (this->IsSorted)
+  if (!this->SortBlocks(cells, threads))
   {
-    extents = this->SortCells(cells, threads);
+    this->SortCells(cells, threads);
   }
-  else
-  {
-    this->SortBlocks(extents, threads);
-  }
-  this->Blocks = extents.size();
-  if (this->Blocks == 0)
-  {
-    return;
-  }
-  this->BuildLeaves(extents, threads);
-  while (this->Levels.back().size() > 1)
+  while (!this->Levels.empty() && this->Levels.back().size() > 1)
   {
     this->BuildLevelAbove(threads);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Finds the extents of all cells and of blocks of consecutive ones, and decides by the surfaces of
-/// these whether the cells must be sorted.
-std::vector<CellTree::Extent> CellTree::FindBlocks(const MeshCells& cells, int threads)
+/// Makes blocks of consecutive cells, and puts these in Morton order. Returns false if their boxes
+/// are so large, compared with those of all cells, that the cells must be sorted.
+bool CellTree::SortBlocks(const MeshCells& cells, int threads)
 {
   /// Sixteen cubes in a row have 0.7 of the surface of all of them; in a cluster, 0.4.
   constexpr double largestShare = 0.75;
-  std::vector<Extent> extents((this->Cells + Width - 1) / Width);
-  Extent whole;
+  const std::size_t blocks = (this->Cells + Width - 1) / Width;
+  const std::unique_ptr<Extent[]> extents(new Extent[blocks]);
+  Extent whole = Extent::MakeEmpty();
+  bool areFinite = true;
   double areaOfCells = 0.0;
   double areaOfBlocks = 0.0;
-#pragma omp declare reduction(unite:Extent : omp_out.Include(omp_in))
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(unite : whole)           \
-  reduction(+ : areaOfCells, areaOfBlocks)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(extents.size()); ++i)
+#pragma omp declare reduction(unite:Extent                                                         \
+                              : omp_out.Include(omp_in.Lower, omp_in.Upper))                       \
+  initializer(omp_priv = Extent::MakeEmpty())
+#pragma omp parallel num_threads(threads) reduction(unite : whole)                                 \
+  reduction(+ : areaOfCells, areaOfBlocks) reduction(&& : areFinite)
   {
-    Extent& block = extents[static_cast<std::size_t>(i)];
-    const std::int64_t first = i * Width;
-    const std::int64_t last = std::min(first + Width, static_cast<std::int64_t>(this->Cells));
-    for (std::int64_t number = first; number < last; ++number)
+    CellReader reader(cells);
+#pragma omp for schedule(static)
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
     {
-      MeshCell cell;
-      if (cells.Load(number, cell))
-      {
-        Extent extent;
-        extent.Include(cell);
-        areaOfCells += extent.GetArea();
-        block.Include(extent);
-      }
+      reader.ReadBlock(i);
+      const Extent block = reader.GetExtent();
+      extents[static_cast<std::size_t>(i)] = block;
+      whole.Include(block.Lower, block.Upper);
+      areaOfCells += reader.GetArea();
+      areaOfBlocks += block.GetArea();
+      areFinite = areFinite && reader.AreAllFinite();
     }
-    areaOfBlocks += block.GetArea();
-    whole.Include(block);
   }
-  this->Box = whole.Box;
-  this->Low = whole.Low;
-  this->High = whole.High;
+  std::copy_n(whole.Lower, 3, this->Box.Lower.begin());
+  std::copy_n(whole.Upper, 3, this->Box.Upper.begin());
+  this->Low = whole.Lower[3];
+  this->High = whole.Upper[3];
+  this->AreFinite = areFinite;
   this->IsSorted = !(areaOfBlocks <= largestShare * areaOfCells);
-  return extents;
+  if (this->IsSorted)
+  {
+    return false;
+  }
+  std::vector<std::uint64_t> keys(blocks);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
+  {
+    const Extent& extent = extents[static_cast<std::size_t>(i)];
+    keys[static_cast<std::size_t>(i)] = extent.IsEmpty()
+      ? NoKey
+      : this->GetMortonCode(extent.GetMiddle()) << 32U | static_cast<std::uint32_t>(i);
+  }
+  this->Order = SortKeys(keys);
+  this->Blocks = this->Order.size();
+  const auto getExtent = [this, &extents](std::size_t block)
+  {
+    constexpr std::size_t ahead = 16;
+    __builtin_prefetch(&extents[this->Order[std::min(block + ahead, this->Blocks - 1)]]);
+    return extents[this->Order[block]];
+  };
+  this->BuildLevel(this->Blocks, this->GetMargin(), getExtent, threads);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -206,65 +338,40 @@ std::uint64_t CellTree::GetMortonCode(const Vector3& point) const
 }
 
 //------------------------------------------------------------------------------
-/// Puts the blocks in Morton order, without empty ones.
-void CellTree::SortBlocks(std::vector<Extent>& extents, int threads)
+/// Puts the cells that are traced in Morton order, and makes their blocks.
+void CellTree::SortCells(const MeshCells& cells, int threads)
 {
-  const auto blocks = static_cast<std::int64_t>(extents.size());
-  std::vector<std::uint64_t> keys(extents.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < blocks; ++i)
+  std::vector<std::uint64_t> keys(this->Cells, NoKey);
+#pragma omp parallel num_threads(threads)
   {
-    const Extent& extent = extents[static_cast<std::size_t>(i)];
-    const Vector3 middle = extent.Box.Lower * 0.5 + extent.Box.Upper * 0.5;
-    keys[static_cast<std::size_t>(i)] =
-      extent.IsEmpty() ? NoKey : this->GetMortonCode(middle) << 32U | static_cast<std::uint32_t>(i);
-  }
-  this->Order = SortKeys(keys);
-  std::vector<Extent> sorted(this->Order.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(sorted.size()); ++i)
-  {
-    const auto place = static_cast<std::size_t>(i);
-    sorted[place] = extents[this->Order[place]];
-  }
-  extents = std::move(sorted);
-}
-
-//------------------------------------------------------------------------------
-/// Puts the cells that are traced in Morton order, and finds the extents of their blocks.
-std::vector<CellTree::Extent> CellTree::SortCells(const MeshCells& cells, int threads)
-{
-  std::vector<std::uint64_t> keys(this->Cells);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(keys.size()); ++i)
-  {
-    MeshCell cell;
-    std::uint64_t& key = keys[static_cast<std::size_t>(i)];
-    key = NoKey;
-    if (cells.Load(i, cell))
+    CellReader reader(cells);
+    const auto setKey = [this, &keys](std::uint32_t number, const Vector3& middle)
+    { keys[number] = this->GetMortonCode(middle) << 32U | number; };
+#pragma omp for schedule(static)
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>((this->Cells + Width - 1) / Width); ++i)
     {
-      Vector3 middle = {};
-      for (int corner = 0; corner < cell.Count; ++corner)
-      {
-        middle = middle + cell.Points[corner] * (1.0 / cell.Count);
-      }
-      key = this->GetMortonCode(middle) << 32U | static_cast<std::uint32_t>(i);
+      reader.ReadBlock(i);
+      reader.ForMiddles(setKey);
     }
   }
   this->Order = SortKeys(keys);
-  std::vector<Extent> extents((this->Order.size() + Width - 1) / Width);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(extents.size()); ++i)
+  this->Blocks = (this->Order.size() + Width - 1) / Width;
+  const std::unique_ptr<Extent[]> extents(new Extent[this->Blocks]);
+#pragma omp parallel num_threads(threads)
   {
-    const auto block = static_cast<std::size_t>(i);
-    for (int k = 0; k < this->GetNumberOfCells(block); ++k)
+    CellReader reader(cells);
+#pragma omp for schedule(static)
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks); ++i)
     {
-      MeshCell cell;
-      cells.Load(this->GetCell(block, k), cell);
-      extents[block].Include(cell);
+      const auto block = static_cast<std::size_t>(i);
+      std::uint32_t numbers[Width];
+      reader.Read(numbers, this->GetCells(block, numbers));
+      extents[block] = reader.GetExtent();
     }
   }
-  return extents;
+  this->BuildLevel(
+    this->Blocks, this->GetMargin(), [&extents](std::size_t block) { return extents[block]; },
+    threads);
 }
 
 //------------------------------------------------------------------------------
@@ -281,18 +388,25 @@ double CellTree::GetMargin() const
 }
 
 //------------------------------------------------------------------------------
-void CellTree::BuildLeaves(const std::vector<Extent>& extents, int threads)
+/// Builds a level of nodes, from the extents of their children, which a function gives.
+template <typename Function>
+void CellTree::BuildLevel(
+  std::size_t children, double margin, const Function& getExtent, int threads)
 {
-  const double margin = this->GetMargin();
-  std::vector<CellTreeNode> nodes((extents.size() + Width - 1) / Width);
+  if (children == 0)
+  {
+    return;
+  }
+  std::vector<CellTreeNode> nodes((children + Width - 1) / Width);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)
   {
     const auto node = static_cast<std::size_t>(i);
     for (int child = 0; child < Width; ++child)
     {
-      const std::size_t block = node * Width + static_cast<std::size_t>(child);
-      (block < extents.size() ? extents[block] : Extent{}).SetChild(nodes[node], child, margin);
+      const std::size_t number = node * Width + static_cast<std::size_t>(child);
+      const Extent extent = number < children ? getExtent(number) : Extent::MakeEmpty();
+      extent.SetChild(nodes[node], child, margin);
     }
   }
   this->Levels.push_back(std::move(nodes));
@@ -302,32 +416,42 @@ void CellTree::BuildLeaves(const std::vector<Extent>& extents, int threads)
 void CellTree::BuildLevelAbove(int threads)
 {
   const std::vector<CellTreeNode>& below = this->Levels.back();
-  std::vector<CellTreeNode> nodes((below.size() + Width - 1) / Width);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)
+  const auto getExtent = [&below](std::size_t number)
   {
-    const auto node = static_cast<std::size_t>(i);
-    for (int child = 0; child < Width; ++child)
+    const CellTreeNode& node = below[number];
+    Extent extent;
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const std::size_t number = node * Width + static_cast<std::size_t>(child);
-      Extent extent;
-      for (int k = 0; number < below.size() && k < Width; ++k)
-      {
-        const CellTreeNode& children = below[number];
-        Extent one;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          one.Box.Lower[axis] = static_cast<double>(children.Lower[axis][k]);
-          one.Box.Upper[axis] = static_cast<double>(children.Upper[axis][k]);
-        }
-        one.Low = static_cast<double>(children.Low[k]);
-        one.High = static_cast<double>(children.High[k]);
-        extent.Include(one);
-      }
-      extent.SetChild(nodes[node], child, 0.0);
+      extent.Lower[axis] =
+        static_cast<double>(*std::min_element(node.Lower[axis], node.Lower[axis] + Width));
+      extent.Upper[axis] =
+        static_cast<double>(*std::max_element(node.Upper[axis], node.Upper[axis] + Width));
+    }
+    extent.Lower[3] = static_cast<double>(*std::min_element(node.Low, node.Low + Width));
+    extent.Upper[3] = static_cast<double>(*std::max_element(node.High, node.High + Width));
+    return extent;
+  };
+  this->BuildLevel(below.size(), 0.0, getExtent, threads);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> CellTree::FindBlocks(double low, double high, int threads) const
+{
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> blocks((this->Cells + Width - 1) / Width, none);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks); ++i)
+  {
+    const auto block = static_cast<std::size_t>(i);
+    const CellTreeNode& node = this->GetNode(0, block / Width);
+    if (static_cast<double>(node.Low[block % Width]) <= high &&
+      low <= static_cast<double>(node.High[block % Width]))
+    {
+      blocks[this->IsSorted ? block : this->Order[block]] = static_cast<std::uint32_t>(i);
     }
   }
-  this->Levels.push_back(std::move(nodes));
+  blocks.erase(std::remove(blocks.begin(), blocks.end(), none), blocks.end());
+  return blocks;
 }
 
 //------------------------------------------------------------------------------

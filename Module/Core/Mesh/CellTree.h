@@ -67,7 +67,14 @@ public:
     }
   }
 
+  /// Whether all cells that are traced are finite.
+  bool AreAllFinite() const { return this->AreFinite; }
+
   std::size_t GetNumberOfBlocks() const { return this->Blocks; }
+
+  /// Finds the blocks that may have values in a range, in the order in which their cells are in
+  /// memory: much faster for those who read many of them.
+  std::vector<std::uint32_t> FindBlocks(double low, double high, int threads) const;
 
   /// The cells of a block: how many there are, and their numbers. Those that are not traced or not
   /// finite may be among them.
@@ -95,16 +102,26 @@ public:
     return count;
   }
 
+  /// Begins to fetch the ids of the corners of a block, if its cells are consecutive ones.
+  void PrefetchCells(const MeshCells& cells, std::size_t block) const
+  {
+    if (!this->IsSorted)
+    {
+      cells.Prefetch(this->GetCell(block, 0), this->GetNumberOfCells(block));
+    }
+  }
+
   std::size_t GetMemory() const;
 
 private:
   struct Extent;
+  class CellReader;
 
-  std::vector<Extent> FindBlocks(const MeshCells& cells, int threads);
-  void SortBlocks(std::vector<Extent>& extents, int threads);
-  std::vector<Extent> SortCells(const MeshCells& cells, int threads);
+  bool SortBlocks(const MeshCells& cells, int threads);
+  void SortCells(const MeshCells& cells, int threads);
   std::uint64_t GetMortonCode(const Vector3& point) const;
-  void BuildLeaves(const std::vector<Extent>& extents, int threads);
+  template <typename Function>
+  void BuildLevel(std::size_t children, double margin, const Function& getExtent, int threads);
   void BuildLevelAbove(int threads);
 
   Bounds Box;
@@ -114,6 +131,7 @@ private:
   std::size_t Blocks = 0;
   /// Whether cells are sorted, or blocks of consecutive ones; and the numbers of these in order.
   bool IsSorted = false;
+  bool AreFinite = true;
   std::vector<std::uint32_t> Order;
   std::vector<std::vector<CellTreeNode>> Levels;
 };

@@ -170,7 +170,8 @@ void MeshBeam::AddLeaf(const MeshSelection& selection, std::size_t leaf)
 {
   for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
   {
-    const PackedPieces* sets = selection.Surfaces[surface].Pieces->Get(leaf);
+    const PackedPieces* sets =
+      selection.Surfaces[surface].Pieces->Get(leaf, *selection.PacketKernels);
     for (int first = 0; first < sets->Sets; first += CellTreeNode::Width)
     {
       this->AddSets(selection, leaf, static_cast<int>(surface), sets + first,

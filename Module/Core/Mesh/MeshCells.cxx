@@ -4,6 +4,8 @@
 #include "Mesh/MeshCells.h"
 
 #include <algorithm>
+#include <numeric>
+#include <type_traits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -59,7 +61,21 @@ void ReadTypedValues(const MeshView& view, MeshCell& cell)
 }
 
 template <typename Id>
-void ReadListedTetrahedra(const MeshView& view, const std::uint32_t* numbers, int count,
+void ReadListedTetrahedra(
+  const MeshView& view, const std::uint32_t* numbers, int count, std::int64_t (*ids)[4])
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const Id* listed = GetIds<Id>(view, numbers[i]);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      ids[i][corner] = listed[corner];
+    }
+  }
+}
+
+template <typename Id>
+void ReadOrderedListedTetrahedra(const MeshView& view, const std::uint32_t* numbers, int count,
   CornerOrder* orders, std::int64_t (*ids)[4])
 {
   for (int i = 0; i < count; ++i)
@@ -102,14 +118,24 @@ void ReadTypedCornerValues(
 template <typename Id>
 std::int64_t FindCornersOfAll(const MeshView& view)
 {
-  const auto* offsets = static_cast<const Id*>(view.Offsets);
-  const std::int64_t corners = offsets[1] - offsets[0];
+  constexpr std::int64_t stretch = 1024;
+  // Offsets of cells of other shapes may be anything: unsigned differences do not overflow.
+  using Offset = std::make_unsigned_t<Id>;
+  const auto* offsets = static_cast<const Offset*>(view.Offsets);
+  const Offset corners = offsets[1] - offsets[0];
   bool areEqual = offsets[0] == 0 && corners <= MaximumCorners;
-  for (std::int64_t i = 0; i < view.NumberOfCells && areEqual; ++i)
+  for (std::int64_t first = 0; first < view.NumberOfCells && areEqual; first += stretch)
   {
-    areEqual = offsets[i + 1] - offsets[i] == corners;
+    // Without a way out, which would keep it from being vectorized.
+    const std::int64_t last = std::min(first + stretch, view.NumberOfCells);
+    Offset differences = 0;
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      differences |= (offsets[i + 1] - offsets[i]) ^ corners;
+    }
+    areEqual = differences == 0;
   }
-  return areEqual ? corners : 0;
+  return areEqual ? static_cast<std::int64_t>(corners) : 0;
 }
 
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
@@ -173,6 +199,9 @@ MeshCells::MeshCells(const MeshView& view)
   this->ReadCornerPoints = hasFloats ? ReadTypedCornerPoints<float> : ReadTypedCornerPoints<double>;
   this->ReadTetrahedra = view.IdType == ScalarType::Int32 ? ReadListedTetrahedra<std::int32_t>
                                                           : ReadListedTetrahedra<std::int64_t>;
+  this->ReadOrderedTetrahedra = view.IdType == ScalarType::Int32
+    ? ReadOrderedListedTetrahedra<std::int32_t>
+    : ReadOrderedListedTetrahedra<std::int64_t>;
   DispatchScalarType(view.ValueType,
     [this](auto value)
     {
@@ -198,10 +227,20 @@ bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
 
 //------------------------------------------------------------------------------
 void MeshCells::LoadTetrahedra(
+  const std::uint32_t* numbers, int count, double (*corners)[4][4]) const
+{
+  std::int64_t ids[MaximumCells][4];
+  this->ReadTetrahedra(this->View, numbers, count, ids);
+  this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
+  this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadTetrahedra(
   const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const
 {
   std::int64_t ids[MaximumCells][4];
-  this->ReadTetrahedra(this->View, numbers, count, orders, ids);
+  this->ReadOrderedTetrahedra(this->View, numbers, count, orders, ids);
   this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
   this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
 }
@@ -270,17 +309,26 @@ unsigned int MeshCells::FindListedStraddling(
   const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue)
 {
   const MeshView& view = cells.View;
-  const auto* values = static_cast<const Value*>(view.Values);
+  const auto isBelow = [&view, isovalue](Id id)
+  {
+    const auto value = static_cast<const Value*>(view.Values)[id * view.ValueStride];
+    return static_cast<double>(value) < isovalue ? 1U : 0U;
+  };
   unsigned int mask = 0;
   for (int i = 0; i < count; ++i)
   {
-    const int corners = GetTraits(static_cast<CellShape>(view.Shapes[numbers[i]])).Corners;
+    const auto shape = static_cast<CellShape>(view.Shapes[numbers[i]]);
+    const auto corners = static_cast<unsigned int>(GetTraits(shape).Corners);
     const Id* ids = corners != 0 ? GetIds<Id>(view, numbers[i]) : nullptr;
-    int below = 0;
-    for (int corner = 0; corner < corners; ++corner)
+    unsigned int below = 0;
+    if (shape == CellShape::Tetrahedron)
     {
-      const auto value = static_cast<double>(values[ids[corner] * view.ValueStride]);
-      below += value < isovalue ? 1 : 0;
+      below = isBelow(ids[0]) + isBelow(ids[1]) + isBelow(ids[2]) + isBelow(ids[3]);
+    }
+    else
+    {
+      below = std::accumulate(
+        ids, ids + corners, 0U, [&isBelow](unsigned int sum, Id id) { return sum + isBelow(id); });
     }
     mask |= static_cast<unsigned int>(below > 0 && below < corners) << i;
   }

@@ -33,7 +33,10 @@ public:
   /// finite.
   bool LoadCorners(MeshCell& cell) const;
 
-  /// Both. A cell that is not to be traced returns false.
+  /// Reads the values alone.
+  void LoadValues(MeshCell& cell) const { this->ReadValues(this->View, cell); }
+
+  /// Both ids and corners. A cell that is not to be traced returns false.
   bool Load(std::int64_t number, MeshCell& cell) const
   {
     return this->LoadIds(number, cell) && this->LoadCorners(cell);
@@ -52,15 +55,23 @@ public:
     return this->ReadStraddling(*this, numbers, count, isovalue);
   }
 
-  /// Begins to fetch the ids of a cell's corners, if they are where they should be.
-  void Prefetch(std::int64_t number) const
+  /// Begins to fetch the ids of the corners of some consecutive cells, if they are where they
+  /// should be.
+  void Prefetch(std::int64_t number, int count = 1) const
   {
-    __builtin_prefetch(
-      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
+    constexpr std::int64_t line = 64;
+    const char* first =
+      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell;
+    for (std::int64_t byte = 0; byte < count * this->BytesOfCell; byte += line)
+    {
+      __builtin_prefetch(first + byte);
+    }
   }
 
   /// Reads cells that are traced and finite: their corners, and in place of differences the values.
-  /// Tetrahedra, as many as there are pairs, whose corners are put in the order of their ids...
+  /// Tetrahedra, as many as there are pairs...
+  void LoadTetrahedra(const std::uint32_t* numbers, int count, double (*corners)[4][4]) const;
+  /// ...whose corners are put in the order of their ids...
   void LoadTetrahedra(
     const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const;
   /// ...or as many cells of any shape, as in PassedCellRecords.
@@ -89,6 +100,8 @@ private:
   unsigned int (*ReadStraddling)(
     const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue) = nullptr;
   void (*ReadTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,
+    std::int64_t (*ids)[4]) = nullptr;
+  void (*ReadOrderedTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,
     CornerOrder* orders, std::int64_t (*ids)[4]) = nullptr;
   void (*ReadCornerPoints)(
     const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4]) = nullptr;

@@ -7,9 +7,7 @@
 #include "Math/TrilinearCell.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -21,157 +19,35 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Of leaves without any.
 constexpr PackedPieces NoPieces = {};
 
-/// Points whose convex hull a piece is in: between each corner inside and each outside at most.
-struct PiecePoints
+std::size_t GetBlock(std::size_t leaf, int child)
 {
-  int Count;
-  Vector3 Points[MaximumCorners * MaximumCorners / 4];
-};
+  return leaf * CellTree::Width + static_cast<std::size_t>(child);
+}
 
-/// Finds the points of pieces of a surface.
-class CellCut
+/// Includes where all segments between corners inside and outside meet the surface: a trilinear
+/// cell is, with its values, in the convex hull of its corners.
+void IncludeHull(const MeshCell& cell, double isovalue, double scale, Bounds& box)
 {
-public:
-  CellCut(const MeshCell& cell, double isovalue, double scale)
-    : Cell(&cell)
+  for (int i = 0; i < cell.Count; ++i)
   {
-    for (int i = 0; i < cell.Count; ++i)
+    const double a = Difference(cell.Values[i], isovalue, scale);
+    for (int j = 0; j < cell.Count && a < 0.0; ++j)
     {
-      this->Differences[i] = Difference(cell.Values[i], isovalue, scale);
-      const int side = this->Differences[i] >= 0.0 ? 1 : 0;
-      this->Corners[side][this->Counts[side]++] = i;
-    }
-  }
-
-  /// The corners of the piece in a tetrahedron, a triangle or a quadrangle, in order around it.
-  void FindPolygon(PiecePoints& points) const
-  {
-    this->FindHull(points);
-    if (points.Count == 4)
-    {
-      std::swap(points.Points[2], points.Points[3]);
-    }
-    else
-    {
-      points.Points[points.Count++] = points.Points[2];
-    }
-  }
-
-  /// Where all segments between corners inside and outside meet the surface: a trilinear cell is,
-  /// with its values, in the convex hull of its corners.
-  void FindHull(PiecePoints& points) const
-  {
-    points.Count = 0;
-    for (int i = 0; i < this->Counts[0]; ++i)
-    {
-      for (int j = 0; j < this->Counts[1]; ++j)
+      const double b = Difference(cell.Values[j], isovalue, scale);
+      if (b < 0.0)
       {
-        points.Points[points.Count++] = this->Meet(i, j);
+        continue;
+      }
+      const double fraction = a / (a - b);
+      const Vector3 point = cell.Points[i] * (1.0 - fraction) + cell.Points[j] * fraction;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        box.Lower[axis] = std::min(box.Lower[axis], point[axis]);
+        box.Upper[axis] = std::max(box.Upper[axis], point[axis]);
       }
     }
   }
-
-private:
-  Vector3 Meet(int outside, int inside) const
-  {
-    const int a = this->Corners[0][outside];
-    const int b = this->Corners[1][inside];
-    const double fraction = this->Differences[a] / (this->Differences[a] - this->Differences[b]);
-    return this->Cell->Points[a] * (1.0 - fraction) + this->Cell->Points[b] * fraction;
-  }
-
-  const MeshCell* Cell;
-  double Differences[MaximumCorners];
-  /// Those outside of the surface, and inside.
-  int Corners[2][MaximumCorners];
-  int Counts[2] = { 0, 0 };
-};
-
-/// Pieces that are put into one set.
-class SetOfPieces
-{
-public:
-  explicit SetOfPieces(bool areInTetrahedra) { this->Packed.AreInTetrahedra = areInTetrahedra; }
-
-  void Add(int number, const CellCut& cut)
-  {
-    this->Packed.Cells[this->Count] = static_cast<std::uint8_t>(number);
-    PiecePoints& points = this->Points[this->Count++];
-    if (this->Packed.AreInTetrahedra)
-    {
-      cut.FindPolygon(points);
-    }
-    else
-    {
-      cut.FindHull(points);
-    }
-  }
-
-  bool IsFull() const { return this->Count == PackedPieces::Capacity; }
-
-  /// Appends the set, if there is anything in it, and begins another.
-  void Finish(std::vector<PackedPieces>& sets)
-  {
-    if (this->Count == 0)
-    {
-      return;
-    }
-    this->Packed.Count = static_cast<std::uint8_t>(this->Count);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->FindBox(axis);
-    }
-    this->PackPolygons();
-    sets.push_back(this->Packed);
-    this->Count = 0;
-  }
-
-private:
-  void FindBox(std::size_t axis)
-  {
-    double lower = Infinity;
-    double upper = -Infinity;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      for (int k = 0; k < this->Points[i].Count; ++k)
-      {
-        lower = std::min(lower, this->Points[i].Points[k][axis]);
-        upper = std::max(upper, this->Points[i].Points[k][axis]);
-      }
-    }
-    this->Packed.Lower[axis] = RoundDown(lower);
-    this->Packed.Upper[axis] = RoundUp(upper);
-  }
-
-  void PackPolygons()
-  {
-    for (auto& corners : this->Packed.Polygons)
-    {
-      std::fill_n(corners, PackedPieces::Capacity, 0U);
-    }
-    for (std::size_t axis = 0; axis < 3 && this->Packed.AreInTetrahedra; ++axis)
-    {
-      const auto lower = static_cast<double>(this->Packed.Lower[axis]);
-      const double size = static_cast<double>(this->Packed.Upper[axis]) - lower;
-      const double steps = size > 0.0 && size < Infinity ? PackedPieces::Steps / size : 0.0;
-      for (int i = 0; i < this->Count; ++i)
-      {
-        for (int k = 0; k < PackedPieces::Corners; ++k)
-        {
-          const double step =
-            steps > 0.0 ? (this->Points[i].Points[k][axis] - lower) * steps + 0.5 : 0.0;
-          this->Packed.Polygons[k][i] |=
-            std::min(static_cast<unsigned int>(step), PackedPieces::Steps)
-            << (PackedPieces::Bits * axis);
-        }
-      }
-    }
-  }
-
-  PackedPieces Packed = {};
-  PiecePoints Points[PackedPieces::Capacity];
-  int Count = 0;
-};
+}
 
 }
 
@@ -201,63 +77,114 @@ SurfacePieces::~SurfacePieces()
 }
 
 //------------------------------------------------------------------------------
-const PackedPieces* SurfacePieces::Make(std::size_t leaf)
+const PackedPieces* SurfacePieces::Make(std::size_t leaf, const Kernels& kernels)
 {
-  std::vector<PackedPieces> found = this->Find(leaf);
+  PassedCells tetrahedra;
+  PassedCells others;
+  this->FindPassedCells(leaf, tetrahedra, others);
+  const int count = tetrahedra.GetNumberOfSets() + others.GetNumberOfSets();
   std::unique_ptr<PackedPieces[]> made;
-  if (!found.empty())
+  if (count > 0)
   {
-    found.front().Sets = static_cast<std::uint16_t>(found.size());
-    made.reset(new PackedPieces[found.size()]);
-    std::copy(found.begin(), found.end(), made.get());
+    made.reset(new PackedPieces[static_cast<std::size_t>(count)]);
+    this->MakeSets(tetrahedra, kernels, made.get());
+    this->MakeSets(others, made.get() + tetrahedra.GetNumberOfSets());
+    made[0].Sets = static_cast<std::uint16_t>(count);
   }
   const PackedPieces* ours = made ? made.get() : &NoPieces;
-  const PackedPieces* others = nullptr;
-  if (!this->Leaves[leaf].compare_exchange_strong(others, ours))
+  const PackedPieces* before = nullptr;
+  if (!this->Leaves[leaf].compare_exchange_strong(before, ours))
   {
-    return others;
+    return before;
   }
-  this->Memory += found.size() * sizeof(PackedPieces);
+  this->Memory += static_cast<std::size_t>(count) * sizeof(PackedPieces);
   made.release();
   return ours;
 }
 
 //------------------------------------------------------------------------------
-std::vector<PackedPieces> SurfacePieces::Find(std::size_t leaf) const
+void SurfacePieces::FindPassedCells(
+  std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const
 {
-  std::vector<PackedPieces> sets;
-  SetOfPieces inTetrahedra(true);
-  SetOfPieces inOthers(false);
   const CellTreeNode& node = this->Tree->GetNode(0, leaf);
+  int children[CellTree::Width];
+  int withValue = 0;
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (!CellTree::HasBothSides(node, child, this->Isovalue))
+    if (CellTree::HasBothSides(node, child, this->Isovalue))
     {
-      continue;
+      this->Tree->PrefetchCells(*this->Cells, GetBlock(leaf, child));
+      children[withValue++] = child;
     }
+  }
+  for (int k = 0; k < withValue; ++k)
+  {
+    const int child = children[k];
     std::uint32_t numbers[CellTree::Width];
-    const int count =
-      this->Tree->GetCells(leaf * CellTree::Width + static_cast<std::size_t>(child), numbers);
+    const int count = this->Tree->GetCells(GetBlock(leaf, child), numbers);
     for (unsigned int active = this->Cells->FindStraddling(numbers, count, this->Isovalue);
          active != 0; active &= active - 1)
     {
       const int i = __builtin_ctz(active);
       MeshCell cell;
-      if (!this->Cells->Load(numbers[i], cell))
+      if (!this->Tree->AreAllFinite() && !this->Cells->Load(numbers[i], cell))
       {
         continue;
       }
-      SetOfPieces& set = cell.Shape == CellShape::Tetrahedron ? inTetrahedra : inOthers;
-      set.Add(child * CellTree::Width + i, CellCut(cell, this->Isovalue, this->Scale));
-      if (set.IsFull())
-      {
-        set.Finish(sets);
-      }
+      PassedCells& passed =
+        this->Cells->GetShape(numbers[i]) == CellShape::Tetrahedron ? tetrahedra : others;
+      passed.Cells[passed.Count] = numbers[i];
+      passed.Numbers[passed.Count++] = static_cast<std::uint8_t>(child * CellTree::Width + i);
     }
   }
-  inTetrahedra.Finish(sets);
-  inOthers.Finish(sets);
-  return sets;
+}
+
+//------------------------------------------------------------------------------
+void SurfacePieces::MakeSets(
+  const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const
+{
+  double corners[PackedPieces::Capacity][4][4];
+  for (int first = 0; first < tetrahedra.Count; first += PackedPieces::Capacity)
+  {
+    PackedPieces& set = *sets++;
+    set.AreInTetrahedra = true;
+    set.Count =
+      static_cast<std::uint8_t>(std::min(tetrahedra.Count - first, PackedPieces::Capacity));
+    std::copy_n(&tetrahedra.Numbers[first], set.Count, set.Cells);
+    this->Cells->LoadTetrahedra(&tetrahedra.Cells[first], set.Count, corners);
+    for (int i = 0; i < set.Count; ++i)
+    {
+      for (auto& corner : corners[i])
+      {
+        corner[3] = Difference(corner[3], this->Isovalue, this->Scale);
+      }
+    }
+    kernels.PackPolygons(corners, set);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfacePieces::MakeSets(const PassedCells& others, PackedPieces* sets) const
+{
+  for (int first = 0; first < others.Count; first += PackedPieces::Capacity)
+  {
+    PackedPieces& set = *sets++;
+    set.AreInTetrahedra = false;
+    set.Count = static_cast<std::uint8_t>(std::min(others.Count - first, PackedPieces::Capacity));
+    std::copy_n(&others.Numbers[first], set.Count, set.Cells);
+    Bounds box = { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
+    for (int i = 0; i < set.Count; ++i)
+    {
+      MeshCell cell;
+      this->Cells->Load(others.Cells[first + i], cell);
+      IncludeHull(cell, this->Isovalue, this->Scale, box);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      set.Lower[axis] = RoundDown(box.Lower[axis]);
+      set.Upper[axis] = RoundUp(box.Upper[axis]);
+    }
+  }
 }
 
 }

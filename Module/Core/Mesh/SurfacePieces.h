@@ -4,14 +4,14 @@
 #ifndef SurfacePieces_h
 #define SurfacePieces_h
 
-#include "Kernels/BeamPieces.h"
+#include "Kernels/Kernels.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -31,10 +31,10 @@ public:
   SurfacePieces& operator=(const SurfacePieces&) = delete;
 
   /// Those in a leaf: the first of so many sets as it says.
-  const PackedPieces* Get(std::size_t leaf)
+  const PackedPieces* Get(std::size_t leaf, const Kernels& kernels)
   {
     const PackedPieces* made = this->Leaves[leaf].load(std::memory_order_acquire);
-    return made ? made : this->Make(leaf);
+    return made ? made : this->Make(leaf, kernels);
   }
 
   /// Begins to fetch what is known of some consecutive leaves...
@@ -63,8 +63,23 @@ public:
   }
 
 private:
-  const PackedPieces* Make(std::size_t leaf);
-  std::vector<PackedPieces> Find(std::size_t leaf) const;
+  /// Cells of a leaf that the surface passes, and their numbers within it.
+  struct PassedCells
+  {
+    int Count = 0;
+    std::uint32_t Cells[CellTree::Width * CellTree::Width];
+    std::uint8_t Numbers[CellTree::Width * CellTree::Width];
+
+    int GetNumberOfSets() const
+    {
+      return (this->Count + PackedPieces::Capacity - 1) / PackedPieces::Capacity;
+    }
+  };
+
+  const PackedPieces* Make(std::size_t leaf, const Kernels& kernels);
+  void FindPassedCells(std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const;
+  void MakeSets(const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const;
+  void MakeSets(const PassedCells& others, PackedPieces* sets) const;
 
   const MeshCells* Cells;
   const CellTree* Tree;
