@@ -455,7 +455,7 @@ TEST(MeshField, CentralDifferencesAreSmooth)
     const double ofCells = GetMeanAngle(field, NormalMode::InterpolantGradient, center);
     request.Normals = NormalMode::CentralDifferences;
     field.Select(request, {});
-    EXPECT_EQ(field.GetStatistics().HierarchyMemory, memory + mesh.Values.size() * 12);
+    EXPECT_EQ(field.GetStatistics().HierarchyMemory, memory + mesh.Values.size() * 13);
     const double smooth = GetMeanAngle(field, NormalMode::CentralDifferences, center);
     EXPECT_LT(smooth, 0.6 * ofCells) << static_cast<int>(cutting) << " " << ofCells;
     EXPECT_EQ(GetMeanAngle(field, NormalMode::InterpolantGradient, center), ofCells);
@@ -464,6 +464,14 @@ TEST(MeshField, CentralDifferencesAreSmooth)
     MeshField other(mesh.View(), 3);
     other.Select(request, { 3 });
     EXPECT_EQ(GetMeanAngle(other, NormalMode::CentralDifferences, center), smooth);
+
+    // And after another isovalue, which some of the cells have too.
+    MeshField later(mesh.View(), 2);
+    TraceRequest before = request;
+    before.Surfaces = { { 0.3, 1.0 } };
+    later.Select(before, { 2 });
+    later.Select(request, { 2 });
+    EXPECT_EQ(GetMeanAngle(later, NormalMode::CentralDifferences, center), smooth);
 
     // A linear field has one gradient.
     fill([&](const Vector3& p) { return Dot(p, slope); });

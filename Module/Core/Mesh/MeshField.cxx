@@ -100,9 +100,15 @@ private:
 };
 
 //------------------------------------------------------------------------------
-MeshField::MeshField(const MeshView& view, int threads)
-  : Cells(view)
+MeshField::MeshField(const MeshCells& cells, int threads)
+  : Cells(cells)
   , Tree(this->Cells, threads)
+{
+}
+
+//------------------------------------------------------------------------------
+MeshField::MeshField(const MeshView& view, int threads)
+  : MeshField(MeshCells(view), threads)
 {
 }
 
@@ -113,10 +119,9 @@ MeshField::~MeshField() = default;
 void MeshField::Select(
   const TraceRequest& request, const Execution& execution, const MemoryBudget& /*budget*/)
 {
-  if (request.Normals == NormalMode::CentralDifferences && !request.Surfaces.empty() &&
-    !this->Smooth.AreThere())
+  if (request.Normals == NormalMode::CentralDifferences)
   {
-    this->Smooth = PointGradients(this->Cells, this->GetUnitOfGradients(), execution.Threads);
+    this->FindSmoothGradients(request.Surfaces, execution.Threads);
   }
   std::vector<MeshSurface> surfaces;
   for (const Isosurface& surface : request.Surfaces)
@@ -127,6 +132,20 @@ void MeshField::Select(
     MovePlanesIntoCells(request.Visible.HalfSpaces, this->Tree, this->Cells.GetPointType());
   this->Selection = { &this->Cells, &this->Tree, request, std::move(halves), std::move(surfaces),
     execution.PacketKernels };
+}
+
+//------------------------------------------------------------------------------
+void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads)
+{
+  if (!this->Smooth)
+  {
+    this->Smooth =
+      std::make_unique<PointGradients>(this->Cells, this->Tree, this->GetUnitOfGradients());
+  }
+  for (const Isosurface& surface : surfaces)
+  {
+    this->Smooth->Find(surface.Isovalue, threads);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -332,9 +351,11 @@ double MeshField::GetUnitOfGradients() const
 Vector3 MeshField::GetFieldGradient(
   const MeshCell& cell, const Vector3& parametric, NormalMode mode) const
 {
-  if (mode == NormalMode::CentralDifferences && this->Smooth.AreThere())
+  // They are there where surfaces of the request are.
+  if (mode == NormalMode::CentralDifferences &&
+    this->Selection.Request.Normals == NormalMode::CentralDifferences)
   {
-    const Vector3 smooth = this->Smooth.Get(cell, parametric);
+    const Vector3 smooth = this->Smooth->Get(cell, parametric);
     if (smooth != Vector3{})
     {
       return smooth;
@@ -380,7 +401,8 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count,
 FieldStatistics MeshField::GetStatistics() const
 {
   FieldStatistics statistics;
-  statistics.HierarchyMemory = this->Tree.GetMemory() + this->Smooth.GetMemory();
+  statistics.HierarchyMemory =
+    this->Tree.GetMemory() + (this->Smooth ? this->Smooth->GetMemory() : 0);
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
     statistics.CacheMemory += surface.Pieces->GetMemory();

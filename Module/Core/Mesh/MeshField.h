@@ -30,6 +30,7 @@ namespace vtkIsosurfaceRayTracing
 class MeshField final : public TracedField
 {
 public:
+  MeshField(const MeshCells& cells, int threads);
   MeshField(const MeshView& view, int threads);
   ~MeshField() override;
 
@@ -58,6 +59,7 @@ private:
   class ThreadBeam;
   class LoneRays;
 
+  void FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads);
   MeshSurface SelectSurface(double isovalue) const;
   std::unique_ptr<ThreadBeam> MakeBeamOf(const RayPacket& packet) const;
 
@@ -68,8 +70,8 @@ private:
 
   MeshCells Cells;
   CellTree Tree;
-  /// Made when they are requested first.
-  PointGradients Smooth;
+  /// Null until they are requested first.
+  std::unique_ptr<PointGradients> Smooth;
   MeshSelection Selection;
 };
 

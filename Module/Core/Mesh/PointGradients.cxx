@@ -3,11 +3,13 @@
 
 #include "Mesh/PointGradients.h"
 
+#include "Kernels/InstructionSets.h"
+#include "Kernels/Kernels.h"
 #include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -21,85 +23,315 @@ Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
   return GetGradient(cell, GetParametric(cell.Shape, weights));
 }
 
-/// The sum of the gradients around a point, each times the volume of its cell, and of the volumes.
-struct WeightedSum
-{
-  Vector3 Gradients = {};
-  double Volumes = 0.0;
-
-  void Add(const Vector3& gradient, double volume, double unit)
-  {
-    this->Gradients = this->Gradients + gradient * (unit * volume);
-    this->Volumes += volume;
-  }
-};
-
-/// Points with consecutive ids.
-struct PointRange
-{
-  std::int64_t First;
-  std::int64_t Last;
-
-  bool Has(std::int64_t id) const { return id >= this->First && id < this->Last; }
-};
-
-/// Adds all cells to the sums of their corners in a range, in the order of the cells.
-void AddCells(
-  const MeshCells& cells, const PointRange& range, double unit, std::vector<WeightedSum>& sums)
-{
-  for (std::int64_t number = 0; number < cells.GetNumberOfCells(); ++number)
-  {
-    MeshCell cell;
-    if (!cells.LoadIds(number, cell) ||
-      std::none_of(
-        cell.Ids, cell.Ids + cell.Count, [&range](std::int64_t id) { return range.Has(id); }) ||
-      !cells.LoadCorners(cell))
-    {
-      continue;
-    }
-    const double volume = GetVolume(cell);
-    const bool isConstant = cell.Shape == CellShape::Tetrahedron;
-    Vector3 gradient = GetGradientAtCorner(cell, 0);
-    for (int corner = 0; corner < cell.Count; ++corner)
-    {
-      if (range.Has(cell.Ids[corner]))
-      {
-        gradient = isConstant || corner == 0 ? gradient : GetGradientAtCorner(cell, corner);
-        sums[static_cast<std::size_t>(cell.Ids[corner])].Add(gradient, volume, unit);
-      }
-    }
-  }
-}
-
 }
 
 //------------------------------------------------------------------------------
-PointGradients::PointGradients(const MeshCells& cells, double unit, int threads)
-  : Unit(unit)
-  , Gradients(static_cast<std::size_t>(cells.GetNumberOfPoints()))
+struct PointGradients::WeightedSum
 {
-  const std::int64_t count = cells.GetNumberOfPoints();
-  std::vector<WeightedSum> sums(this->Gradients.size());
-  // Each thread looks at all cells, but sums at points of its own: the order is always the same.
+  Vector3 Gradients = {};
+  double Weights = 0.0;
+
+  void Add(const Vector3& gradient, double weight)
+  {
+    this->Gradients = this->Gradients + gradient;
+    this->Weights += weight;
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Adds cells to the sums of those of their corners that are wanted and in a range, one after the
+/// other.
+class PointGradients::SumOfCells
+{
+public:
+  SumOfCells(const PointGradients& gradients, const PointRange& range)
+    : All(&gradients)
+    , Range(range)
+    , Places(static_cast<std::size_t>(range.Last - range.First))
+  {
+    std::uint32_t count = 0;
+    for (std::int64_t id = range.First; id < range.Last; ++id)
+    {
+      if (gradients.IsWanted(id))
+      {
+        this->Places[static_cast<std::size_t>(id - range.First)] = count++;
+      }
+    }
+    this->Sums.resize(count);
+  }
+
+  /// That of a point that is wanted.
+  WeightedSum& Get(std::int64_t id)
+  {
+    return this->Sums[this->Places[static_cast<std::size_t>(id - this->Range.First)]];
+  }
+
+  void Add(std::uint32_t number)
+  {
+    MeshCell cell;
+    if (!this->All->Cells->LoadIds(number, cell) || !this->HasCorner(cell))
+    {
+      return;
+    }
+    if (cell.Shape != CellShape::Tetrahedron)
+    {
+      this->AddTetrahedra();
+      this->AddOther(cell);
+      return;
+    }
+    std::copy_n(cell.Ids, 4, this->Ids[this->Count]);
+    this->Numbers[this->Count++] = number;
+    if (this->Count == WeightedGradients::Capacity)
+    {
+      this->AddTetrahedra();
+    }
+  }
+
+  /// Those that were not added yet, to be added together.
+  void AddTetrahedra()
+  {
+    if (this->Count == 0)
+    {
+      return;
+    }
+    double corners[WeightedGradients::Capacity][4][4];
+    this->All->Cells->LoadTetrahedra(this->Numbers, this->Count, corners);
+    WeightedGradients found;
+    this->Kernel->WeightGradients(corners, this->Count, found);
+    // The weight of the other shapes is about their volume.
+    constexpr double part = 1.0 / 8.0;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const double weight = part * found.Weight[i];
+      if (!(weight < std::numeric_limits<double>::infinity()))
+      {
+        continue;
+      }
+      const Vector3 gradient = { part * found.Gradient[0][i], part * found.Gradient[1][i],
+        part * found.Gradient[2][i] };
+      for (const std::int64_t id : this->Ids[i])
+      {
+        if (this->Has(id))
+        {
+          this->Get(id).Add(gradient, weight);
+        }
+      }
+    }
+    this->Count = 0;
+  }
+
+private:
+  bool Has(std::int64_t id) const { return this->Range.Has(id) && this->All->IsWanted(id); }
+
+  bool HasCorner(const MeshCell& cell) const
+  {
+    return std::any_of(
+      cell.Ids, cell.Ids + cell.Count, [this](std::int64_t id) { return this->Has(id); });
+  }
+
+  void AddOther(MeshCell& cell)
+  {
+    if (!this->All->Cells->LoadCorners(cell))
+    {
+      return;
+    }
+    const double volume = GetVolume(cell);
+    for (int corner = 0; corner < cell.Count; ++corner)
+    {
+      if (this->Has(cell.Ids[corner]))
+      {
+        this->Get(cell.Ids[corner]).Add(GetGradientAtCorner(cell, corner) * volume, volume);
+      }
+    }
+  }
+
+  const PointGradients* All;
+  PointRange Range;
+  /// Of the points of the range that are wanted.
+  std::vector<std::uint32_t> Places;
+  std::vector<WeightedSum> Sums;
+  const Kernels* Kernel = &GetBestKernels();
+  /// Tetrahedra that were not added yet.
+  int Count = 0;
+  std::uint32_t Numbers[WeightedGradients::Capacity];
+  std::int64_t Ids[WeightedGradients::Capacity][4];
+};
+
+//------------------------------------------------------------------------------
+PointGradients::PointGradients(const MeshCells& cells, const CellTree& tree, double unit)
+  : Cells(&cells)
+  , Tree(&tree)
+  , Unit(unit)
+  , NumberOfPoints(static_cast<std::size_t>(cells.GetNumberOfPoints()))
+  , States(this->NumberOfPoints)
+  , Gradients(new std::array<float, 3>[this->NumberOfPoints])
+{
+}
+
+//------------------------------------------------------------------------------
+void PointGradients::Find(double isovalue, int threads)
+{
+  if (std::find(this->Isovalues.begin(), this->Isovalues.end(), isovalue) != this->Isovalues.end())
+  {
+    return;
+  }
+  this->Isovalues.push_back(isovalue);
+  const ValueRange range = this->MarkCorners(isovalue, threads);
+  if (range.Low <= range.High)
+  {
+    this->FindMeans(this->FindCellsAround(range, threads), threads);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Marks the corners that are not known yet as wanted, and returns the range of their values.
+PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int threads)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(isovalue, isovalue, threads);
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(min                       \
+                                                                         : low) reduction(max      \
+                                                                                          : high)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks.size()); ++i)
+  {
+    std::uint32_t numbers[CellTree::Width];
+    const int count = this->Tree->GetCells(blocks[static_cast<std::size_t>(i)], numbers);
+    for (unsigned int active = this->Cells->FindStraddling(numbers, count, isovalue); active != 0;
+         active &= active - 1)
+    {
+      MeshCell cell;
+      this->Cells->LoadIds(numbers[__builtin_ctz(active)], cell);
+      if (this->Tree->AreAllFinite())
+      {
+        this->Cells->LoadValues(cell);
+      }
+      else if (!this->Cells->LoadCorners(cell))
+      {
+        continue;
+      }
+      for (int corner = 0; corner < cell.Count; ++corner)
+      {
+        std::atomic<State>& state = this->States[static_cast<std::size_t>(cell.Ids[corner])];
+        if (state.load(std::memory_order_relaxed) != State::Found)
+        {
+          state.store(State::Wanted, std::memory_order_relaxed);
+          low = std::min(low, cell.Values[corner]);
+          high = std::max(high, cell.Values[corner]);
+        }
+      }
+    }
+  }
+  return { low, high };
+}
+
+//------------------------------------------------------------------------------
+/// The cells with a corner that is wanted. Its value is in the range.
+std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
+  const ValueRange& range, int threads) const
+{
+  constexpr std::size_t blocksOfPart = 256;
+  const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(range.Low, range.High, threads);
+  std::vector<CellsAround> around((blocks.size() + blocksOfPart - 1) / blocksOfPart);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(around.size()); ++i)
+  {
+    const auto part = static_cast<std::size_t>(i);
+    around[part].Points = { std::numeric_limits<std::int64_t>::max(), 0 };
+    const std::size_t last = std::min((part + 1) * blocksOfPart, blocks.size());
+    for (std::size_t block = part * blocksOfPart; block < last; ++block)
+    {
+      this->AddCells(blocks[block], around[part]);
+    }
+  }
+  return around;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the cells of a block that have a corner that is wanted.
+void PointGradients::AddCells(std::uint32_t block, CellsAround& around) const
+{
+  std::uint32_t numbers[CellTree::Width];
+  const int count = this->Tree->GetCells(block, numbers);
+  for (int i = 0; i < count; ++i)
+  {
+    MeshCell cell;
+    if (!this->Cells->LoadIds(numbers[i], cell))
+    {
+      continue;
+    }
+    bool hasWanted = false;
+    for (int corner = 0; corner < cell.Count; ++corner)
+    {
+      const std::int64_t id = cell.Ids[corner];
+      if (this->IsWanted(id))
+      {
+        hasWanted = true;
+        around.Points.First = std::min(around.Points.First, id);
+        around.Points.Last = std::max(around.Points.Last, id + 1);
+      }
+    }
+    if (hasWanted)
+    {
+      around.Cells.push_back(numbers[i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Finds what is wanted, given the cells around.
+void PointGradients::FindMeans(const std::vector<CellsAround>& around, int threads)
+{
+  const auto points = static_cast<std::int64_t>(this->NumberOfPoints);
+  // Each thread sums at points of its own: the order is always the same.
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int part = 0; part < threads; ++part)
   {
-    AddCells(cells, { count * part / threads, count * (part + 1) / threads }, unit, sums);
+    this->FindMeans(around, { points * part / threads, points * (part + 1) / threads });
   }
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t id = 0; id < count; ++id)
+  for (std::atomic<State>& state : this->States)
   {
-    const auto point = static_cast<std::size_t>(id);
-    const Vector3 mean = sums[point].Gradients * (1.0 / sums[point].Volumes);
-    constexpr double largest = 1e30;
-    if (!(std::abs(mean[0]) + std::abs(mean[1]) + std::abs(mean[2]) < largest))
+    if (state.load(std::memory_order_relaxed) == State::Wanted)
     {
-      continue; // It stays zero: the gradient of the cell is taken instead.
+      state.store(State::Found, std::memory_order_relaxed);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis)
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointGradients::FindMeans(const std::vector<CellsAround>& around, const PointRange& range)
+{
+  SumOfCells sum(*this, range);
+  for (const CellsAround& part : around)
+  {
+    if (part.Points.First < range.Last && range.First < part.Points.Last)
     {
-      this->Gradients[point][axis] = static_cast<float>(mean[axis]);
+      for (const std::uint32_t cell : part.Cells)
+      {
+        sum.Add(cell);
+      }
     }
+  }
+  sum.AddTetrahedra();
+  for (std::int64_t id = range.First; id < range.Last; ++id)
+  {
+    if (this->IsWanted(id))
+    {
+      this->SetMean(static_cast<std::size_t>(id), sum.Get(id));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointGradients::SetMean(std::size_t point, const WeightedSum& sum)
+{
+  constexpr double largest = 1e30;
+  const Vector3 mean = sum.Gradients * (this->Unit / sum.Weights);
+  const bool isFinite = std::abs(mean[0]) + std::abs(mean[1]) + std::abs(mean[2]) < largest;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    // Of zeros the gradient of the cell is taken instead.
+    this->Gradients[point][axis] = isFinite ? static_cast<float>(mean[axis]) : 0.0F;
   }
 }
 
@@ -118,6 +350,12 @@ Vector3 PointGradients::Get(const MeshCell& cell, const Vector3& parametric) con
     }
   }
   return gradient * (1.0 / this->Unit);
+}
+
+//------------------------------------------------------------------------------
+std::size_t PointGradients::GetMemory() const
+{
+  return this->NumberOfPoints * (sizeof(this->States[0]) + sizeof(this->Gradients[0]));
 }
 
 }

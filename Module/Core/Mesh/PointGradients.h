@@ -4,35 +4,93 @@
 #ifndef PointGradients_h
 #define PointGradients_h
 
+#include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
 /// Gradients at the points of a mesh, for normals that are smooth across cells: each is the mean of
-/// those of the cells around the point, weighted by their volumes.
+/// those of the cells around the point, weighted by their volumes. They are found where surfaces
+/// are: at the corners of the cells that an isosurface passes, once for all isovalues.
 class PointGradients
 {
 public:
-  PointGradients() = default;
+  /// Cells and tree must outlive it. Gradients are multiplied by the unit, to have a size that a
+  /// float holds.
+  PointGradients(const MeshCells& cells, const CellTree& tree, double unit);
 
-  /// Gradients are multiplied by the unit, to have a size that a float holds.
-  PointGradients(const MeshCells& cells, double unit, int threads);
+  /// Finds those that are not yet known at the corners of the cells with an isovalue. The result is
+  /// the same for any number of threads.
+  void Find(double isovalue, int threads);
 
-  bool AreThere() const { return !this->Gradients.empty(); }
-
-  /// The gradient at a point of a cell, interpolated between its corners.
+  /// The gradient at a point of a cell with one of these isovalues, interpolated between its
+  /// corners.
   Vector3 Get(const MeshCell& cell, const Vector3& parametric) const;
 
-  std::size_t GetMemory() const { return this->Gradients.capacity() * sizeof(this->Gradients[0]); }
+  std::size_t GetMemory() const;
 
 private:
-  double Unit = 1.0;
-  std::vector<std::array<float, 3>> Gradients;
+  enum class State : unsigned char
+  {
+    NotNeeded,
+    Wanted,
+    Found
+  };
+
+  struct ValueRange
+  {
+    double Low;
+    double High;
+  };
+
+  /// Points with consecutive ids.
+  struct PointRange
+  {
+    std::int64_t First;
+    std::int64_t Last;
+
+    bool Has(std::int64_t id) const { return id >= this->First && id < this->Last; }
+  };
+
+  /// Cells with corners that are wanted, and the range these are in.
+  struct CellsAround
+  {
+    std::vector<std::uint32_t> Cells;
+    PointRange Points;
+  };
+
+  /// A sum of gradients, each times the weight of its cell, and the sum of the weights.
+  struct WeightedSum;
+  class SumOfCells;
+
+  ValueRange MarkCorners(double isovalue, int threads);
+  std::vector<CellsAround> FindCellsAround(const ValueRange& range, int threads) const;
+  void AddCells(std::uint32_t block, CellsAround& around) const;
+  void FindMeans(const std::vector<CellsAround>& around, int threads);
+  void FindMeans(const std::vector<CellsAround>& around, const PointRange& range);
+  void SetMean(std::size_t point, const WeightedSum& sum);
+  bool IsWanted(std::int64_t point) const
+  {
+    return this->States[static_cast<std::size_t>(point)].load(std::memory_order_relaxed) ==
+      State::Wanted;
+  }
+
+  const MeshCells* Cells;
+  const CellTree* Tree;
+  double Unit;
+  std::size_t NumberOfPoints;
+  std::vector<double> Isovalues;
+  std::vector<std::atomic<State>> States;
+  /// Set where they were found.
+  std::unique_ptr<std::array<float, 3>[]> Gradients;
 };
 
 }
