@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetTriangleFilter.h"
@@ -60,18 +59,24 @@ bool IsSolid(int type)
   return cell && cell->GetCellDimension() == 3;
 }
 
-/// Whether a grid has cells of a type that is asked for. (The grid keeps a list of its types.)
+/// Whether a grid has cells of a type that is asked for. (vtkUnstructuredGrid::GetCellTypes always
+/// looks at all cells.)
 template <typename Predicate>
 bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
 {
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const unsigned char* type = types->GetPointer(0);
+  const unsigned char* last = type + grid->GetNumberOfCells();
+  bool isKnown[256] = {};
+  while (type != last)
   {
-    if (isAskedFor(types->GetCellType(i)))
+    if (!isKnown[*type] && isAskedFor(*type))
     {
       return true;
     }
+    isKnown[*type] = true;
+    const unsigned char known = *type;
+    type = std::find_if(type, last, [known](unsigned char other) { return other != known; });
   }
   return false;
 }
@@ -227,14 +232,14 @@ const void* vtkIsosurfaceRayTraceMesh::Read(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::SelectCells()
+std::string vtkIsosurfaceRayTraceMesh::SelectCells(int threads)
 {
   vtkPointSet* grid = this->GetGrid();
   this->View.NumberOfPoints = grid->GetNumberOfPoints();
   auto* structured = vtkStructuredGrid::SafeDownCast(grid);
   const std::string problem = structured
     ? this->SelectLattice(structured)
-    : this->SelectListedCells(vtkUnstructuredGrid::SafeDownCast(grid));
+    : this->SelectListedCells(vtkUnstructuredGrid::SafeDownCast(grid), threads);
   if (problem.empty() && this->MadeFrom->IsTetrahedralized)
   {
     this->Tetrahedralize();
@@ -262,7 +267,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectLattice(vtkStructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* grid)
+std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* grid, int threads)
 {
   const vtkIdType count = grid->GetNumberOfCells();
   if (count > static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
@@ -278,11 +283,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
     return "The input has no cells of three dimensions. Give tetrahedra, hexahedra, voxels, wedges "
            "or pyramids.";
   }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    this->Shapes.push_back(static_cast<unsigned char>(grid->GetCellType(i)));
-  }
-  this->ViewCells(grid->GetCells());
+  this->ViewCells(grid);
   const bool areSubdivided =
     HasType(grid, [](int type) { return !IsTraced(type) && IsSolid(type); });
   // VTK itself reads cells of all shapes.
@@ -290,19 +291,20 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
     areSubdivided || this->Scalars.AreOfCells || this->MadeFrom->IsTetrahedralized;
   const auto checked = areAllRead ? vtkirt::CheckedCells::All : vtkirt::CheckedCells::Traced;
   const std::string problem = vtkirt::FindProblem(
-    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), 1, checked);
+    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), threads, checked);
   return problem.empty() && areSubdivided ? this->SubdivideCells(grid) : problem;
 }
 
 //------------------------------------------------------------------------------
 /// Reads the lists of cells where they are, if their types allow it.
-void vtkIsosurfaceRayTraceMesh::ViewCells(vtkCellArray* cells)
+void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
 {
+  this->View.NumberOfCells = grid->GetNumberOfCells();
+  this->View.Shapes = static_cast<const unsigned char*>(this->Read(grid->GetCellTypesArray()));
+  vtkCellArray* cells = grid->GetCells();
   vtkDataArray* offsets = cells->GetOffsetsArray();
   vtkDataArray* connectivity = cells->GetConnectivityArray();
   const auto idType = FindIdType(connectivity);
-  this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
-  this->View.Shapes = this->Shapes.data();
   if (idType && FindIdType(offsets) == idType)
   {
     this->View.IdType = *idType;
@@ -346,7 +348,7 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
   vtkNew<vtkPoints> points;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    const int shape = this->Shapes[static_cast<std::size_t>(i)];
+    const int shape = this->View.Shapes[i];
     if (IsTraced(shape))
     {
       grid->GetCellPoints(i, ids);
@@ -508,7 +510,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
   this->SelectValues();
   this->Cells = std::make_unique<vtkirt::MeshCells>(this->View);
   this->FindHiddenCells();
-  this->Field = std::make_unique<vtkirt::MeshField>(this->View, threads);
+  this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
   return true;
 }
 

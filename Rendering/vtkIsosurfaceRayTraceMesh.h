@@ -20,7 +20,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkCellArray;
 class vtkDataArray;
 class vtkDataSet;
 class vtkObject;
@@ -53,7 +52,7 @@ public:
     vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized) const;
 
   /// Finds the cells to trace. Returns why there are none; else empty.
-  std::string SelectCells();
+  std::string SelectCells(int threads);
 
   /// Builds the field of the cells, if it is not there. Returns whether it had to be built.
   bool Update(int threads);
@@ -94,8 +93,8 @@ private:
   const void* Read(vtkDataArray* array);
 
   std::string SelectLattice(vtkStructuredGrid* grid);
-  std::string SelectListedCells(vtkUnstructuredGrid* grid);
-  void ViewCells(vtkCellArray* cells);
+  std::string SelectListedCells(vtkUnstructuredGrid* grid, int threads);
+  void ViewCells(vtkUnstructuredGrid* grid);
   std::string SubdivideCells(vtkUnstructuredGrid* grid);
   void Tetrahedralize();
   void ViewOwnCells();
@@ -115,8 +114,8 @@ private:
   vtkSmartPointer<vtkDataArray> PlainPoints;
   vtkSmartPointer<vtkDataArray> PointScalars;
   vtkSmartPointer<vtkDataArray> PlainScalars;
-  /// Of listed cells, their shapes; and the cells themselves, if some had to be subdivided, with
-  /// the ids of those that they are parts of.
+  /// Listed cells, if they cannot be read where they are; if some had to be subdivided, also the
+  /// shapes of the parts, and the ids of the cells that they are parts of.
   std::vector<unsigned char> Shapes;
   std::vector<std::int64_t> Offsets;
   std::vector<std::int64_t> Connectivity;

@@ -8,6 +8,7 @@
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
+#include "vtkIsosurfaceRayTraceSharedSettings.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -136,7 +137,8 @@ std::string vtkIsosurfaceRayTraceMeshInput::SelectMesh(
     return "";
   }
   auto mesh = std::make_unique<Mesh>(grid, scalars, isTetrahedralized);
-  problem = mesh->SelectCells();
+  problem =
+    mesh->SelectCells(vtkIsosurfaceRayTraceSharedSettings::FindNumberOfThreads(*this->Mapper));
   if (problem.empty())
   {
     this->Meshes.push_back(std::move(mesh));

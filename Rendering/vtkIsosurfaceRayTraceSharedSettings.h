@@ -50,6 +50,13 @@ struct vtkIsosurfaceRayTraceSharedSettings
     visit("NumberOfThreads", &Mapper::NumberOfThreads);
   }
 
+  /// How many threads a mapper uses.
+  template <typename Mapper>
+  static int FindNumberOfThreads(const Mapper& mapper)
+  {
+    return mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads());
+  }
+
   /// What the settings of a mapper stand for.
   template <typename Mapper>
   static void Fill(const Mapper& mapper, vtkIsosurfaceRayTraceSettings& settings)
@@ -65,8 +72,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     }
     settings.TileWidth = mapper.TileSize[0];
     settings.TileHeight = mapper.TileSize[1];
-    settings.NumberOfThreads =
-      mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads());
+    settings.NumberOfThreads = FindNumberOfThreads(mapper);
     settings.AutoAdjustSampleDistances = mapper.AutoAdjustSampleDistances != 0;
     settings.ImageSampleDistance = mapper.ImageSampleDistance;
     settings.MinimumImageSampleDistance = mapper.MinimumImageSampleDistance;
