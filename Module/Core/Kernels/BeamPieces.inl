@@ -224,12 +224,12 @@ SIMD_INLINE Floats FindMargin(const ProjectedCorner (&corners)[Corners], float m
 }
 
 SIMD_INLINE void StoreBounds(
-  const PointBounds& bounds, Floats margin, int first, BeamPieces& pieces)
+  const PointBounds& bounds, const Floats (&margins)[2], int first, BeamPieces& pieces)
 {
   for (int i = 0; i < 2; ++i)
   {
-    StoreFloats(bounds.Lower[i] - margin, &pieces.Bounds.Lower[i][first]);
-    StoreFloats(bounds.Upper[i] + margin, &pieces.Bounds.Upper[i][first]);
+    StoreFloats(bounds.Lower[i] - margins[i], &pieces.Bounds.Lower[i][first]);
+    StoreFloats(bounds.Upper[i] + margins[i], &pieces.Bounds.Upper[i][first]);
   }
   StoreFloats(bounds.Near, &pieces.Bounds.Near[first]);
 }
@@ -259,33 +259,35 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
   }
 }
 
-/// Bounds polygons, whose corners may be off by the margin.
+/// Bounds polygons, whose corners may be off by margins: then they are in the convex hull of the
+/// corners, widened by a box.
 SIMD_INLINE void BoundPolygons(
-  const EdgePoints (&points)[4], Floats margin, int first, BeamPieces& pieces)
+  const EdgePoints (&points)[4], const Floats (&margins)[2], int first, BeamPieces& pieces)
 {
   PointBounds bounds;
   for (const EdgePoints& point : points)
   {
     bounds.Include(point);
   }
-  StoreBounds(bounds, margin, first, pieces);
+  StoreBounds(bounds, margins, first, pieces);
   const Floats area = (points[2].X - points[0].X) * (points[3].Y - points[1].Y) -
     (points[2].Y - points[0].Y) * (points[3].X - points[1].X);
-  const Floats size =
-    bounds.Upper[0] - bounds.Lower[0] + bounds.Upper[1] - bounds.Lower[1] + margin;
-  // What the margin of the ends of an edge makes across the piece.
-  const Floats slack = 4.0F * margin * size;
-  // Of a piece seen edge on, the orientation is not certain.
-  const FloatMask isFlat = Abs(area) < 4.0F * slack;
-  const Floats sign = Select(isFlat, 0.0F, CopySign(1.0F, area));
+  const Floats sign = CopySign(1.0F, area);
   for (int i = 0; i < BeamPieces::Lines; ++i)
   {
     const EdgePoints& p = points[i];
     const EdgePoints& q = points[(i + 1) % 4];
     const Floats a = sign * (p.Y - q.Y);
     const Floats b = sign * (q.X - p.X);
-    const Floats c = MultiplyAdd(2.0F * margin, Abs(a) + Abs(b), slack) - (a * p.X + b * p.Y);
-    StoreLine(a, b, c, i, first, pieces);
+    // Through the edge, but for pieces seen edge on: there rounding may have moved corners across.
+    Floats lowest = 0.0F;
+    for (int other = 2; other < 4; ++other)
+    {
+      const EdgePoints& corner = points[(i + other) % 4];
+      lowest = Min(lowest, MultiplyAdd(a, corner.X - p.X, b * (corner.Y - p.Y)));
+    }
+    const Floats room = MultiplyAdd(margins[0], Abs(a), margins[1] * Abs(b)) - lowest;
+    StoreLine(a, b, room - (a * p.X + b * p.Y), i, first, pieces);
   }
 }
 
@@ -360,10 +362,9 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
 {
   constexpr unsigned int mask = PackedPieces::Steps;
   const PackedProjection projection(packed, frame);
-  const float errorAcross =
-    projection.X.Error > projection.Y.Error ? projection.X.Error : projection.Y.Error;
+  const float errors[2] = { projection.X.Error, projection.Y.Error };
   const float largest = static_cast<float>(LargestCoordinate) * 0x1p-10F;
-  const bool isBounded = errorAcross < largest && projection.W.Error < largest;
+  const bool isBounded = errors[0] < largest && errors[1] < largest && projection.W.Error < largest;
   pieces.Count = packed.Count;
   for (int first = 0; first < packed.Count; first += FloatWidth)
   {
@@ -383,12 +384,14 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
       size = Max(size, Max(Abs(points[i].X), Abs(points[i].Y)));
       least = Min(least, w);
     }
-    // Where W keeps at least half of itself, the quotient is off by no more than this.
     const FloatMask hasLabel = static_cast<float>(SmallestW) + 2.0F * projection.W.Error < least;
-    const Floats margin = MultiplyAdd(MultiplyAdd(size, projection.W.Error, errorAcross),
-      2.0F * ApproximateReciprocal(least),
-      MultiplyAdd(size, LabelMargin, frame.Margin + LabelMargin));
-    BoundPolygons(points, margin, first, pieces);
+    // What the quotient may be off by.
+    const Floats inverse = ApproximateReciprocal(least - projection.W.Error) * (1.0F + LabelMargin);
+    const Floats rounding = MultiplyAdd(size, LabelMargin, frame.Margin + LabelMargin);
+    const Floats margins[2] = { MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[0]),
+                                  inverse, rounding),
+      MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[1]), inverse, rounding) };
+    BoundPolygons(points, margins, first, pieces);
     const unsigned int bounded = isBounded ? ToBits(hasLabel) : 0;
     OpenUnbounded(~bounded & ((1U << FloatWidth) - 1U), first, pieces);
   }
@@ -421,7 +424,7 @@ void BoundTrilinear(const PassedCellRecords& records, const BeamNumbers& frame, 
       }
     }
     const Floats margin = FindMargin(corners, frame.Margin);
-    StoreBounds(bounds, margin, first, pieces);
+    StoreBounds(bounds, { margin, margin }, first, pieces);
     const Floats one = 1.0F;
     const Floats two = 2.0F * margin;
     StoreLine(one, one, two - ofDiagonals.Lower[0], 0, first, pieces);
