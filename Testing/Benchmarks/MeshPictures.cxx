@@ -214,7 +214,8 @@ void MeasureFirstPicture(const Schedule& schedule, const MeshCase& mesh, const V
   const Table table = { "mesh first picture", "The first picture, from nothing",
     "On " + std::to_string(schedule.GetMostThreads()) +
       " threads: the mesh is in memory, and nothing has been built. The mapper's own normals are "
-      "interpolated between gradients at the points, which are found for each isovalue at the points next to its surface.",
+      "interpolated between gradients at the points, which are found for each isovalue at the "
+      "points next to its surface.",
     { "mesh", "method", "first picture, ms", "of it, the tree, ms",
       "times that of " + theirs.Name },
     {} };

@@ -242,6 +242,7 @@ void BeamTracer::SolveTetrahedra(
       this->MakeHit(beam, pair, hit);
       if (KeepHit(selection, hit, pairs.T[pair], part))
       {
+        hits.RemoveBeyond(ray, part.Base + part.End);
         this->Shorten(beam.GetFrame(), cells.Places[pair]);
       }
       else

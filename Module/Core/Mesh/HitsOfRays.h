@@ -41,6 +41,34 @@ public:
     this->Found.pop_back();
   }
 
+  /// Removes the hits of a ray beyond a t.
+  void RemoveBeyond(int ray, double t)
+  {
+    for (int* link = &this->First[ray]; *link != None;)
+    {
+      FoundHit& found = this->Found[static_cast<std::size_t>(*link)];
+      if (found.TheHit.T > t)
+      {
+        *link = found.Next;
+      }
+      else
+      {
+        link = &found.Next;
+      }
+    }
+  }
+
+  /// The hit of a ray that has one alone; else null.
+  const Hit* GetOnly(int ray) const
+  {
+    if (this->First[ray] == None)
+    {
+      return nullptr;
+    }
+    const FoundHit& found = this->Found[static_cast<std::size_t>(this->First[ray])];
+    return found.Next == None ? &found.TheHit : nullptr;
+  }
+
   /// Appends those of a ray.
   void Get(int ray, std::vector<Hit>& hits) const
   {

@@ -283,6 +283,13 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   std::vector<Hit> found;
   for (int i = 0; i < packet.Count; ++i)
   {
+    const Hit* only = caps.empty() && Has(inBeam, i) ? thread->Hits.GetOnly(i) : nullptr;
+    if (only)
+    {
+      hits.Hits.push_back(*only);
+      hits.EndRay();
+      continue;
+    }
     found.clear();
     if (Has(inBeam, i))
     {
