@@ -33,7 +33,8 @@ public:
   /// finite.
   bool LoadCorners(MeshCell& cell) const;
 
-  /// Reads the values alone.
+  /// Reads the points, or the values, alone.
+  void LoadPoints(MeshCell& cell) const { this->ReadPoints(this->View, cell); }
   void LoadValues(MeshCell& cell) const { this->ReadValues(this->View, cell); }
 
   /// Both ids and corners. A cell that is not to be traced returns false.

@@ -355,47 +355,66 @@ double MeshField::GetUnitOfGradients() const
 }
 
 //------------------------------------------------------------------------------
-Vector3 MeshField::GetFieldGradient(
-  const MeshCell& cell, const Vector3& parametric, NormalMode mode) const
+/// Those at the corners of cells, if hits of the request are shaded by them; else null. They are
+/// there where its surfaces are.
+const PointGradients* MeshField::GetSmoothGradients(NormalMode mode) const
 {
-  // They are there where surfaces of the request are.
-  if (mode == NormalMode::CentralDifferences &&
-    this->Selection.Request.Normals == NormalMode::CentralDifferences)
-  {
-    const Vector3 smooth = this->Smooth->Get(cell, parametric);
-    if (smooth != Vector3{})
-    {
-      return smooth;
-    }
-  }
-  return vtkIsosurfaceRayTracing::GetGradient(cell, parametric);
+  return mode == NormalMode::CentralDifferences && mode == this->Selection.Request.Normals
+    ? this->Smooth.get()
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
-Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
+/// The gradient at a hit in a cell of which the ids and the points are there.
+Vector3 MeshField::GetGradient(const Hit& hit, const CornerWeights& weights,
+  const PointGradients* smoothGradients, MeshCell& cell) const
 {
   if (hit.Plane != Hit::NoPlane)
   {
     return this->Selection.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
   }
+  const Vector3 smooth = smoothGradients ? smoothGradients->Get(cell, weights) : Vector3{};
+  if (smooth != Vector3{})
+  {
+    return smooth;
+  }
+  this->Cells.LoadValues(cell);
+  return vtkIsosurfaceRayTracing::GetGradient(cell, hit.Parametric);
+}
+
+//------------------------------------------------------------------------------
+Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
+{
   MeshCell cell;
-  this->Cells.Load(hit.Cell, cell);
-  return this->GetFieldGradient(cell, hit.Parametric, mode);
+  this->Cells.LoadIds(hit.Cell, cell);
+  this->Cells.LoadPoints(cell);
+  CornerWeights weights;
+  GetWeights(cell.Shape, hit.Parametric, weights);
+  return this->GetGradient(hit, weights, this->GetSmoothGradients(mode), cell);
 }
 
 //------------------------------------------------------------------------------
 void MeshField::GetPointsAndGradients(const Hit* hits, int count,
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
+  const PointGradients* smoothGradients =
+    this->GetSmoothGradients(this->Selection.Request.Normals);
+  MeshCell cells[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {
-    MeshCell cell;
-    this->Cells.Load(hits[i].Cell, cell);
-    const Vector3 point = vtkIsosurfaceRayTracing::GetPoint(cell, hits[i].Parametric);
-    const NormalMode mode = this->Selection.Request.Normals;
-    const Vector3 gradient = hits[i].Plane != Hit::NoPlane
-      ? this->GetGradient(hits[i], mode)
-      : this->GetFieldGradient(cell, hits[i].Parametric, mode);
+    this->Cells.LoadIds(hits[i].Cell, cells[i]);
+    if (smoothGradients)
+    {
+      smoothGradients->Prefetch(cells[i]);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    this->Cells.LoadPoints(cells[i]);
+    CornerWeights weights;
+    GetWeights(cells[i].Shape, hits[i].Parametric, weights);
+    const Vector3 point = GetWeightedPoint(cells[i], weights);
+    const Vector3 gradient = this->GetGradient(hits[i], weights, smoothGradients, cells[i]);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       points[axis][i] = point[axis];

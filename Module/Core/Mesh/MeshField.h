@@ -66,7 +66,9 @@ private:
   std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
 
   double GetUnitOfGradients() const;
-  Vector3 GetFieldGradient(const MeshCell& cell, const Vector3& parametric, NormalMode mode) const;
+  const PointGradients* GetSmoothGradients(NormalMode mode) const;
+  Vector3 GetGradient(const Hit& hit, const CornerWeights& weights,
+    const PointGradients* smoothGradients, MeshCell& cell) const;
 
   MeshCells Cells;
   CellTree Tree;

@@ -5,7 +5,6 @@
 
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
-#include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -336,10 +335,8 @@ void PointGradients::SetMean(std::size_t point, const WeightedSum& sum)
 }
 
 //------------------------------------------------------------------------------
-Vector3 PointGradients::Get(const MeshCell& cell, const Vector3& parametric) const
+Vector3 PointGradients::Get(const MeshCell& cell, const CornerWeights& weights) const
 {
-  CornerWeights weights;
-  GetWeights(cell.Shape, parametric, weights);
   Vector3 gradient = {};
   for (int i = 0; i < cell.Count; ++i)
   {

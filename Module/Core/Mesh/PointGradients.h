@@ -6,6 +6,7 @@
 
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
+#include "Mesh/ShapeFunctions.h"
 
 #include <array>
 #include <atomic>
@@ -31,9 +32,17 @@ public:
   /// the same for any number of threads.
   void Find(double isovalue, int threads);
 
-  /// The gradient at a point of a cell with one of these isovalues, interpolated between its
-  /// corners.
-  Vector3 Get(const MeshCell& cell, const Vector3& parametric) const;
+  /// The gradient at a point of a cell with one of these isovalues, by the weights of its corners.
+  Vector3 Get(const MeshCell& cell, const CornerWeights& weights) const;
+
+  /// Begins to fetch those at the corners of a cell.
+  void Prefetch(const MeshCell& cell) const
+  {
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      __builtin_prefetch(&this->Gradients[static_cast<std::size_t>(cell.Ids[i])]);
+    }
+  }
 
   std::size_t GetMemory() const;
 

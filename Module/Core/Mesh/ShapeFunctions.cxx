@@ -142,12 +142,7 @@ Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric)
 {
   CornerWeights weights;
   GetWeights(cell.Shape, parametric, weights);
-  Vector3 point = {};
-  for (int i = 0; i < cell.Count; ++i)
-  {
-    point = point + cell.Points[i] * weights[i];
-  }
-  return point;
+  return GetWeightedPoint(cell, weights);
 }
 
 namespace

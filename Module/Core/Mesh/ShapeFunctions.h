@@ -27,6 +27,17 @@ Vector3 GetParametric(CellShape shape, const Vector3& trilinear);
 
 Vector3 GetPoint(const MeshCell& cell, const Vector3& parametric);
 
+/// The same, given the weights of the corners.
+inline Vector3 GetWeightedPoint(const MeshCell& cell, const CornerWeights& weights)
+{
+  Vector3 point = {};
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    point = point + cell.Points[i] * weights[i];
+  }
+  return point;
+}
+
 /// The gradient of the interpolant of the values; zero where the cell is flat.
 Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric);
 
