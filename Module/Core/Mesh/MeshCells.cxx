@@ -231,6 +231,13 @@ void MeshCells::LoadTetrahedra(
 {
   std::int64_t ids[MaximumCells][4];
   this->ReadTetrahedra(this->View, numbers, count, ids);
+  this->LoadTetrahedra(ids, count, corners);
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadTetrahedra(
+  const std::int64_t (*ids)[4], int count, double (*corners)[4][4]) const
+{
   this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
   this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
 }
@@ -241,8 +248,7 @@ void MeshCells::LoadTetrahedra(
 {
   std::int64_t ids[MaximumCells][4];
   this->ReadOrderedTetrahedra(this->View, numbers, count, orders, ids);
-  this->ReadCornerPoints(this->View, ids[0], 4 * count, corners[0]);
-  this->ReadCornerValues(this->View, ids[0], 4 * count, corners[0]);
+  this->LoadTetrahedra(ids, count, corners);
 }
 
 //------------------------------------------------------------------------------

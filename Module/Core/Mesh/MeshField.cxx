@@ -142,10 +142,12 @@ void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int
     this->Smooth =
       std::make_unique<PointGradients>(this->Cells, this->Tree, this->GetUnitOfGradients());
   }
+  std::vector<double> isovalues;
   for (const Isosurface& surface : surfaces)
   {
-    this->Smooth->Find(surface.Isovalue, threads);
+    isovalues.push_back(surface.Isovalue);
   }
+  this->Smooth->Find(isovalues, threads);
 }
 
 //------------------------------------------------------------------------------
@@ -397,8 +399,7 @@ Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
 void MeshField::GetPointsAndGradients(const Hit* hits, int count,
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
-  const PointGradients* smoothGradients =
-    this->GetSmoothGradients(this->Selection.Request.Normals);
+  const PointGradients* smoothGradients = this->GetSmoothGradients(this->Selection.Request.Normals);
   MeshCell cells[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {

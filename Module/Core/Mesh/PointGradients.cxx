@@ -15,6 +15,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
 {
   CornerWeights weights = {};
@@ -78,8 +80,7 @@ public:
       this->AddOther(cell);
       return;
     }
-    std::copy_n(cell.Ids, 4, this->Ids[this->Count]);
-    this->Numbers[this->Count++] = number;
+    std::copy_n(cell.Ids, 4, this->Ids[this->Count++]);
     if (this->Count == WeightedGradients::Capacity)
     {
       this->AddTetrahedra();
@@ -94,7 +95,7 @@ public:
       return;
     }
     double corners[WeightedGradients::Capacity][4][4];
-    this->All->Cells->LoadTetrahedra(this->Numbers, this->Count, corners);
+    this->All->Cells->LoadTetrahedra(this->Ids, this->Count, corners);
     WeightedGradients found;
     this->Kernel->WeightGradients(corners, this->Count, found);
     // The weight of the other shapes is about their volume.
@@ -102,7 +103,7 @@ public:
     for (int i = 0; i < this->Count; ++i)
     {
       const double weight = part * found.Weight[i];
-      if (!(weight < std::numeric_limits<double>::infinity()))
+      if (!(weight < Infinity))
       {
         continue;
       }
@@ -152,7 +153,6 @@ private:
   const Kernels* Kernel = &GetBestKernels();
   /// Tetrahedra that were not added yet.
   int Count = 0;
-  std::uint32_t Numbers[WeightedGradients::Capacity];
   std::int64_t Ids[WeightedGradients::Capacity][4];
 };
 
@@ -168,26 +168,57 @@ PointGradients::PointGradients(const MeshCells& cells, const CellTree& tree, dou
 }
 
 //------------------------------------------------------------------------------
-void PointGradients::Find(double isovalue, int threads)
+void PointGradients::Find(const std::vector<double>& isovalues, int threads)
 {
-  if (std::find(this->Isovalues.begin(), this->Isovalues.end(), isovalue) != this->Isovalues.end())
+  const auto isKnown = [this](double isovalue)
+  {
+    return std::find(this->Isovalues.begin(), this->Isovalues.end(), isovalue) !=
+      this->Isovalues.end();
+  };
+  if (this->AreAllFound || std::all_of(isovalues.begin(), isovalues.end(), isKnown))
   {
     return;
   }
-  this->Isovalues.push_back(isovalue);
-  const ValueRange range = this->MarkCorners(isovalue, threads);
-  if (range.Low <= range.High)
+  ValueRange range = { Infinity, -Infinity };
+  if (this->Isovalues.empty())
   {
-    this->FindMeans(this->FindCellsAround(range, threads), threads);
+    this->Isovalues = isovalues;
+    for (const double isovalue : isovalues)
+    {
+      const ValueRange marked = this->MarkCorners(isovalue, threads);
+      range = { std::min(range.Low, marked.Low), std::max(range.High, marked.High) };
+    }
   }
+  else
+  {
+    this->AreAllFound = true;
+    range = this->MarkAll(threads);
+  }
+  this->FindMeans(this->FindCellsAround(range, threads), threads);
 }
 
 //------------------------------------------------------------------------------
-/// Marks the corners that are not known yet as wanted, and returns the range of their values.
+PointGradients::ValueRange PointGradients::MarkAll(int threads)
+{
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::int64_t id = 0; id < static_cast<std::int64_t>(this->NumberOfPoints); ++id)
+  {
+    std::atomic<State>& state = this->States[static_cast<std::size_t>(id)];
+    if (state.load(std::memory_order_relaxed) == State::NotNeeded)
+    {
+      state.store(State::Wanted, std::memory_order_relaxed);
+    }
+  }
+  return { -Infinity, Infinity };
+}
+
+//------------------------------------------------------------------------------
+/// Marks the corners of the cells with an isovalue as wanted, and returns the range of their
+/// values.
 PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int threads)
 {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  double low = Infinity;
+  double high = -Infinity;
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(isovalue, isovalue, threads);
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(min                       \
                                                                          : low) reduction(max      \
@@ -211,13 +242,10 @@ PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int thre
       }
       for (int corner = 0; corner < cell.Count; ++corner)
       {
-        std::atomic<State>& state = this->States[static_cast<std::size_t>(cell.Ids[corner])];
-        if (state.load(std::memory_order_relaxed) != State::Found)
-        {
-          state.store(State::Wanted, std::memory_order_relaxed);
-          low = std::min(low, cell.Values[corner]);
-          high = std::max(high, cell.Values[corner]);
-        }
+        this->States[static_cast<std::size_t>(cell.Ids[corner])].store(
+          State::Wanted, std::memory_order_relaxed);
+        low = std::min(low, cell.Values[corner]);
+        high = std::max(high, cell.Values[corner]);
       }
     }
   }

@@ -19,8 +19,9 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// Gradients at the points of a mesh, for normals that are smooth across cells: each is the mean of
-/// those of the cells around the point, weighted by their volumes. They are found where surfaces
-/// are: at the corners of the cells that an isosurface passes, once for all isovalues.
+/// those of the cells around the point, weighted by their volumes. For the first isovalues they are
+/// found where the surfaces are, at the corners of the cells that these pass: a small part of the
+/// mesh. For others, since further ones are likely to follow, all are found.
 class PointGradients
 {
 public:
@@ -28,9 +29,9 @@ public:
   /// float holds.
   PointGradients(const MeshCells& cells, const CellTree& tree, double unit);
 
-  /// Finds those that are not yet known at the corners of the cells with an isovalue. The result is
-  /// the same for any number of threads.
-  void Find(double isovalue, int threads);
+  /// Finds those at the corners of the cells with some isovalues, where they are not yet known.
+  /// They are the same for any number of threads, and whatever was found before.
+  void Find(const std::vector<double>& isovalues, int threads);
 
   /// The gradient at a point of a cell with one of these isovalues, by the weights of its corners.
   Vector3 Get(const MeshCell& cell, const CornerWeights& weights) const;
@@ -81,6 +82,7 @@ private:
   class SumOfCells;
 
   ValueRange MarkCorners(double isovalue, int threads);
+  ValueRange MarkAll(int threads);
   std::vector<CellsAround> FindCellsAround(const ValueRange& range, int threads) const;
   void AddCells(std::uint32_t block, CellsAround& around) const;
   void FindMeans(const std::vector<CellsAround>& around, int threads);
@@ -96,7 +98,9 @@ private:
   const CellTree* Tree;
   double Unit;
   std::size_t NumberOfPoints;
+  /// Those that gradients were found for, until all gradients are.
   std::vector<double> Isovalues;
+  bool AreAllFound = false;
   std::vector<std::atomic<State>> States;
   /// Set where they were found.
   std::unique_ptr<std::array<float, 3>[]> Gradients;
