@@ -102,15 +102,6 @@ public:
     return count;
   }
 
-  /// Begins to fetch the ids of the corners of a block, if its cells are consecutive ones.
-  void PrefetchCells(const MeshCells& cells, std::size_t block) const
-  {
-    if (!this->IsSorted)
-    {
-      cells.Prefetch(this->GetCell(block, 0), this->GetNumberOfCells(block));
-    }
-  }
-
   std::size_t GetMemory() const;
 
 private:

@@ -4,6 +4,8 @@
 #include "Mesh/MeshCells.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <numeric>
 #include <type_traits>
 
@@ -25,7 +27,7 @@ const Id* GetIds(const MeshView& view, std::int64_t number)
 template <typename Id>
 bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
 {
-  cell.Shape = static_cast<CellShape>(view.Shapes[number]);
+  cell.Shape = view.GetShape(number);
   cell.Count = GetTraits(cell.Shape).Corners;
   if (cell.Count == 0)
   {
@@ -186,6 +188,10 @@ MeshCells::MeshCells(const MeshView& view)
     const bool isShort = view.IdType == ScalarType::Int32;
     this->View.CornersOfAll =
       isShort ? FindCornersOfAll<std::int32_t>(view) : FindCornersOfAll<std::int64_t>(view);
+    // As each of them has the shape of the next.
+    const auto others = static_cast<std::size_t>(view.NumberOfCells - 1);
+    this->View.ShapeOfAll =
+      std::memcmp(view.Shapes, view.Shapes + 1, others) == 0 ? view.Shapes[0] : 0;
     const std::int64_t length = isShort
       ? static_cast<const std::int32_t*>(view.Offsets)[view.NumberOfCells]
       : static_cast<const std::int64_t*>(view.Offsets)[view.NumberOfCells];
@@ -323,7 +329,7 @@ unsigned int MeshCells::FindListedStraddling(
   unsigned int mask = 0;
   for (int i = 0; i < count; ++i)
   {
-    const auto shape = static_cast<CellShape>(view.Shapes[numbers[i]]);
+    const CellShape shape = view.GetShape(numbers[i]);
     const auto corners = static_cast<unsigned int>(GetTraits(shape).Corners);
     const Id* ids = corners != 0 ? GetIds<Id>(view, numbers[i]) : nullptr;
     unsigned int below = 0;

@@ -43,11 +43,7 @@ public:
     return this->LoadIds(number, cell) && this->LoadCorners(cell);
   }
 
-  CellShape GetShape(std::int64_t number) const
-  {
-    return this->View.IsLattice() ? CellShape::Hexahedron
-                                  : static_cast<CellShape>(this->View.Shapes[number]);
-  }
+  CellShape GetShape(std::int64_t number) const { return this->View.GetShape(number); }
 
   /// Finds which of up to 16 cells have values on both sides of an isovalue, below it and at or
   /// above it; a bit for each. Cells that are not finite may be among them.
@@ -56,17 +52,11 @@ public:
     return this->ReadStraddling(*this, numbers, count, isovalue);
   }
 
-  /// Begins to fetch the ids of the corners of some consecutive cells, if they are where they
-  /// should be.
-  void Prefetch(std::int64_t number, int count = 1) const
+  /// Begins to fetch the ids of a cell's corners, if they are where they should be.
+  void Prefetch(std::int64_t number) const
   {
-    constexpr std::int64_t line = 64;
-    const char* first =
-      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell;
-    for (std::int64_t byte = 0; byte < count * this->BytesOfCell; byte += line)
-    {
-      __builtin_prefetch(first + byte);
-    }
+    __builtin_prefetch(
+      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
   }
 
   /// Reads cells that are traced and finite: their corners, and in place of differences the values.

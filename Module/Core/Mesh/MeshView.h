@@ -50,14 +50,24 @@ struct MeshView
   const void* Connectivity = nullptr;
   ScalarType IdType = ScalarType::Int64;
   std::int64_t NumberOfCells = 0;
-  /// If all listed cells have as many corners, how many: then the offsets are not needed. MeshCells
-  /// finds it.
+  /// If all listed cells have as many corners, how many; and if all have one shape, which: then the
+  /// offsets and the shapes are not read. MeshCells finds it.
   std::int64_t CornersOfAll = 0;
+  unsigned char ShapeOfAll = 0;
 
   /// Of a lattice, the number of points along each axis; zero for listed cells.
   Index3 Dimensions = { 0, 0, 0 };
 
   bool IsLattice() const { return this->Dimensions[0] > 0; }
+
+  CellShape GetShape(std::int64_t cell) const
+  {
+    if (this->IsLattice())
+    {
+      return CellShape::Hexahedron;
+    }
+    return static_cast<CellShape>(this->ShapeOfAll != 0 ? this->ShapeOfAll : this->Shapes[cell]);
+  }
 };
 
 }

@@ -19,11 +19,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Of leaves without any.
 constexpr PackedPieces NoPieces = {};
 
-std::size_t GetBlock(std::size_t leaf, int child)
-{
-  return leaf * CellTree::Width + static_cast<std::size_t>(child);
-}
-
 /// Includes where all segments between corners inside and outside meet the surface: a trilinear
 /// cell is, with its values, in the convex hull of its corners.
 void IncludeHull(const MeshCell& cell, double isovalue, double scale, Bounds& box)
@@ -107,21 +102,15 @@ void SurfacePieces::FindPassedCells(
   std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const
 {
   const CellTreeNode& node = this->Tree->GetNode(0, leaf);
-  int children[CellTree::Width];
-  int withValue = 0;
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (CellTree::HasBothSides(node, child, this->Isovalue))
+    if (!CellTree::HasBothSides(node, child, this->Isovalue))
     {
-      this->Tree->PrefetchCells(*this->Cells, GetBlock(leaf, child));
-      children[withValue++] = child;
+      continue;
     }
-  }
-  for (int k = 0; k < withValue; ++k)
-  {
-    const int child = children[k];
     std::uint32_t numbers[CellTree::Width];
-    const int count = this->Tree->GetCells(GetBlock(leaf, child), numbers);
+    const int count =
+      this->Tree->GetCells(leaf * CellTree::Width + static_cast<std::size_t>(child), numbers);
     for (unsigned int active = this->Cells->FindStraddling(numbers, count, this->Isovalue);
          active != 0; active &= active - 1)
     {
