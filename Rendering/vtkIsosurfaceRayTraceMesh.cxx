@@ -508,7 +508,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
   }
   this->SelectPoints();
   this->SelectValues();
-  this->Cells = std::make_unique<vtkirt::MeshCells>(this->View);
+  this->Cells = std::make_unique<vtkirt::MeshCells>(this->View, threads);
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
   return true;

@@ -118,26 +118,23 @@ void ReadTypedCornerValues(
 
 /// If all listed cells have as many corners, how many; else 0.
 template <typename Id>
-std::int64_t FindCornersOfAll(const MeshView& view)
+std::int64_t FindCornersOfAll(const MeshView& view, int threads)
 {
-  constexpr std::int64_t stretch = 1024;
   // Offsets of cells of other shapes may be anything: unsigned differences do not overflow.
   using Offset = std::make_unsigned_t<Id>;
   const auto* offsets = static_cast<const Offset*>(view.Offsets);
   const Offset corners = offsets[1] - offsets[0];
-  bool areEqual = offsets[0] == 0 && corners <= MaximumCorners;
-  for (std::int64_t first = 0; first < view.NumberOfCells && areEqual; first += stretch)
+  if (offsets[0] != 0 || corners > MaximumCorners)
   {
-    // Without a way out, which would keep it from being vectorized.
-    const std::int64_t last = std::min(first + stretch, view.NumberOfCells);
-    Offset differences = 0;
-    for (std::int64_t i = first; i < last; ++i)
-    {
-      differences |= (offsets[i + 1] - offsets[i]) ^ corners;
-    }
-    areEqual = differences == 0;
+    return 0;
   }
-  return areEqual ? static_cast<std::int64_t>(corners) : 0;
+  Offset differences = 0;
+#pragma omp parallel for simd schedule(static) num_threads(threads) reduction(| : differences)
+  for (std::int64_t i = 0; i < view.NumberOfCells; ++i)
+  {
+    differences |= (offsets[i + 1] - offsets[i]) ^ corners;
+  }
+  return differences == 0 ? static_cast<std::int64_t>(corners) : 0;
 }
 
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
@@ -174,7 +171,7 @@ std::int64_t FindBadCell(
 }
 
 //------------------------------------------------------------------------------
-MeshCells::MeshCells(const MeshView& view)
+MeshCells::MeshCells(const MeshView& view, int threads)
   : View(view)
   , NumberOfCells(view.NumberOfCells)
 {
@@ -186,8 +183,8 @@ MeshCells::MeshCells(const MeshView& view)
   else if (view.NumberOfCells > 0)
   {
     const bool isShort = view.IdType == ScalarType::Int32;
-    this->View.CornersOfAll =
-      isShort ? FindCornersOfAll<std::int32_t>(view) : FindCornersOfAll<std::int64_t>(view);
+    this->View.CornersOfAll = isShort ? FindCornersOfAll<std::int32_t>(view, threads)
+                                      : FindCornersOfAll<std::int64_t>(view, threads);
     // As each of them has the shape of the next.
     const auto others = static_cast<std::size_t>(view.NumberOfCells - 1);
     this->View.ShapeOfAll =

@@ -19,7 +19,7 @@ namespace vtkIsosurfaceRayTracing
 class MeshCells
 {
 public:
-  explicit MeshCells(const MeshView& view);
+  explicit MeshCells(const MeshView& view, int threads = 1);
 
   std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
   std::int64_t GetNumberOfPoints() const { return this->View.NumberOfPoints; }

@@ -108,7 +108,7 @@ MeshField::MeshField(const MeshCells& cells, int threads)
 
 //------------------------------------------------------------------------------
 MeshField::MeshField(const MeshView& view, int threads)
-  : MeshField(MeshCells(view), threads)
+  : MeshField(MeshCells(view, threads), threads)
 {
 }
 

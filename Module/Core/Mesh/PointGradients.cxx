@@ -48,7 +48,7 @@ public:
   SumOfCells(const PointGradients& gradients, const PointRange& range)
     : All(&gradients)
     , Range(range)
-    , Places(static_cast<std::size_t>(range.Last - range.First))
+    , Places(new std::uint32_t[static_cast<std::size_t>(range.Last - range.First)])
   {
     std::uint32_t count = 0;
     for (std::int64_t id = range.First; id < range.Last; ++id)
@@ -147,8 +147,8 @@ private:
 
   const PointGradients* All;
   PointRange Range;
-  /// Of the points of the range that are wanted.
-  std::vector<std::uint32_t> Places;
+  /// Of the points of the range that are wanted: only there it is set.
+  std::unique_ptr<std::uint32_t[]> Places;
   std::vector<WeightedSum> Sums;
   const Kernels* Kernel = &GetBestKernels();
   /// Tetrahedra that were not added yet.
@@ -310,18 +310,12 @@ void PointGradients::AddCells(std::uint32_t block, CellsAround& around) const
 void PointGradients::FindMeans(const std::vector<CellsAround>& around, int threads)
 {
   const auto points = static_cast<std::int64_t>(this->NumberOfPoints);
-  // Each thread sums at points of its own: the order is always the same.
+  // Each thread sums at points of its own, and asks for the states of these alone: the order is
+  // always the same.
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int part = 0; part < threads; ++part)
   {
     this->FindMeans(around, { points * part / threads, points * (part + 1) / threads });
-  }
-  for (std::atomic<State>& state : this->States)
-  {
-    if (state.load(std::memory_order_relaxed) == State::Wanted)
-    {
-      state.store(State::Found, std::memory_order_relaxed);
-    }
   }
 }
 
@@ -360,6 +354,7 @@ void PointGradients::SetMean(std::size_t point, const WeightedSum& sum)
     // Of zeros the gradient of the cell is taken instead.
     this->Gradients[point][axis] = isFinite ? static_cast<float>(mean[axis]) : 0.0F;
   }
+  this->States[point].store(State::Found, std::memory_order_relaxed);
 }
 
 //------------------------------------------------------------------------------
