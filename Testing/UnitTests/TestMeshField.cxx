@@ -4,7 +4,9 @@
 #include "Image/ImageField.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
+#include "Mesh/MeshCells.h"
 #include "Mesh/MeshField.h"
+#include "Mesh/ShapeFunctions.h"
 #include "Picture/CastRays.h"
 #include "Picture/RenderTiles.h"
 #include "SameBits.h"
@@ -483,6 +485,62 @@ TEST(MeshField, CentralDifferencesAreSmooth)
     {
       ASSERT_LT(Length(linear.GetGradient(hit, NormalMode::CentralDifferences) - slope), 1e-6);
       ASSERT_LT(Length(linear.GetGradient(hit, NormalMode::InterpolantGradient) - slope), 1e-9);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The mean of the gradients at a point in the cells around it, weighted by their volumes.
+Vector3 FindMeanGradient(const MeshCells& cells, std::int64_t point)
+{
+  Vector3 sum = {};
+  double volumes = 0.0;
+  for (std::int64_t number = 0; number < cells.GetNumberOfCells(); ++number)
+  {
+    MeshCell cell;
+    cells.Load(number, cell);
+    const auto* corner = std::find(cell.Ids, cell.Ids + cell.Count, point);
+    if (corner != cell.Ids + cell.Count)
+    {
+      CornerWeights weights = {};
+      weights[corner - cell.Ids] = 1.0;
+      const double volume = GetVolume(cell);
+      sum = sum + GetGradient(cell, GetParametric(cell.Shape, weights)) * volume;
+      volumes += volume;
+    }
+  }
+  return sum * (1.0 / volumes);
+}
+
+TEST(MeshField, SmoothGradientsAreMeansOfCellsAround)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(31);
+    const TestMesh mesh = MakeRoundMesh(random, cutting);
+    const MeshCells cells(mesh.View());
+    MeshField field(mesh.View(), 2);
+    // The first request finds gradients next to its surfaces; the second finds all.
+    for (const double isovalue : { 60.5, 30.5 })
+    {
+      field.Select(TraceRequest({ { isovalue, Glass } }), { 2 });
+      const RayHits hits = CastRays(field, MakeRays(random, 40), 1);
+      ASSERT_GT(hits.Hits.size(), 20U);
+      for (const Hit& hit : hits.Hits)
+      {
+        MeshCell cell;
+        cells.Load(hit.Cell, cell);
+        CornerWeights weights;
+        GetWeights(cell.Shape, hit.Parametric, weights);
+        Vector3 expected = {};
+        for (int i = 0; i < cell.Count; ++i)
+        {
+          expected = expected + FindMeanGradient(cells, cell.Ids[i]) * weights[i];
+        }
+        const Vector3 gradient = field.GetGradient(hit, NormalMode::CentralDifferences);
+        ASSERT_LT(Length(gradient - expected), 1e-4 * (1.0 + Length(expected)))
+          << static_cast<int>(cutting);
+      }
     }
   }
 }
