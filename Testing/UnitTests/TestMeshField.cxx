@@ -556,6 +556,29 @@ TEST(MeshField, SmoothGradientsAreMeansOfCellsAround)
 }
 
 //------------------------------------------------------------------------------
+TEST(MeshField, GradientsOfTheFirstSurfaceAreThoseOfAll)
+{
+  RandomNumbers random(32);
+  const TestMesh mesh = MakeMesh(random, { 14, 14, 14 }, Cutting::Tetrahedra, 0.2,
+    [](const Index3& p) {
+      return Length(Vector3{ p[0] - 7.1, p[1] - 6.8, p[2] - 7.3 });
+    });
+  const TraceRequest request({ { 5.0, Glass } });
+  MeshField first(mesh.View(), 2);
+  first.Select(request, { 2 });
+  MeshField second(mesh.View(), 2);
+  second.Select(TraceRequest({ { 2.0, Glass } }), { 2 });
+  second.Select(request, { 2 });
+  const RayHits hits = CastRays(first, MakeRays(random, 500), 1);
+  ASSERT_GT(hits.Hits.size(), 100U);
+  for (const Hit& hit : hits.Hits)
+  {
+    ASSERT_EQ(first.GetGradient(hit, NormalMode::CentralDifferences),
+      second.GetGradient(hit, NormalMode::CentralDifferences));
+  }
+}
+
+//------------------------------------------------------------------------------
 /// A floor that is an image, and a ball above it that is a mesh, under a light from straight above.
 TEST(MeshField, AMeshAndAnImageAreOneScene)
 {
