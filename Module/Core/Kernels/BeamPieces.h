@@ -218,7 +218,7 @@ struct BeamRays
 struct BeamPairs
 {
   /// As soon as there are so many they are solved...
-  static constexpr int Batch = 32;
+  static constexpr int Batch = 16;
   /// ...but all rays may meet all of some pieces at once. Behind the last there is room for a
   /// vector.
   static constexpr int Capacity =
