@@ -51,29 +51,36 @@ struct ShapeTraits
   /// For each of the eight corners of the trilinear cell, in the order x + 2 y + 4 z, the corner of
   /// this shape that it is.
   int Trilinear[8] = {};
+  /// Of each corner, those that its three edges lead to. The apex of a pyramid has four.
+  int Neighbors[MaximumCorners][3] = {};
 };
 
 inline const ShapeTraits& GetTraits(CellShape shape)
 {
   static constexpr ShapeTraits tetrahedron = { 4, 4,
     { { 3, { 0, 2, 1 } }, { 3, { 0, 1, 3 } }, { 3, { 0, 3, 2 } }, { 3, { 1, 2, 3 } } },
-    { 0, 1, 2, 2, 3, 3, 3, 3 } };
+    { 0, 1, 2, 2, 3, 3, 3, 3 }, { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } } };
   static constexpr ShapeTraits voxel = { 8, 6,
     { { 4, { 0, 4, 6, 2 } }, { 4, { 1, 3, 7, 5 } }, { 4, { 0, 1, 5, 4 } }, { 4, { 2, 6, 7, 3 } },
       { 4, { 0, 2, 3, 1 } }, { 4, { 4, 5, 7, 6 } } },
-    { 0, 1, 2, 3, 4, 5, 6, 7 } };
+    { 0, 1, 2, 3, 4, 5, 6, 7 },
+    { { 1, 2, 4 }, { 0, 3, 5 }, { 3, 0, 6 }, { 2, 1, 7 }, { 5, 6, 0 }, { 4, 7, 1 }, { 7, 4, 2 },
+      { 6, 5, 3 } } };
   static constexpr ShapeTraits hexahedron = { 8, 6,
     { { 4, { 0, 4, 7, 3 } }, { 4, { 1, 2, 6, 5 } }, { 4, { 0, 1, 5, 4 } }, { 4, { 3, 7, 6, 2 } },
       { 4, { 0, 3, 2, 1 } }, { 4, { 4, 5, 6, 7 } } },
-    { 0, 1, 3, 2, 4, 5, 7, 6 } };
+    { 0, 1, 3, 2, 4, 5, 7, 6 },
+    { { 1, 3, 4 }, { 0, 2, 5 }, { 3, 1, 6 }, { 2, 0, 7 }, { 5, 7, 0 }, { 4, 6, 1 }, { 7, 5, 2 },
+      { 6, 4, 3 } } };
   static constexpr ShapeTraits wedge = { 6, 5,
     { { 3, { 0, 2, 1 } }, { 3, { 3, 4, 5 } }, { 4, { 0, 1, 4, 3 } }, { 4, { 1, 2, 5, 4 } },
       { 4, { 2, 0, 3, 5 } } },
-    { 0, 1, 2, 2, 3, 4, 5, 5 } };
+    { 0, 1, 2, 2, 3, 4, 5, 5 },
+    { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 4, 5, 0 }, { 3, 5, 1 }, { 3, 4, 2 } } };
   static constexpr ShapeTraits pyramid = { 5, 5,
     { { 4, { 0, 3, 2, 1 } }, { 3, { 0, 1, 4 } }, { 3, { 1, 2, 4 } }, { 3, { 2, 3, 4 } },
       { 3, { 3, 0, 4 } } },
-    { 0, 1, 3, 2, 4, 4, 4, 4 } };
+    { 0, 1, 3, 2, 4, 4, 4, 4 }, { { 1, 3, 4 }, { 0, 2, 4 }, { 3, 1, 4 }, { 2, 0, 4 } } };
   static constexpr ShapeTraits none = {};
   switch (shape)
   {

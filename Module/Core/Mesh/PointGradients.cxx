@@ -135,14 +135,46 @@ private:
     {
       return;
     }
-    const double volume = GetVolume(cell);
+    int wanted[MaximumCorners];
+    int count = 0;
     for (int corner = 0; corner < cell.Count; ++corner)
     {
       if (this->Has(cell.Ids[corner]))
       {
-        this->Get(cell.Ids[corner]).Add(GetGradientAtCorner(cell, corner) * volume, volume);
+        wanted[count++] = corner;
       }
     }
+    const double volume = GetVolume(cell);
+    const WeightedGradients found = this->FindAtCorners(cell, wanted, count);
+    for (int i = 0; i < count; ++i)
+    {
+      const Vector3 product = { found.Gradient[0][i], found.Gradient[1][i], found.Gradient[2][i] };
+      const Vector3 gradient = product * (1.0 / found.Weight[i]);
+      const bool isApex = cell.Shape == CellShape::Pyramid && wanted[i] == 4;
+      const bool isFound = !isApex && std::isfinite(gradient[0] + gradient[1] + gradient[2]);
+      this->Get(cell.Ids[wanted[i]])
+        .Add((isFound ? gradient : GetGradientAtCorner(cell, wanted[i])) * volume, volume);
+    }
+  }
+
+  /// At a corner with three edges the gradient is that in the tetrahedron between their ends.
+  WeightedGradients FindAtCorners(const MeshCell& cell, const int* wanted, int count) const
+  {
+    double corners[MaximumCorners][4][4];
+    const ShapeTraits& traits = GetTraits(cell.Shape);
+    for (int i = 0; i < count; ++i)
+    {
+      const int* neighbors = traits.Neighbors[wanted[i]];
+      const int ends[4] = { wanted[i], neighbors[0], neighbors[1], neighbors[2] };
+      for (int k = 0; k < 4; ++k)
+      {
+        std::copy_n(cell.Points[ends[k]].begin(), 3, corners[i][k]);
+        corners[i][k][3] = cell.Values[ends[k]];
+      }
+    }
+    WeightedGradients found;
+    this->Kernel->WeightGradients(corners, count, found);
+    return found;
   }
 
   const PointGradients* All;
