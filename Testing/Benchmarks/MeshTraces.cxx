@@ -3,13 +3,17 @@
 
 #include "MeshTraces.h"
 
+#include "CellGrid.h"
 #ifdef BENCHMARK_HAS_EMBREE
+#include "EmbreeCells.h"
 #include "EmbreeTriangles.h"
 #endif
 #include "IsosurfaceRenderer.h"
 #include "MeshTracer.h"
 #include "Samples.h"
 #include "Views.h"
+
+#include <vtkCellType.h>
 
 #include <algorithm>
 #include <cmath>
@@ -264,6 +268,126 @@ void MeasureMeshSplit(const Schedule& schedule, const MeshCase& mesh, Report& re
       mesh.Name + ": trace of the cells against that of tetrahedra on " +
         std::to_string(turn.Threads) + " threads",
       turn.Ratio.GetMedian(), true, 3.0 });
+  }
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+
+/// A hierarchy over the cells, through which rays are traced one by one.
+struct OtherHierarchy
+{
+  std::string Name;
+  double BuildSeconds;
+  double Bytes;
+  /// Returns the t of the first hit of a ray, given its origin and direction.
+  std::function<double(const Triple&, const Triple&)> FindFirst;
+  Samples Times;
+  Samples Ratio;
+
+  /// As MeshTracer::FindDepths.
+  std::vector<float> FindDepths(const TracedPicture& picture) const
+  {
+    const PixelRectangle pixels = picture.GetPixels();
+    std::vector<float> depths;
+    for (int y = pixels.Y; y < pixels.Y + pixels.Height; ++y)
+    {
+      for (int x = pixels.X; x < pixels.X + pixels.Width; ++x)
+      {
+        depths.push_back(static_cast<float>(
+          this->FindFirst(picture.Rays.GetOrigin(), picture.Rays.GetDirection(x, y))));
+      }
+    }
+    return depths;
+  }
+};
+
+bool HasOnlyTetrahedra(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    if (grid->GetCellType(i) != VTK_TETRA)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The share of rays, in percent, that only one of two hits.
+double FindDisagreement(const std::vector<float>& first, const std::vector<float>& second)
+{
+  double different = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    different += std::isfinite(first[i]) != std::isfinite(second[i]) ? 1.0 : 0.0;
+  }
+  return 100.0 * different / static_cast<double>(first.size());
+}
+
+}
+
+//------------------------------------------------------------------------------
+void MeasureMeshHierarchies(const Schedule& schedule, const MeshCase& mesh, Report& report)
+{
+  constexpr double mostCells = 2e6;
+  const double cells = mesh.GetNumberOfCells();
+  if (cells > mostCells || !HasOnlyTetrahedra(mesh.Unstructured))
+  {
+    return;
+  }
+  Log(mesh.Name + ": other hierarchies");
+  MeshTracer tracer(mesh.Grid, mesh.GetScalars(), schedule.GetMostThreads());
+  tracer.Select(mesh.Isovalue);
+  const TracedPicture picture = MakePictures(schedule, mesh.GetBounds(), tracer).front();
+  const TetrahedronList list(mesh.Unstructured);
+  std::vector<OtherHierarchy> others;
+  std::unique_ptr<CellGrid> grid;
+  const double gridSeconds = Measure([&]() { grid = std::make_unique<CellGrid>(list); });
+  others.push_back({ "uniform grid with lists of cells", gridSeconds, grid->GetMemory(),
+    [&](const Triple& origin, const Triple& direction)
+    { return grid->FindFirst(origin, direction, mesh.Isovalue); },
+    {}, {} });
+#ifdef BENCHMARK_HAS_EMBREE
+  std::unique_ptr<EmbreeCells> embree;
+  const double embreeSeconds = Measure([&]()
+    { embree = std::make_unique<EmbreeCells>(list, mesh.Isovalue, schedule.GetMostThreads()); });
+  others.push_back({ "Embree's tree over the cells", embreeSeconds, embree->GetMemory(),
+    [&](const Triple& origin, const Triple& direction)
+    { return embree->FindFirst(origin, direction); },
+    {}, {} });
+#endif
+  Samples ours;
+  for (int repeat = 0; repeat < schedule.Repeats; ++repeat)
+  {
+    ours.Add(tracer.Trace(picture.Scene, 1));
+    for (OtherHierarchy& other : others)
+    {
+      other.Times.Add(MeasureProcessor([&]() { other.FindDepths(picture); }));
+      other.Ratio.Add(other.Times.GetMedian() / ours.GetMedian());
+    }
+  }
+  const Table table = { "mesh hierarchies", "Other hierarchies over the cells",
+    "On one thread, of one picture. In these rays are traced one by one; hits in a cell are found "
+    "by "
+    "its gradient and barycentric coordinates, so rays may slip through between two cells. The "
+    "grid "
+    "has ranges of values on three levels, as images have macrocells; Embree's tree has none.",
+    { "mesh", "hierarchy", "build, ms", "memory, bytes a cell", "trace, ns", "times this library's",
+      "rays with a hit in one of both, %" },
+    {} };
+  const double nanoseconds = GetNanoseconds(schedule);
+  report.AddRow(table,
+    { mesh.Name, "this library's", Cell(), tracer.GetMemory() / cells, ours * nanoseconds, 1.0,
+      0.0 });
+  const std::vector<float> depths = tracer.FindDepths(picture.Scene, picture.Rays);
+  for (const OtherHierarchy& other : others)
+  {
+    report.AddRow(table,
+      { mesh.Name, other.Name, 1e3 * other.BuildSeconds, other.Bytes / cells,
+        other.Times * nanoseconds, other.Ratio,
+        FindDisagreement(depths, other.FindDepths(picture)) });
   }
 }
 

@@ -19,6 +19,10 @@ void MeasureMeshTraces(const Schedule& schedule, const MeshCase& mesh, Report& r
 /// tetrahedra. For meshes that have them.
 void MeasureMeshSplit(const Schedule& schedule, const MeshCase& mesh, Report& report);
 
+/// How fast rays are traced through other hierarchies over the cells, one by one: a uniform grid
+/// with lists of cells, and Embree's tree. For meshes of up to two million cells, all tetrahedra.
+void MeasureMeshHierarchies(const Schedule& schedule, const MeshCase& mesh, Report& report);
+
 }
 
 #endif

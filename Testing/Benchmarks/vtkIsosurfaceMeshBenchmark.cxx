@@ -215,6 +215,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
     }
     MeasureMeshTraces(schedule, mesh, report);
     MeasureMeshSplit(schedule, mesh, report);
+    MeasureMeshHierarchies(schedule, mesh, report);
     write(); // So that hours of work are not lost.
   };
   if (arguments.Input.empty())
