@@ -137,17 +137,19 @@ void MeshField::Select(
 //------------------------------------------------------------------------------
 void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads)
 {
-  if (!this->Smooth)
+  // If there is not enough memory, they are not there.
+  std::unique_ptr<PointGradients> smooth = std::move(this->Smooth);
+  if (!smooth)
   {
-    this->Smooth =
-      std::make_unique<PointGradients>(this->Cells, this->Tree, this->GetUnitOfGradients());
+    smooth = std::make_unique<PointGradients>(this->Cells, this->Tree, this->GetUnitOfGradients());
   }
   std::vector<double> isovalues;
   for (const Isosurface& surface : surfaces)
   {
     isovalues.push_back(surface.Isovalue);
   }
-  this->Smooth->Find(isovalues, threads);
+  smooth->Find(isovalues, threads);
+  this->Smooth = std::move(smooth);
 }
 
 //------------------------------------------------------------------------------
@@ -357,8 +359,8 @@ double MeshField::GetUnitOfGradients() const
 }
 
 //------------------------------------------------------------------------------
-/// Those at the corners of cells, if hits of the request are shaded by them; else null. They are
-/// there where its surfaces are.
+/// Those at the corners of cells, if hits of the request are shaded by them and they are there;
+/// else null.
 const PointGradients* MeshField::GetSmoothGradients(NormalMode mode) const
 {
   return mode == NormalMode::CentralDifferences && mode == this->Selection.Request.Normals

@@ -3,6 +3,7 @@
 
 #include "Mesh/PointGradients.h"
 
+#include "Field/FirstException.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
 
@@ -292,17 +293,23 @@ std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
   constexpr std::size_t blocksOfPart = 256;
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(range.Low, range.High, threads);
   std::vector<CellsAround> around((blocks.size() + blocksOfPart - 1) / blocksOfPart);
+  FirstException exception;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(around.size()); ++i)
   {
-    const auto part = static_cast<std::size_t>(i);
-    around[part].Points = { std::numeric_limits<std::int64_t>::max(), 0 };
-    const std::size_t last = std::min((part + 1) * blocksOfPart, blocks.size());
-    for (std::size_t block = part * blocksOfPart; block < last; ++block)
-    {
-      this->AddCells(blocks[block], around[part]);
-    }
+    exception.Guard(
+      [&]()
+      {
+        const auto part = static_cast<std::size_t>(i);
+        around[part].Points = { std::numeric_limits<std::int64_t>::max(), 0 };
+        const std::size_t last = std::min((part + 1) * blocksOfPart, blocks.size());
+        for (std::size_t block = part * blocksOfPart; block < last; ++block)
+        {
+          this->AddCells(blocks[block], around[part]);
+        }
+      });
   }
+  exception.Rethrow();
   return around;
 }
 
@@ -344,11 +351,16 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, int threa
   const auto points = static_cast<std::int64_t>(this->NumberOfPoints);
   // Each thread sums at points of its own, and asks for the states of these alone: the order is
   // always the same.
+  FirstException exception;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int part = 0; part < threads; ++part)
   {
-    this->FindMeans(around, { points * part / threads, points * (part + 1) / threads });
+    exception.Guard(
+      [&]() {
+        this->FindMeans(around, { points * part / threads, points * (part + 1) / threads });
+      });
   }
+  exception.Rethrow();
 }
 
 //------------------------------------------------------------------------------
