@@ -67,6 +67,23 @@ void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double
   std::copy_n(hit.Normal.begin(), 3, normal);
 }
 
+/// Those of all fields of an input.
+vtkirt::FieldStatistics SumStatistics(const vtkIsosurfaceRayTraceInput& input)
+{
+  vtkirt::FieldStatistics all;
+  for (int field = 0; field < input.GetNumberOfFields(); ++field)
+  {
+    const vtkirt::FieldStatistics one = input.GetField(field)->GetStatistics();
+    all.HierarchyMemory += one.HierarchyMemory;
+    all.CacheMemory += one.CacheMemory;
+    all.NumberOfBricks += one.NumberOfBricks;
+    all.MaximumNumberOfBricks += one.MaximumNumberOfBricks;
+    all.BrickNanoseconds += one.BrickNanoseconds;
+    all.GradientSeconds += one.GradientSeconds;
+  }
+  return all;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -135,18 +152,7 @@ bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
 //------------------------------------------------------------------------------
 vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
 {
-  const vtkIsosurfaceRayTraceInput& input = *this->Uses.Input;
-  vtkirt::FieldStatistics all;
-  for (int field = 0; field < input.GetNumberOfFields(); ++field)
-  {
-    const vtkirt::FieldStatistics one = input.GetField(field)->GetStatistics();
-    all.HierarchyMemory += one.HierarchyMemory;
-    all.CacheMemory += one.CacheMemory;
-    all.NumberOfBricks += one.NumberOfBricks;
-    all.MaximumNumberOfBricks += one.MaximumNumberOfBricks;
-    all.BrickNanoseconds += one.BrickNanoseconds;
-  }
-  return all;
+  return SumStatistics(*this->Uses.Input);
 }
 
 //------------------------------------------------------------------------------
@@ -200,8 +206,14 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   {
     this->HierarchyTime = watch.GetSeconds();
   }
-  return std::make_unique<vtkIsosurfaceRayTraceRequest>(
+  auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, input, volume, this->Mapper->GetClippingPlanes());
+  const double gradients = SumStatistics(input).GradientSeconds;
+  if (gradients > 0.0)
+  {
+    this->GradientTime = gradients;
+  }
+  return request;
 }
 
 //------------------------------------------------------------------------------
@@ -283,6 +295,7 @@ try
     return 0.0;
   }
   this->HierarchyTime = 0.0;
+  this->GradientTime = 0.0;
   this->Times = {};
   this->DisplayTime = 0.0;
   this->NumberOfAccumulatedFrames = 0;

@@ -93,6 +93,7 @@ public:
 
   /// Of the last frame, in seconds.
   double GetHierarchyTime() const { return this->HierarchyTime; }
+  double GetGradientTime() const { return this->GradientTime; }
   const vtkIsosurfaceRayTracing::FrameTimes& GetTimes() const { return this->Times; }
   double GetDisplayTime() const { return this->DisplayTime; }
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
@@ -122,6 +123,7 @@ private:
   vtkIsosurfaceRayTraceFrame Frame;
   std::string LastProblem;
   double HierarchyTime = 0.0;
+  double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;
   double DisplayTime = 0.0;
   int NumberOfAccumulatedFrames = 0;

@@ -112,6 +112,12 @@ double vtkIsosurfaceRayTraceMeshMapper::GetTreeBuildTime()
 }
 
 //------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceMeshMapper::GetGradientTime()
+{
+  return this->Engine->GetGradientTime();
+}
+
+//------------------------------------------------------------------------------
 double vtkIsosurfaceRayTraceMeshMapper::GetTraceTime()
 {
   return this->Engine->GetTimes().Trace;
@@ -232,6 +238,7 @@ void vtkIsosurfaceRayTraceMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
     { print(name, this->*setting, names...); });
   print("NumberOfAccumulatedFrames", this->GetNumberOfAccumulatedFrames());
   print("TreeBuildTime", this->GetTreeBuildTime());
+  print("GradientTime", this->GetGradientTime());
   print("TraceTime", this->GetTraceTime());
   print("ShadeTime", this->GetShadeTime());
   print("DisplayTime", this->GetDisplayTime());

@@ -100,7 +100,8 @@ public:
     /// The exact gradient in the cell. It is discontinuous between cells, which become visible.
     INTERPOLANT_GRADIENT = 0,
     /// Gradients at the points, each the mean of those of the cells around it, interpolated in the
-    /// cell: a smooth look.
+    /// cell: a smooth look. For the first isovalues they are found next to the surfaces; the first
+    /// frame with another isovalue finds those of all points, which takes longer, once.
     CENTRAL_DIFFERENCES = 1
   };
 
@@ -341,10 +342,12 @@ public:
 
   ///@{
   /**
-   * Get the times of the last frame, in seconds of wall-clock time: building the tree, tracing,
-   * shading, and displaying. The time of a step that the frame did not need is 0.
+   * Get the times of the last frame, in seconds of wall-clock time: building the tree, finding
+   * gradients at the points, tracing, shading, and displaying. The time of a step that the frame
+   * did not need is 0.
    */
   double GetTreeBuildTime();
+  double GetGradientTime();
   double GetTraceTime();
   double GetShadeTime();
   double GetDisplayTime();

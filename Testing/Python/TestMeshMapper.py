@@ -209,6 +209,29 @@ class TestMeshMapper(unittest.TestCase):
         self.assertTrue(picker.Pick(60, 45, 0, renderer))
         self.assertAlmostEqual(ball(picker.GetPickPosition()), -0.5, delta=0.1)
 
+    def test_gradients_are_found_for_the_first_and_the_second_isovalue(self):
+        mapper, volume = make_volume(make_grid(VTK_TETRA, ball), 0.0)
+        renderer = vtkRenderer()
+        renderer.AddVolume(volume)
+        window = vtkRenderWindow()
+        window.SetSize(60, 50)
+        window.AddRenderer(renderer)
+        renderer.ResetCamera()
+        # Two frames of each.
+        for isovalue, is_found in ((0.0, True), (0.1, True), (0.0, False), (-0.2, False)):
+            volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue)
+            for is_new in (True, False):
+                window.Render()
+                self.assertGreater(mapper.GetTraceTime(), 0.0)
+                self.assertEqual(mapper.GetGradientTime() > 0.0, is_found and is_new, isovalue)
+        mapper, volume = make_volume(make_grid(VTK_TETRA, ball), 0.0)
+        mapper.SetNormalModeToInterpolantGradient()
+        renderer.RemoveAllViewProps()
+        renderer.AddVolume(volume)
+        window.Render()
+        self.assertGreater(mapper.GetTreeBuildTime(), 0.0)
+        self.assertEqual(mapper.GetGradientTime(), 0.0)
+
     def test_it_hides_and_is_hidden_by_polygons(self):
         """The picture is that of extracted triangles, but for the edges."""
         grid = make_grid(VTK_TETRA, ball)

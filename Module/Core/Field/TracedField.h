@@ -39,6 +39,8 @@ struct FieldStatistics
   std::size_t MaximumNumberOfBricks = 0;
   /// The time spent making bricks so far, summed over the threads.
   std::int64_t BrickNanoseconds = 0;
+  /// The time that the last request took to find gradients of all data.
+  double GradientSeconds = 0.0;
 };
 
 /// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells.

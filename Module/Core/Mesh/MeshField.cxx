@@ -5,6 +5,7 @@
 
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
+#include "Field/Stopwatch.h"
 #include "Mesh/BeamTracer.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
@@ -119,6 +120,7 @@ MeshField::~MeshField() = default;
 void MeshField::Select(
   const TraceRequest& request, const Execution& execution, const MemoryBudget& /*budget*/)
 {
+  this->GradientSeconds = 0.0;
   if (request.Normals == NormalMode::CentralDifferences)
   {
     this->FindSmoothGradients(request.Surfaces, execution.Threads);
@@ -137,6 +139,7 @@ void MeshField::Select(
 //------------------------------------------------------------------------------
 void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads)
 {
+  const Stopwatch watch;
   // If there is not enough memory, they are not there.
   std::unique_ptr<PointGradients> smooth = std::move(this->Smooth);
   if (!smooth)
@@ -148,8 +151,9 @@ void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int
   {
     isovalues.push_back(surface.Isovalue);
   }
-  smooth->Find(isovalues, threads);
+  const bool areKnown = smooth->Find(isovalues, threads);
   this->Smooth = std::move(smooth);
+  this->GradientSeconds = areKnown ? 0.0 : watch.GetSeconds();
 }
 
 //------------------------------------------------------------------------------
@@ -432,6 +436,7 @@ FieldStatistics MeshField::GetStatistics() const
   FieldStatistics statistics;
   statistics.HierarchyMemory =
     this->Tree.GetMemory() + (this->Smooth ? this->Smooth->GetMemory() : 0);
+  statistics.GradientSeconds = this->GradientSeconds;
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
     statistics.CacheMemory += surface.Pieces->GetMemory();

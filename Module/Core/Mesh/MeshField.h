@@ -74,6 +74,8 @@ private:
   CellTree Tree;
   /// Null until they are requested first.
   std::unique_ptr<PointGradients> Smooth;
+  /// Of the last request.
+  double GradientSeconds = 0.0;
   MeshSelection Selection;
 };
 

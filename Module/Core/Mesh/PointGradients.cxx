@@ -201,7 +201,7 @@ PointGradients::PointGradients(const MeshCells& cells, const CellTree& tree, dou
 }
 
 //------------------------------------------------------------------------------
-void PointGradients::Find(const std::vector<double>& isovalues, int threads)
+bool PointGradients::Find(const std::vector<double>& isovalues, int threads)
 {
   const auto isKnown = [this](double isovalue)
   {
@@ -210,7 +210,7 @@ void PointGradients::Find(const std::vector<double>& isovalues, int threads)
   };
   if (this->AreAllFound || std::all_of(isovalues.begin(), isovalues.end(), isKnown))
   {
-    return;
+    return true;
   }
   ValueRange range = { Infinity, -Infinity };
   if (this->Isovalues.empty())
@@ -228,6 +228,7 @@ void PointGradients::Find(const std::vector<double>& isovalues, int threads)
     range = this->MarkAll(threads);
   }
   this->FindMeans(this->FindCellsAround(range, threads), threads);
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -30,8 +30,9 @@ public:
   PointGradients(const MeshCells& cells, const CellTree& tree, double unit);
 
   /// Finds those at the corners of the cells with some isovalues, where they are not yet known.
-  /// They are the same for any number of threads, and whatever was found before.
-  void Find(const std::vector<double>& isovalues, int threads);
+  /// They are the same for any number of threads, and whatever was found before. If it throws,
+  /// nothing is known any more. Returns whether all were known before.
+  bool Find(const std::vector<double>& isovalues, int threads);
 
   /// The gradient at a point of a cell with one of these isovalues, by the weights of its corners.
   Vector3 Get(const MeshCell& cell, const CornerWeights& weights) const;
