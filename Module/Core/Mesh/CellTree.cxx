@@ -219,7 +219,7 @@ private:
 
     bool AreFinite() const
     {
-      return this->Extents.Finite == (1U << this->Count) - 1U || this->Count == 0;
+      return this->Count == 0 || this->Extents.Finite == (1U << this->Count) - 1U;
     }
     double GetArea() const { return this->Count > 0 ? this->Extents.Area : 0.0; }
     Vector3 GetMiddle(int cell) const
