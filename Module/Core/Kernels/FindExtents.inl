@@ -45,13 +45,8 @@ void FindExtents(const double (*cells)[Corners][4], int count, CellExtents& exte
     Doubles zeros = 0.0;
     for (int corner = 0; corner < Corners; ++corner)
     {
-      const double* rows[DoubleWidth];
-      for (int lane = 0; lane < DoubleWidth; ++lane)
-      {
-        rows[lane] = cells[SmallerOf(first + lane, count - 1)][corner];
-      }
       Doubles numbers[4];
-      LoadFours(rows, numbers);
+      LoadCorner(cells, first, count, corner, numbers);
       cell.Include(numbers, numbers);
       // Zero times a number that is not finite is NaN.
       zeros = zeros + 0.0 * numbers[0] + 0.0 * numbers[1] + 0.0 * numbers[2] + 0.0 * numbers[3];

@@ -57,6 +57,19 @@ SIMD_INLINE int LargerOf(int a, int b)
   return a > b ? a : b;
 }
 
+/// Loads the numbers of a corner of each of a vector of cells. Behind the last cell it is repeated.
+template <int Corners>
+SIMD_INLINE void LoadCorner(
+  const double (*cells)[Corners][4], int first, int count, int corner, Doubles numbers[4])
+{
+  const double* rows[DoubleWidth];
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    rows[lane] = cells[SmallerOf(first + lane, count - 1)][corner];
+  }
+  LoadFours(rows, numbers);
+}
+
 }
 }
 

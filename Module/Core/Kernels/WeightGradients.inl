@@ -25,12 +25,7 @@ void WeightGradients(const double (*corners)[4][4], int count, WeightedGradients
     Doubles numbers[4][4];
     for (int corner = 0; corner < 4; ++corner)
     {
-      const double* rows[DoubleWidth];
-      for (int lane = 0; lane < DoubleWidth; ++lane)
-      {
-        rows[lane] = corners[SmallerOf(first + lane, count - 1)][corner];
-      }
-      LoadFours(rows, numbers[corner]);
+      LoadCorner(corners, first, count, corner, numbers[corner]);
     }
     // The edges from the first corner, and the rises of the value along them.
     for (int corner = 1; corner < 4; ++corner)

@@ -213,8 +213,9 @@ void BeamTracer::FindDifferences(const MeshSelection& selection, const MeshBeam&
 {
   for (int i = 0; i < cells.Count; ++i)
   {
-    const auto surface = static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]));
-    SubtractIsovalue(selection.Surfaces[surface], corners[i]);
+    const auto number = static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]));
+    const MeshSurface& surface = selection.Surfaces[number];
+    SubtractIsovalue(surface.Isovalue, surface.Scale, corners[i]);
   }
 }
 

@@ -204,7 +204,7 @@ public:
       {
         if ((group->Extents.Finite >> i & 1U) != 0)
         {
-          function(group->Numbers[i], group->GetMiddle(i));
+          function(group->Numbers[i], group->GetExtent(i).GetMiddle());
         }
       }
     }
@@ -222,15 +222,15 @@ private:
       return this->Count == 0 || this->Extents.Finite == (1U << this->Count) - 1U;
     }
     double GetArea() const { return this->Count > 0 ? this->Extents.Area : 0.0; }
-    Vector3 GetMiddle(int cell) const
+    Extent GetExtent(int cell) const
     {
-      Vector3 middle;
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      Extent extent;
+      for (int i = 0; i < 4; ++i)
       {
-        middle[axis] =
-          this->Extents.Lower[axis][cell] * 0.5 + this->Extents.Upper[axis][cell] * 0.5;
+        extent.Lower[i] = this->Extents.Lower[i][cell];
+        extent.Upper[i] = this->Extents.Upper[i][cell];
       }
-      return middle;
+      return extent;
     }
   };
 

@@ -273,7 +273,7 @@ void MeshBeam::BoundTrilinear(const MeshSelection& selection, const Set& set, Be
   const MeshSurface& surface = selection.Surfaces[static_cast<std::size_t>(set.Surface)];
   for (int i = 0; i < count; ++i)
   {
-    SubtractIsovalue(surface, this->Records.Corner[i]);
+    SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner[i]);
   }
   pieces.Count = count;
   selection.PacketKernels->BoundTrilinear(this->Records, this->Frame.GetNumbers(), pieces);

@@ -98,6 +98,17 @@ inline const ShapeTraits& GetTraits(CellShape shape)
   return none;
 }
 
+/// Turns the values of corners, behind their coordinates, into differences from an isovalue. For
+/// the scale, see GetValueScale.
+template <int Corners>
+void SubtractIsovalue(double isovalue, double scale, double (&corners)[Corners][4])
+{
+  for (auto& corner : corners)
+  {
+    corner[3] = Difference(corner[3], isovalue, scale);
+  }
+}
+
 /// The corners of the trilinear cell of any function of the corners of a cell.
 template <typename Function>
 CellCorners MakeTrilinear(const MeshCell& cell, const Function& function)

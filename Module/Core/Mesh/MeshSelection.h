@@ -5,7 +5,6 @@
 #define MeshSelection_h
 
 #include "Kernels/Kernels.h"
-#include "Math/TrilinearCell.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/SurfacePieces.h"
@@ -25,16 +24,6 @@ struct MeshSurface
   double Scale;
   std::shared_ptr<SurfacePieces> Pieces;
 };
-
-/// Turns the values of corners, behind their coordinates, into differences from an isovalue.
-template <int Corners>
-void SubtractIsovalue(const MeshSurface& surface, double (&corners)[Corners][4])
-{
-  for (auto& corner : corners)
-  {
-    corner[3] = Difference(corner[3], surface.Isovalue, surface.Scale);
-  }
-}
 
 /// What is traced of a mesh, and with what. All must outlive it.
 struct MeshSelection

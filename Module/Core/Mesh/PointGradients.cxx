@@ -151,14 +151,14 @@ private:
     {
       const Vector3 product = { found.Gradient[0][i], found.Gradient[1][i], found.Gradient[2][i] };
       const Vector3 gradient = product * (1.0 / found.Weight[i]);
-      const bool isApex = cell.Shape == CellShape::Pyramid && wanted[i] == 4;
-      const bool isFound = !isApex && std::isfinite(gradient[0] + gradient[1] + gradient[2]);
+      const bool isFound = std::isfinite(gradient[0] + gradient[1] + gradient[2]);
       this->Get(cell.Ids[wanted[i]])
         .Add((isFound ? gradient : GetGradientAtCorner(cell, wanted[i])) * volume, volume);
     }
   }
 
-  /// At a corner with three edges the gradient is that in the tetrahedron between their ends.
+  /// At a corner with three edges the gradient is that in the tetrahedron between their ends. Of
+  /// the apex of a pyramid that is flat: it has no gradient.
   WeightedGradients FindAtCorners(const MeshCell& cell, const int* wanted, int count) const
   {
     double corners[MaximumCorners][4][4];

@@ -143,10 +143,7 @@ void SurfacePieces::MakeSets(
     this->Cells->LoadTetrahedra(&tetrahedra.Cells[first], set.Count, corners);
     for (int i = 0; i < set.Count; ++i)
     {
-      for (auto& corner : corners[i])
-      {
-        corner[3] = Difference(corner[3], this->Isovalue, this->Scale);
-      }
+      SubtractIsovalue(this->Isovalue, this->Scale, corners[i]);
     }
     kernels.PackPolygons(corners, set);
   }
