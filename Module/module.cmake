@@ -3,6 +3,8 @@
 set(core_sources
   Image/Lattice/Ray.cxx
   Kernels/InstructionSets.cxx
+  Field/BoundsTree.cxx
+  Field/FieldSet.cxx
   Field/TracedField.cxx
   Image/Cells/BoxFaces.cxx
   Image/Cells/CellsOnRay.cxx

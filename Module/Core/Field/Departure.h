@@ -18,6 +18,8 @@ struct Departure
   int Surface = Hit::NoSurface;
   /// Whether the ray leaves towards the inside of the surface.
   bool Entering = false;
+  /// In a set of fields, the member that has the surface.
+  int Member = 0;
 
   /// Whether a crossing of a surface may be the one that the ray starts on.
   bool Is(int surface, bool entering) const

@@ -6,6 +6,7 @@
 
 #include "Field/Departure.h"
 #include "Field/Execution.h"
+#include "Math/Bounds.h"
 #include "Math/Vector.h"
 #include "Rays/Camera.h"
 #include "Rays/Hit.h"
@@ -21,13 +22,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// A box along the axes.
-struct Bounds
-{
-  Vector3 Lower;
-  Vector3 Upper;
-};
-
 /// What a field has built over its data, and keeps of them.
 struct FieldStatistics
 {
@@ -41,6 +35,16 @@ struct FieldStatistics
   std::int64_t BrickNanoseconds = 0;
   /// The time that the last request took to find gradients of all data.
   double GradientSeconds = 0.0;
+
+  void operator+=(const FieldStatistics& other)
+  {
+    this->HierarchyMemory += other.HierarchyMemory;
+    this->CacheMemory += other.CacheMemory;
+    this->NumberOfBricks += other.NumberOfBricks;
+    this->MaximumNumberOfBricks += other.MaximumNumberOfBricks;
+    this->BrickNanoseconds += other.BrickNanoseconds;
+    this->GradientSeconds += other.GradientSeconds;
+  }
 };
 
 /// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells.
@@ -78,6 +82,9 @@ public:
   /// What was selected.
   virtual const TraceRequest& GetRequest() const = 0;
 
+  /// Whether rays may hit anything of what was selected.
+  virtual bool MayHit() const { return true; }
+
   /// Appends the part of a ray in the field (begin <= t <= end) to a packet that has room for it.
   /// If there is none, or the ray is no ray (not finite, without direction), it does not exist
   /// there.
@@ -102,8 +109,8 @@ public:
   virtual bool MayHitBetween(RayPacket& /*lines*/, Beam* /*beam*/) const { return true; }
 
   /// Finds the hits of each ray, in order, up to the first opaque one or to where no transmittance
-  /// is left. A ray that does not exist has no hits. The beam may be null, and need not hold the
-  /// rays.
+  /// is left. A ray that does not exist has no hits. The beam may be null; if not the rays must be
+  /// between its lines, but for rounding.
   virtual void Trace(RayPacket& packet, RayHits& hits, Beam* beam) = 0;
   void Trace(RayPacket& packet, RayHits& hits) { this->Trace(packet, hits, nullptr); }
 

@@ -89,6 +89,14 @@ void ImageField::Select(
 }
 
 //------------------------------------------------------------------------------
+bool ImageField::MayHit() const
+{
+  const TraceRequest& request = this->Selection.Request;
+  return request.Projection || request.Visible.HasCaps() ||
+    (!request.Surfaces.empty() && this->Selection.Active.IsAnyActive());
+}
+
+//------------------------------------------------------------------------------
 Bounds ImageField::GetBounds() const
 {
   const Index3& cells = this->Selection.Lattice.GetCells();

@@ -37,6 +37,7 @@ public:
   void Select(const TraceRequest& request, const Execution& execution,
     const MemoryBudget& budget = {}) override;
   const TraceRequest& GetRequest() const override { return this->Selection.Request; }
+  bool MayHit() const override;
 
   Bounds GetBounds() const override;
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,

@@ -14,7 +14,7 @@
 #include "Mesh/MeshCaps.h"
 #include "Mesh/MeshRay.h"
 #include "Mesh/ShapeFunctions.h"
-#include "Rays/BoxedRays.h"
+#include "Rays/AppendBoxedRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,30 +172,21 @@ MeshSurface MeshField::SelectSurface(double isovalue) const
 }
 
 //------------------------------------------------------------------------------
+bool MeshField::MayHit() const
+{
+  return std::any_of(this->Selection.Surfaces.begin(), this->Selection.Surfaces.end(),
+           [this](const MeshSurface& surface) {
+             return this->Tree.GetLow() < surface.Isovalue &&
+               surface.Isovalue <= this->Tree.GetHigh();
+           }) ||
+    this->Selection.Request.Visible.HasCaps();
+}
+
+//------------------------------------------------------------------------------
 void MeshField::AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
   RayPacket& packet) const
 {
-  const Bounds& box = this->Tree.GetBounds();
-  BoxedRays<double> boxed{};
-  std::copy_n(origin.begin(), 3, boxed.Origin);
-  std::copy_n(direction.begin(), 3, boxed.Direction);
-  boxed.Begin = begin;
-  boxed.End = end;
-  const int ray = packet.Count++;
-  if (!MoveToBox(box.Lower.data(), box.Upper.data(), boxed))
-  {
-    return;
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    packet.Origin[axis][ray] = boxed.Origin[axis];
-    packet.Direction[axis][ray] = boxed.Direction[axis];
-    packet.Inverse[axis][ray] = boxed.Inverse[axis];
-  }
-  packet.Begin[ray] = boxed.Begin;
-  packet.End[ray] = boxed.End;
-  packet.Base[ray] = boxed.Base;
-  Add(ray, packet.Exists);
+  AppendBoxedRay(this->Tree.GetBounds(), origin, direction, begin, end, packet);
 }
 
 //------------------------------------------------------------------------------

@@ -140,7 +140,7 @@ SecondaryRays::OutgoingRay SecondaryRays::MakeLightRay(
   const double end = light.Positional
     ? Length(toLight) / Length(TransformDirection(this->WorldFromObject, direction))
     : std::numeric_limits<double>::infinity();
-  return { origin, direction, end, { hit.Surface, Dot(gradient, direction) > 0.0 } };
+  return { origin, direction, end, { hit.Surface, Dot(gradient, direction) > 0.0, hit.Member } };
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +151,7 @@ SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
   const Vector3 inObject = TransposeTransformDirection(this->WorldFromGradient, direction);
   const double unit = Length(TransformDirection(this->WorldFromObject, inObject));
   return { this->Field.GetPoint(hit), inObject, this->TheScene.OcclusionRadius / unit,
-    { hit.Surface, Dot(gradient, inObject) > 0.0 } };
+    { hit.Surface, Dot(gradient, inObject) > 0.0, hit.Member } };
 }
 
 //------------------------------------------------------------------------------

@@ -25,11 +25,13 @@ struct Hit
   Vector3 Parametric;
   /// Whether the ray enters the surface there: goes from below the isovalue to at or above it.
   bool Entering;
-  /// Which of the fields of a scene.
-  int Field = 0;
   /// Where values jump from the box of one sample to that of the next (see BoxFaces.h): 1, 2, 3 if
   /// they rise along x, y, z, and -1, -2, -3 if they fall. 0 on a surface of the interpolant.
-  int Jump = 0;
+  std::int8_t Jump = 0;
+  /// Which of the fields of a scene.
+  int Field = 0;
+  /// Which of the members of its field, if that is a set of fields.
+  int Member = 0;
   /// Of a cap, the half-space that it closes: see Visibility. The surface is the one whose inside
   /// it shows.
   int Plane = NoPlane;

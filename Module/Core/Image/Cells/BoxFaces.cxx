@@ -110,7 +110,8 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
       Hit hit{ ray.Base + crossing.T, lattice.GetNumber(cell), 0,
         PointInCell(ray, cell, crossing.T), before < behind };
       hit.Parametric[axis] = 0.5;
-      hit.Jump = hit.Entering == (ray.Step[axis] > 0) ? crossing.Axis + 1 : -crossing.Axis - 1;
+      const int jump = crossing.Axis + 1;
+      hit.Jump = static_cast<std::int8_t>(hit.Entering == (ray.Step[axis] > 0) ? jump : -jump);
       const auto count = static_cast<int>(surfaces.size());
       for (int i = 0; i < count; ++i)
       {

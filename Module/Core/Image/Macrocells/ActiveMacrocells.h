@@ -66,6 +66,14 @@ public:
     return (this->Bits[level][bit / 64] >> (bit % 64) & 1) != 0;
   }
 
+  /// Whether any is; without macrocells there may be surfaces anywhere.
+  bool IsAnyActive() const
+  {
+    return this->Bits.empty() ||
+      std::any_of(this->Bits.back().begin(), this->Bits.back().end(),
+        [](std::uint64_t word) { return word != 0; });
+  }
+
   /// The bits of the eight finest macrocells from first on along x, or of as many as there are.
   std::uint64_t GetRow(const Index3& first) const
   {

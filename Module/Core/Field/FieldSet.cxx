@@ -1,0 +1,642 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/FieldSet.h"
+
+#include "Field/HitCollector.h"
+#include "Field/PixelBlocks.h"
+#include "Math/Matrix.h"
+#include "Rays/AppendBoxedRay.h"
+#include "Rays/LineFrustum.h"
+
+#include <algorithm>
+#include <limits>
+#include <typeindex>
+#include <unordered_map>
+#include <utility>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Where rays are in a box.
+struct RaysInBox
+{
+  RaySet Rays = {};
+  double Near = Infinity;
+  double Begin[RayPacket::Capacity];
+  double End[RayPacket::Capacity];
+};
+
+/// Narrows rays to a box. Those that are in its faces are in it or not, by rounding.
+void CutToBox(const RayPacket& packet, const Bounds& box, RaysInBox& inside)
+{
+  std::copy_n(packet.Begin, packet.Count, inside.Begin);
+  std::copy_n(packet.End, packet.Count, inside.End);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double lower = box.Lower[axis];
+    const double upper = box.Upper[axis];
+    for (int i = 0; i < packet.Count; ++i)
+    {
+      const double a = (lower - packet.Origin[axis][i]) * packet.Inverse[axis][i];
+      const double b = (upper - packet.Origin[axis][i]) * packet.Inverse[axis][i];
+      inside.Begin[i] = std::max(inside.Begin[i], std::min(a, b));
+      inside.End[i] = std::min(inside.End[i], std::max(a, b));
+    }
+  }
+  inside.Rays = {};
+  inside.Near = Infinity;
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    if (Has(packet.Exists, i) && inside.Begin[i] <= inside.End[i])
+    {
+      Add(i, inside.Rays);
+      inside.Near = std::min(inside.Near, inside.Begin[i]);
+    }
+  }
+}
+
+/// A half-space in another space, from which a transformation leads to its own.
+HalfSpace Transform(const HalfSpace& half, const Matrix4& setFromOwn)
+{
+  HalfSpace result = half;
+  result.Normal = TransposeTransformDirection(setFromOwn, half.Normal);
+  result.Offset = Dot(half.Normal, TransformPoint(setFromOwn, { 0.0, 0.0, 0.0 })) + half.Offset;
+  return result;
+}
+
+/// A box a little larger, by more than what rounding may move rays and hits.
+Bounds WithMargin(const Bounds& box)
+{
+  constexpr double margin = 1e-9;
+  Bounds larger = box;
+  double length = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length = std::max(length, box.Upper[axis] - box.Lower[axis]);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    larger.Lower[axis] -= margin * length;
+    larger.Upper[axis] += margin * length;
+  }
+  return larger;
+}
+
+}
+
+//------------------------------------------------------------------------------
+struct FieldSet::Member
+{
+  FieldSource* Source = nullptr;
+  Bounds Box;
+  Matrix4 SetFromOwn;
+  Matrix4 OwnFromSet;
+  Matrix4 SetFromOwnGradient;
+  double CellSize = 1.0;
+  double MemoryShare = 1.0;
+  bool IsOnDemand = false;
+  /// Null before it is selected first.
+  TracedField* Field = nullptr;
+  /// Whether rays may hit anything of it.
+  bool MayHit = true;
+  std::atomic<unsigned int> Selection{ 0 };
+
+  /// The part of rays in the box, as rays of the field: with the same places in the packet.
+  void MoveRays(
+    const RayPacket& rays, const RaysInBox& inside, const RaySet& some, RayPacket& moved) const
+  {
+    moved.Clear();
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(some, i))
+      {
+        this->Field->AddRay(TransformPoint(this->OwnFromSet, rays.GetOrigin(i)),
+          TransformDirection(this->OwnFromSet, rays.GetDirection(i)), inside.Begin[i],
+          inside.End[i], moved);
+      }
+      else
+      {
+        ++moved.Count;
+      }
+    }
+    moved.Columns = rays.Columns;
+  }
+
+  RayPacket MoveLines(const RayPacket& lines) const
+  {
+    RayPacket moved;
+    moved.Clear();
+    moved.Count = lines.Count;
+    for (int i = 0; i < lines.Count; ++i)
+    {
+      const Vector3 origin = TransformPoint(this->OwnFromSet, lines.GetOrigin(i));
+      const Vector3 direction = TransformDirection(this->OwnFromSet, lines.GetDirection(i));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        moved.Origin[axis][i] = origin[axis];
+        moved.Direction[axis][i] = direction[axis];
+      }
+    }
+    return moved;
+  }
+};
+
+//------------------------------------------------------------------------------
+struct FieldSet::Reached
+{
+  double Near;
+  std::size_t Number;
+};
+
+//------------------------------------------------------------------------------
+/// What a thread traces packets with.
+class FieldSet::ThreadBeam final : public Beam
+{
+public:
+  /// Begins with other lines.
+  void Begin(const RayPacket& lines)
+  {
+    this->HasLines = true;
+    this->Lines = lines;
+    this->Candidates.clear();
+    for (auto& [number, beam] : this->InUse)
+    {
+      this->Free[beam.Kind].push_back(std::move(beam.Own));
+    }
+    this->InUse.clear();
+  }
+
+  /// That of a member, begun with the lines.
+  Beam* GetBeam(std::size_t number, const Member& member)
+  {
+    if (!this->HasLines)
+    {
+      return nullptr;
+    }
+    const auto [place, isNew] = this->InUse.try_emplace(number);
+    BeamOfMember& beam = place->second;
+    if (isNew)
+    {
+      const TracedField& field = *member.Field;
+      beam.Kind = typeid(field);
+      std::vector<std::unique_ptr<Beam>>& free = this->Free[beam.Kind];
+      if (free.empty())
+      {
+        beam.Own = field.MakeBeam();
+      }
+      else
+      {
+        beam.Own = std::move(free.back());
+        free.pop_back();
+      }
+      if (beam.Own)
+      {
+        field.Begin(member.MoveLines(this->Lines), beam.Own.get());
+      }
+    }
+    return beam.Own.get();
+  }
+
+  bool HasLines = false;
+  RayPacket Lines;
+  /// The members that rays between the lines may meet.
+  std::vector<std::size_t> Candidates;
+  /// Of the member that is traced: rays and hits.
+  RaysInBox Inside;
+  RayPacket Moved;
+  RayHits HitsOfMember;
+  /// The hits of each ray with all members so far.
+  std::vector<Hit> Found[RayPacket::Capacity];
+
+private:
+  struct BeamOfMember
+  {
+    std::type_index Kind = typeid(void);
+    std::unique_ptr<Beam> Own;
+  };
+
+  std::unordered_map<std::size_t, BeamOfMember> InUse;
+  /// Those of fields of a class serve other fields of this class.
+  std::unordered_map<std::type_index, std::vector<std::unique_ptr<Beam>>> Free;
+};
+
+//------------------------------------------------------------------------------
+FieldSet::FieldSet(const std::vector<PlacedField>& fields)
+  : NumberOfMembers(fields.size())
+  , Members(new Member[fields.size()])
+  , Tree(
+      [&fields]
+      {
+        std::vector<Bounds> boxes;
+        boxes.reserve(fields.size());
+        for (const PlacedField& field : fields)
+        {
+          boxes.push_back(WithMargin(field.Box));
+        }
+        return boxes;
+      }())
+  , Box(this->Tree.GetBounds())
+{
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    const PlacedField& placed = fields[i];
+    Member& member = this->Members[i];
+    member.Source = placed.Source;
+    member.Box = WithMargin(placed.Box);
+    member.SetFromOwn = placed.SetFromOwn;
+    member.OwnFromSet = InvertAffine(placed.SetFromOwn);
+    member.SetFromOwnGradient = NormalMatrix(placed.SetFromOwn);
+    member.CellSize = placed.CellSize;
+    member.MemoryShare = placed.MemoryShare;
+    member.IsOnDemand = placed.IsOnDemand;
+    this->MemoryShares += placed.MemoryShare;
+  }
+}
+
+//------------------------------------------------------------------------------
+FieldSet::~FieldSet() = default;
+
+//------------------------------------------------------------------------------
+void FieldSet::Select(
+  const TraceRequest& request, const Execution& execution, const MemoryBudget& budget)
+{
+  this->Request = request;
+  this->PacketKernels = execution.PacketKernels;
+  this->Budget = budget;
+  ++this->Selection;
+  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  {
+    if (!this->Members[i].IsOnDemand)
+    {
+      this->SelectMember(this->Members[i], execution);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// That of all, in the object space of a member, with what is visible of it.
+TraceRequest FieldSet::MakeRequest(const Member& member) const
+{
+  TraceRequest request = this->Request;
+  request.Visible = member.Source->FindVisible();
+  for (const HalfSpace& half : this->Request.Visible.HalfSpaces)
+  {
+    request.Visible.HalfSpaces.push_back(Transform(half, member.SetFromOwn));
+  }
+  return request;
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::SelectMember(Member& member, const Execution& execution) const
+{
+  member.Field = &member.Source->GetField();
+  MemoryBudget budget = this->Budget;
+  if (budget.CacheBytes != MemoryBudget{}.CacheBytes)
+  {
+    budget.CacheBytes = static_cast<std::size_t>(
+      static_cast<double>(budget.CacheBytes) * (member.MemoryShare / this->MemoryShares));
+  }
+  member.Field->Select(this->MakeRequest(member), execution, budget);
+  member.MayHit = member.Field->MayHit();
+  member.Selection.store(this->Selection, std::memory_order_release);
+}
+
+//------------------------------------------------------------------------------
+bool FieldSet::IsSelected(const Member& member) const
+{
+  return member.Selection.load(std::memory_order_acquire) == this->Selection;
+}
+
+//------------------------------------------------------------------------------
+bool FieldSet::IsKnownEmpty(const Member& member) const
+{
+  return this->IsSelected(member) && !member.MayHit;
+}
+
+//------------------------------------------------------------------------------
+/// Selects a member, unless it is. Returns null if rays hit nothing of it.
+FieldSet::Member* FieldSet::Prepare(std::size_t number) const
+{
+  Member& member = this->Members[number];
+  if (!this->IsSelected(member))
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutexes[number % this->Mutexes.size()]);
+    if (!this->IsSelected(member))
+    {
+      this->SelectMember(member, { 1, this->PacketKernels });
+    }
+  }
+  return member.MayHit ? &member : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const FieldSet::Member& FieldSet::GetMember(const Hit& hit) const
+{
+  return this->Members[static_cast<std::size_t>(hit.Member)];
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+  RayPacket& packet) const
+{
+  AppendBoxedRay(this->Box, origin, direction, begin, end, packet);
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
+  RayPacket& packet) const
+{
+  if (!this->PacketKernels)
+  {
+    TracedField::MakeRays(view, pixels, depths, packet);
+    return;
+  }
+  this->PacketKernels->MakeBoxedRays(
+    MakePixelBlock(view, pixels, depths), this->Box.Lower.data(), this->Box.Upper.data(), packet);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<TracedField::Beam> FieldSet::MakeBeam() const
+{
+  return std::make_unique<ThreadBeam>();
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::Begin(const RayPacket& lines, Beam* beam) const
+{
+  auto* thread = static_cast<ThreadBeam*>(beam);
+  thread->Begin(lines);
+  const LineFrustum frustum(lines);
+  this->Tree.Find([&frustum](const Bounds& box) { return frustum.MayMeet(box); },
+    [this, thread](std::size_t number)
+    {
+      if (!this->IsKnownEmpty(this->Members[number]))
+      {
+        thread->Candidates.push_back(number);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
+{
+  auto* thread = static_cast<ThreadBeam*>(beam);
+  if (!thread || !thread->HasLines)
+  {
+    return true;
+  }
+  const LineFrustum frustum(lines);
+  return std::any_of(thread->Candidates.begin(), thread->Candidates.end(),
+    [&](std::size_t number)
+    {
+      const Member& member = this->Members[number];
+      if (!frustum.MayMeet(member.Box))
+      {
+        return false;
+      }
+      if (!this->IsSelected(member))
+      {
+        return true;
+      }
+      if (!member.MayHit)
+      {
+        return false;
+      }
+      RayPacket moved = member.MoveLines(lines);
+      return member.Field->MayHitBetween(moved, thread->GetBeam(number, member));
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The members that rays of a packet meet, front to back.
+std::vector<FieldSet::Reached> FieldSet::FindReached(
+  const RayPacket& packet, const ThreadBeam* beam) const
+{
+  std::vector<Reached> reached;
+  RaysInBox inside;
+  const auto add = [&](std::size_t number)
+  {
+    const Member& member = this->Members[number];
+    if (this->IsKnownEmpty(member))
+    {
+      return;
+    }
+    CutToBox(packet, member.Box, inside);
+    if (!IsEmpty(inside.Rays))
+    {
+      reached.push_back({ inside.Near, number });
+    }
+  };
+  if (beam && beam->HasLines)
+  {
+    std::for_each(beam->Candidates.begin(), beam->Candidates.end(), add);
+  }
+  else
+  {
+    this->Tree.Find(
+      [&](const Bounds& box)
+      {
+        CutToBox(packet, box, inside);
+        return !IsEmpty(inside.Rays);
+      },
+      add);
+  }
+  std::sort(reached.begin(), reached.end(),
+    [](const Reached& a, const Reached& b)
+    { return std::make_pair(a.Near, a.Number) < std::make_pair(b.Near, b.Number); });
+  return reached;
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
+{
+  std::unique_ptr<ThreadBeam> own;
+  auto* thread = static_cast<ThreadBeam*>(beam);
+  if (!thread)
+  {
+    own = std::make_unique<ThreadBeam>();
+    thread = own.get();
+  }
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    thread->Found[i].clear();
+  }
+  for (const Reached& reached : this->FindReached(packet, thread))
+  {
+    // Rays have become shorter since.
+    CutToBox(packet, this->Members[reached.Number].Box, thread->Inside);
+    const Member* member = IsEmpty(thread->Inside.Rays) ? nullptr : this->Prepare(reached.Number);
+    if (!member)
+    {
+      continue;
+    }
+    member->MoveRays(packet, thread->Inside, thread->Inside.Rays, thread->Moved);
+    member->Field->Trace(
+      thread->Moved, thread->HitsOfMember, thread->GetBeam(reached.Number, *member));
+    const RayHits& found = thread->HitsOfMember;
+    for (int i = 0; i < packet.Count; ++i)
+    {
+      const auto ray = static_cast<std::size_t>(i);
+      for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
+      {
+        Hit hit = found.Hits[k];
+        if (!this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0)
+        {
+          packet.End[i] = std::min(packet.End[i], hit.T);
+        }
+        hit.T += packet.Base[i];
+        hit.Member = static_cast<int>(reached.Number);
+        thread->Found[i].push_back(hit);
+      }
+    }
+  }
+  this->JoinHits(*thread, packet.Count, hits);
+}
+
+//------------------------------------------------------------------------------
+/// Puts the hits of each ray in order.
+void FieldSet::JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const
+{
+  hits.Clear();
+  for (int i = 0; i < rays; ++i)
+  {
+    std::vector<Hit>& found = beam.Found[i];
+    if (found.size() > 1)
+    {
+      std::stable_sort(
+        found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.T < b.T; });
+    }
+    if (this->Request.Projection)
+    {
+      const bool isLargest = this->Request.Projection == Extremum::Largest;
+      const auto extreme = std::min_element(found.begin(), found.end(),
+        [isLargest](const Hit& a, const Hit& b)
+        { return isLargest ? a.Value > b.Value : a.Value < b.Value; });
+      hits.Hits.insert(hits.Hits.end(), extreme, extreme + (extreme == found.end() ? 0 : 1));
+    }
+    else
+    {
+      // What is hidden in the members is not among them.
+      HitCollector collector(*this, hits.Hits);
+      std::any_of(found.begin(), found.end(),
+        [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+    }
+    hits.EndRay();
+  }
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::FindTransmittance(
+  RayPacket& packet, const Departure* departures, double* transmittance)
+{
+  std::fill_n(transmittance, packet.Count, 1.0);
+  RaysInBox inside;
+  RayPacket moved;
+  Departure ownDepartures[RayPacket::Capacity];
+  double some[RayPacket::Capacity];
+  for (const Reached& reached : this->FindReached(packet, nullptr))
+  {
+    const Member* member = this->Prepare(reached.Number);
+    if (!member)
+    {
+      continue;
+    }
+    CutToBox(packet, member->Box, inside);
+    for (int i = 0; i < packet.Count; ++i)
+    {
+      const bool startsHere = departures[i].Member == static_cast<int>(reached.Number);
+      ownDepartures[i] = startsHere ? departures[i] : Departure{};
+      if (!startsHere && departures[i].Surface != Hit::NoSurface && Has(inside.Rays, i))
+      {
+        // The surface that the ray starts on may go on in the member, or have a twin there.
+        const double unit = Length(TransformDirection(member->OwnFromSet, packet.GetDirection(i)));
+        inside.Begin[i] = std::max(
+          inside.Begin[i], StoppedRays::NearStart * member->CellSize / unit - packet.Base[i]);
+      }
+    }
+    member->MoveRays(packet, inside, inside.Rays, moved);
+    member->Field->FindTransmittance(moved, ownDepartures, some);
+    for (int i = 0; i < packet.Count; ++i)
+    {
+      transmittance[i] *= some[i];
+      if (transmittance[i] == 0.0)
+      {
+        Remove(i, packet.Exists);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 FieldSet::GetPoint(const Hit& hit) const
+{
+  const Member& member = this->GetMember(hit);
+  return TransformPoint(member.SetFromOwn, member.Field->GetPoint(hit));
+}
+
+//------------------------------------------------------------------------------
+Vector3 FieldSet::GetPointInCells(const Hit& hit) const
+{
+  return this->GetMember(hit).Field->GetPointInCells(hit);
+}
+
+//------------------------------------------------------------------------------
+Vector3 FieldSet::GetGradient(const Hit& hit, NormalMode mode) const
+{
+  const Member& member = this->GetMember(hit);
+  return TransformDirection(member.SetFromOwnGradient, member.Field->GetGradient(hit, mode));
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
+  double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
+{
+  alignas(64) double ownPoints[3][RayPacket::Capacity];
+  alignas(64) double ownGradients[3][RayPacket::Capacity];
+  for (int first = 0; first < count;)
+  {
+    int last = first;
+    while (last < count && hits[last].Member == hits[first].Member)
+    {
+      ++last;
+    }
+    const Member& member = this->GetMember(hits[first]);
+    member.Field->GetPointsAndGradients(&hits[first], last - first, ownPoints, ownGradients);
+    for (int i = first; i < last; ++i)
+    {
+      const int k = i - first;
+      const Vector3 point =
+        TransformPoint(member.SetFromOwn, { ownPoints[0][k], ownPoints[1][k], ownPoints[2][k] });
+      const Vector3 gradient = TransformDirection(
+        member.SetFromOwnGradient, { ownGradients[0][k], ownGradients[1][k], ownGradients[2][k] });
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        points[axis][i] = point[axis];
+        gradients[axis][i] = gradient[axis];
+      }
+    }
+    first = last;
+  }
+}
+
+//------------------------------------------------------------------------------
+FieldStatistics FieldSet::GetStatistics() const
+{
+  FieldStatistics all;
+  all.HierarchyMemory = this->Tree.GetMemory() + this->NumberOfMembers * sizeof(Member);
+  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  {
+    if (const TracedField* field = this->Members[i].Field)
+    {
+      all += field->GetStatistics();
+    }
+  }
+  return all;
+}
+
+}

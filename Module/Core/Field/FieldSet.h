@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef FieldSet_h
+#define FieldSet_h
+
+#include "Field/BoundsTree.h"
+#include "Field/TracedField.h"
+#include "Math/Bounds.h"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Where a member of a set of fields comes from.
+class FieldSource
+{
+public:
+  virtual ~FieldSource() = default;
+
+  /// The field, which is made if it is not there. Called by one thread at a time.
+  virtual TracedField& GetField() = 0;
+
+  /// What of the field is visible, in its object space. It must be there.
+  virtual Visibility FindVisible() const = 0;
+};
+
+/// A field of a set, and where it lies.
+struct PlacedField
+{
+  /// It must outlive the set.
+  FieldSource* Source;
+  /// From the object space of the field to that of the set: an affine transformation.
+  Matrix4 SetFromOwn;
+  /// The box that its hits are in, in the object space of the set: rays are cut to it.
+  Bounds Box;
+  /// The size of its cells in its own object space, about.
+  double CellSize = 1.0;
+  /// Its share of the memory that all may have, in any unit.
+  double MemoryShare = 1.0;
+  /// Whether it is made and selected when the first ray comes to its box, by the thread of this
+  /// ray; otherwise in Select, with all threads. A field that no ray comes to costs nothing.
+  bool IsOnDemand = false;
+};
+
+/// Any number of fields as one: the blocks of composite data. Each has an object space of its own;
+/// their hits are put in order along each ray by T, which is the same in all affine spaces.
+///
+/// Rays find the fields they meet by a hierarchy over boxes, front to back, and end at the nearest
+/// opaque hit so far. All have the same request, but for what is visible. Hits say which member
+/// they are of. A projection has the first of the extreme values of all members.
+class FieldSet final : public TracedField
+{
+public:
+  /// There must be a member.
+  explicit FieldSet(const std::vector<PlacedField>& fields);
+  ~FieldSet() override;
+
+  std::size_t GetNumberOfMembers() const { return this->NumberOfMembers; }
+
+  void Select(const TraceRequest& request, const Execution& execution,
+    const MemoryBudget& budget = {}) override;
+  const TraceRequest& GetRequest() const override { return this->Request; }
+
+  Bounds GetBounds() const override { return this->Box; }
+  void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
+    RayPacket& packet) const override;
+  void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
+    RayPacket& packet) const override;
+  std::unique_ptr<Beam> MakeBeam() const override;
+  void Begin(const RayPacket& lines, Beam* beam) const override;
+  bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
+  using TracedField::Trace;
+  void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
+  void FindTransmittance(
+    RayPacket& packet, const Departure* departures, double* transmittance) override;
+  Vector3 GetPoint(const Hit& hit) const override;
+  Vector3 GetPointInCells(const Hit& hit) const override;
+  Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
+  void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
+    double (*gradients)[RayPacket::Capacity]) const override;
+  FieldStatistics GetStatistics() const override;
+
+private:
+  struct Member;
+  class ThreadBeam;
+  /// A member that rays of a packet meet.
+  struct Reached;
+
+  TraceRequest MakeRequest(const Member& member) const;
+  void SelectMember(Member& member, const Execution& execution) const;
+  bool IsSelected(const Member& member) const;
+  bool IsKnownEmpty(const Member& member) const;
+  Member* Prepare(std::size_t number) const;
+  const Member& GetMember(const Hit& hit) const;
+
+  std::vector<Reached> FindReached(const RayPacket& packet, const ThreadBeam* beam) const;
+  void JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const;
+
+  std::size_t NumberOfMembers;
+  std::unique_ptr<Member[]> Members;
+  BoundsTree Tree;
+  Bounds Box;
+  TraceRequest Request;
+  const Kernels* PacketKernels = nullptr;
+  MemoryBudget Budget;
+  double MemoryShares = 0.0;
+  /// The number of the selection; members that have another are to be selected before they are
+  /// traced.
+  unsigned int Selection = 0;
+  /// Of the members, which share them.
+  mutable std::array<std::mutex, 64> Mutexes;
+};
+
+}
+
+#endif

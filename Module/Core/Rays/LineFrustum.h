@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef LineFrustum_h
+#define LineFrustum_h
+
+#include "Math/Bounds.h"
+#include "Rays/RayPacket.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// What the rays between four lines may meet, of which opposite ones are the first and the last:
+/// the space between four planes. The lines pass through one point or are parallel.
+class LineFrustum
+{
+public:
+  /// Of the lines only the origins and the directions are needed.
+  explicit LineFrustum(const RayPacket& lines)
+  {
+    constexpr std::array<std::array<int, 4>, 4> sides = { { { 0, 1, 2, 3 }, { 1, 3, 0, 2 },
+      { 3, 2, 1, 0 }, { 2, 0, 3, 1 } } };
+    for (const std::array<int, 4>& side : sides)
+    {
+      this->AddSide(lines, side);
+    }
+  }
+
+  /// Whether a ray may meet a box. Some boxes outside are taken for met.
+  bool MayMeet(const Bounds& box) const
+  {
+    for (const Side& side : this->Sides)
+    {
+      double highest = 0.0;
+      double size = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double low = side.Normal[axis] * (box.Lower[axis] - side.Point[axis]);
+        const double high = side.Normal[axis] * (box.Upper[axis] - side.Point[axis]);
+        highest += std::max(low, high);
+        size += std::abs(low) + std::abs(high);
+      }
+      if (highest < -Slack * size)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  /// More than the rounding of lines and planes.
+  static constexpr double Slack = 1e-9;
+
+  /// A plane through two lines that are neighbours. The others are where the normal points to.
+  struct Side
+  {
+    Vector3 Normal;
+    Vector3 Point;
+  };
+
+  /// Of lines that coincide there is no plane.
+  void AddSide(const RayPacket& lines, const std::array<int, 4>& side)
+  {
+    const Vector3 origin = lines.GetOrigin(side[0]);
+    const Vector3 direction = Normalized(lines.GetDirection(side[0]));
+    const Vector3 other = Normalized(lines.GetDirection(side[1]));
+    const Vector3 step = Normalized(lines.GetOrigin(side[1]) - origin);
+    const Vector3 ofOrigins = Cross(direction + other, step);
+    const Vector3 ofDirections = Cross(direction, other);
+    Vector3 normal = Length(ofOrigins) >= Length(ofDirections) ? ofOrigins : ofDirections;
+    if (!(Length(normal) > Slack))
+    {
+      return;
+    }
+    normal = Normalized(normal);
+    // Where the lines cross on their way, they have no inside.
+    bool isAbove = true;
+    bool isBelow = true;
+    for (const int opposite : { side[2], side[3] })
+    {
+      for (const double height : { Dot(normal, lines.GetOrigin(opposite) - origin),
+             Dot(normal, lines.GetDirection(opposite)) })
+      {
+        isAbove = isAbove && height >= 0.0;
+        isBelow = isBelow && height <= 0.0;
+      }
+    }
+    if (isAbove != isBelow)
+    {
+      this->Sides.push_back({ isAbove ? normal : normal * -1.0, origin });
+    }
+  }
+
+  std::vector<Side> Sides;
+};
+
+}
+
+#endif

@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A set of fields is traced like its fields one by one: the blocks of an image like the image.
+
+#include "Field/FieldSet.h"
+#include "Image/ImageField.h"
+#include "Math/Matrix.h"
+#include "Matrices.h"
+#include "Picture/CastRays.h"
+#include "Picture/RenderTiles.h"
+#include "RandomNumbers.h"
+#include "SameBits.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr int Edge = 33;
+
+/// Many sheets, which all blocks have some of.
+double Gyroid(double x, double y, double z)
+{
+  return std::sin(0.45 * x) * std::cos(0.45 * y) + std::sin(0.45 * y) * std::cos(0.45 * z) +
+    std::sin(0.45 * z) * std::cos(0.45 * x);
+}
+
+/// A part of an image, made when it is asked for.
+class Block final : public FieldSource
+{
+public:
+  Block(const Index3& first, const Index3& dimensions)
+    : Volume(TestVolume<double>::Of(dimensions,
+        [&first](const Vector3& p)
+        { return Gyroid(p[0] + first[0], p[1] + first[1], p[2] + first[2]); }))
+    , First(first)
+  {
+  }
+
+  TracedField& GetField() override
+  {
+    if (!this->Field)
+    {
+      this->Field = ImageField::New(this->Volume.View(), {}, 1);
+    }
+    return *this->Field;
+  }
+
+  Visibility FindVisible() const override { return {}; }
+
+  PlacedField Place(const Matrix4& setFromImage, bool isOnDemand)
+  {
+    PlacedField placed{};
+    placed.Source = this;
+    placed.SetFromOwn = Multiply(setFromImage,
+      Translation({ static_cast<double>(this->First[0]), static_cast<double>(this->First[1]),
+        static_cast<double>(this->First[2]) }));
+    const Index3& size = this->Volume.Dimensions;
+    placed.Box = TransformBounds(
+      placed.SetFromOwn, { { 0.0, 0.0, 0.0 }, { size[0] - 1.0, size[1] - 1.0, size[2] - 1.0 } });
+    placed.IsOnDemand = isOnDemand;
+    return placed;
+  }
+
+  bool IsMade() const { return this->Field != nullptr; }
+
+private:
+  TestVolume<double> Volume;
+  Index3 First;
+  std::unique_ptr<ImageField> Field;
+};
+
+/// An image in blocks, and the set of them, in a space that is the image's or another.
+struct Blocks
+{
+  Blocks(int edge, const Matrix4& setFromImage, bool areOnDemand)
+  {
+    for (int z = 0; z + 1 < Edge; z += edge)
+    {
+      for (int y = 0; y + 1 < Edge; y += edge)
+      {
+        for (int x = 0; x + 1 < Edge; x += edge)
+        {
+          const auto size = [edge](int first) { return std::min(edge, Edge - 1 - first) + 1; };
+          this->All.push_back(
+            std::make_unique<Block>(Index3{ x, y, z }, Index3{ size(x), size(y), size(z) }));
+          this->Placed.push_back(this->All.back()->Place(setFromImage, areOnDemand));
+        }
+      }
+    }
+    this->Set = std::make_unique<FieldSet>(this->Placed);
+  }
+
+  std::ptrdiff_t CountMade() const
+  {
+    return std::count_if(this->All.begin(), this->All.end(),
+      [](const std::unique_ptr<Block>& block) { return block->IsMade(); });
+  }
+
+  std::vector<std::unique_ptr<Block>> All;
+  std::vector<PlacedField> Placed;
+  std::unique_ptr<FieldSet> Set;
+};
+
+/// Rays across the image, in its space.
+std::vector<CastRay> MakeRays(int count)
+{
+  RandomNumbers random(3);
+  std::vector<CastRay> rays;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto pick = [&random] { return random.Uniform(-20.0, Edge + 20.0); };
+    const Vector3 from = { pick(), pick(), -40.0 };
+    const Vector3 to = { pick(), pick(), pick() };
+    rays.push_back({ from, to - from, 0.0, 1e9 });
+  }
+  return rays;
+}
+
+std::vector<CastRay> Transformed(const Matrix4& matrix, std::vector<CastRay> rays)
+{
+  for (CastRay& ray : rays)
+  {
+    ray.Origin = TransformPoint(matrix, ray.Origin);
+    ray.Direction = TransformDirection(matrix, ray.Direction);
+  }
+  return rays;
+}
+
+TraceRequest MakeRequest(double opacity)
+{
+  TraceRequest request;
+  request.Surfaces = { { -0.4, opacity }, { 0.3, opacity } };
+  return request;
+}
+
+const Matrix4 Turned = Multiply(
+  Translation({ 3.0, -2.0, 7.0 }), Multiply(Rotation(0.7, 0.4), Scaling({ 0.5, 1.7, 1.1 })));
+
+/// Expects the same hits, though not the same bits.
+void ExpectSameHits(const RayHits& hits, const RayHits& expected)
+{
+  ASSERT_EQ(hits.First, expected.First);
+  for (std::size_t i = 0; i < hits.Hits.size(); ++i)
+  {
+    EXPECT_NEAR(hits.Hits[i].T, expected.Hits[i].T, 1e-9 * expected.Hits[i].T) << i;
+    EXPECT_EQ(hits.Hits[i].Surface, expected.Hits[i].Surface) << i;
+    EXPECT_EQ(hits.Hits[i].Entering, expected.Hits[i].Entering) << i;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, BlocksAreTracedLikeTheImage)
+{
+  Blocks whole(Edge - 1, Scaling({ 1.0, 1.0, 1.0 }), false);
+  TracedField& image = whole.All.front()->GetField();
+  const std::vector<CastRay> rays = MakeRays(4000);
+  for (const int edge : { 5, 16, 32 })
+  {
+    for (const Matrix4& matrix : { Scaling({ 1.0, 1.0, 1.0 }), Turned })
+    {
+      Blocks blocks(edge, matrix, edge == 5);
+      for (const double opacity : { 1.0, 0.3, 0.01 })
+      {
+        SCOPED_TRACE(testing::Message() << edge << " " << opacity);
+        image.Select(MakeRequest(opacity), {});
+        const RayHits expected = CastRays(image, rays, 2);
+        EXPECT_GT(expected.Hits.size(), 1000U);
+        blocks.Set->Select(MakeRequest(opacity), {});
+        ExpectSameHits(CastRays(*blocks.Set, Transformed(matrix, rays), 2), expected);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, PointsAndGradientsAreThoseOfTheImage)
+{
+  Blocks whole(Edge - 1, Scaling({ 1.0, 1.0, 1.0 }), false);
+  TracedField& image = whole.All.front()->GetField();
+  Blocks blocks(16, Turned, true);
+  TraceRequest request = MakeRequest(0.3);
+  request.Normals = NormalMode::InterpolantGradient;
+  image.Select(request, {});
+  blocks.Set->Select(request, {});
+  const std::vector<CastRay> rays = MakeRays(500);
+  const RayHits expected = CastRays(image, rays, 1);
+  const RayHits hits = CastRays(*blocks.Set, Transformed(Turned, rays), 1);
+  ExpectSameHits(hits, expected);
+  const Matrix4 setFromGradient = NormalMatrix(Turned);
+  for (std::size_t first = 0; first < hits.Hits.size(); first += RayPacket::Capacity)
+  {
+    const auto count =
+      static_cast<int>(std::min<std::size_t>(RayPacket::Capacity, hits.Hits.size() - first));
+    alignas(64) double points[3][RayPacket::Capacity];
+    alignas(64) double gradients[3][RayPacket::Capacity];
+    blocks.Set->GetPointsAndGradients(&hits.Hits[first], count, points, gradients);
+    for (int i = 0; i < count; ++i)
+    {
+      const std::size_t number = first + static_cast<std::size_t>(i);
+      const Hit& hit = hits.Hits[number];
+      const Vector3 point = TransformPoint(Turned, image.GetPoint(expected.Hits[number]));
+      const Vector3 normal = Normalized(TransformDirection(setFromGradient,
+        image.GetGradient(expected.Hits[number], NormalMode::InterpolantGradient)));
+      const Vector3 single = blocks.Set->GetGradient(hit, NormalMode::InterpolantGradient);
+      EXPECT_LT(Length(blocks.Set->GetPoint(hit) - point), 1e-8);
+      EXPECT_LT(Length(Vector3{ points[0][i], points[1][i], points[2][i] } - point), 1e-8);
+      EXPECT_LT(Length(Normalized(single) - normal), 1e-7);
+      EXPECT_LT(
+        Length(Normalized(Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }) - normal),
+        1e-7);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, WhatNoRayMeetsIsNotMade)
+{
+  Blocks blocks(4, Scaling({ 1.0, 1.0, 1.0 }), true);
+  ASSERT_EQ(blocks.All.size(), 512U);
+  blocks.Set->Select(MakeRequest(0.01), {});
+  EXPECT_EQ(blocks.CountMade(), 0);
+  const RayHits hits =
+    CastRays(*blocks.Set, { { { -5.0, 2.0, 2.0 }, { 1.0, 0.0, 0.0 }, 0.0, 1e9 } }, 1);
+  EXPECT_GT(hits.Hits.size(), 2U);
+  EXPECT_EQ(blocks.CountMade(), 8);
+  // Those behind an opaque surface are not met.
+  Blocks hidden(4, Scaling({ 1.0, 1.0, 1.0 }), true);
+  hidden.Set->Select(MakeRequest(1.0), {});
+  CastRays(*hidden.Set, { { { -5.0, 2.0, 2.0 }, { 1.0, 0.0, 0.0 }, 0.0, 1e9 } }, 1);
+  EXPECT_LT(hidden.CountMade(), 4);
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, ProjectionsHaveTheExtremeOfAll)
+{
+  Blocks whole(Edge - 1, Scaling({ 1.0, 1.0, 1.0 }), false);
+  TracedField& image = whole.All.front()->GetField();
+  Blocks blocks(7, Turned, true);
+  const std::vector<CastRay> rays = MakeRays(1000);
+  for (const Extremum extremum : { Extremum::Largest, Extremum::Smallest })
+  {
+    TraceRequest request;
+    request.Projection = extremum;
+    image.Select(request, {});
+    blocks.Set->Select(request, {});
+    const RayHits expected = CastRays(image, rays, 1);
+    const RayHits hits = CastRays(*blocks.Set, Transformed(Turned, rays), 1);
+    ASSERT_EQ(hits.First, expected.First);
+    EXPECT_GT(hits.Hits.size(), 100U);
+    for (std::size_t i = 0; i < hits.Hits.size(); ++i)
+    {
+      EXPECT_NEAR(hits.Hits[i].Value, expected.Hits[i].Value, 1e-9);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, HalfSpacesCutAllMembers)
+{
+  Blocks whole(Edge - 1, Scaling({ 1.0, 1.0, 1.0 }), false);
+  TracedField& image = whole.All.front()->GetField();
+  Blocks blocks(16, Turned, false);
+  const std::vector<CastRay> rays = MakeRays(1000);
+  for (const bool isCapped : { false, true })
+  {
+    TraceRequest request = MakeRequest(0.3);
+    const HalfSpace half = { { 0.4, 0.5, -0.6 }, -3.3, isCapped };
+    request.Visible.HalfSpaces = { half };
+    image.Select(request, {});
+    const RayHits expected = CastRays(image, rays, 1);
+    const Matrix4 imageFromSet = InvertAffine(Turned);
+    request.Visible.HalfSpaces = { { TransposeTransformDirection(imageFromSet, half.Normal),
+      Dot(half.Normal, TransformPoint(imageFromSet, { 0.0, 0.0, 0.0 })) + half.Offset, isCapped } };
+    blocks.Set->Select(request, {});
+    const RayHits hits = CastRays(*blocks.Set, Transformed(Turned, rays), 1);
+    ExpectSameHits(hits, expected);
+    const auto countCaps = [](const RayHits& all)
+    {
+      return std::count_if(
+        all.Hits.begin(), all.Hits.end(), [](const Hit& hit) { return hit.Plane != Hit::NoPlane; });
+    };
+    EXPECT_EQ(countCaps(hits), countCaps(expected));
+    EXPECT_EQ(countCaps(hits) > 50, isCapped);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A picture with shadows and ambient occlusion.
+Frame Render(
+  TracedField& field, const Matrix4& worldFromObject, bool shadows, const Kernels* kernels)
+{
+  Scene scene;
+  SceneField shown;
+  shown.Field = &field;
+  const Matrix4 clipFromObject = Multiply(Perspective(30.0, 200.0, 0.4),
+    Multiply(Invert(Translation({ 16.0, 17.0, 90.0 })), worldFromObject));
+  shown.View = Camera(clipFromObject, Invert(clipFromObject), worldFromObject, 150, 130);
+  shown.Colors = { { 1.0, 0.6, 0.2 }, { 0.3, 0.5, 1.0 } };
+  shown.Surface.Shade = true;
+  scene.Fields = { shown };
+  scene.Pixels = { 0, 0, 150, 130 };
+  scene.TileWidth = 64;
+  scene.TileHeight = 64;
+  Light light;
+  light.Direction = Normalized({ 0.3, 0.7, 0.8 });
+  scene.Lights = { light };
+  scene.Shadows = shadows;
+  scene.OcclusionRays = shadows ? 4 : 0;
+  Execution execution;
+  execution.Threads = 2;
+  execution.PacketKernels = kernels;
+  Frame frame;
+  FrameTimes times;
+  EXPECT_TRUE(RenderTiles(scene, execution, frame, times, [](double) { return true; }));
+  return frame;
+}
+
+std::size_t CountDifferent(const Frame& a, const Frame& b, int tolerance)
+{
+  std::size_t count = 0;
+  for (std::size_t pixel = 0; pixel < a.Depths.size(); ++pixel)
+  {
+    bool isDifferent = std::abs(a.Depths[pixel] - b.Depths[pixel]) > 1e-5F;
+    for (std::size_t k = 4 * pixel; k < 4 * pixel + 4; ++k)
+    {
+      isDifferent = isDifferent || std::abs(a.Colors[k] - b.Colors[k]) > tolerance;
+    }
+    count += isDifferent ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, PicturesAreThoseOfTheImage)
+{
+  const Matrix4 identity = Scaling({ 1.0, 1.0, 1.0 });
+  Blocks whole(Edge - 1, identity, false);
+  TracedField& image = whole.All.front()->GetField();
+  Blocks blocks(6, Turned, true);
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    for (const bool shadows : { false, true })
+    {
+      for (const Kernels* kernels : { static_cast<const Kernels*>(nullptr), &GetBestKernels() })
+      {
+        TraceRequest request = MakeRequest(opacity);
+        // Central differences would show the borders of blocks.
+        request.Normals = NormalMode::InterpolantGradient;
+        Execution execution;
+        execution.PacketKernels = kernels;
+        image.Select(request, execution);
+        blocks.Set->Select(request, execution);
+        const Frame expected = Render(image, identity, shadows, kernels);
+        const Frame frame = Render(*blocks.Set, InvertAffine(Turned), shadows, kernels);
+        EXPECT_GT(std::count_if(frame.Colors.begin(), frame.Colors.end(),
+                    [](std::uint8_t channel) { return channel > 50; }),
+          9000);
+        // Shadows of grazing rays, and the directions of occlusion, depend on the cell's numbers.
+        EXPECT_LE(CountDifferent(frame, expected, shadows ? 40 : 1), shadows ? 200U : 2U)
+          << opacity << " " << shadows;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldSet, BeamsChangeNoBit)
+{
+  // The tiles of a picture have beams, rays that are cast have none.
+  const Matrix4 identity = Scaling({ 1.0, 1.0, 1.0 });
+  Blocks blocks(6, identity, true);
+  blocks.Set->Select(MakeRequest(0.3), {});
+  const std::unique_ptr<TracedField::Beam> beam = blocks.Set->MakeBeam();
+  const Matrix4 clipFromObject =
+    Multiply(Perspective(30.0, 200.0, 0.4), Invert(Translation({ 16.0, 17.0, 90.0 })));
+  const Camera view(clipFromObject, Invert(clipFromObject), identity, 64, 48);
+  std::size_t count = 0;
+  for (int tile = 0; tile < 8; ++tile)
+  {
+    const PixelRectangle pixels = { tile % 4 * 16, tile / 4 * 24, 16, 8 };
+    RayPacket lines;
+    lines.Clear();
+    for (const int y : { pixels.Y, pixels.Y + 7 })
+    {
+      for (const int x : { pixels.X, pixels.X + 15 })
+      {
+        const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          lines.Origin[axis][lines.Count] = ray.Origin[axis];
+          lines.Direction[axis][lines.Count] = ray.Direction[axis];
+        }
+        ++lines.Count;
+      }
+    }
+    blocks.Set->Begin(lines, beam.get());
+    RayPacket packet;
+    blocks.Set->MakeRays(view, pixels, {}, packet);
+    RayPacket again = packet;
+    RayHits inBeam;
+    RayHits without;
+    blocks.Set->Trace(packet, inBeam, beam.get());
+    blocks.Set->Trace(again, without);
+    EXPECT_EQ(inBeam.First, without.First);
+    EXPECT_TRUE(AreSame(inBeam.Hits, without.Hits));
+    count += inBeam.Hits.size();
+  }
+  EXPECT_GT(count, 1000U);
+}
+
+}
+}
