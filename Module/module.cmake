@@ -70,6 +70,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceAccumulation
+  Rendering/vtkIsosurfaceRayTraceArrayColors
   Rendering/vtkIsosurfaceRayTraceBlock
   Rendering/vtkIsosurfaceRayTraceBlockJoin
   Rendering/vtkIsosurfaceRayTraceBlocks
@@ -79,15 +80,14 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceEnumerators
   Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry
-  Rendering/vtkIsosurfaceRayTraceGridInput
+  Rendering/vtkIsosurfaceRayTraceGridPart
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder
-  Rendering/vtkIsosurfaceRayTraceImageColors
   Rendering/vtkIsosurfaceRayTraceImageDisplay
+  Rendering/vtkIsosurfaceRayTraceInput
+  Rendering/vtkIsosurfaceRayTraceLattices
   Rendering/vtkIsosurfaceRayTraceLeaves
   Rendering/vtkIsosurfaceRayTraceMesh
-  Rendering/vtkIsosurfaceRayTraceMeshColors
-  Rendering/vtkIsosurfaceRayTraceMeshInput
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
   Rendering/vtkIsosurfaceRayTraceProblems
@@ -100,7 +100,8 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceValueColors)
 
 set(private_headers
-  Rendering/vtkIsosurfaceRayTraceInput.h
+  Rendering/vtkIsosurfaceRayTraceLatticeSampling.h
+  Rendering/vtkIsosurfaceRayTracePart.h
   Rendering/vtkIsosurfaceRayTraceSettings.h
   Rendering/vtkIsosurfaceRayTraceSharedSettings.h)
 

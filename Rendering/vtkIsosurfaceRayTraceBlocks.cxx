@@ -3,21 +3,16 @@
 #include "vtkIsosurfaceRayTraceBlocks.h"
 
 #include "vtkIsosurfaceRayTraceBlockJoin.h"
-#include "vtkIsosurfaceRayTraceGeometry.h"
+#include "vtkIsosurfaceRayTraceLattices.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include <cstddef>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,151 +24,80 @@ namespace
 
 using Block = vtkIsosurfaceRayTraceBlock;
 
-bool IsGrid(vtkDataSet* data)
-{
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data);
-}
-
-bool HasVolume(vtkDataSet* grid)
-{
-  const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
-  return std::min({ points[0], points[1], points[2] }) >= 2;
-}
-
-/// The index of a block's first point on the lattice of an image. Returns false if the block lies
-/// on another lattice.
-bool FindFirstPoint(vtkImageData* lattice, vtkImageData* block, vtkirt::Index3& first)
-{
-  // If four corners are on lattice points, all points are. A thousandth of a cell is less than is
-  // visible, and more than the rounding of coordinates that were written as text.
-  constexpr double slack = 1e-3;
-  const int* extent = block->GetExtent();
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    vtkirt::Index3 offset = { 0, 0, 0 };
-    vtkirt::Index3 index = { extent[0], extent[2], extent[4] };
-    if (corner > 0)
-    {
-      const auto axis = static_cast<std::size_t>(corner - 1);
-      offset[axis] = extent[2 * axis + 1] - extent[2 * axis];
-      index = Block::Add(index, offset);
-    }
-    vtkirt::Vector3 point;
-    vtkirt::Vector3 position;
-    block->TransformIndexToPhysicalPoint(index.data(), point.data());
-    lattice->TransformPhysicalPointToContinuousIndex(point.data(), position.data());
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double whole = std::round(position[axis]);
-      if (!(std::abs(position[axis] - whole) <= slack) || !(std::abs(whole) < 0x1p30))
-      {
-        return false;
-      }
-      if (corner == 0)
-      {
-        first[axis] = static_cast<int>(whole);
-      }
-      else if (static_cast<int>(whole) != first[axis] + offset[axis])
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceBlocks::Update(
-  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName)
+void vtkIsosurfaceRayTraceBlocks::Update(
+  const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, bool ofCells)
 {
-  std::string problem = this->Leaves.Collect(input, mapper, colorArrayName,
-    { IsGrid, HasVolume, "vtkImageData, or one vtkRectilinearGrid" });
-  if (!problem.empty())
-  {
-    this->Times.clear();
-    return problem;
-  }
-  this->Blocks.resize(this->Leaves.Get().size());
+  this->Blocks.resize(leaves.size());
+  // New blocks may have the addresses of old ones: modification times tell them apart.
+  std::vector<vtkMTimeType> times;
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
     // The index is kept: it is found again only if something has changed.
-    static_cast<vtkIsosurfaceRayTraceLeaf&>(this->Blocks[i]) = this->Leaves.Get()[i];
-  }
-  // New blocks may have the addresses of old ones: modification times tell them apart.
-  std::vector<vtkMTimeType> times;
-  for (const Block& block : this->Blocks)
-  {
+    static_cast<vtkIsosurfaceRayTraceLeaf&>(this->Blocks[i]) = leaves[i];
+    const Block& block = this->Blocks[i];
     times.push_back(block.Data->GetMTime());
     times.push_back(block.Scalars->GetMTime());
     times.push_back(block.Colors ? block.Colors->GetMTime() : 0);
   }
-  if (this->Grid && times == this->Times)
-  {
-    return "";
-  }
-  this->Grid = nullptr; // Its memory first.
-  this->Scalars = nullptr;
-  this->Times.clear();
+  const bool isSame = this->Grid && times == this->Times && ofCells == this->OfCells;
   if (this->Blocks.size() == 1)
   {
-    this->Blocks[0].First = { 0, 0, 0 };
-    this->Dimensions = this->Blocks[0].GetPoints();
-    this->Grid = this->Blocks[0].Data;
-    this->Scalars = this->Blocks[0].Scalars;
+    Block& block = this->Blocks.front();
+    block.First = { 0, 0, 0 };
+    this->Dimensions = block.GetPoints();
+    this->Grid = block.Data;
+    this->Scalars = block.Scalars;
+    this->Colors = block.Colors;
   }
-  else
+  else if (!isSame)
   {
-    problem = this->PlaceBlocks();
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    this->Grid = nullptr; // Its memory first.
+    this->Scalars = nullptr;
+    this->Colors = nullptr;
+    this->Times.clear();
+    this->OfCells = ofCells;
+    this->PlaceBlocks();
     this->Join();
   }
+  this->OfCells = ofCells;
   this->Times = std::move(times);
-  return "";
 }
 
 //------------------------------------------------------------------------------
 /// Finds the indices of the blocks on the lattice of the first.
-std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
+void vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
 {
   auto* lattice = vtkImageData::SafeDownCast(this->Blocks[0].Data);
   vtkirt::Index3 low = { VTK_INT_MAX, VTK_INT_MAX, VTK_INT_MAX };
   vtkirt::Index3 high = { VTK_INT_MIN, VTK_INT_MIN, VTK_INT_MIN };
-  double samples = 0.0;
   for (Block& block : this->Blocks)
   {
-    auto* image = vtkImageData::SafeDownCast(block.Data);
-    if (!lattice || !image || !FindFirstPoint(lattice, image, block.First))
-    {
-      return block.GetName() +
-        " does not lie on the lattice of the blocks before it: its spacing or direction differs, "
-        "or its origin is not a whole number of cells from theirs. Use a mapper and a volume for "
-        "each lattice.";
-    }
+    vtkIsosurfaceRayTraceLattices::FindFirstPoint(
+      lattice, vtkImageData::SafeDownCast(block.Data), block.First);
     const vtkirt::Index3 points = block.GetPoints();
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       low[axis] = std::min(low[axis], block.First[axis]);
       high[axis] = std::max(high[axis], block.First[axis] + points[axis]);
     }
-    samples += static_cast<double>(vtkirt::Count(points));
   }
-  const double box = (static_cast<double>(high[0]) - low[0]) *
-    (static_cast<double>(high[1]) - low[1]) * (static_cast<double>(high[2]) - low[2]);
-  if (box > 0x1p20 && box > 64.0 * samples)
-  {
-    return "The blocks of the composite input lie so far apart that the box around them has more "
-           "than 64 times their samples, all of which would be held in memory. Use a mapper and a "
-           "volume for each cluster of blocks.";
-  }
+  std::vector<vtkirt::Bounds> boxes;
   for (Block& block : this->Blocks)
   {
     block.First = Block::Subtract(block.First, low);
+    vtkirt::Bounds box;
+    const vtkirt::Index3 points = block.GetPoints();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.Lower[axis] = block.First[axis];
+      box.Upper[axis] = block.First[axis] + points[axis] - 1;
+    }
+    boxes.push_back(box);
   }
+  this->Tree = std::make_unique<vtkirt::BoundsTree>(boxes);
   this->Dimensions = Block::Subtract(high, low);
 
   vtkNew<vtkImageData> image;
@@ -182,17 +106,15 @@ std::string vtkIsosurfaceRayTraceBlocks::PlaceBlocks()
   image->SetOrigin(lattice->GetOrigin());
   image->SetDirectionMatrix(lattice->GetDirectionMatrix());
   this->Grid = image;
-  return "";
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceBlocks::Join()
 {
   auto* image = vtkImageData::SafeDownCast(this->Grid);
-  const vtkIsosurfaceRayTraceBlockJoin join(
-    this->Blocks, this->Dimensions, this->Leaves.AreScalarsOfCells());
+  const vtkIsosurfaceRayTraceBlockJoin join(this->Blocks, this->Dimensions, this->OfCells);
   this->Scalars = join.JoinScalars();
-  if (this->Leaves.AreScalarsOfCells())
+  if (this->OfCells)
   {
     image->GetCellData()->AddArray(this->Scalars);
   }
@@ -200,11 +122,11 @@ void vtkIsosurfaceRayTraceBlocks::Join()
   {
     image->GetPointData()->AddArray(this->Scalars);
   }
-  const bool haveColors = std::all_of(this->Blocks.begin(), this->Blocks.end(),
-    [](const Block& block) { return block.Colors && block.Colors != block.Scalars; });
-  if (haveColors)
+  if (this->Blocks.front().Colors)
   {
-    image->GetPointData()->AddArray(join.JoinColors());
+    const bool areScalars = std::all_of(this->Blocks.begin(), this->Blocks.end(),
+      [](const Block& block) { return block.Colors == block.Scalars; });
+    this->Colors = areScalars ? this->Scalars : join.JoinColors();
   }
   join.HideMissingCells(image);
 }
@@ -213,15 +135,35 @@ void vtkIsosurfaceRayTraceBlocks::Join()
 const vtkIsosurfaceRayTraceBlock& vtkIsosurfaceRayTraceBlocks::FindOwner(
   const vtkirt::Index3& cell) const
 {
-  // The block that shows it; for cells that are duplicates everywhere, any.
+  if (this->Blocks.size() == 1)
+  {
+    return this->Blocks.front();
+  }
+  // The block that shows it; for cells that are duplicates everywhere, any. Of several, the first.
+  std::size_t owner = this->Blocks.size();
   for (const int hiding : { Block::Blanked | Block::Duplicate, Block::Blanked })
   {
-    for (const Block& block : this->Blocks)
-    {
-      if (block.Shows(Block::Subtract(cell, block.First), hiding))
+    this->Tree->Find(
+      [&cell](const vtkirt::Bounds& box)
       {
-        return block;
-      }
+        bool isIn = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          isIn = isIn && box.Lower[axis] <= cell[axis] && cell[axis] < box.Upper[axis];
+        }
+        return isIn;
+      },
+      [&](std::size_t number)
+      {
+        const Block& block = this->Blocks[number];
+        if (number < owner && block.Shows(Block::Subtract(cell, block.First), hiding))
+        {
+          owner = number;
+        }
+      });
+    if (owner < this->Blocks.size())
+    {
+      return this->Blocks[owner];
     }
   }
   return this->Blocks.front();

@@ -7,20 +7,16 @@
 #define vtkIsosurfaceRayTraceBlocks_h
 
 #include "vtkIsosurfaceRayTraceBlock.h"    // for ivars
-#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
-#include "Math/Vector.h"
+#include "Field/BoundsTree.h"
 
-#include <string> // for std::string
+#include <memory> // for std::unique_ptr
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
-
-class vtkAbstractVolumeMapper;
-class vtkCompositeDataSet;
 
 /// Blocks lie on one lattice if their samples coincide, or are whole numbers of cells apart; they
 /// may overlap. The grid that they form has the samples of all, so that neither the surface nor its
@@ -31,17 +27,21 @@ class vtkIsosurfaceRayTraceBlocks
 public:
   using Block = vtkIsosurfaceRayTraceBlock;
 
-  /// Joins the blocks, unless they are the same as before, with the scalars of a mapper. Returns
-  /// the problem, if there is one; else empty.
-  std::string Update(
-    vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
+  /// Joins leaves, which lie on one lattice, unless they are the same as before. Their scalars are
+  /// those of cells, or of points.
+  void Update(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, bool ofCells);
+
+  const std::vector<Block>& Get() const { return this->Blocks; }
 
   /// The grid of the blocks: an image, or a single block.
   vtkDataSet* GetGrid() const { return this->Grid; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
 
-  /// As they are in the composite data.
-  const vtkIsosurfaceRayTraceLeaves& GetLeaves() const { return this->Leaves; }
+  /// The array to colour by; null if blocks have none.
+  vtkDataArray* GetColors() const { return this->Colors; }
+
+  /// The block that shows a cell of the grid.
+  const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
   /// The number of a cell of the grid, counted through all blocks: in the block that shows it.
   vtkIdType GetCellId(const vtkIsosurfaceRayTracing::Index3& cell) const;
@@ -51,18 +51,20 @@ public:
     const vtkIsosurfaceRayTracing::Index3& point) const;
 
 private:
-  std::string PlaceBlocks();
+  void PlaceBlocks();
   void Join();
-  const Block& FindOwner(const vtkIsosurfaceRayTracing::Index3& cell) const;
 
-  vtkIsosurfaceRayTraceLeaves Leaves;
   std::vector<Block> Blocks;
+  bool OfCells = false;
+  /// Over the boxes of the blocks, in indices of points; null for a single block.
+  std::unique_ptr<vtkIsosurfaceRayTracing::BoundsTree> Tree;
   /// The modification times of the blocks and of their arrays, of which the grid was made.
   std::vector<vtkMTimeType> Times;
   /// The number of points along each axis.
   vtkIsosurfaceRayTracing::Index3 Dimensions = {};
   vtkSmartPointer<vtkDataSet> Grid;
   vtkSmartPointer<vtkDataArray> Scalars;
+  vtkSmartPointer<vtkDataArray> Colors;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -67,21 +67,10 @@ void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double
   std::copy_n(hit.Normal.begin(), 3, normal);
 }
 
-/// Those of all fields of an input.
-vtkirt::FieldStatistics SumStatistics(const vtkIsosurfaceRayTraceInput& input)
+/// All zero before an input is first traced.
+vtkirt::FieldStatistics GetStatisticsOf(const vtkIsosurfaceRayTraceInput& input)
 {
-  vtkirt::FieldStatistics all;
-  for (int field = 0; field < input.GetNumberOfFields(); ++field)
-  {
-    const vtkirt::FieldStatistics one = input.GetField(field)->GetStatistics();
-    all.HierarchyMemory += one.HierarchyMemory;
-    all.CacheMemory += one.CacheMemory;
-    all.NumberOfBricks += one.NumberOfBricks;
-    all.MaximumNumberOfBricks += one.MaximumNumberOfBricks;
-    all.BrickNanoseconds += one.BrickNanoseconds;
-    all.GradientSeconds += one.GradientSeconds;
-  }
-  return all;
+  return input.GetField() ? input.GetField()->GetStatistics() : vtkirt::FieldStatistics{};
 }
 
 }
@@ -152,7 +141,7 @@ bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
 //------------------------------------------------------------------------------
 vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
 {
-  return SumStatistics(*this->Uses.Input);
+  return GetStatisticsOf(*this->Uses.Input);
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +189,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   {
     return nullptr;
   }
+  this->WarnOnce(input.DescribeLeftOut());
   const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
   const vtkirt::Stopwatch watch;
   if (input.Update(settings.NumberOfThreads))
@@ -208,7 +198,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   }
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, input, volume, this->Mapper->GetClippingPlanes());
-  const double gradients = SumStatistics(input).GradientSeconds;
+  const double gradients = GetStatisticsOf(input).GradientSeconds;
   if (gradients > 0.0)
   {
     this->GradientTime = gradients;
@@ -248,6 +238,16 @@ bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
   }
   this->LastProblem = problem;
   return !problem.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem)
+{
+  if (!problem.empty() && problem != this->LastWarning)
+  {
+    vtkWarningWithObjectMacro(this->Mapper, << problem);
+  }
+  this->LastWarning = problem;
 }
 
 //------------------------------------------------------------------------------

@@ -104,6 +104,8 @@ private:
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
+  /// The same for what is no error.
+  void WarnOnce(const std::string& problem);
   void ReportBadAlloc() const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
@@ -122,6 +124,7 @@ private:
   vtkIsosurfaceRayTraceUseState Uses;
   vtkIsosurfaceRayTraceFrame Frame;
   std::string LastProblem;
+  std::string LastWarning;
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;

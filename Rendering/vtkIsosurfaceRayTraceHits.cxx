@@ -33,26 +33,21 @@ vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector
     rays[i] = { vtkirt::TransformDirection(objectFromWorld, origins[i] - first),
       vtkirt::TransformDirection(objectFromWorld, directions[i]), 0.0, tEnd };
   }
-  std::vector<vtkirt::TracedField*> fields;
-  for (int field = 0; field < this->Request.Input.GetNumberOfFields(); ++field)
-  {
-    fields.push_back(this->Request.Input.GetField(field));
-  }
-  return vtkirt::CastRays(fields, rays, threads);
+  return vtkirt::CastRays(*this->Request.Input.GetField(), rays, threads);
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetPosition(const vtkirt::Hit& hit) const
 {
   return vtkirt::TransformPoint(
-    this->Request.WorldFromObject, this->Request.Input.GetField(hit.Field)->GetPoint(hit));
+    this->Request.WorldFromObject, this->Request.Input.GetField()->GetPoint(hit));
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetNormal(const vtkirt::Hit& hit) const
 {
   using vtkirt::operator*;
-  const vtkirt::TracedField& field = *this->Request.Input.GetField(hit.Field);
+  const vtkirt::TracedField& field = *this->Request.Input.GetField();
   const vtkirt::Vector3 gradient = field.GetGradient(hit, field.GetRequest().Normals);
   return vtkirt::Normalized(vtkirt::GradientToWorld(this->Request.WorldFromObject, gradient)) *
     -1.0;
@@ -66,7 +61,7 @@ vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   description.CellId = this->Request.Input.FindCell(hit, description.Parametric);
   description.Position = this->GetPosition(hit);
   description.Normal = this->GetNormal(hit);
-  description.Value = this->Request.Input.GetField(hit.Field)->GetValue(hit);
+  description.Value = this->Request.Input.GetField()->GetValue(hit);
   return description;
 }
 

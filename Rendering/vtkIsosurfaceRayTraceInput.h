@@ -1,81 +1,173 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The data that a mapper traces: the interface that requests, frames, hits and selections use.
+// The data that a mapper traces, in parts: what requests, frames, hits and selections know of it.
 
 #ifndef vtkIsosurfaceRayTraceInput_h
 #define vtkIsosurfaceRayTraceInput_h
 
+#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
+#include "vtkIsosurfaceRayTracePart.h"     // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
+#include "Field/FieldSet.h"
+#include "Image/ImageSettings.h"
 #include "Picture/Scene.h"
 
-#include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <optional>   // for std::optional
+#include <string>     // for std::string
+#include <vector>     // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
 class vtkDataSet;
+class vtkImageData;
+class vtkIsosurfaceRayTraceGridPart;
+class vtkIsosurfaceRayTraceMesh;
 class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
+class vtkVolumeMapper;
 class vtkVolumeProperty;
+struct vtkIsosurfaceRayTraceScalars;
+
+/// The settings of a mapper that are about its input. They are documented there.
+struct vtkIsosurfaceRayTraceInputSettings
+{
+  /// What to give where there is no input, in a sentence.
+  const char* Kinds;
+  /// That of the scalars; none: the property decides.
+  std::optional<int> Component;
+  std::string ColorArrayName;
+  /// If not null, it has the array to colour by.
+  vtkImageData* ColorImage = nullptr;
+  bool Tetrahedralize = false;
+  vtkIsosurfaceRayTracing::ImageSettings Image;
+  /// Crops images; may be null.
+  vtkVolumeMapper* Cropping = nullptr;
+  int Threads = 1;
+};
 
 class vtkIsosurfaceRayTraceInput
 {
 public:
-  virtual ~vtkIsosurfaceRayTraceInput() = default;
+  /// The mapper owns its inputs, and tells its settings.
+  vtkIsosurfaceRayTraceInput(vtkAbstractVolumeMapper* mapper,
+    std::function<vtkIsosurfaceRayTraceInputSettings()> getSettings);
+  ~vtkIsosurfaceRayTraceInput();
+  vtkIsosurfaceRayTraceInput(const vtkIsosurfaceRayTraceInput&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceInput&) = delete;
 
   /// Finds the data in the inputs of the mapper, which must be up to date, and their scalars.
   /// Returns why they cannot be traced; empty if they can.
-  virtual std::string Select(vtkVolumeProperty* property) = 0;
+  std::string Select(vtkVolumeProperty* property);
 
-  /// From the object space of what was selected to the coordinates of the data, before Update.
-  virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
+  /// What is wrong with blocks that the last selection left out; empty if there are none.
+  std::string DescribeLeftOut() const { return this->LeftOut.Describe(); }
 
-  /// Builds what tracing the selection needs. Returns whether its hierarchy had to be built.
-  virtual bool Update(int threads) = 0;
+  /// From the object space of what was selected to the coordinates of the data, before Update:
+  /// where it is, it may be another.
+  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const;
 
-  /// The fields, which share one object space; there are none before the input is first traced. A
-  /// hit has the number of its field.
-  virtual int GetNumberOfFields() const = 0;
-  virtual vtkIsosurfaceRayTracing::TracedField* GetField(int number) const = 0;
+  /// Builds what tracing the selection needs. Returns whether a hierarchy had to be built.
+  bool Update(int threads);
 
-  /// The size of the cells of a field in object space, about.
-  virtual double GetCellSize(int field) const = 0;
+  /// The field of the input; null before the input is first traced.
+  vtkIsosurfaceRayTracing::TracedField* GetField() const { return this->Field; }
 
-  /// What of a field is visible: by blanking, ghosts, and the cropping of the mapper.
-  virtual vtkIsosurfaceRayTracing::Visibility FindVisible(int field) const = 0;
+  /// The size of its cells in its object space, about.
+  double GetCellSize() const { return this->CellSize; }
 
-  /// From the object space of the fields to the coordinates of the data.
-  virtual const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const = 0;
+  /// What of the field is visible: by blanking, ghosts, and the cropping of the mapper.
+  vtkIsosurfaceRayTracing::Visibility FindVisible() const;
+
+  /// From the object space of the field to the coordinates of the data.
+  const vtkIsosurfaceRayTracing::Matrix4& GetPhysicalFromObject() const
+  {
+    return this->PhysicalFromObject;
+  }
 
   /// The component of the volume property that gives the colours of the surfaces.
-  virtual int GetPropertyComponent() const = 0;
+  int GetPropertyComponent() const { return this->PropertyComponent; }
 
   /// The colours of an array, by those of its values; null if surfaces are coloured by their
   /// isovalues. The input and the colours of values must outlive them.
-  virtual std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
-    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const = 0;
+  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
+
+  /// The part that has a hit.
+  const vtkIsosurfaceRayTracePart& GetPart(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return *this->Parts[static_cast<std::size_t>(hit.Member)];
+  }
 
   /// The cell that a hit is in, and the point nearest to it, by their ids in the data.
-  virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
-    vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
-  virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+  vtkIdType FindCell(
+    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const
+  {
+    return this->GetPart(hit).FindCell(hit, parametric);
+  }
+  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return this->GetPart(hit).FindPoint(hit);
+  }
+
   /// The block of composite data that has a cell, and the number of the cell there; null if the
   /// input is not composite, or no block has the cell.
-  virtual vtkDataSet* FindBlock(
-    vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const = 0;
-  virtual vtkIdType GetNumberOfCells() const = 0;
-  virtual vtkIdType GetNumberOfPoints() const = 0;
+  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
+  {
+    return this->IsComposite ? this->Leaves.FindBlock(cellId, cellInBlock, flatIndex) : nullptr;
+  }
+  vtkIdType GetNumberOfCells() const { return this->Leaves.GetNumberOfCells(); }
+  vtkIdType GetNumberOfPoints() const { return this->Leaves.GetNumberOfPoints(); }
 
   /// Whether the arrays that are traced are still where they were, and as long. (An observer may
   /// have released their memory.)
-  virtual bool IsIntact() const = 0;
+  bool IsIntact() const;
 
   /// The objects that a picture of the input depends on. Some may be null.
-  virtual std::vector<vtkObject*> GetObjects() const = 0;
+  std::vector<vtkObject*> GetObjects() const;
+
+private:
+  using Part = vtkIsosurfaceRayTracePart;
+  using PartList = std::vector<std::unique_ptr<Part>>;
+
+  std::string SelectLeaves(const vtkIsosurfaceRayTraceInputSettings& settings);
+  std::string SelectColors(const vtkIsosurfaceRayTraceInputSettings& settings);
+  std::string SelectParts(const vtkIsosurfaceRayTraceInputSettings& settings,
+    const vtkIsosurfaceRayTraceScalars& scalars);
+  std::string AddMesh(const vtkIsosurfaceRayTraceLeaf& leaf,
+    const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
+    PartList& before);
+  void AddGrid(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+    const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
+    PartList& before);
+  void JoinParts();
+
+  vtkAbstractVolumeMapper* Mapper;
+  std::function<vtkIsosurfaceRayTraceInputSettings()> GetSettings;
+  bool IsComposite = false;
+  vtkIsosurfaceRayTraceLeaves Leaves;
+  vtkIsosurfaceRayTraceLeftOut LeftOut;
+  PartList Parts;
+  int PropertyComponent = 0;
+  /// The colours of the surfaces, if they are those of an image; else null.
+  vtkImageData* ColorImage = nullptr;
+  vtkDataArray* ColorArray = nullptr;
+  /// The number of its tuples.
+  vtkIdType NumberOfColors = 0;
+
+  /// That of the only part, or the set of those of all parts, which is kept while they are the
+  /// same.
+  vtkIsosurfaceRayTracing::TracedField* Field = nullptr;
+  std::unique_ptr<vtkIsosurfaceRayTracing::FieldSet> Set;
+  std::vector<vtkIsosurfaceRayTracing::PlacedField> Placed;
+  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = {};
+  double CellSize = 1.0;
 };
 
 VTK_ABI_NAMESPACE_END

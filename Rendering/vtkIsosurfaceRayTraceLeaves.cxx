@@ -3,12 +3,17 @@
 #include "vtkIsosurfaceRayTraceLeaves.h"
 
 #include "vtkIsosurfaceRayTraceColors.h"
+#include "vtkIsosurfaceRayTraceGridPart.h"
+#include "vtkIsosurfaceRayTraceMesh.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkInformation.h"
+
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -21,17 +26,54 @@ vtkDataArray* FindColors(vtkDataSet* data, const std::string& name)
   return name.empty() ? nullptr : vtkIsosurfaceRayTraceColors::FindArray(data, name);
 }
 
+/// The name of a block; empty if it has none.
+std::string FindName(vtkCompositeDataIterator* iterator)
+{
+  vtkInformation* about =
+    iterator->HasCurrentMetaData() != 0 ? iterator->GetCurrentMetaData() : nullptr;
+  const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? name : "";
+}
+
+constexpr const char* Names =
+  "vtkImageData, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid";
+
+bool IsTraced(vtkDataSet* data)
+{
+  return vtkIsosurfaceRayTraceGridPart::IsGrid(data) || vtkIsosurfaceRayTraceMesh::IsMesh(data);
+}
+
+bool HasVolume(vtkDataSet* data)
+{
+  return vtkIsosurfaceRayTraceGridPart::IsGrid(data)
+    ? vtkIsosurfaceRayTraceGridPart::HasVolume(data)
+    : vtkIsosurfaceRayTraceMesh::HasVolume(data);
+}
+
 }
 
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceLeaf::GetName() const
 {
-  return "Block " + std::to_string(this->FlatIndex) + " of the composite input";
+  return "Block " + std::to_string(this->FlatIndex) +
+    (this->Name.empty() ? "" : " (" + this->Name + ")") + " of the composite input";
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
-  vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName, const Kind& kind)
+std::string vtkIsosurfaceRayTraceLeftOut::Describe() const
+{
+  if (this->Count < 2)
+  {
+    return this->First;
+  }
+  return this->First + " (" + std::to_string(this->Count - 1) +
+    (this->Count == 2 ? " other block is" : " other blocks are") + " left out, too.)";
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
+  vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
+  vtkIsosurfaceRayTraceLeftOut& leftOut)
 {
   this->Leaves.clear();
   this->NumberOfPoints = 0;
@@ -45,27 +87,17 @@ std::string vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
       continue;
     }
     const Leaf leaf = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
-      this->NumberOfCells, nullptr, nullptr };
+      this->NumberOfCells, nullptr, nullptr, FindName(iterator) };
     this->NumberOfPoints += data->GetNumberOfPoints();
     this->NumberOfCells += data->GetNumberOfCells();
-    if (!kind.IsTaken(data))
-    {
-      return leaf.GetName() + " is a " + data->GetClassName() + ". Give blocks of " + kind.Names +
-        ".";
-    }
-    const std::string problem =
-      kind.HasVolume(data) ? this->Append(leaf, mapper, colorArrayName) : "";
+    const std::string problem = IsTraced(data)
+      ? (HasVolume(data) ? this->Append(leaf, mapper, colorArrayName) : "")
+      : std::string("It is a ") + data->GetClassName() + ". Give blocks of " + Names + ".";
     if (!problem.empty())
     {
-      return problem;
+      leftOut.Add(leaf, problem);
     }
   }
-  return this->Leaves.empty()
-    ? std::string(
-        "The composite input has no block with a volume and scalars of the requested kind. Give "
-        "blocks of ") +
-      kind.Names + " with scalars, or name an array with SelectScalarArray()."
-    : "";
 }
 
 //------------------------------------------------------------------------------
@@ -77,7 +109,7 @@ void vtkIsosurfaceRayTraceLeaves::Take(
   this->OfCells = scalars.AreOfCells;
   this->NumberOfPoints = data->GetNumberOfPoints();
   this->NumberOfCells = data->GetNumberOfCells();
-  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName) } };
+  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName), "" } };
 }
 
 //------------------------------------------------------------------------------
@@ -103,20 +135,19 @@ std::string vtkIsosurfaceRayTraceLeaves::Append(
   if (this->OfCells != scalars.AreOfCells || leaf.Scalars->GetNumberOfTuples() != tuples ||
     leaf.Scalars->GetNumberOfComponents() != first.Scalars->GetNumberOfComponents())
   {
-    return leaf.GetName() +
-      " has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
-      "point, or for every cell, with the same number of components.";
+    return "It has scalars unlike those of the blocks before it. Give all blocks a tuple for every "
+           "point, or for every cell, with the same number of components.";
   }
   const std::string problem = vtkIsosurfaceRayTraceProblems::FindInGhosts(leaf.Data);
   if (!problem.empty())
   {
-    return leaf.GetName() + ": " + problem;
+    return problem;
   }
   leaf.Colors = FindColors(leaf.Data, colorArrayName);
   if (leaf.Colors && first.Colors &&
     leaf.Colors->GetNumberOfComponents() != first.Colors->GetNumberOfComponents())
   {
-    return leaf.GetName() + " has " + std::to_string(leaf.Colors->GetNumberOfComponents()) +
+    return "It has " + std::to_string(leaf.Colors->GetNumberOfComponents()) +
       " components to colour by (" + colorArrayName + "), others have " +
       std::to_string(first.Colors->GetNumberOfComponents()) + ". Give all blocks the same number.";
   }
@@ -128,9 +159,12 @@ std::string vtkIsosurfaceRayTraceLeaves::Append(
 vtkDataSet* vtkIsosurfaceRayTraceLeaves::FindBlock(
   vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
 {
-  for (const Leaf& leaf : this->Leaves)
+  const auto after = std::upper_bound(this->Leaves.begin(), this->Leaves.end(), cellId,
+    [](vtkIdType cell, const Leaf& leaf) { return cell < leaf.FirstCell; });
+  if (after != this->Leaves.begin())
   {
-    if (cellId >= leaf.FirstCell && cellId < leaf.FirstCell + leaf.Data->GetNumberOfCells())
+    const Leaf& leaf = *(after - 1);
+    if (cellId < leaf.FirstCell + leaf.Data->GetNumberOfCells())
     {
       cellInBlock = cellId - leaf.FirstCell;
       flatIndex = leaf.FlatIndex;

@@ -32,9 +32,31 @@ struct vtkIsosurfaceRayTraceLeaf
   /// Its scalars; and the array to colour by, which may be null.
   vtkDataArray* Scalars;
   vtkDataArray* Colors;
+  /// In composite data; often empty.
+  std::string Name;
 
   /// For the beginning of a sentence.
   std::string GetName() const;
+};
+
+/// What is wrong with blocks that are left out.
+class vtkIsosurfaceRayTraceLeftOut
+{
+public:
+  void Add(const vtkIsosurfaceRayTraceLeaf& leaf, const std::string& problem)
+  {
+    if (this->Count++ == 0)
+    {
+      this->First = leaf.GetName() + " is left out. " + problem;
+    }
+  }
+
+  /// About the first of them, and how many there are; empty if there are none.
+  std::string Describe() const;
+
+private:
+  std::string First;
+  int Count = 0;
 };
 
 /// Points and cells are numbered through all data sets of composite data that are not empty.
@@ -43,20 +65,10 @@ class vtkIsosurfaceRayTraceLeaves
 public:
   using Leaf = vtkIsosurfaceRayTraceLeaf;
 
-  /// What a mapper takes.
-  struct Kind
-  {
-    bool (*IsTaken)(vtkDataSet* data);
-    /// Whether data that are taken have cells of three dimensions.
-    bool (*HasVolume)(vtkDataSet* data);
-    /// The classes that are taken, in a sentence.
-    const char* Names;
-  };
-
-  /// Finds the blocks that have a volume and the scalars of a mapper. Others are passed over, but
-  /// those of a class that is not taken. Returns the problem, if there is one; else empty.
-  std::string Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
-    const std::string& colorArrayName, const Kind& kind);
+  /// Finds the blocks that have a volume and the scalars of a mapper. Others are passed over. What
+  /// is wrong with a block is told, and the block left out.
+  void Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
+    const std::string& colorArrayName, vtkIsosurfaceRayTraceLeftOut& leftOut);
 
   /// Takes a data set by itself. Its scalars may be null.
   void Take(vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);

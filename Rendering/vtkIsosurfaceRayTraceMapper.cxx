@@ -3,7 +3,7 @@
 #include "vtkIsosurfaceRayTraceMapper.h"
 
 #include "vtkIsosurfaceRayTraceEngine.h"
-#include "vtkIsosurfaceRayTraceGridInput.h"
+#include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkDataArray.h"
@@ -21,7 +21,11 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceMapper);
 vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
   : Engine(std::make_unique<vtkIsosurfaceRayTraceEngine>(this,
       vtkIsosurfaceRayTraceEngine::Client{ [this] { return this->GetSettings(); },
-        [this] { return std::make_unique<vtkIsosurfaceRayTraceGridInput>(this); },
+        [this]
+        {
+          return std::make_unique<vtkIsosurfaceRayTraceInput>(
+            this, [this] { return this->GetInputSettings(); });
+        },
         [this](float distance) { this->ImageSampleDistance = distance; },
         "Call SetMaximumBrickMemory() or SetBrickLayoutToNoBricks(), or make the picture or the "
         "input smaller." }))

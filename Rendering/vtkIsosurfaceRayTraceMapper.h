@@ -60,15 +60,23 @@
  * parabolas through neighbouring samples, which is exact for quadrics, however uneven the spacing.
  *
  * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
- * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection). Blocks of vtkImageData that
- * lie on one lattice, however nested, with or without layers of ghosts, are drawn as the image that
- * they are pieces of: the surface and its normals have no seams, and translucent surfaces are
- * composited in the order of each ray. That takes a copy of their samples over the box around all
- * of them, and 2 bytes for every cell where blocks are missing; nothing is drawn there. Blocks that
- * are empty or do not have the scalars are ignored. A vtkRectilinearGrid must be the only block.
- * Blocks of another lattice are an error: use a mapper and a vtkVolume for each lattice; opaque
- * surfaces are then exact by depth, translucent ones are drawn in the order of the volumes. Cells
- * and points are numbered through all blocks: see FindBlock.
+ * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection), with blocks of vtkImageData,
+ * vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid, mixed and however nested. They are
+ * one scene: hits are in the order of each ray, whatever blocks they are of, so translucent
+ * surfaces may pass through each other; blocks hide each other, cast shadows on each other and
+ * occlude each other. (Meshes are traced as by vtkIsosurfaceRayTraceMeshMapper; neither cropping
+ * nor projections show them.)
+ *
+ * Images that lie on one lattice, with or without layers of ghosts, are drawn as the image that
+ * they are pieces of: the surface and its normals have no seams. That takes a copy of their samples
+ * over the box around all of them, and 2 bytes for every cell where blocks are missing; nothing is
+ * drawn there. Where the box has more than eight times the samples of its blocks, and for images on
+ * other lattices, each block is traced by itself where it is; small ones are prepared when the
+ * first ray comes to them. Where caps of several blocks coincide, the first block is seen.
+ *
+ * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
+ * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
+ * through all blocks: see FindBlock.
  *
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane is
  * perpendicular to an axis of the image, at origin + spacing * index (for a rectilinear grid, at
@@ -134,6 +142,7 @@ class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
+struct vtkIsosurfaceRayTraceInputSettings;
 struct vtkIsosurfaceRayTraceSettings;
 struct vtkIsosurfaceRayTraceSharedSettings;
 
@@ -729,6 +738,7 @@ private:
   template <typename Visitor>
   static void VisitSettings(const Visitor& visit);
   vtkIsosurfaceRayTraceSettings GetSettings() const;
+  vtkIsosurfaceRayTraceInputSettings GetInputSettings() const;
   void CopyVolumeMapper(vtkVolumeMapper* mapper);
 
   int InterpolationMode = TRILINEAR;

@@ -4,9 +4,12 @@
 // The settings of the mapper: how they are set, copied, printed and passed on.
 
 #include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTraceSharedSettings.h"
+
+#include "vtkImageData.h"
 
 #include <algorithm>
 
@@ -118,6 +121,24 @@ void vtkIsosurfaceRayTraceMapper::SetTileSize(int width, int height)
   {
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceInputSettings vtkIsosurfaceRayTraceMapper::GetInputSettings() const
+{
+  // VTK's own functions that only look are not const.
+  auto* self = const_cast<vtkIsosurfaceRayTraceMapper*>(this);
+  vtkIsosurfaceRayTraceInputSettings settings{};
+  settings.Kinds = "vtkImageData, a vtkRectilinearGrid";
+  vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
+  settings.ColorImage = vtkImageData::SafeDownCast(self->GetInputDataObject(1, 0));
+  settings.Image.MacrocellBranching.assign(
+    this->MacrocellBranching, this->MacrocellBranching + this->NumberOfMacrocellLevels);
+  settings.Image.Layout = vtkIsosurfaceRayTraceEnumerators::ToBrickLayout(this->BrickLayout);
+  settings.Image.BrickSize = this->BrickSize;
+  settings.Image.BrickGroupSize = this->BrickGroupSize;
+  settings.Cropping = self;
+  return settings;
 }
 
 //------------------------------------------------------------------------------

@@ -523,7 +523,7 @@ vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
 }
 
 //------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceMesh::GetCellSize() const
+double vtkIsosurfaceRayTraceMesh::FindCellSize() const
 {
   using vtkirt::operator-;
   const vtkirt::Bounds box = this->Field->GetBounds();
@@ -532,9 +532,18 @@ double vtkIsosurfaceRayTraceMesh::GetCellSize() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(const vtkirt::Hit& hit) const
+vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
-  return this->CellIds.empty() ? hit.Cell : this->CellIds[static_cast<std::size_t>(hit.Cell)];
+  parametric = hit.Parametric;
+  return this->Leaf.FirstCell +
+    (this->CellIds.empty() ? hit.Cell : this->CellIds[static_cast<std::size_t>(hit.Cell)]);
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 vtkIsosurfaceRayTraceMesh::FindPhysicalFromObject() const
+{
+  return { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -570,12 +579,12 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
       return vtkMath::Distance2BetweenPoints(a.data(), position.data()) <
         vtkMath::Distance2BetweenPoints(b.data(), position.data());
     });
-  return cell.Ids[nearest - cell.Points];
+  return this->Leaf.FirstPoint + cell.Ids[nearest - cell.Points];
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::Interpolate(
-  const vtkirt::Hit& hit, vtkDataArray* array, int components, double* values) const
+void vtkIsosurfaceRayTraceMesh::SampleColors(
+  const vtkirt::Hit& hit, int components, double* values) const
 {
   vtkirt::MeshCell cell;
   this->Cells->LoadIds(hit.Cell, cell);
@@ -587,8 +596,9 @@ void vtkIsosurfaceRayTraceMesh::Interpolate(
     for (int i = 0; i < cell.Count; ++i)
     {
       // Values without weight may be NaN.
-      values[component] +=
-        weights[i] == 0.0 ? 0.0 : weights[i] * array->GetComponent(cell.Ids[i], component);
+      values[component] += weights[i] == 0.0
+        ? 0.0
+        : weights[i] * this->Leaf.Colors->GetComponent(cell.Ids[i], component);
     }
   }
 }
@@ -596,18 +606,20 @@ void vtkIsosurfaceRayTraceMesh::Interpolate(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 {
-  return std::all_of(this->ReadArrays.begin(), this->ReadArrays.end(),
-    [](const ReadArray& read)
-    {
-      return read.Array->GetVoidPointer(0) == read.Memory &&
-        read.Array->GetNumberOfValues() >= read.Values;
-    });
+  const vtkDataArray* colors = this->Leaf.Colors;
+  return (!colors || colors->GetNumberOfTuples() >= this->View.NumberOfPoints) &&
+    std::all_of(this->ReadArrays.begin(), this->ReadArrays.end(),
+      [](const ReadArray& read)
+      {
+        return read.Array->GetVoidPointer(0) == read.Memory &&
+          read.Array->GetNumberOfValues() >= read.Values;
+      });
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMesh::AddObjects(std::vector<vtkObject*>& objects) const
 {
-  objects.push_back(this->GetGrid());
+  objects.insert(objects.end(), { this->GetGrid(), this->Leaf.Colors });
   const std::vector<vtkObject*> parts = FindParts(this->GetGrid(), this->Scalars.Array);
   objects.insert(objects.end(), parts.begin(), parts.end());
   for (const ReadArray& read : this->ReadArrays)

@@ -6,6 +6,8 @@
 #ifndef vtkIsosurfaceRayTraceMesh_h
 #define vtkIsosurfaceRayTraceMesh_h
 
+#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
+#include "vtkIsosurfaceRayTracePart.h"     // for base class
 #include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
@@ -27,7 +29,7 @@ class vtkPointSet;
 class vtkStructuredGrid;
 class vtkUnstructuredGrid;
 
-class vtkIsosurfaceRayTraceMesh
+class vtkIsosurfaceRayTraceMesh final : public vtkIsosurfaceRayTracePart
 {
 public:
   /// Whether a data set is of a class that is traced.
@@ -43,7 +45,7 @@ public:
   /// problem.
   vtkIsosurfaceRayTraceMesh(
     vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized);
-  ~vtkIsosurfaceRayTraceMesh();
+  ~vtkIsosurfaceRayTraceMesh() override;
   vtkIsosurfaceRayTraceMesh(const vtkIsosurfaceRayTraceMesh&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMesh&) = delete;
 
@@ -51,33 +53,34 @@ public:
   bool IsOf(
     vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized) const;
 
+  /// Sets the leaf that the grid is of: its numbers, and the array to colour by.
+  void SetLeaf(const vtkIsosurfaceRayTraceLeaf& leaf) { this->Leaf = leaf; }
+
   /// Finds the cells to trace. Returns why there are none; else empty.
   std::string SelectCells(int threads);
 
-  /// Builds the field of the cells, if it is not there. Returns whether it had to be built.
-  bool Update(int threads);
-
-  /// Null before Update.
-  vtkIsosurfaceRayTracing::MeshField* GetField() const { return this->Field.get(); }
-  vtkIsosurfaceRayTracing::Visibility FindVisible() const;
-
-  /// As if all cells were cubes of one size.
-  double GetCellSize() const;
-
   vtkPointSet* GetGrid() const;
-  vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
-  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
-  /// Finds the first components of an array of the points at a hit. Called by many threads at once.
-  void Interpolate(const vtkIsosurfaceRayTracing::Hit& hit, vtkDataArray* array, int components,
-    double* values) const;
-
-  /// The number of points that are traced.
-  vtkIdType GetNumberOfPoints() const { return this->View.NumberOfPoints; }
-
-  /// See vtkIsosurfaceRayTraceInput.
-  bool IsIntact() const;
-  void AddObjects(std::vector<vtkObject*>& objects) const;
+  vtkIsosurfaceRayTracing::TracedField& GetField() override { return *this->Field; }
+  vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
+  vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
+  bool IsBuiltOnDemand() const override { return false; }
+  bool Update(int threads) override;
+  vtkIsosurfaceRayTracing::Bounds FindBox() const override { return this->Field->GetBounds(); }
+  /// As if all cells were cubes of one size.
+  double FindCellSize() const override;
+  vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const override;
+  vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  const vtkIsosurfaceRayTraceLeaf& FindLeaf(
+    const vtkIsosurfaceRayTracing::Hit& /*hit*/) const override
+  {
+    return this->Leaf;
+  }
+  void SampleColors(
+    const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;
+  bool IsIntact() const override;
+  void AddObjects(std::vector<vtkObject*>& objects) const override;
 
 private:
   struct Key;
@@ -105,6 +108,7 @@ private:
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;
   vtkIsosurfaceRayTraceScalars Scalars;
+  vtkIsosurfaceRayTraceLeaf Leaf;
   vtkIsosurfaceRayTracing::MeshView View;
   /// Null before Update.
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;

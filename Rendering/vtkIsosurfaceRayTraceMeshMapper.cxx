@@ -3,7 +3,7 @@
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
 
 #include "vtkIsosurfaceRayTraceEngine.h"
-#include "vtkIsosurfaceRayTraceMeshInput.h"
+#include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTraceSharedSettings.h"
 
@@ -22,7 +22,11 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceMeshMapper);
 vtkIsosurfaceRayTraceMeshMapper::vtkIsosurfaceRayTraceMeshMapper()
   : Engine(std::make_unique<vtkIsosurfaceRayTraceEngine>(this,
       vtkIsosurfaceRayTraceEngine::Client{ [this] { return this->GetSettings(); },
-        [this] { return std::make_unique<vtkIsosurfaceRayTraceMeshInput>(this); },
+        [this]
+        {
+          return std::make_unique<vtkIsosurfaceRayTraceInput>(
+            this, [this] { return this->GetInputSettings(); });
+        },
         [this](float distance) { this->ImageSampleDistance = distance; },
         "Make the picture or the input smaller." }))
 {
@@ -102,6 +106,16 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMeshMapper::GetSettings() con
 {
   vtkIsosurfaceRayTraceSettings settings;
   vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceInputSettings vtkIsosurfaceRayTraceMeshMapper::GetInputSettings() const
+{
+  vtkIsosurfaceRayTraceInputSettings settings{};
+  settings.Kinds = "vtkUnstructuredGrid, a vtkStructuredGrid";
+  vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
+  settings.Tetrahedralize = this->Tetrahedralize;
   return settings;
 }
 

@@ -32,9 +32,9 @@
  * surfaces of several blocks are composited in the order of each ray, and blocks cast shadows on
  * each other and occlude each other. Blocks need no lattice in common; they may touch, overlap and
  * pass through each other. A surface goes on from block to block, but smooth normals know the cells
- * of one block: give blocks a layer of ghost cells for normals without seams. Blocks that are
- * empty, have no cells of three dimensions or do not have the scalars are ignored; blocks of other
- * classes are an error. Each block has a tree, which is built again when that block changes. Cells
+ * of one block: give blocks a layer of ghost cells for normals without seams. Images and
+ * rectilinear grids may be among the blocks: see vtkIsosurfaceRayTraceMapper, which also says which
+ * blocks are left out. Each block has a tree, which is built again when that block changes. Cells
  * and points are numbered through all blocks: see FindBlock.
  *
  * The colour of a surface may come from another array (ColorArrayName).
@@ -72,6 +72,7 @@ class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
+struct vtkIsosurfaceRayTraceInputSettings;
 struct vtkIsosurfaceRayTraceSettings;
 struct vtkIsosurfaceRayTraceSharedSettings;
 
@@ -484,6 +485,7 @@ private:
   friend struct vtkIsosurfaceRayTraceSharedSettings;
 
   vtkIsosurfaceRayTraceSettings GetSettings() const;
+  vtkIsosurfaceRayTraceInputSettings GetInputSettings() const;
 
   int NormalMode = CENTRAL_DIFFERENCES;
   int VectorMode = DISABLED;

@@ -40,14 +40,11 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   scene.Shadows = settings.Shadows;
   scene.OcclusionRays = settings.NumberOfAmbientOcclusionRays;
   scene.OcclusionRadius = settings.AmbientOcclusionRadius;
-  for (int field = 0; field < request.Input.GetNumberOfFields(); ++field)
-  {
-    shown.Field = request.Input.GetField(field);
-    shown.CellSize = request.Input.GetCellSize(field);
-    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
-    scene.Pixels = vtkirt::Unite(scene.Pixels, shown.Pixels);
-    scene.Fields.push_back(shown);
-  }
+  shown.Field = request.Input.GetField();
+  shown.CellSize = request.Input.GetCellSize();
+  shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
+  scene.Pixels = shown.Pixels;
+  scene.Fields.push_back(shown);
   this->Scene = std::move(scene);
 }
 

@@ -96,13 +96,10 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
       planes.back().IsCapped = settings.CapClippingPlanes;
     }
   }
-  for (int field = 0; field < input.GetNumberOfFields(); ++field)
-  {
-    request.Visible = input.FindVisible(field);
-    std::vector<vtkirt::HalfSpace>& all = request.Visible.HalfSpaces;
-    all.insert(all.end(), planes.begin(), planes.end());
-    input.GetField(field)->Select(request, this->Execution, { settings.MaximumMemory });
-  }
+  request.Visible = input.FindVisible();
+  std::vector<vtkirt::HalfSpace>& all = request.Visible.HalfSpaces;
+  all.insert(all.end(), planes.begin(), planes.end());
+  input.GetField()->Select(request, this->Execution, { settings.MaximumMemory });
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +112,7 @@ int vtkIsosurfaceRayTraceRequest::FindIsovalue(double isovalue) const
 //------------------------------------------------------------------------------
 const vtkirt::TraceRequest& vtkIsosurfaceRayTraceRequest::GetTraceRequest() const
 {
-  return this->Input.GetField(0)->GetRequest();
+  return this->Input.GetField()->GetRequest();
 }
 
 VTK_ABI_NAMESPACE_END

@@ -54,7 +54,7 @@ void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& pict
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    if (!this->Input.GetField(hit.Field)->GetRequest().Projection)
+    if (!this->Input.GetField()->GetRequest().Projection)
     {
       // Of a projection, a picture has no depth either.
       frame.Depths[pixel] = std::clamp(picture.GetDepth(hit), 0.0F, 1.0F);

@@ -10,6 +10,7 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkIndent.h"
 #include "vtkIsosurfaceRayTraceEnumerators.h"
+#include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
@@ -79,6 +80,16 @@ struct vtkIsosurfaceRayTraceSharedSettings
     settings.MaximumImageSampleDistance = mapper.MaximumImageSampleDistance;
     settings.ProgressiveAccumulation = mapper.ProgressiveAccumulation;
     settings.MaximumNumberOfAccumulatedFrames = mapper.MaximumNumberOfAccumulatedFrames;
+  }
+
+  /// Those that are about the input.
+  template <typename Mapper>
+  static void Fill(const Mapper& mapper, vtkIsosurfaceRayTraceInputSettings& settings)
+  {
+    settings.Component =
+      vtkIsosurfaceRayTraceEnumerators::FindComponent(mapper.VectorMode, mapper.VectorComponent);
+    settings.ColorArrayName = mapper.ColorArrayName;
+    settings.Threads = FindNumberOfThreads(mapper);
   }
 
   /// Clamps a size to its range. Returns whether it has changed.

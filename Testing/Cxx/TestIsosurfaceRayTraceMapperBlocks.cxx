@@ -565,48 +565,66 @@ void CheckChanges(Checks& check)
 }
 
 //------------------------------------------------------------------------------
-void CheckErrors(Checks& check)
+/// What is wrong with a block is one warning; the others are drawn. Where none is left, it is an
+/// error.
+void CheckProblems(Checks& check)
 {
-  const auto expect = [&check](vtkDataObject* data, const std::string& text)
+  const auto expect = [&check](vtkDataObject* data, unsigned long event, const std::string& text)
   {
     Look scene(data);
     vtkNew<EventCounter> errors;
+    vtkNew<EventCounter> warnings;
     scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+    scene.Mapper->AddObserver(vtkCommand::WarningEvent, warnings);
     scene.Window->Render();
-    scene.Window->Render();
-    check.Equal(errors->Count, text.empty() ? 0 : 1, "the number of errors for " + text);
-    check.That(errors->Text.find(text) != std::string::npos, "it says " + text);
+    const Picture picture = RenderAndCapture(scene.Window);
+    check.Equal(
+      errors->Count, event == vtkCommand::ErrorEvent ? 1 : 0, "the number of errors for " + text);
+    check.Equal(warnings->Count, event == vtkCommand::WarningEvent ? 1 : 0,
+      "the number of warnings for " + text);
+    const std::string said = event == vtkCommand::ErrorEvent ? errors->Text : warnings->Text;
+    check.That(said.find(text) != std::string::npos, "it says " + text);
+    return picture;
   };
-  const auto cut = [] { return Cut(NewWhole()); };
-  auto blocks = cut();
-  blocks[3]->SetSpacing(0.1, 0.1, 0.1);
-  expect(NewMultiBlock(blocks), "Block 4 of the composite input does not lie on the lattice");
-  blocks = cut();
-  const double* origin = blocks[6]->GetOrigin();
-  blocks[6]->SetOrigin(origin[0], origin[1] + 0.01, origin[2]);
-  expect(NewMultiBlock(blocks), "Block 7 of the composite input does not lie on the lattice");
-  blocks = cut();
-  blocks[1]->SetOrigin(blocks[1]->GetOrigin()[0] + 2.0 / (Samples - 1) * 100000, 0.0, 0.0);
-  expect(NewMultiBlock({ blocks[0], blocks[1] }), "lattice");
-  blocks = cut();
-  blocks[1]->SetOrigin(blocks[1]->GetOrigin()[0] + 2.0 / (Samples - 1) * 100000,
-    blocks[1]->GetOrigin()[1], blocks[1]->GetOrigin()[2]);
-  expect(NewMultiBlock({ blocks[0], blocks[1] }), "so far apart");
-  blocks = cut();
+  const auto without = [](std::vector<vtkSmartPointer<vtkImageData>> blocks, std::size_t number)
+  {
+    blocks[number] = nullptr;
+    return Draw(NewMultiBlock(blocks));
+  };
+  auto blocks = Cut(NewWhole());
   blocks[2]->GetPointData()->SetScalars(vtkNew<vtkDoubleArray>());
   blocks[2]->GetPointData()->GetScalars()->SetNumberOfTuples(5);
-  expect(NewMultiBlock(blocks), "Block 3 of the composite input has scalars unlike");
-  vtkNew<vtkMultiBlockDataSet> empty;
-  expect(empty, "no block with a volume");
-  empty->SetBlock(0, vtkNew<vtkImageData>());
-  expect(empty, "no block with a volume");
-  const auto polygons = NewMultiBlock(cut());
+  check.Equal(GetDifference(expect(NewMultiBlock(blocks), vtkCommand::WarningEvent,
+                              "Block 3 of the composite input is left out. It has scalars unlike"),
+                without(blocks, 2), 0),
+    0.0, "the difference without a block of unlike scalars");
+  blocks = Cut(NewWhole());
+  const double* origin = blocks[6]->GetOrigin();
+  blocks[6]->SetOrigin(origin[0], std::nan(""), origin[2]);
+  auto named = NewMultiBlock(blocks);
+  named->GetMetaData(6U)->Set(vtkCompositeDataSet::NAME(), "wing");
+  check.Equal(GetDifference(expect(named, vtkCommand::WarningEvent,
+                              "Block 7 (wing) of the composite input is left out. The origin"),
+                without(blocks, 6), 0),
+    0.0, "the difference without a block that lies nowhere");
+  const auto polygons = NewMultiBlock(Cut(NewWhole()));
   vtkNew<vtkPolyData> lines;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
   lines->SetPoints(points);
   polygons->SetBlock(8, lines);
-  expect(polygons, "Block 9 of the composite input is a vtkPolyData");
+  polygons->SetBlock(9, lines);
+  check.Equal(GetDifference(expect(polygons, vtkCommand::WarningEvent,
+                              "Block 9 of the composite input is left out. It is a vtkPolyData"),
+                Draw(NewWhole()), 0),
+    0.0, "the difference beside polygons");
+  expect(polygons, vtkCommand::WarningEvent, "(1 other block is left out, too.)");
+  vtkNew<vtkMultiBlockDataSet> empty;
+  expect(empty, vtkCommand::ErrorEvent, "no block with a volume");
+  empty->SetBlock(0, vtkNew<vtkImageData>());
+  expect(empty, vtkCommand::ErrorEvent, "no block with a volume");
+  empty->SetBlock(1, lines);
+  expect(empty, vtkCommand::ErrorEvent, "is a vtkPolyData");
 
   // One block is the input itself, also a rectilinear grid.
   const auto whole = NewWhole();
@@ -643,7 +661,7 @@ int TestIsosurfaceRayTraceMapperBlocks(int argc, char* argv[])
   CheckPicking(check);
   CheckColoredPicking(check);
   CheckChanges(check);
-  CheckErrors(check);
+  CheckProblems(check);
 
   // The blocks that have the corner next to the eye are missing.
   auto blocks = Cut(NewWhole());

@@ -54,8 +54,8 @@ def make_structured_grid(value):
     return set_values(grid, value)
 
 
-def make_volume(grid, *isovalues):
-    mapper = vtkIsosurfaceRayTraceMeshMapper()
+def make_volume(grid, *isovalues, mapper_class=vtkIsosurfaceRayTraceMeshMapper, opacity=1.0):
+    mapper = mapper_class()
     mapper.AutoAdjustSampleDistancesOff()
     if grid:
         mapper.SetInputDataObject(grid)
@@ -69,7 +69,7 @@ def make_volume(grid, *isovalues):
     for i, isovalue in enumerate(isovalues):
         surface.GetIsoSurfaceValues().SetValue(i, isovalue)
         colors.AddRGBPoint(isovalue, 0.9, 0.7, 0.5)
-        opacities.AddPoint(isovalue, 1.0)
+        opacities.AddPoint(isovalue, opacity)
     return mapper, volume
 
 
@@ -98,7 +98,7 @@ def parallel_rays(count=15):
             for i in range(count) for j in range(count)]  # fmt: skip
 
 
-def errors_of(mapper, call):
+def errors_of(mapper, call, event=vtkCommand.ErrorEvent):
     """What is reported while something is called."""
     messages = []
 
@@ -106,7 +106,7 @@ def errors_of(mapper, call):
         messages.append(message)
 
     keep.CallDataType = "string0"
-    tag = mapper.AddObserver(vtkCommand.ErrorEvent, keep)
+    tag = mapper.AddObserver(event, keep)
     call()
     mapper.RemoveObserver(tag)
     return messages

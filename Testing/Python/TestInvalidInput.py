@@ -149,6 +149,13 @@ class Scene:
 
         keep_error.CallDataType = "string0"
         self.mapper.AddObserver("ErrorEvent", keep_error)
+        self.warnings = []
+
+        def keep_warning(_caller, _event, text):
+            self.warnings.append(text)
+
+        keep_warning.CallDataType = "string0"
+        self.mapper.AddObserver("WarningEvent", keep_warning)
 
     def show_everything(self):
         """All that reads settings, except for projections."""
@@ -416,6 +423,9 @@ TABLE = [
     ("fewer scalars later", lambda s: resize_after_a_frame(s, "distance"), "every point"),
 ]
 
+# What is wrong with a block is a warning, and the others are drawn.
+LEFT_OUT = "Block 2 of the composite input is left out."
+
 TABLE_OF_IMAGES = [
     ("spacing 0", lambda s: s.image.SetSpacing(1, 0, 1), "spacing"),
     ("a singular direction", lambda s: s.image.SetDirectionMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1), "full rank"),
@@ -427,10 +437,10 @@ TABLE_OF_IMAGES = [
     ("coordinates out of order", lambda s: set_coordinates(s, [-1, 0.9]), "ascend or descend"),
     ("equal coordinates", lambda s: set_coordinates(s, EDGE * [0.5]), "must differ"),
     ("too few coordinates", lambda s: set_coordinates(s, []), "one for each"),
-    ("ghost cells in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Cell", 5, 1, b)), "Block 2"),
-    ("ghost points in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Point", 5, 1, b)), "Block 2"),
-    ("unlike colours in a block", lambda s: set_blocks(s, set_block_colors), "Block 2"),
-    ("blocks without spacing", lambda s: set_blocks(s, lambda b: b.SetSpacing(NAN, 1, 1)), "Block 2"),
+    ("ghost cells in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Cell", 5, 1, b)), LEFT_OUT),
+    ("ghost points in a block", lambda s: set_blocks(s, lambda b: set_ghosts(s, "Point", 5, 1, b)), LEFT_OUT),
+    ("unlike colours in a block", lambda s: set_blocks(s, set_block_colors), LEFT_OUT),
+    ("blocks without spacing", lambda s: set_blocks(s, lambda b: b.SetSpacing(NAN, 1, 1)), LEFT_OUT),
     ("fewer colours", lambda s: (s.mapper.SetColorArrayName("other"), resize_after_a_frame(s, "other")),
      "SetColorArrayName"),
     ("a colour image without points", lambda s: set_color_image(s, lambda c: c.Initialize()),
@@ -507,7 +517,12 @@ class Attacker:
     def attack_by_table(self, name, attack, remedy):
         scene = self.begin(name, attack)
         picture, errors = scene.draw()
-        if not remedy:
+        if remedy == LEFT_OUT:
+            self.check(name, picture != scene.picture_without_volume(), "nothing is drawn")
+            self.check(name, not errors, f"errors: {errors}")
+            self.check(name, len(scene.warnings) == 1 and LEFT_OUT in scene.warnings[0],
+                       f"no warning, or several: {scene.warnings}")
+        elif not remedy:
             self.check(name, len(errors) <= 1, f"several errors: {errors}")
         else:
             self.check(name, picture == scene.picture_without_volume(), "something is drawn")

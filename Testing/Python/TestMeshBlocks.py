@@ -6,7 +6,7 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA,
     VTK_TRIANGLE,
@@ -407,11 +407,9 @@ class TestMeshBlocks(unittest.TestCase):
         bare = make_grid(VTK_TETRA, ball)
         bare.GetPointData().Initialize()
         cases = [
-            (multi_block(grid, image), "Block 2 of the composite input is a vtkImageData. Give blocks of"),
-            (multi_block(poly_data, grid), "Block 1 of the composite input is a vtkPolyData"),
-            (multi_block(grid, vectors), "Block 2 of the composite input has scalars unlike those"),
-            (multi_block(grid, multi_block(bad_id)), "Block 3 of the composite input: Cell 4 has"),
-            (multi_block(bare, None), "no block with a volume and scalars"),
+            (multi_block(poly_data), "Block 1 of the composite input is left out. It is a vtkPolyData"),
+            (multi_block(multi_block(bad_id)), "Block 2 of the composite input is left out. Cell 4 has"),
+            (multi_block(bare, image), "no block with a volume and scalars"),
             (multi_block(), "no block with a volume and scalars"),
         ]
         for data, text in cases:
@@ -423,6 +421,23 @@ class TestMeshBlocks(unittest.TestCase):
                 self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, parallel_rays())), [])
                 mapper.SetInputDataObject(multi_block(grid))
                 self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, parallel_rays())), [])
+        cases = [
+            (multi_block(poly_data, grid), "Block 1 of the composite input is left out. It is a vtkPolyData"),
+            (multi_block(grid, vectors), "Block 2 of the composite input is left out. It has scalars unlike"),
+            (multi_block(grid, multi_block(bad_id)), "Block 3 of the composite input is left out. Cell 4"),
+        ]
+        expected = [hit[1] for hit in cast(*make_volume(grid, 0.0), parallel_rays())]
+        for data, text in cases:
+            with self.subTest(text):
+                mapper, volume = make_volume(data, 0.0)
+                hits = []
+                messages = errors_of(
+                    mapper, lambda: hits.extend(cast(mapper, volume, parallel_rays())), vtkCommand.WarningEvent)
+                self.assertEqual(len(messages), 1, messages)
+                self.assertIn(text, messages[0])
+                self.assertEqual([hit[1] for hit in hits], expected)
+                self.assertEqual(errors_of(
+                    mapper, lambda: cast(mapper, volume, parallel_rays()), vtkCommand.WarningEvent), [])
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_PYRAMID,
@@ -144,8 +144,7 @@ class TestMeshColors(unittest.TestCase):
         short = add_array(make_grid(VTK_TETRA, ball), "height", height)
         short.GetPointData().GetArray("height").SetNumberOfTuples(7)
         for data, text in ((bare, 'no point data named "height"'), (blocks, 'no point data named "height"'),
-                           (short, 'no point data named "height"'),
-                           (vectors, "Block 2 of the composite input has 3 components to colour by")):
+                           (short, 'no point data named "height"')):
             with self.subTest(text):
                 mapper, volume, renderer = make_scene(data, "height")
 
@@ -157,6 +156,10 @@ class TestMeshColors(unittest.TestCase):
                 self.assertEqual(len(messages), 1, messages)
                 self.assertIn(text, messages[0])
                 self.assertEqual(errors_of(mapper, draw), [])
+        mapper, volume, renderer = make_scene(vectors, "height")
+        messages = errors_of(mapper, lambda: take_picture((mapper, volume, renderer)), vtkCommand.WarningEvent)
+        self.assertEqual(len(messages), 1)
+        self.assertIn("Block 2 of the composite input is left out. It has 3 components to colour by", messages[0])
 
 
 if __name__ == "__main__":

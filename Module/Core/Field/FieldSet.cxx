@@ -20,6 +20,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// More than what rounding may move rays, hits and boxes by, as a part of their distance or size.
+constexpr double Slack = 1e-9;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Where rays are in a box.
@@ -72,7 +74,6 @@ HalfSpace Transform(const HalfSpace& half, const Matrix4& setFromOwn)
 /// A box a little larger, by more than what rounding may move rays and hits.
 Bounds WithMargin(const Bounds& box)
 {
-  constexpr double margin = 1e-9;
   Bounds larger = box;
   double length = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -81,8 +82,8 @@ Bounds WithMargin(const Bounds& box)
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    larger.Lower[axis] -= margin * length;
-    larger.Upper[axis] += margin * length;
+    larger.Lower[axis] -= Slack * length;
+    larger.Upper[axis] += Slack * length;
   }
   return larger;
 }
@@ -104,6 +105,8 @@ struct FieldSet::Member
   TracedField* Field = nullptr;
   /// Whether rays may hit anything of it.
   bool MayHit = true;
+  /// The number of half-spaces that cut the member alone: those of the request follow.
+  int OwnHalfSpaces = 0;
   std::atomic<unsigned int> Selection{ 0 };
 
   /// The part of rays in the box, as rays of the field: with the same places in the packet.
@@ -125,6 +128,18 @@ struct FieldSet::Member
       }
     }
     moved.Columns = rays.Columns;
+  }
+
+  /// A hit, with the number that its half-space has in the member, or in the set.
+  Hit ToOwn(Hit hit) const
+  {
+    hit.Plane += hit.Plane == Hit::NoPlane ? 0 : this->OwnHalfSpaces;
+    return hit;
+  }
+  Hit ToSet(Hit hit) const
+  {
+    hit.Plane -= hit.Plane == Hit::NoPlane ? 0 : this->OwnHalfSpaces;
+    return hit;
   }
 
   RayPacket MoveLines(const RayPacket& lines) const
@@ -280,10 +295,11 @@ void FieldSet::Select(
 
 //------------------------------------------------------------------------------
 /// That of all, in the object space of a member, with what is visible of it.
-TraceRequest FieldSet::MakeRequest(const Member& member) const
+TraceRequest FieldSet::MakeRequest(Member& member) const
 {
   TraceRequest request = this->Request;
   request.Visible = member.Source->FindVisible();
+  member.OwnHalfSpaces = static_cast<int>(request.Visible.HalfSpaces.size());
   for (const HalfSpace& half : this->Request.Visible.HalfSpaces)
   {
     request.Visible.HalfSpaces.push_back(Transform(half, member.SetFromOwn));
@@ -478,24 +494,41 @@ void FieldSet::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     member->MoveRays(packet, thread->Inside, thread->Inside.Rays, thread->Moved);
     member->Field->Trace(
       thread->Moved, thread->HitsOfMember, thread->GetBeam(reached.Number, *member));
-    const RayHits& found = thread->HitsOfMember;
-    for (int i = 0; i < packet.Count; ++i)
-    {
-      const auto ray = static_cast<std::size_t>(i);
-      for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
-      {
-        Hit hit = found.Hits[k];
-        if (!this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0)
-        {
-          packet.End[i] = std::min(packet.End[i], hit.T);
-        }
-        hit.T += packet.Base[i];
-        hit.Member = static_cast<int>(reached.Number);
-        thread->Found[i].push_back(hit);
-      }
-    }
+    this->TakeHits(reached.Number, packet, *thread);
   }
   this->JoinHits(*thread, packet.Count, hits);
+}
+
+//------------------------------------------------------------------------------
+/// Takes the hits of a member. Rays end at opaque ones.
+void FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const
+{
+  const RayHits& found = beam.HitsOfMember;
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    const auto ray = static_cast<std::size_t>(i);
+    for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
+    {
+      Hit hit = this->Members[number].ToSet(found.Hits[k]);
+      hit.Member = static_cast<int>(number);
+      if (hit.Plane != Hit::NoPlane)
+      {
+        // The same for all members with a cap there, whatever their arithmetic.
+        hit.T = FindCrossing(this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)],
+          packet.GetOrigin(i), packet.GetDirection(i))
+                  .T;
+      }
+      if (!this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0)
+      {
+        // Another member may have a cap right there.
+        const double beyond =
+          Slack * Length(this->Box.Upper - this->Box.Lower) / Length(packet.GetDirection(i));
+        packet.End[i] = std::min(packet.End[i], hit.T + beyond);
+      }
+      hit.T += packet.Base[i];
+      beam.Found[i].push_back(hit);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -508,8 +541,9 @@ void FieldSet::JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const
     std::vector<Hit>& found = beam.Found[i];
     if (found.size() > 1)
     {
-      std::stable_sort(
-        found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.T < b.T; });
+      std::stable_sort(found.begin(), found.end(),
+        [](const Hit& a, const Hit& b)
+        { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
     }
     if (this->Request.Projection)
     {
@@ -576,7 +610,7 @@ void FieldSet::FindTransmittance(
 Vector3 FieldSet::GetPoint(const Hit& hit) const
 {
   const Member& member = this->GetMember(hit);
-  return TransformPoint(member.SetFromOwn, member.Field->GetPoint(hit));
+  return TransformPoint(member.SetFromOwn, member.Field->GetPoint(member.ToOwn(hit)));
 }
 
 //------------------------------------------------------------------------------
@@ -589,7 +623,8 @@ Vector3 FieldSet::GetPointInCells(const Hit& hit) const
 Vector3 FieldSet::GetGradient(const Hit& hit, NormalMode mode) const
 {
   const Member& member = this->GetMember(hit);
-  return TransformDirection(member.SetFromOwnGradient, member.Field->GetGradient(hit, mode));
+  return TransformDirection(
+    member.SetFromOwnGradient, member.Field->GetGradient(member.ToOwn(hit), mode));
 }
 
 //------------------------------------------------------------------------------
@@ -606,7 +641,10 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
       ++last;
     }
     const Member& member = this->GetMember(hits[first]);
-    member.Field->GetPointsAndGradients(&hits[first], last - first, ownPoints, ownGradients);
+    Hit own[RayPacket::Capacity];
+    std::transform(
+      &hits[first], &hits[last], own, [&member](const Hit& hit) { return member.ToOwn(hit); });
+    member.Field->GetPointsAndGradients(own, last - first, ownPoints, ownGradients);
     for (int i = first; i < last; ++i)
     {
       const int k = i - first;

@@ -93,7 +93,7 @@ private:
   /// A member that rays of a packet meet.
   struct Reached;
 
-  TraceRequest MakeRequest(const Member& member) const;
+  TraceRequest MakeRequest(Member& member) const;
   void SelectMember(Member& member, const Execution& execution) const;
   bool IsSelected(const Member& member) const;
   bool IsKnownEmpty(const Member& member) const;
@@ -101,6 +101,7 @@ private:
   const Member& GetMember(const Hit& hit) const;
 
   std::vector<Reached> FindReached(const RayPacket& packet, const ThreadBeam* beam) const;
+  void TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const;
   void JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const;
 
   std::size_t NumberOfMembers;

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceArrayColors.h"
+
+#include "vtkIsosurfaceRayTraceGeometry.h"
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceLatticeSampling.h"
+
+#include "vtkImageData.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceArrayColors::Sample(
+  const vtkirt::Hit& hit, int components, double* values) const
+{
+  this->Input.GetPart(hit).SampleColors(hit, components, values);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceImageColors::Sample(
+  const vtkirt::Hit& hit, int components, double* values) const
+{
+  const vtkirt::Vector3 point =
+    vtkirt::TransformPoint(this->PhysicalFromObject, this->Field.GetPoint(hit));
+  vtkirt::Vector3 index;
+  this->Image->TransformPhysicalPointToContinuousIndex(point.data(), index.data());
+  const int* extent = this->Image->GetExtent();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    index[axis] -= extent[2 * axis];
+  }
+  const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(this->Image);
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] =
+      vtkIsosurfaceRayTraceSampleLattice(this->Array, dimensions, index, component);
+  }
+}
+
+VTK_ABI_NAMESPACE_END

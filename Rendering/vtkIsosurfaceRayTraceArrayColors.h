@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Colours of hits by an array of the parts that are traced, or by another image.
+
+#ifndef vtkIsosurfaceRayTraceArrayColors_h
+#define vtkIsosurfaceRayTraceArrayColors_h
+
+#include "vtkIsosurfaceRayTraceColors.h"   // for base class
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "Field/TracedField.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkImageData;
+class vtkIsosurfaceRayTraceInput;
+
+/// By the arrays of the parts of an input, which must outlive this.
+class vtkIsosurfaceRayTraceArrayColors final : public vtkIsosurfaceRayTraceColors
+{
+public:
+  /// Direct: the arrays hold colours.
+  vtkIsosurfaceRayTraceArrayColors(const vtkIsosurfaceRayTraceInput& input, bool areDirect,
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
+    : vtkIsosurfaceRayTraceColors(areDirect, colorsOfValues)
+    , Input(input)
+  {
+  }
+
+private:
+  void Sample(
+    const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;
+
+  const vtkIsosurfaceRayTraceInput& Input;
+};
+
+/// By an image that lies where the hits are.
+class vtkIsosurfaceRayTraceImageColors final : public vtkIsosurfaceRayTraceColors
+{
+public:
+  /// The matrix leads from the object space of the field to the coordinates of the image. All must
+  /// outlive this.
+  vtkIsosurfaceRayTraceImageColors(vtkImageData* image, vtkDataArray* array,
+    const vtkIsosurfaceRayTracing::TracedField& field,
+    const vtkIsosurfaceRayTracing::Matrix4& physicalFromObject,
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
+    : vtkIsosurfaceRayTraceColors(IsDirect(array), colorsOfValues)
+    , Image(image)
+    , Array(array)
+    , Field(field)
+    , PhysicalFromObject(physicalFromObject)
+  {
+  }
+
+private:
+  void Sample(
+    const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;
+
+  vtkImageData* Image;
+  vtkDataArray* Array;
+  const vtkIsosurfaceRayTracing::TracedField& Field;
+  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

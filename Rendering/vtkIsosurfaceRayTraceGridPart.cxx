@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceGridPart.h"
+
+#include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceLatticeSampling.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridPart::IsGrid(vtkDataSet* data)
+{
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridPart::HasVolume(vtkDataSet* grid)
+{
+  const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
+  return std::min({ points[0], points[1], points[2] }) >= 2;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridPart::IsOf(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves) const
+{
+  const std::vector<vtkIsosurfaceRayTraceBlock>& ours = this->Blocks.Get();
+  return std::equal(leaves.begin(), leaves.end(), ours.begin(), ours.end(),
+    [](const vtkIsosurfaceRayTraceLeaf& a, const vtkIsosurfaceRayTraceLeaf& b)
+    { return a.Data == b.Data; });
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+  const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
+  vtkVolumeMapper* cropping)
+{
+  this->IsBuilt = false;
+  this->Blocks.Update(leaves, scalars.AreOfCells);
+  this->Scalars = scalars;
+  this->Scalars.Array = this->Blocks.GetScalars();
+  this->NumberOfTuples = this->Scalars.Array->GetNumberOfTuples();
+  this->Colors = this->Blocks.GetColors();
+  this->NumberOfColors = this->Colors ? this->Colors->GetNumberOfTuples() : 0;
+  this->Settings = settings;
+  this->Cropping = cropping;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::TracedField& vtkIsosurfaceRayTraceGridPart::GetField()
+{
+  this->Update(1);
+  return *this->Source.GetField();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridPart::Update(int threads)
+{
+  const bool hadToBeBuilt = !this->IsBuilt &&
+    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, threads);
+  this->IsBuilt = true;
+  return hadToBeBuilt;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Visibility vtkIsosurfaceRayTraceGridPart::FindVisible() const
+{
+  vtkirt::Visibility visible;
+  visible.HiddenCells = this->Source.GetHiddenCells();
+  if (this->Cropping)
+  {
+    vtkIsosurfaceRayTraceCropping::Apply(this->Cropping, this->Source.GetGeometry(), visible);
+  }
+  return visible;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 vtkIsosurfaceRayTraceGridPart::FindPhysicalFromObject() const
+{
+  return vtkIsosurfaceRayTraceGeometry(this->Blocks.GetGrid(), this->Scalars.AreOfCells)
+    .GetPhysicalFromObject();
+}
+
+//------------------------------------------------------------------------------
+/// Larger ones are built faster by all threads.
+bool vtkIsosurfaceRayTraceGridPart::IsBuiltOnDemand() const
+{
+  constexpr vtkIdType largest = 1 << 18;
+  return this->NumberOfTuples <= largest;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Bounds vtkIsosurfaceRayTraceGridPart::FindBox() const
+{
+  const vtkirt::Index3 points =
+    vtkIsosurfaceRayTraceGeometry::GetDimensions(this->Blocks.GetGrid());
+  const int fewer = this->Scalars.AreOfCells ? 2 : 1;
+  vtkirt::Bounds box = { { 0.0, 0.0, 0.0 }, {} };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Upper[axis] = points[axis] - fewer;
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridPart::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return this->Blocks.GetCellId(this->Source.FindStructuredCell(hit, parametric));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceGridPart::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  return this->Blocks.GetPointId(
+    this->Source.FindStructuredCell(hit, parametric), this->Source.FindStructuredPoint(hit));
+}
+
+//------------------------------------------------------------------------------
+const vtkIsosurfaceRayTraceLeaf& vtkIsosurfaceRayTraceGridPart::FindLeaf(
+  const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  return this->Blocks.FindOwner(this->Source.FindStructuredCell(hit, parametric));
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceGridPart::SampleColors(
+  const vtkirt::Hit& hit, int components, double* values) const
+{
+  vtkirt::Vector3 index;
+  const vtkirt::Index3 cell = this->Source.FindStructuredCell(hit, index);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    index[axis] += cell[axis];
+  }
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] = vtkIsosurfaceRayTraceSampleLattice(
+      this->Colors, this->Source.GetNumberOfPoints(), index, component);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceGridPart::IsIntact() const
+{
+  const bool areScalarsIntact = this->IsBuilt
+    ? this->Source.IsIntact()
+    : this->Scalars.Array->GetNumberOfTuples() >= this->NumberOfTuples;
+  return areScalarsIntact &&
+    (!this->Colors || this->Colors->GetNumberOfTuples() >= this->NumberOfColors);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceGridPart::AddObjects(std::vector<vtkObject*>& objects) const
+{
+  vtkDataSet* grid = this->Blocks.GetGrid();
+  objects.insert(objects.end(), { grid, this->Scalars.Array, this->Colors });
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
+  {
+    objects.insert(objects.end(),
+      { rectilinear->GetXCoordinates(), rectilinear->GetYCoordinates(),
+        rectilinear->GetZCoordinates() });
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceInput.h"
+
+#include "vtkIsosurfaceRayTraceArrayColors.h"
+#include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceGridPart.h"
+#include "vtkIsosurfaceRayTraceLattices.h"
+#include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceProblems.h"
+#include "vtkIsosurfaceRayTraceScalars.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkPointSet.h"
+
+#include "Math/Matrix.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Leaf = vtkIsosurfaceRayTraceLeaf;
+
+constexpr vtkirt::Matrix4 Identity = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+  0.0, 0.0, 0.0, 1.0 };
+
+bool IsGrid(const Leaf& leaf)
+{
+  return vtkIsosurfaceRayTraceGridPart::IsGrid(leaf.Data);
+}
+
+/// The scalars of a leaf, chosen as others were.
+vtkIsosurfaceRayTraceScalars ScalarsOf(const Leaf& leaf, const vtkIsosurfaceRayTraceScalars& chosen)
+{
+  vtkIsosurfaceRayTraceScalars scalars = chosen;
+  scalars.Array = leaf.Scalars;
+  return scalars;
+}
+
+bool AreSame(const vtkirt::PlacedField& a, const vtkirt::PlacedField& b)
+{
+  return a.Source == b.Source && a.SetFromOwn == b.SetFromOwn && a.Box.Lower == b.Box.Lower &&
+    a.Box.Upper == b.Box.Upper && a.CellSize == b.CellSize && a.IsOnDemand == b.IsOnDemand;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceInput::vtkIsosurfaceRayTraceInput(
+  vtkAbstractVolumeMapper* mapper, std::function<vtkIsosurfaceRayTraceInputSettings()> getSettings)
+  : Mapper(mapper)
+  , GetSettings(std::move(getSettings))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceInput::~vtkIsosurfaceRayTraceInput() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
+{
+  const vtkIsosurfaceRayTraceInputSettings settings = this->GetSettings();
+  std::string problem = this->SelectLeaves(settings);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  // Leaves have as many components as the first.
+  vtkIsosurfaceRayTraceScalars scalars;
+  scalars.Array = this->Leaves.Get().front().Scalars;
+  scalars.AreOfCells = this->Leaves.AreScalarsOfCells();
+  problem = scalars.SelectComponent(settings.Component, property, this->PropertyComponent);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = this->SelectParts(settings, scalars);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (settings.Cropping)
+  {
+    problem = vtkIsosurfaceRayTraceCropping::FindProblem(settings.Cropping);
+  }
+  return problem.empty() ? this->SelectColors(settings) : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
+  const vtkIsosurfaceRayTraceInputSettings& settings)
+{
+  vtkDataObject* input = this->Mapper->GetDataObjectInput();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  this->IsComposite = composite != nullptr;
+  this->LeftOut = {};
+  const std::string colors = settings.ColorImage ? "" : settings.ColorArrayName;
+  if (composite)
+  {
+    this->Leaves.Collect(composite, this->Mapper, colors, this->LeftOut);
+    const std::string problem = this->LeftOut.Describe();
+    if (!this->Leaves.Get().empty())
+    {
+      return "";
+    }
+    return problem.empty()
+      ? "The composite input has no block with a volume and scalars of the requested kind. Give "
+        "blocks of images, grids or meshes with scalars, or name an array with "
+        "SelectScalarArray()."
+      : problem;
+  }
+  auto* data = vtkDataSet::SafeDownCast(input);
+  if (!data ||
+    (!vtkIsosurfaceRayTraceGridPart::IsGrid(data) && !vtkIsosurfaceRayTraceMesh::IsMesh(data)))
+  {
+    return std::string("There is no input. Give a ") + settings.Kinds +
+      " or composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
+  }
+  this->Leaves.Take(data, this->Mapper, colors);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInput::SelectColors(
+  const vtkIsosurfaceRayTraceInputSettings& settings)
+{
+  const std::string& name = settings.ColorArrayName;
+  this->ColorImage = settings.ColorImage;
+  this->ColorArray = nullptr;
+  if (!this->ColorImage)
+  {
+    const bool haveColors = name.empty() ||
+      std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
+        [](const Leaf& leaf) { return leaf.Colors; });
+    return haveColors ? "" : vtkIsosurfaceRayTraceColors::DescribeMissing(name, "the input");
+  }
+  this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(this->ColorImage, name);
+  if (!this->ColorArray)
+  {
+    return vtkIsosurfaceRayTraceColors::DescribeMissing(name, "the second input");
+  }
+  this->NumberOfColors = this->ColorArray->GetNumberOfTuples();
+  const std::string problem = vtkIsosurfaceRayTraceGeometry::FindProblem(this->ColorImage);
+  return problem.empty() ? "" : "The image to colour by (port 1): " + problem;
+}
+
+//------------------------------------------------------------------------------
+/// Those of before are kept, if they are still of the same data.
+std::string vtkIsosurfaceRayTraceInput::SelectParts(
+  const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars)
+{
+  // Those that have changed go at the end of this function, before new ones are built.
+  PartList before;
+  before.swap(this->Parts);
+  std::vector<const Part*> partsBefore;
+  for (const std::unique_ptr<Part>& part : before)
+  {
+    partsBefore.push_back(part.get());
+  }
+  std::vector<Leaf> grids;
+  std::string first;
+  for (const Leaf& leaf : this->Leaves.Get())
+  {
+    const std::string problem = IsGrid(leaf)
+      ? vtkIsosurfaceRayTraceSource::FindProblem(leaf.Data, ScalarsOf(leaf, scalars))
+      : this->AddMesh(leaf, settings, ScalarsOf(leaf, scalars), before);
+    if (!problem.empty())
+    {
+      first = first.empty() ? problem : first;
+      this->LeftOut.Add(leaf, problem);
+    }
+    else if (IsGrid(leaf))
+    {
+      grids.push_back(leaf);
+    }
+  }
+  for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))
+  {
+    this->AddGrid(leaves, settings, scalars, before);
+  }
+  if (!std::equal(this->Parts.begin(), this->Parts.end(), partsBefore.begin(), partsBefore.end(),
+        [](const std::unique_ptr<Part>& part, const Part* other) { return part.get() == other; }))
+  {
+    this->Field = nullptr;
+  }
+  if (!this->Parts.empty())
+  {
+    return "";
+  }
+  return this->IsComposite ? this->LeftOut.Describe() : first;
+}
+
+//------------------------------------------------------------------------------
+/// Takes the mesh of a leaf from those before, if there is one; makes it, if there is none.
+std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
+  const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
+  PartList& before)
+{
+  using Mesh = vtkIsosurfaceRayTraceMesh;
+  auto* grid = vtkPointSet::SafeDownCast(leaf.Data);
+  std::string problem = scalars.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  problem = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  for (std::unique_ptr<Part>& part : before)
+  {
+    auto* mesh = dynamic_cast<Mesh*>(part.get());
+    if (mesh && mesh->IsOf(grid, scalars, settings.Tetrahedralize))
+    {
+      mesh->SetLeaf(leaf);
+      this->Parts.push_back(std::move(part));
+      return "";
+    }
+  }
+  auto mesh = std::make_unique<Mesh>(grid, scalars, settings.Tetrahedralize);
+  problem = mesh->SelectCells(settings.Threads);
+  if (problem.empty())
+  {
+    mesh->SetLeaf(leaf);
+    this->Parts.push_back(std::move(mesh));
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
+  const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
+  PartList& before)
+{
+  using Grid = vtkIsosurfaceRayTraceGridPart;
+  const auto found = std::find_if(before.begin(), before.end(),
+    [&leaves](const std::unique_ptr<Part>& part)
+    {
+      const auto* grid = dynamic_cast<const Grid*>(part.get());
+      return grid && grid->IsOf(leaves);
+    });
+  std::unique_ptr<Part> part = found != before.end() ? std::move(*found) : std::make_unique<Grid>();
+  static_cast<Grid&>(*part).Select(leaves, scalars, settings.Image, settings.Cropping);
+  this->Parts.push_back(std::move(part));
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
+{
+  return this->Parts.size() == 1 ? this->Parts.front()->FindPhysicalFromObject() : Identity;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::Update(int threads)
+{
+  bool isBuilt = false;
+  const bool isLone = this->Parts.size() == 1;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    if (isLone || !part->IsBuiltOnDemand())
+    {
+      isBuilt = part->Update(threads) || isBuilt;
+    }
+  }
+  if (!isLone)
+  {
+    this->JoinParts();
+    return isBuilt;
+  }
+  Part& part = *this->Parts.front();
+  this->Set.reset();
+  this->Placed.clear();
+  this->Field = &part.GetField();
+  this->PhysicalFromObject = part.FindPhysicalFromObject();
+  this->CellSize = part.FindCellSize();
+  return isBuilt;
+}
+
+//------------------------------------------------------------------------------
+/// The object space of all is that of the data, counted from their centre: data far from the origin
+/// lose no digits.
+void vtkIsosurfaceRayTraceInput::JoinParts()
+{
+  using vtkirt::operator-;
+  std::vector<vtkirt::PlacedField> placed;
+  vtkirt::Bounds all = vtkirt::NoBounds();
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    vtkirt::PlacedField field{};
+    field.Source = part.get();
+    field.SetFromOwn = part->FindPhysicalFromObject();
+    field.Box = part->FindBox();
+    field.CellSize = part->FindCellSize();
+    field.IsOnDemand = part->IsBuiltOnDemand();
+    placed.push_back(field);
+    all = vtkirt::Unite(all, vtkirt::TransformBounds(field.SetFromOwn, field.Box));
+  }
+  const vtkirt::Vector3 center = vtkirt::GetCenter(all);
+  this->CellSize = 0.0;
+  for (vtkirt::PlacedField& field : placed)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      field.SetFromOwn[4 * axis + 3] -= center[axis];
+    }
+    const vtkirt::Vector3 size = field.Box.Upper - field.Box.Lower;
+    field.MemoryShare = std::max(
+      1e-9, size[0] * size[1] * size[2] / (field.CellSize * field.CellSize * field.CellSize));
+    const vtkirt::AffineAxes axes(field.SetFromOwn);
+    const double longest = *std::max_element(axes.Lengths.begin(), axes.Lengths.end());
+    this->CellSize = std::max(this->CellSize, field.CellSize * longest);
+    field.Box = vtkirt::TransformBounds(field.SetFromOwn, field.Box);
+  }
+  this->PhysicalFromObject = Identity;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->PhysicalFromObject[4 * axis + 3] = center[axis];
+  }
+  const bool isSame = this->Set &&
+    std::equal(placed.begin(), placed.end(), this->Placed.begin(), this->Placed.end(), AreSame);
+  if (!isSame)
+  {
+    this->Set = std::make_unique<vtkirt::FieldSet>(placed);
+    this->Placed = std::move(placed);
+  }
+  this->Field = this->Set.get();
+}
+
+//------------------------------------------------------------------------------
+/// Members of a set have what is visible of their own.
+vtkirt::Visibility vtkIsosurfaceRayTraceInput::FindVisible() const
+{
+  return this->Parts.size() == 1 ? this->Parts.front()->FindVisible() : vtkirt::Visibility{};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColors(
+  const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
+{
+  if (this->ColorArray)
+  {
+    return std::make_unique<vtkIsosurfaceRayTraceImageColors>(
+      this->ColorImage, this->ColorArray, *this->Field, this->PhysicalFromObject, colorsOfValues);
+  }
+  const std::vector<Leaf>& leaves = this->Leaves.Get();
+  if (!leaves.front().Colors)
+  {
+    return nullptr;
+  }
+  const bool areDirect = std::all_of(leaves.begin(), leaves.end(),
+    [](const Leaf& leaf) { return vtkIsosurfaceRayTraceColors::IsDirect(leaf.Colors); });
+  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(*this, areDirect, colorsOfValues);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::IsIntact() const
+{
+  return std::all_of(this->Parts.begin(), this->Parts.end(),
+           [](const std::unique_ptr<Part>& part) { return part->IsIntact(); }) &&
+    (!this->ColorArray || this->ColorArray->GetNumberOfTuples() >= this->NumberOfColors);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkObject*> vtkIsosurfaceRayTraceInput::GetObjects() const
+{
+  std::vector<vtkObject*> objects = { this->ColorImage, this->ColorArray };
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    part->AddObjects(objects);
+  }
+  return objects;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A part of the data that a mapper traces, which is a field of its own: blocks of images on one
+// lattice, a rectilinear grid, a mesh.
+
+#ifndef vtkIsosurfaceRayTracePart_h
+#define vtkIsosurfaceRayTracePart_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Field/FieldSet.h"
+
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkObject;
+struct vtkIsosurfaceRayTraceLeaf;
+
+class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
+{
+public:
+  /// From the object space of the field to the coordinates of the data. Known before the field is.
+  virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
+
+  /// Whether the field is so small that it is built when the first ray comes to it.
+  virtual bool IsBuiltOnDemand() const = 0;
+
+  /// Builds the field, with all threads. Returns whether it had to be built.
+  virtual bool Update(int threads) = 0;
+
+  /// The box of the field and the size of its cells, about, in its object space. The field must be
+  /// there, unless it is built on demand.
+  virtual vtkIsosurfaceRayTracing::Bounds FindBox() const = 0;
+  virtual double FindCellSize() const = 0;
+
+  /// The cell that a hit is in, and the point nearest to it, by their numbers through all leaves.
+  virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
+  virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+
+  /// The leaf that has the cell of a hit.
+  virtual const vtkIsosurfaceRayTraceLeaf& FindLeaf(
+    const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+
+  /// Finds the first components of the array to colour by at a hit. Called by many threads at once.
+  virtual void SampleColors(
+    const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const = 0;
+
+  /// Whether the arrays that are traced are still where they were, and as long.
+  virtual bool IsIntact() const = 0;
+
+  /// Appends the objects that a picture depends on. Some may be null.
+  virtual void AddObjects(std::vector<vtkObject*>& objects) const = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

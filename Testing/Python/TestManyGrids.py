@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Composite data of any mixture in one mapper: images on several lattices, grids, meshes. Rays hit what they
+hit in each block by itself, in the order along the ray."""
+
+import math
+import random
+import unittest
+
+from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_TETRA,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPlane,
+    vtkRectilinearGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkRenderingCore import vtkHardwareSelector, vtkLight, vtkLightCollection, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+import vtkmodules.vtkRenderingOpenGL2  # the window
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+
+from MeshTesting import SIZE, ball, cast, make_grid, make_structured_grid, make_volume, parallel_rays, plane, set_values
+
+PIXELS = 120
+
+
+def make_image(origin, spacing, points, value, angle=0.0):
+    image = vtkImageData()
+    image.SetDimensions(points, points + 1, points + 2)
+    image.SetOrigin(origin)
+    image.SetSpacing(spacing)
+    c, s = math.cos(angle), math.sin(angle)
+    image.SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1)
+    return set_values(image, value)
+
+
+def make_rectilinear(value):
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(8, 8, 8)
+    for i, set_coordinates in enumerate((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)):
+        coordinates = vtkDoubleArray()
+        for k in range(8):
+            coordinates.InsertNextValue(-0.5 + 0.06 * k * (k + 7 + i))
+        set_coordinates(coordinates)
+    return set_values(grid, value)
+
+
+def saddle(point):
+    return 0.3 * (point[0] - 3.0) * (point[1] - 3.0) - point[2] + 2.7
+
+
+def make_blocks():
+    """Their surfaces pass through each other."""
+    return [
+        make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball),
+        make_image((2.1, -0.4, 0.4), (0.3, 0.3, 0.3), 14, saddle, 0.5),
+        make_rectilinear(lambda p: plane(p) - 3.4),
+        make_grid(VTK_TETRA, lambda p: 0.4 + ball(p)),
+        make_structured_grid(lambda p: plane(p) - 4.0),
+    ]
+
+
+def multi_block(blocks):
+    composite = vtkMultiBlockDataSet()
+    for i, block in enumerate(blocks):
+        composite.SetBlock(i, block)
+    return composite
+
+
+def collection(blocks):
+    composite = vtkPartitionedDataSetCollection()
+    for i, block in enumerate(blocks):
+        composite.SetPartition(i % 2, i // 2, block)
+    return composite
+
+
+def mapper_of(block):
+    is_mesh = block.IsA("vtkUnstructuredGrid") or block.IsA("vtkStructuredGrid")
+    return vtkIsosurfaceRayTraceMeshMapper if is_mesh else vtkIsosurfaceRayTraceMapper
+
+
+def trace(data, mapper_class, rays, opacity, furnish=lambda mapper: None):
+    mapper, volume = make_volume(data, 0.0, mapper_class=mapper_class, opacity=opacity)
+    furnish(mapper)
+    return mapper, cast(mapper, volume, rays)
+
+
+def expected_hits(blocks, rays, furnish=lambda mapper: None):
+    """(ray, t, block, cell, normal), in order, of each block by itself."""
+    hits = []
+    for number, block in enumerate(blocks):
+        _, of_block = trace(block, mapper_of(block), rays, 0.01, furnish)
+        hits += [(ray, t, number, cell, normal) for ray, t, cell, normal in of_block]
+    return sorted(hits)
+
+
+class TestManyGrids(unittest.TestCase):
+    def check_hits(self, composite, blocks, rays, mapper_class, furnish=lambda mapper: None, tolerance=1e-10):
+        expected = expected_hits(blocks, rays, furnish)
+        mapper, hits = trace(composite, mapper_class, rays, 0.01, furnish)
+        self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
+        self.assertEqual(hits, sorted(hits, key=lambda hit: hit[:2]))
+        cell, flat_index = mutable(0), mutable(0)
+
+        def by_block(hit):
+            """Caps of several blocks have the same t, but for rounding."""
+            return hit[0], mapper.FindBlock(hit[2], cell, flat_index) and int(flat_index), hit[1]
+
+        numbers = sorted({by_block(hit)[1] for hit in hits})
+        expected.sort(key=lambda hit: (hit[0], hit[2], hit[1]))
+        self.assertEqual(len(numbers), len({hit[2] for hit in expected}))
+        for hit, (_, t, block, cell_in_block, normal) in zip(sorted(hits, key=by_block), expected):
+            self.assertAlmostEqual(hit[1], t, delta=tolerance * max(1.0, t))
+            self.assertIs(mapper.FindBlock(hit[2], cell, flat_index), blocks[block])
+            self.assertEqual(cell, cell_in_block)
+            self.assertLess(math.dist(hit[3], normal), 1e-6)
+        return len(hits)
+
+    def test_hits_are_those_of_each_block_in_order(self):
+        blocks = make_blocks()
+        for composite in (multi_block(blocks), collection(blocks[:2] + blocks[2:])):
+            listed = blocks if composite.IsA("vtkMultiBlockDataSet") else blocks[0::2] + blocks[1::2]
+            for mapper_class in (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper):
+                count = self.check_hits(composite, listed, parallel_rays(21), mapper_class)
+                self.assertGreater(count, 1000)
+
+    def test_an_opaque_surface_of_a_block_hides_those_behind(self):
+        blocks = make_blocks()
+        rays = parallel_rays(31)
+        nearest = {}
+        for ray, t, *_ in expected_hits(blocks, rays):
+            nearest.setdefault(ray, t)
+        _, hits = trace(multi_block(blocks), vtkIsosurfaceRayTraceMapper, rays, 1.0)
+        self.assertEqual(len(hits), len(nearest))
+        for ray, t, *_ in hits:
+            self.assertAlmostEqual(t, nearest[ray], delta=1e-10 * max(1.0, t))
+
+    def test_clipping_and_caps(self):
+        blocks = make_blocks()
+        cutter = vtkPlane()
+        cutter.SetOrigin(3.0, 2.8, 2.6)
+        cutter.SetNormal(0.3, -0.4, -0.8)
+
+        def clip(mapper, caps=False):
+            mapper.AddClippingPlane(cutter)
+            mapper.SetCapClippingPlanes(caps)
+
+        clipped = self.check_hits(multi_block(blocks), blocks, parallel_rays(21), vtkIsosurfaceRayTraceMapper, clip)
+        capped = self.check_hits(multi_block(blocks), blocks, parallel_rays(21), vtkIsosurfaceRayTraceMapper,
+                                 lambda mapper: clip(mapper, True), 1e-6)  # meshes move the plane a little
+        self.assertGreater(clipped, 300)
+        self.assertGreater(capped, clipped + 300)
+
+    def test_far_from_the_origin(self):
+        shift = (1e6, -2e6, 3e6)
+        blocks = [make_image([a + b for a, b in zip(origin, shift)], (0.4, 0.4, 0.4), 13,
+                             lambda p: ball([a - b for a, b in zip(p, shift)]), angle)
+                  for origin, angle in (((0.3, 0.2, 0.1), 0.0), ((2.0, 0.1, 0.3), 0.4))]  # fmt: skip
+        rays = [([a + b for a, b in zip(origin, shift)], direction) for origin, direction in parallel_rays(21)]
+        self.assertGreater(self.check_hits(multi_block(blocks), blocks, rays, vtkIsosurfaceRayTraceMapper), 300)
+
+    def test_hundreds_of_lattices(self):
+        random.seed(5)
+        blocks = [make_image([random.uniform(-0.5, 5.5) for _ in range(3)],
+                             [random.uniform(0.1, 0.3) for _ in range(3)], 4, saddle, random.uniform(0, 6))
+                  for _ in range(300)]  # fmt: skip
+        composite = multi_block(blocks)
+        self.check_hits(composite, blocks, parallel_rays(25), vtkIsosurfaceRayTraceMapper)
+
+    def test_blocks_far_apart_take_no_memory_between_them(self):
+        blocks = [make_image((1e5 * i, 0, 0), (1, 1, 1), 9, lambda p, i=i: 3.0 - math.dist(p, (1e5 * i + 4, 4, 4)))
+                  for i in range(5)]  # fmt: skip
+        rays = [((1e5 * i + 0.4 * x, 0.4 * y, -5.0), (0, 0.01, 1)) for i in range(5) for x in range(20) for y in range(20)]
+        mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.01)
+        self.assertGreater(len(cast(mapper, volume, rays)), 500)
+        self.assertLess(mapper.GetMacrocellMemory() + mapper.GetBrickMemory(), 200000)
+        self.check_hits(multi_block(blocks), blocks, rays, vtkIsosurfaceRayTraceMapper)
+
+    def test_a_block_that_changes(self):
+        blocks = make_blocks()
+        composite = multi_block(blocks)
+        mapper, volume = make_volume(composite, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.01)
+        rays = parallel_rays(15)
+        for number, value in ((0, saddle), (3, plane), (2, ball)):
+            cast(mapper, volume, rays)
+            set_values(blocks[number], value)
+            again = cast(mapper, volume, rays)
+            self.assertEqual([hit[0] for hit in again], [hit[0] for hit in expected_hits(blocks, rays)])
+        composite.SetBlock(1, None)
+        del blocks[1]
+        self.assertEqual([hit[0] for hit in cast(mapper, volume, rays)],
+                         [hit[0] for hit in expected_hits(blocks, rays)])
+
+    def test_window_picture_and_selection(self):
+        blocks = make_blocks()
+        mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+        mapper.ShadowsOn()
+        renderer = vtkRenderer()
+        renderer.AddVolume(volume)
+        renderer.SetBackground(0.2, 0.3, 0.4)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetMultiSamples(0)
+        window.SetSize(PIXELS, PIXELS)
+        window.AddRenderer(renderer)
+        renderer.ResetCamera()
+        renderer.GetActiveCamera().Azimuth(130)
+        renderer.GetActiveCamera().Elevation(-35)
+        renderer.ResetCameraClippingRange()
+        window.Render()
+        lights = vtkLightCollection()
+        light = vtkLight()
+        light.SetLightTypeToHeadlight()
+        lights.AddItem(light)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, renderer.GetActiveCamera(), lights, PIXELS, PIXELS, image))
+        cells = image.GetPointData().GetArray("CellId")
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(renderer)
+        selector.SetArea(0, 0, PIXELS - 1, PIXELS - 1)
+        selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
+        selected = selector.Select().GetNode(0).GetSelectionList()
+        self.assertEqual({selected.GetValue(i) for i in range(selected.GetNumberOfValues())},
+                         {cells.GetValue(i) for i in range(cells.GetNumberOfValues())} - {-1})
+        seen = set()
+        in_block, flat_index = mutable(0), mutable(0)
+        for pixel in range(0, PIXELS**2, 7):
+            cell = int(cells.GetValue(pixel))
+            x, parametric, normal = [0.0] * 3, [0.0] * 3, [0.0] * 3
+            picked, isovalue = mutable(-1), mutable(0.0)
+            hit = mapper.PickPixel(renderer, volume, pixel % PIXELS, pixel // PIXELS, x, parametric, picked, isovalue, normal)
+            self.assertEqual(hit, 1 if cell >= 0 else 0)
+            if cell >= 0:
+                self.assertEqual(picked, cell)
+                block = mapper.FindBlock(cell, in_block, flat_index)
+                self.assertIs(block, blocks[int(flat_index) - 1])
+                seen.add(int(flat_index))
+        self.assertGreaterEqual(len(seen), 3)
+
+    def test_shadows_fall_from_block_to_block(self):
+        floor = make_image((0, 0, 0), (0.5, 0.5, 0.5), 13, lambda p: 1.1 - p[2])
+        ball_above = make_grid(VTK_HEXAHEDRON, lambda p: 1.0 - math.dist(p, (3.0, 3.0, 3.5)))
+        light = vtkLight()
+        light.SetPosition(3, 3, 100)
+        light.SetFocalPoint(3, 3, 0)
+        lights = vtkLightCollection()
+        lights.AddItem(light)
+        renderer = vtkRenderer()
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(3, -14, 11)
+        camera.SetFocalPoint(3, 3, 1)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetClippingRange(5, 40)
+
+        def draw(shadows):
+            mapper, volume = make_volume(multi_block([floor, ball_above]), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+            mapper.SetShadows(shadows)
+            image = vtkImageData()
+            self.assertTrue(mapper.RenderToImage(volume, camera, lights, PIXELS, PIXELS, image))
+            return image.GetPointData()
+
+        plain, shaded = draw(False), draw(True)
+        inside = outside = 0
+        for pixel in range(PIXELS**2):
+            x, y, z = plain.GetArray("Position").GetTuple3(pixel)
+            if not abs(z - 1.1) < 1e-6:
+                continue
+            darker = plain.GetArray("Colors").GetTuple(pixel)[0] - shaded.GetArray("Colors").GetTuple(pixel)[0]
+            distance = math.hypot(x - 3.0, y - 3.0)
+            if distance < 0.5:
+                inside += 1
+                self.assertGreater(darker, 50)
+            elif distance > 1.05:
+                outside += 1
+                self.assertEqual(darker, 0)
+        self.assertGreater(inside, 20)
+        self.assertGreater(outside, 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
