@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -64,6 +65,21 @@ void Extrapolate(const vtkirt::Index3& size, const std::vector<bool>& known, vtk
       samples->SetComponent(static_cast<vtkIdType>(i), component, std::clamp(mean, low, high));
     }
   }
+}
+
+/// There may be millions of short rows, so arrays of one type are copied without VTK's dispatch.
+void CopyTuples(
+  vtkDataArray* from, vtkIdType source, vtkIdType count, vtkDataArray* to, vtkIdType target)
+{
+  if (from->GetDataType() != to->GetDataType() || from->GetDataType() == VTK_BIT ||
+    !from->HasStandardMemoryLayout())
+  {
+    to->InsertTuples(target, count, source, from);
+    return;
+  }
+  const vtkIdType components = from->GetNumberOfComponents();
+  std::memcpy(to->GetVoidPointer(target * components), from->GetVoidPointer(source * components),
+    static_cast<std::size_t>(count * components * from->GetDataTypeSize()));
 }
 
 }
@@ -150,8 +166,7 @@ void vtkIsosurfaceRayTraceBlockJoin::CopySamples(const Block& block, vtkDataArra
         }
         if (end > begin)
         {
-          to->InsertTuples(
-            static_cast<vtkIdType>(target) + begin, end - begin, source + begin, from);
+          CopyTuples(from, source + begin, end - begin, to, static_cast<vtkIdType>(target) + begin);
           const auto first = known.begin() + static_cast<std::ptrdiff_t>(target);
           std::fill(first + begin, first + end, true);
         }
@@ -171,11 +186,19 @@ void vtkIsosurfaceRayTraceBlockJoin::HideMissingCells(vtkImageData* image) const
   for (const Block& block : this->Blocks)
   {
     const vtkirt::Index3 size = block.GetCells();
+    const bool hasFlags = block.Data->GetCellGhostArray() || block.Data->GetPointGhostArray();
     for (int z = 0; z < size[2]; ++z)
     {
       for (int y = 0; y < size[1]; ++y)
       {
-        for (int x = 0; x < size[0]; ++x)
+        if (!hasFlags)
+        {
+          const auto first = isShown.begin() +
+            static_cast<std::ptrdiff_t>(
+              vtkirt::Offset(Block::Add(block.First, { 0, y, z }), this->Cells));
+          std::fill(first, first + size[0], true);
+        }
+        for (int x = 0; hasFlags && x < size[0]; ++x)
         {
           const vtkirt::Index3 cell = { x, y, z };
           if (block.Shows(cell, hiding))

@@ -86,10 +86,29 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
-  problem = this->SelectParts(settings, scalars);
-  if (!problem.empty())
+  const bool isSameChoice =
+    scalars.Component == this->Component && settings.Image == this->ImageSettings;
+  if (this->AreSameLeaves && this->ArePartsKept && isSameChoice)
   {
-    return problem;
+    // Thousands of blocks are not put in order again for every frame.
+    for (const std::unique_ptr<Part>& part : this->Parts)
+    {
+      static_cast<vtkIsosurfaceRayTraceGridPart&>(*part).SelectAgain();
+    }
+  }
+  else
+  {
+    this->ArePartsKept = false;
+    this->ArePlaced = false;
+    problem = this->SelectParts(settings, scalars);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    this->ArePartsKept = std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
+      [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data); });
+    this->Component = scalars.Component;
+    this->ImageSettings = settings.Image;
   }
   if (settings.Cropping)
   {
@@ -105,12 +124,12 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   vtkDataObject* input = this->Mapper->GetDataObjectInput();
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   this->IsComposite = composite != nullptr;
-  this->LeftOut = {};
+  this->AreSameLeaves = false;
   const std::string colors = settings.ColorImage ? "" : settings.ColorArrayName;
   if (composite)
   {
-    this->Leaves.Collect(composite, this->Mapper, colors, this->LeftOut);
-    const std::string problem = this->LeftOut.Describe();
+    this->AreSameLeaves = this->Leaves.Collect(composite, this->Mapper, colors);
+    const std::string problem = this->Leaves.GetLeftOut().Describe();
     if (!this->Leaves.Get().empty())
     {
       return "";
@@ -171,6 +190,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   }
   std::vector<Leaf> grids;
   std::string first;
+  this->LeftOut = this->Leaves.GetLeftOut();
   for (const Leaf& leaf : this->Leaves.Get())
   {
     const std::string problem = IsGrid(leaf)
@@ -277,7 +297,12 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
   }
   if (!isLone)
   {
-    this->JoinParts();
+    if (!this->ArePlaced || !this->Set)
+    {
+      this->JoinParts();
+    }
+    this->Field = this->Set.get();
+    this->ArePlaced = true;
     return isBuilt;
   }
   Part& part = *this->Parts.front();
@@ -336,7 +361,6 @@ void vtkIsosurfaceRayTraceInput::JoinParts()
     this->Set = std::make_unique<vtkirt::FieldSet>(placed);
     this->Placed = std::move(placed);
   }
-  this->Field = this->Set.get();
 }
 
 //------------------------------------------------------------------------------

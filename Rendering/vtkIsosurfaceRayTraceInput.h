@@ -154,6 +154,12 @@ private:
   vtkIsosurfaceRayTraceLeaves Leaves;
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   PartList Parts;
+  /// Whether leaves are as they were for the last selection, and parts the same if they are; what
+  /// else these were selected by.
+  bool AreSameLeaves = false;
+  bool ArePartsKept = false;
+  int Component = 0;
+  vtkIsosurfaceRayTracing::ImageSettings ImageSettings;
   int PropertyComponent = 0;
   /// The colours of the surfaces, if they are those of an image; else null.
   vtkImageData* ColorImage = nullptr;
@@ -166,6 +172,8 @@ private:
   vtkIsosurfaceRayTracing::TracedField* Field = nullptr;
   std::unique_ptr<vtkIsosurfaceRayTracing::FieldSet> Set;
   std::vector<vtkIsosurfaceRayTracing::PlacedField> Placed;
+  /// Whether the set is that of the parts as they are.
+  bool ArePlaced = false;
   vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = {};
   double CellSize = 1.0;
 };

@@ -8,12 +8,14 @@
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -71,10 +73,34 @@ std::string vtkIsosurfaceRayTraceLeftOut::Describe() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
-  vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
-  vtkIsosurfaceRayTraceLeftOut& leftOut)
+vtkIsosurfaceRayTraceLeaves::Snapshot vtkIsosurfaceRayTraceLeaves::TakeSnapshot(
+  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper)
 {
+  Snapshot now;
+  now.MapperTime = mapper->vtkObject::GetMTime();
+  const auto iterator = vtk::TakeSmartPointer(input->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* block = iterator->GetCurrentDataObject();
+    now.Blocks.push_back(block);
+    now.Times.push_back(block->GetMTime());
+    now.FlatIndices.push_back(iterator->GetCurrentFlatIndex());
+  }
+  return now;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceLeaves::Collect(
+  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName)
+{
+  // There may be thousands of blocks, looked through in every frame.
+  Snapshot now = TakeSnapshot(input, mapper);
+  if (now == this->Collected)
+  {
+    return true;
+  }
+  this->Collected = {};
+  this->LeftOut = {};
   this->Leaves.clear();
   this->NumberOfPoints = 0;
   this->NumberOfCells = 0;
@@ -95,15 +121,19 @@ void vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
       : std::string("It is a ") + data->GetClassName() + ". Give blocks of " + Names + ".";
     if (!problem.empty())
     {
-      leftOut.Add(leaf, problem);
+      this->LeftOut.Add(leaf, problem);
     }
   }
+  this->Collected = std::move(now);
+  return false;
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceLeaves::Take(
   vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName)
 {
+  this->Collected = {};
+  this->LeftOut = {};
   vtkIsosurfaceRayTraceScalars scalars;
   scalars.SelectArray(mapper, data);
   this->OfCells = scalars.AreOfCells;

@@ -19,6 +19,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractVolumeMapper;
 class vtkCompositeDataSet;
 class vtkDataArray;
+class vtkDataObject;
 
 /// A data set that is traced.
 struct vtkIsosurfaceRayTraceLeaf
@@ -66,14 +67,16 @@ public:
   using Leaf = vtkIsosurfaceRayTraceLeaf;
 
   /// Finds the blocks that have a volume and the scalars of a mapper. Others are passed over. What
-  /// is wrong with a block is told, and the block left out.
-  void Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
-    const std::string& colorArrayName, vtkIsosurfaceRayTraceLeftOut& leftOut);
+  /// is wrong with a block is told, and the block left out. Returns whether mapper and blocks are
+  /// as they were before, and so all that is known of them.
+  bool Collect(
+    vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
 
   /// Takes a data set by itself. Its scalars may be null.
   void Take(vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
 
   const std::vector<Leaf>& Get() const { return this->Leaves; }
+  const vtkIsosurfaceRayTraceLeftOut& GetLeftOut() const { return this->LeftOut; }
   bool AreScalarsOfCells() const { return this->OfCells; }
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
@@ -85,6 +88,26 @@ public:
 private:
   std::string Append(Leaf leaf, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
 
+  /// What blocks were collected by.
+  struct Snapshot
+  {
+    vtkMTimeType MapperTime = 0;
+    /// Blocks, their modification times, and their flat indices.
+    std::vector<vtkDataObject*> Blocks;
+    std::vector<vtkMTimeType> Times;
+    std::vector<unsigned int> FlatIndices;
+
+    bool operator==(const Snapshot& other) const
+    {
+      return this->MapperTime == other.MapperTime && this->Blocks == other.Blocks &&
+        this->Times == other.Times && this->FlatIndices == other.FlatIndices;
+    }
+  };
+
+  static Snapshot TakeSnapshot(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper);
+
+  Snapshot Collected;
+  vtkIsosurfaceRayTraceLeftOut LeftOut;
   std::vector<Leaf> Leaves;
   bool OfCells = false;
   vtkIdType NumberOfPoints = 0;

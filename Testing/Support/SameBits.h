@@ -33,7 +33,7 @@ inline bool AreSame(const Hit& a, const Hit& b)
   return AreSameBits(a.T, b.T) && a.Cell == b.Cell && a.Surface == b.Surface &&
     std::equal(a.Parametric.begin(), a.Parametric.end(), b.Parametric.begin(),
       [](double x, double y) { return AreSameBits(x, y); }) &&
-    a.Entering == b.Entering && a.Jump == b.Jump && a.Plane == b.Plane &&
+    a.Entering == b.Entering && a.Jump == b.Jump && a.Plane == b.Plane && a.Member == b.Member &&
     AreSameBits(a.Value, b.Value);
 }
 

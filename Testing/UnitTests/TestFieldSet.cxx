@@ -376,6 +376,29 @@ TEST(FieldSet, PicturesAreThoseOfTheImage)
 }
 
 //------------------------------------------------------------------------------
+TEST(FieldSet, InstructionSetsChangeNoBit)
+{
+  const std::vector<CastRay> rays = Transformed(Turned, MakeRays(2000));
+  Blocks blocks(6, Turned, true);
+  for (const double opacity : { 1.0, 0.3 })
+  {
+    Execution execution;
+    execution.PacketKernels = nullptr;
+    blocks.Set->Select(MakeRequest(opacity), execution);
+    const RayHits expected = CastRays(*blocks.Set, rays, 1);
+    EXPECT_GT(expected.Hits.size(), 500U);
+    for (const Kernels* kernels : GetKernels())
+    {
+      execution.PacketKernels = kernels;
+      blocks.Set->Select(MakeRequest(opacity), execution);
+      const RayHits hits = CastRays(*blocks.Set, rays, 2);
+      EXPECT_EQ(hits.First, expected.First);
+      EXPECT_TRUE(AreSame(hits.Hits, expected.Hits));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(FieldSet, BeamsChangeNoBit)
 {
   // The tiles of a picture have beams, rays that are cast have none.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <typeindex>
 #include <unordered_map>
 #include <utility>
@@ -24,42 +25,51 @@ namespace
 constexpr double Slack = 1e-9;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Where rays are in a box.
-struct RaysInBox
+/// Narrows the rays of a packet to a box.
+void Cut(const Kernels* kernels, const RayPacket& packet, const Bounds& box, RaysInBox& inside)
 {
-  RaySet Rays = {};
-  double Near = Infinity;
-  double Begin[RayPacket::Capacity];
-  double End[RayPacket::Capacity];
-};
-
-/// Narrows rays to a box. Those that are in its faces are in it or not, by rounding.
-void CutToBox(const RayPacket& packet, const Bounds& box, RaysInBox& inside)
-{
-  std::copy_n(packet.Begin, packet.Count, inside.Begin);
-  std::copy_n(packet.End, packet.Count, inside.End);
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  const double* lower = box.Lower.data();
+  const double* upper = box.Upper.data();
+  if (kernels)
   {
-    const double lower = box.Lower[axis];
-    const double upper = box.Upper[axis];
-    for (int i = 0; i < packet.Count; ++i)
-    {
-      const double a = (lower - packet.Origin[axis][i]) * packet.Inverse[axis][i];
-      const double b = (upper - packet.Origin[axis][i]) * packet.Inverse[axis][i];
-      inside.Begin[i] = std::max(inside.Begin[i], std::min(a, b));
-      inside.End[i] = std::min(inside.End[i], std::max(a, b));
-    }
+    kernels->CutPacketToBox(packet, lower, upper, inside);
+    return;
   }
   inside.Rays = {};
-  inside.Near = Infinity;
   for (int i = 0; i < packet.Count; ++i)
   {
-    if (Has(packet.Exists, i) && inside.Begin[i] <= inside.End[i])
+    const Vector3 origin = packet.GetOrigin(i);
+    const double inverse[3] = { packet.Inverse[0][i], packet.Inverse[1][i], packet.Inverse[2][i] };
+    inside.Begin[i] = packet.Begin[i];
+    inside.End[i] = packet.End[i];
+    if (Has(packet.Exists, i) &&
+      CutToBox(lower, upper, origin.data(), inverse, inside.Begin[i], inside.End[i]))
     {
       Add(i, inside.Rays);
-      inside.Near = std::min(inside.Near, inside.Begin[i]);
     }
   }
+}
+
+/// Of rays that are in a box, the least T that one begins at, on the rays as they were given.
+double FindNear(const RayPacket& packet, const RaysInBox& inside)
+{
+  double near = Infinity;
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    near = Has(inside.Rays, i) ? std::min(near, packet.Base[i] + inside.Begin[i]) : near;
+  }
+  return near;
+}
+
+/// The greatest T that one of the rays of a packet ends at, on the rays as they were given.
+double FindEnd(const RayPacket& packet)
+{
+  double end = -Infinity;
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    end = Has(packet.Exists, i) ? std::max(end, packet.Base[i] + packet.End[i]) : end;
+  }
+  return end;
 }
 
 /// A half-space in another space, from which a transformation leads to its own.
@@ -109,27 +119,6 @@ struct FieldSet::Member
   int OwnHalfSpaces = 0;
   std::atomic<unsigned int> Selection{ 0 };
 
-  /// The part of rays in the box, as rays of the field: with the same places in the packet.
-  void MoveRays(
-    const RayPacket& rays, const RaysInBox& inside, const RaySet& some, RayPacket& moved) const
-  {
-    moved.Clear();
-    for (int i = 0; i < rays.Count; ++i)
-    {
-      if (Has(some, i))
-      {
-        this->Field->AddRay(TransformPoint(this->OwnFromSet, rays.GetOrigin(i)),
-          TransformDirection(this->OwnFromSet, rays.GetDirection(i)), inside.Begin[i],
-          inside.End[i], moved);
-      }
-      else
-      {
-        ++moved.Count;
-      }
-    }
-    moved.Columns = rays.Columns;
-  }
-
   /// A hit, with the number that its half-space has in the member, or in the set.
   Hit ToOwn(Hit hit) const
   {
@@ -162,10 +151,17 @@ struct FieldSet::Member
 };
 
 //------------------------------------------------------------------------------
-struct FieldSet::Reached
+/// A member that rays may meet, and a T that none of them comes to it before, on the rays as they
+/// were given.
+struct FieldSet::Candidate
 {
   double Near;
   std::size_t Number;
+
+  bool operator<(const Candidate& other) const
+  {
+    return std::make_pair(this->Near, this->Number) < std::make_pair(other.Near, other.Number);
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -219,8 +215,8 @@ public:
 
   bool HasLines = false;
   RayPacket Lines;
-  /// The members that rays between the lines may meet.
-  std::vector<std::size_t> Candidates;
+  /// The members that rays between the lines may meet, front to back.
+  std::vector<Candidate> Candidates;
   /// Of the member that is traced: rays and hits.
   RaysInBox Inside;
   RayPacket Moved;
@@ -389,13 +385,14 @@ void FieldSet::Begin(const RayPacket& lines, Beam* beam) const
   thread->Begin(lines);
   const LineFrustum frustum(lines);
   this->Tree.Find([&frustum](const Bounds& box) { return frustum.MayMeet(box); },
-    [this, thread](std::size_t number)
+    [&](std::size_t number)
     {
       if (!this->IsKnownEmpty(this->Members[number]))
       {
-        thread->Candidates.push_back(number);
+        thread->Candidates.push_back({ frustum.FindNear(this->Members[number].Box), number });
       }
     });
+  std::sort(thread->Candidates.begin(), thread->Candidates.end());
 }
 
 //------------------------------------------------------------------------------
@@ -408,9 +405,9 @@ bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
   }
   const LineFrustum frustum(lines);
   return std::any_of(thread->Candidates.begin(), thread->Candidates.end(),
-    [&](std::size_t number)
+    [&](const Candidate& candidate)
     {
-      const Member& member = this->Members[number];
+      const Member& member = this->Members[candidate.Number];
       if (!frustum.MayMeet(member.Box))
       {
         return false;
@@ -424,48 +421,32 @@ bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
         return false;
       }
       RayPacket moved = member.MoveLines(lines);
-      return member.Field->MayHitBetween(moved, thread->GetBeam(number, member));
+      return member.Field->MayHitBetween(moved, thread->GetBeam(candidate.Number, member));
     });
 }
 
 //------------------------------------------------------------------------------
 /// The members that rays of a packet meet, front to back.
-std::vector<FieldSet::Reached> FieldSet::FindReached(
-  const RayPacket& packet, const ThreadBeam* beam) const
+std::vector<FieldSet::Candidate> FieldSet::FindCandidates(const RayPacket& packet) const
 {
-  std::vector<Reached> reached;
+  std::vector<Candidate> candidates;
   RaysInBox inside;
-  const auto add = [&](std::size_t number)
-  {
-    const Member& member = this->Members[number];
-    if (this->IsKnownEmpty(member))
+  this->Tree.Find(
+    [&](const Bounds& box)
     {
-      return;
-    }
-    CutToBox(packet, member.Box, inside);
-    if (!IsEmpty(inside.Rays))
+      Cut(this->PacketKernels, packet, box, inside);
+      return !IsEmpty(inside.Rays);
+    },
+    [&](std::size_t number)
     {
-      reached.push_back({ inside.Near, number });
-    }
-  };
-  if (beam && beam->HasLines)
-  {
-    std::for_each(beam->Candidates.begin(), beam->Candidates.end(), add);
-  }
-  else
-  {
-    this->Tree.Find(
-      [&](const Bounds& box)
+      // The box that was cut to last is that of the member.
+      if (!this->IsKnownEmpty(this->Members[number]))
       {
-        CutToBox(packet, box, inside);
-        return !IsEmpty(inside.Rays);
-      },
-      add);
-  }
-  std::sort(reached.begin(), reached.end(),
-    [](const Reached& a, const Reached& b)
-    { return std::make_pair(a.Near, a.Number) < std::make_pair(b.Near, b.Number); });
-  return reached;
+        candidates.push_back({ FindNear(packet, inside), number });
+      }
+    });
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
 }
 
 //------------------------------------------------------------------------------
@@ -478,32 +459,44 @@ void FieldSet::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     own = std::make_unique<ThreadBeam>();
     thread = own.get();
   }
+  if (!thread->HasLines)
+  {
+    thread->Candidates = this->FindCandidates(packet);
+  }
   for (int i = 0; i < packet.Count; ++i)
   {
     thread->Found[i].clear();
   }
-  for (const Reached& reached : this->FindReached(packet, thread))
+  double end = FindEnd(packet);
+  for (const Candidate& candidate : thread->Candidates)
   {
-    // Rays have become shorter since.
-    CutToBox(packet, this->Members[reached.Number].Box, thread->Inside);
-    const Member* member = IsEmpty(thread->Inside.Rays) ? nullptr : this->Prepare(reached.Number);
+    if (candidate.Near > end)
+    {
+      break;
+    }
+    Cut(this->PacketKernels, packet, this->Members[candidate.Number].Box, thread->Inside);
+    const Member* member = IsEmpty(thread->Inside.Rays) ? nullptr : this->Prepare(candidate.Number);
     if (!member)
     {
       continue;
     }
-    member->MoveRays(packet, thread->Inside, thread->Inside.Rays, thread->Moved);
+    member->Field->MoveRays(packet, thread->Inside, member->OwnFromSet, thread->Moved);
     member->Field->Trace(
-      thread->Moved, thread->HitsOfMember, thread->GetBeam(reached.Number, *member));
-    this->TakeHits(reached.Number, packet, *thread);
+      thread->Moved, thread->HitsOfMember, thread->GetBeam(candidate.Number, *member));
+    if (this->TakeHits(candidate.Number, packet, *thread))
+    {
+      end = FindEnd(packet);
+    }
   }
   this->JoinHits(*thread, packet.Count, hits);
 }
 
 //------------------------------------------------------------------------------
-/// Takes the hits of a member. Rays end at opaque ones.
-void FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const
+/// Takes the hits of a member. Rays end at opaque ones: returns whether any does.
+bool FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const
 {
   const RayHits& found = beam.HitsOfMember;
+  bool endsRays = false;
   for (int i = 0; i < packet.Count; ++i)
   {
     const auto ray = static_cast<std::size_t>(i);
@@ -524,11 +517,13 @@ void FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam)
         const double beyond =
           Slack * Length(this->Box.Upper - this->Box.Lower) / Length(packet.GetDirection(i));
         packet.End[i] = std::min(packet.End[i], hit.T + beyond);
+        endsRays = true;
       }
       hit.T += packet.Base[i];
       beam.Found[i].push_back(hit);
     }
   }
+  return endsRays;
 }
 
 //------------------------------------------------------------------------------
@@ -573,17 +568,17 @@ void FieldSet::FindTransmittance(
   RayPacket moved;
   Departure ownDepartures[RayPacket::Capacity];
   double some[RayPacket::Capacity];
-  for (const Reached& reached : this->FindReached(packet, nullptr))
+  for (const Candidate& candidate : this->FindCandidates(packet))
   {
-    const Member* member = this->Prepare(reached.Number);
+    const Member* member = this->Prepare(candidate.Number);
     if (!member)
     {
       continue;
     }
-    CutToBox(packet, member->Box, inside);
+    Cut(this->PacketKernels, packet, member->Box, inside);
     for (int i = 0; i < packet.Count; ++i)
     {
-      const bool startsHere = departures[i].Member == static_cast<int>(reached.Number);
+      const bool startsHere = departures[i].Member == static_cast<int>(candidate.Number);
       ownDepartures[i] = startsHere ? departures[i] : Departure{};
       if (!startsHere && departures[i].Surface != Hit::NoSurface && Has(inside.Rays, i))
       {
@@ -593,7 +588,7 @@ void FieldSet::FindTransmittance(
           inside.Begin[i], StoppedRays::NearStart * member->CellSize / unit - packet.Base[i]);
       }
     }
-    member->MoveRays(packet, inside, inside.Rays, moved);
+    member->Field->MoveRays(packet, inside, member->OwnFromSet, moved);
     member->Field->FindTransmittance(moved, ownDepartures, some);
     for (int i = 0; i < packet.Count; ++i)
     {
@@ -633,21 +628,24 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
 {
   alignas(64) double ownPoints[3][RayPacket::Capacity];
   alignas(64) double ownGradients[3][RayPacket::Capacity];
+  Hit own[RayPacket::Capacity];
+  int order[RayPacket::Capacity];
+  std::iota(order, order + count, 0);
+  std::stable_sort(
+    order, order + count, [hits](int a, int b) { return hits[a].Member < hits[b].Member; });
   for (int first = 0; first < count;)
   {
+    const Member& member = this->GetMember(hits[order[first]]);
     int last = first;
-    while (last < count && hits[last].Member == hits[first].Member)
+    while (last < count && hits[order[last]].Member == hits[order[first]].Member)
     {
+      own[last - first] = member.ToOwn(hits[order[last]]);
       ++last;
     }
-    const Member& member = this->GetMember(hits[first]);
-    Hit own[RayPacket::Capacity];
-    std::transform(
-      &hits[first], &hits[last], own, [&member](const Hit& hit) { return member.ToOwn(hit); });
     member.Field->GetPointsAndGradients(own, last - first, ownPoints, ownGradients);
-    for (int i = first; i < last; ++i)
+    for (int k = 0; k < last - first; ++k)
     {
-      const int k = i - first;
+      const int i = order[first + k];
       const Vector3 point =
         TransformPoint(member.SetFromOwn, { ownPoints[0][k], ownPoints[1][k], ownPoints[2][k] });
       const Vector3 gradient = TransformDirection(

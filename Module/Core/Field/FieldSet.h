@@ -90,8 +90,7 @@ public:
 private:
   struct Member;
   class ThreadBeam;
-  /// A member that rays of a packet meet.
-  struct Reached;
+  struct Candidate;
 
   TraceRequest MakeRequest(Member& member) const;
   void SelectMember(Member& member, const Execution& execution) const;
@@ -100,8 +99,8 @@ private:
   Member* Prepare(std::size_t number) const;
   const Member& GetMember(const Hit& hit) const;
 
-  std::vector<Reached> FindReached(const RayPacket& packet, const ThreadBeam* beam) const;
-  void TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const;
+  std::vector<Candidate> FindCandidates(const RayPacket& packet) const;
+  bool TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const;
   void JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const;
 
   std::size_t NumberOfMembers;

@@ -9,6 +9,26 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
+void TracedField::MoveRays(
+  const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays, RayPacket& moved) const
+{
+  moved.Clear();
+  for (int i = 0; i < rays.Count; ++i)
+  {
+    if (Has(parts.Rays, i))
+    {
+      this->AddRay(TransformPoint(ownFromRays, rays.GetOrigin(i)),
+        TransformDirection(ownFromRays, rays.GetDirection(i)), parts.Begin[i], parts.End[i], moved);
+    }
+    else
+    {
+      ++moved.Count;
+    }
+  }
+  moved.Columns = rays.Columns;
+}
+
+//------------------------------------------------------------------------------
 void TracedField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {

@@ -13,6 +13,7 @@
 #include "Rays/PixelRectangle.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
+#include "Rays/RaysInBox.h"
 #include "Rays/TraceRequest.h"
 
 #include <cstddef>
@@ -90,6 +91,11 @@ public:
   /// there.
   virtual void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const = 0;
+
+  /// Moves parts of rays, which are in another space, to the object space of the field, in which
+  /// they make a packet with the same places. The matrix is affine.
+  virtual void MoveRays(const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays,
+    RayPacket& moved) const;
 
   /// Makes a packet of a ray for every pixel of a rectangle of the viewport, row by row. Each ends
   /// at the depth of its pixel, in [0, 1]; with null, at the far plane.

@@ -116,6 +116,20 @@ void ImageField::AddRay(const Vector3& origin, const Vector3& direction, double 
 }
 
 //------------------------------------------------------------------------------
+void ImageField::MoveRays(
+  const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays, RayPacket& moved) const
+{
+  const CellLattice& lattice = this->Selection.Lattice;
+  const Kernels* kernels = this->Selection.PacketKernels;
+  if (!kernels || lattice.GetPlanes())
+  {
+    TracedField::MoveRays(rays, parts, ownFromRays, moved);
+    return;
+  }
+  kernels->MoveRays(rays, parts, ownFromRays.data(), lattice.GetDimensions().data(), moved);
+}
+
+//------------------------------------------------------------------------------
 void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {

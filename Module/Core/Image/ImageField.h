@@ -42,6 +42,8 @@ public:
   Bounds GetBounds() const override;
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
+  void MoveRays(const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays,
+    RayPacket& moved) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;

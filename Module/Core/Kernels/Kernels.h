@@ -7,6 +7,7 @@
 #include "Kernels/BeamPieces.h"
 #include "Kernels/Frustum.h"
 #include "Rays/RayPacket.h"
+#include "Rays/RaysInBox.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -198,6 +199,15 @@ struct Kernels
   /// The same for rays that are moved to a box, as MoveToBox does; the block has no dimensions.
   void (*MakeBoxedRays)(
     const PixelBlock& block, const double lower[3], const double upper[3], RayPacket& packet);
+
+  /// Narrows the rays of a packet to a box, as CutToBox does for one.
+  void (*CutPacketToBox)(
+    const RayPacket& packet, const double lower[3], const double upper[3], RaysInBox& inside);
+
+  /// Moves the parts of rays that are in a box to the space of a volume, exactly as ClipToVolume
+  /// does after the matrix, which is affine. The moved rays have the places of the rays.
+  void (*MoveRays)(const RayPacket& rays, const RaysInBox& parts, const double* ownFromRays,
+    const int dimensions[3], RayPacket& moved);
 
   /// Parametrizes rays by an axis, and finds their frustum. Returns false if they have none: if
   /// they do not all go the same way along the axis, or not steeply enough.

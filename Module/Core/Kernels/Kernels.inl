@@ -85,6 +85,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/InterpolateGradients.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
+#include "Kernels/MoveRays.inl"
 #include "Kernels/PackPolygons.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
@@ -101,7 +102,7 @@ SIMD_INLINE void LoadCorner(
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, MakeBoxedRays, Align, FindPassages,                             \
+  const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, MoveRays, Align, FindPassages,   \
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -29,6 +30,7 @@ public:
     {
       this->AddSide(lines, side);
     }
+    this->FindDepth(lines);
   }
 
   /// Whether a ray may meet a box. Some boxes outside are taken for met.
@@ -53,9 +55,30 @@ public:
     return true;
   }
 
+  /// A T that no ray comes to a box before.
+  double FindNear(const Bounds& box) const
+  {
+    if (!this->HasDepth)
+    {
+      return -std::numeric_limits<double>::infinity();
+    }
+    double near = this->Depth.Offset;
+    double size = std::abs(near);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double low = this->Depth.Slope[axis] * box.Lower[axis];
+      const double high = this->Depth.Slope[axis] * box.Upper[axis];
+      near += std::min(low, high);
+      size += std::max(std::abs(low), std::abs(high));
+    }
+    return near - Slack * size - DepthTolerance * (1.0 + std::abs(near));
+  }
+
 private:
   /// More than the rounding of lines and planes.
   static constexpr double Slack = 1e-9;
+  /// By how much the T of rays may differ in a plane.
+  static constexpr double DepthTolerance = 1e-6;
 
   /// A plane through two lines that are neighbours. The others are where the normal points to.
   struct Side
@@ -97,7 +120,32 @@ private:
     }
   }
 
+  /// The T of points on the rays: those of a camera have a common one in planes across the view.
+  void FindDepth(const RayPacket& lines)
+  {
+    const Vector3 origin = lines.GetOrigin(0);
+    const Vector3 normal = Cross(lines.GetOrigin(1) - origin, lines.GetOrigin(2) - origin);
+    const double rise = Dot(normal, lines.GetDirection(0));
+    this->Depth.Slope = normal * (1.0 / rise);
+    this->Depth.Offset = -Dot(this->Depth.Slope, origin);
+    this->HasDepth = std::isfinite(Length(this->Depth.Slope));
+    for (int i = 0; i < lines.Count; ++i)
+    {
+      const double atBegin = Dot(this->Depth.Slope, lines.GetOrigin(i) - origin);
+      const double change = Dot(this->Depth.Slope, lines.GetDirection(i));
+      this->HasDepth = this->HasDepth && std::abs(change - 1.0) <= DepthTolerance &&
+        std::abs(atBegin) <= DepthTolerance;
+    }
+  }
+
   std::vector<Side> Sides;
+  /// T is the product with a point, and the offset.
+  struct
+  {
+    Vector3 Slope;
+    double Offset;
+  } Depth;
+  bool HasDepth = false;
 };
 
 }
