@@ -1,6 +1,7 @@
 # The library, in the directory scope of vtk.module: by itself and inside a VTK tree alike.
 
 set(core_sources
+  Amr/AmrHierarchy.cxx
   Image/Lattice/Ray.cxx
   Kernels/InstructionSets.cxx
   Field/BoundsTree.cxx
@@ -70,6 +71,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceAccumulation
+  Rendering/vtkIsosurfaceRayTraceAmrPart
   Rendering/vtkIsosurfaceRayTraceArrayColors
   Rendering/vtkIsosurfaceRayTraceBlock
   Rendering/vtkIsosurfaceRayTraceBlockJoin

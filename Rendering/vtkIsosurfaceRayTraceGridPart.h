@@ -36,9 +36,7 @@ public:
     const vtkIsosurfaceRayTraceScalars& scalars,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping);
 
-  /// The same leaves again, which have not been modified.
-  void SelectAgain() { this->IsBuilt = false; }
-
+  void SelectAgain() override { this->IsBuilt = false; }
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceInput.h"
 
+#include "vtkIsosurfaceRayTraceAmrPart.h"
 #include "vtkIsosurfaceRayTraceArrayColors.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceGridPart.h"
@@ -16,6 +17,7 @@
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
+#include "vtkUniformGridAMR.h"
 
 #include "Math/Matrix.h"
 
@@ -93,7 +95,7 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
     // Thousands of blocks are not put in order again for every frame.
     for (const std::unique_ptr<Part>& part : this->Parts)
     {
-      static_cast<vtkIsosurfaceRayTraceGridPart&>(*part).SelectAgain();
+      part->SelectAgain();
     }
   }
   else
@@ -206,6 +208,12 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
       grids.push_back(leaf);
     }
   }
+  if (vtkUniformGridAMR::SafeDownCast(this->Mapper->GetDataObjectInput()))
+  {
+    this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts(
+      grids, scalars, settings.Image, settings.Cropping, this->LeftOut);
+    grids.clear();
+  }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))
   {
     this->AddGrid(leaves, settings, scalars, before);
@@ -280,14 +288,14 @@ void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
 //------------------------------------------------------------------------------
 vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 {
-  return this->Parts.size() == 1 ? this->Parts.front()->FindPhysicalFromObject() : Identity;
+  return this->IsLone() ? this->Parts.front()->FindPhysicalFromObject() : Identity;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::Update(int threads)
 {
   bool isBuilt = false;
-  const bool isLone = this->Parts.size() == 1;
+  const bool isLone = this->IsLone();
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     if (isLone || !part->IsBuiltOnDemand())
@@ -330,6 +338,7 @@ void vtkIsosurfaceRayTraceInput::JoinParts()
     field.Box = part->FindBox();
     field.CellSize = part->FindCellSize();
     field.IsOnDemand = part->IsBuiltOnDemand();
+    field.IsSeamless = part->IsSeamless();
     placed.push_back(field);
     all = vtkirt::Unite(all, vtkirt::TransformBounds(field.SetFromOwn, field.Box));
   }
@@ -367,7 +376,7 @@ void vtkIsosurfaceRayTraceInput::JoinParts()
 /// Members of a set have what is visible of their own.
 vtkirt::Visibility vtkIsosurfaceRayTraceInput::FindVisible() const
 {
-  return this->Parts.size() == 1 ? this->Parts.front()->FindVisible() : vtkirt::Visibility{};
+  return this->IsLone() ? this->Parts.front()->FindVisible() : vtkirt::Visibility{};
 }
 
 //------------------------------------------------------------------------------

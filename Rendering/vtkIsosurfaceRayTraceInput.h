@@ -147,6 +147,8 @@ private:
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     PartList& before);
   void JoinParts();
+  /// Whether the field is that of a part by itself. (Seamless ones have margins, which a set cuts.)
+  bool IsLone() const { return this->Parts.size() == 1 && !this->Parts.front()->IsSeamless(); }
 
   vtkAbstractVolumeMapper* Mapper;
   std::function<vtkIsosurfaceRayTraceInputSettings()> GetSettings;

@@ -22,11 +22,17 @@ struct vtkIsosurfaceRayTraceLeaf;
 class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
 {
 public:
+  /// The same data again, which have not been modified.
+  virtual void SelectAgain() {}
+
   /// From the object space of the field to the coordinates of the data. Known before the field is.
   virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
 
   /// Whether the field is so small that it is built when the first ray comes to it.
   virtual bool IsBuiltOnDemand() const = 0;
+
+  /// Whether the part and others like it are one field, without seams.
+  virtual bool IsSeamless() const { return false; }
 
   /// Builds the field, with all threads. Returns whether it had to be built.
   virtual bool Update(int threads) = 0;

@@ -23,6 +23,7 @@ CORE_FOLDERS = [f"{CORE}/{folder}" for folder in (
     "Image/Traversal",
     "Image/Tracers",
     "Image",
+    "Amr",
     "Mesh",
     "Picture",
 )]

@@ -81,19 +81,20 @@ HalfSpace Transform(const HalfSpace& half, const Matrix4& setFromOwn)
   return result;
 }
 
+double FindMargin(const Bounds& box)
+{
+  const Vector3 size = box.Upper - box.Lower;
+  return Slack * std::max(std::max(size[0], size[1]), size[2]);
+}
+
 /// A box a little larger, by more than what rounding may move rays and hits.
 Bounds WithMargin(const Bounds& box)
 {
   Bounds larger = box;
-  double length = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    length = std::max(length, box.Upper[axis] - box.Lower[axis]);
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    larger.Lower[axis] -= Slack * length;
-    larger.Upper[axis] += Slack * length;
+    larger.Lower[axis] -= FindMargin(box);
+    larger.Upper[axis] += FindMargin(box);
   }
   return larger;
 }
@@ -111,6 +112,7 @@ struct FieldSet::Member
   double CellSize = 1.0;
   double MemoryShare = 1.0;
   bool IsOnDemand = false;
+  bool IsSeamless = false;
   /// Null before it is selected first.
   TracedField* Field = nullptr;
   /// Whether rays may hit anything of it.
@@ -265,6 +267,7 @@ FieldSet::FieldSet(const std::vector<PlacedField>& fields)
     member.CellSize = placed.CellSize;
     member.MemoryShare = placed.MemoryShare;
     member.IsOnDemand = placed.IsOnDemand;
+    member.IsSeamless = placed.IsSeamless;
     this->MemoryShares += placed.MemoryShare;
   }
 }
@@ -488,7 +491,7 @@ void FieldSet::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
       end = FindEnd(packet);
     }
   }
-  this->JoinHits(*thread, packet.Count, hits);
+  this->JoinHits(*thread, packet, hits);
 }
 
 //------------------------------------------------------------------------------
@@ -528,10 +531,10 @@ bool FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam)
 
 //------------------------------------------------------------------------------
 /// Puts the hits of each ray in order.
-void FieldSet::JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const
+void FieldSet::JoinHits(ThreadBeam& beam, const RayPacket& packet, RayHits& hits) const
 {
   hits.Clear();
-  for (int i = 0; i < rays; ++i)
+  for (int i = 0; i < packet.Count; ++i)
   {
     std::vector<Hit>& found = beam.Found[i];
     if (found.size() > 1)
@@ -539,6 +542,7 @@ void FieldSet::JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const
       std::stable_sort(found.begin(), found.end(),
         [](const Hit& a, const Hit& b)
         { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
+      this->DropTwins(packet.GetDirection(i), found);
     }
     if (this->Request.Projection)
     {
@@ -557,6 +561,36 @@ void FieldSet::JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const
     }
     hits.EndRay();
   }
+}
+
+//------------------------------------------------------------------------------
+/// Boxes overlap by their margins, so that no ray slips through between them. A hit there has a twin.
+void FieldSet::DropTwins(const Vector3& direction, std::vector<Hit>& found) const
+{
+  const double length = Length(direction);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const Hit& hit = found[i];
+    const Member& member = this->GetMember(hit);
+    bool isTwin = false;
+    for (std::size_t k = kept; member.IsSeamless && !isTwin && k-- > 0;)
+    {
+      const Member& other = this->GetMember(found[k]);
+      const double overlap = 2.0 * (FindMargin(member.Box) + FindMargin(other.Box));
+      if ((hit.T - found[k].T) * length > overlap)
+      {
+        break;
+      }
+      isTwin = other.IsSeamless && hit.Member != found[k].Member &&
+        hit.Surface == found[k].Surface && hit.Entering == found[k].Entering;
+    }
+    if (!isTwin)
+    {
+      found[kept++] = hit;
+    }
+  }
+  found.resize(kept);
 }
 
 //------------------------------------------------------------------------------

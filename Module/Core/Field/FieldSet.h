@@ -47,6 +47,9 @@ struct PlacedField
   /// Whether it is made and selected when the first ray comes to its box, by the thread of this
   /// ray; otherwise in Select, with all threads. A field that no ray comes to costs nothing.
   bool IsOnDemand = false;
+  /// Whether the fields of all members with this mark are one where their boxes touch. A hit that
+  /// two of them have there is one.
+  bool IsSeamless = false;
 };
 
 /// Any number of fields as one: the blocks of composite data. Each has an object space of its own;
@@ -101,7 +104,8 @@ private:
 
   std::vector<Candidate> FindCandidates(const RayPacket& packet) const;
   bool TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const;
-  void JoinHits(ThreadBeam& beam, int rays, RayHits& hits) const;
+  void JoinHits(ThreadBeam& beam, const RayPacket& packet, RayHits& hits) const;
+  void DropTwins(const Vector3& direction, std::vector<Hit>& found) const;
 
   std::size_t NumberOfMembers;
   std::unique_ptr<Member[]> Members;

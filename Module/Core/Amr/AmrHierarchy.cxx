@@ -1,0 +1,452 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Amr/AmrHierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// The largest whole number that is not above a quotient.
+int FloorDivide(int dividend, int divisor)
+{
+  return dividend / divisor - (dividend % divisor < 0 ? 1 : 0);
+}
+
+bool IsIn(const AmrPatch& patch, const Index3& cell)
+{
+  bool isIn = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int place = cell[axis] - patch.First[axis];
+    isIn = isIn && place >= 0 && place < patch.Cells[axis];
+  }
+  return isIn;
+}
+
+std::size_t GetNumber(const AmrPatch& patch, const Index3& cell)
+{
+  return Offset({ cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] },
+    patch.Cells);
+}
+
+bool Owns(const AmrPatch& patch, const Index3& cell)
+{
+  return IsIn(patch, cell) && (!patch.GhostCells || patch.GhostCells[GetNumber(patch, cell)] == 0);
+}
+
+double GetSample(const AmrPatch& patch, const Index3& index)
+{
+  const Index3 place = { index[0] - patch.First[0], index[1] - patch.First[1],
+    index[2] - patch.First[2] };
+  return DispatchScalarType(
+    patch.Samples, [&place](const auto& samples) { return static_cast<double>(*samples.At(place)); });
+}
+
+/// Calls visit(index) for the indices of a box, which may be empty.
+template <typename Visit>
+void ForEachIndex(const Index3& first, const Index3& count, const Visit& visit)
+{
+  Index3 i;
+  for (i[2] = first[2]; i[2] < first[2] + count[2]; ++i[2])
+  {
+    for (i[1] = first[1]; i[1] < first[1] + count[1]; ++i[1])
+    {
+      for (i[0] = first[0]; i[0] < first[0] + count[0]; ++i[0])
+      {
+        visit(i);
+      }
+    }
+  }
+}
+
+/// The cells that touch a node, along one axis.
+struct TouchingCells
+{
+  int First;
+  int Count;
+};
+
+TouchingCells FindTouching(int node, int nodesOfCell)
+{
+  return nodesOfCell == 1 || node % 2 == 0 ? TouchingCells{ FloorDivide(node, nodesOfCell) - 1, 2 }
+                                           : TouchingCells{ FloorDivide(node, nodesOfCell), 1 };
+}
+
+/// Calls visit(cell) for the cells that touch a node.
+template <typename Visit>
+void ForEachTouching(const Index3& node, int nodesOfCell, const Visit& visit)
+{
+  const TouchingCells x = FindTouching(node[0], nodesOfCell);
+  const TouchingCells y = FindTouching(node[1], nodesOfCell);
+  const TouchingCells z = FindTouching(node[2], nodesOfCell);
+  ForEachIndex({ x.First, y.First, z.First }, { x.Count, y.Count, z.Count }, visit);
+}
+
+}
+
+//------------------------------------------------------------------------------
+/// Finds the values of nodes, and keeps those of coarser levels, which many have in common.
+class AmrHierarchy::NodeReader
+{
+public:
+  NodeReader(const AmrHierarchy& hierarchy, const AmrPatch& patch)
+    : Hierarchy(hierarchy)
+    , Likely(hierarchy.Levels.size(), nullptr)
+    , Coarser(hierarchy.Levels.size())
+  {
+    this->Likely[static_cast<std::size_t>(patch.Level)] = &patch;
+  }
+
+  /// None where no cell touches the node.
+  std::optional<double> Read(int level, const Index3& node)
+  {
+    const AmrPatch*& likely = this->Likely[static_cast<std::size_t>(level)];
+    const AmrPatch* owner = nullptr;
+    bool isCoarser = false;
+    double sum = 0.0;
+    int count = 0;
+    ForEachTouching(node, this->Hierarchy.GetNodesOfCell(),
+      [&](const Index3& cell)
+      {
+        if (const AmrPatch* patch = this->Hierarchy.FindOwner(level, cell, likely))
+        {
+          likely = patch;
+          owner = owner ? std::min(owner, patch) : patch;
+          sum += this->Hierarchy.OfCells ? GetSample(*patch, cell) : 0.0;
+          ++count;
+        }
+        else
+        {
+          isCoarser = isCoarser ||
+            (!this->Hierarchy.IsCoveredByFiner(level, cell) &&
+              this->Hierarchy.IsCoveredByCoarser(level, cell));
+        }
+      });
+    if (isCoarser)
+    {
+      return this->Interpolate(level, node);
+    }
+    if (!owner)
+    {
+      return std::nullopt;
+    }
+    return this->Hierarchy.OfCells ? sum / count : GetSample(*owner, node);
+  }
+
+private:
+  /// At a node of a level, between the nodes of the one before.
+  std::optional<double> Interpolate(int level, const Index3& node)
+  {
+    const Index3& ratio = this->Hierarchy.Levels[static_cast<std::size_t>(level)].Ratio;
+    Index3 first;
+    Vector3 weights;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = FloorDivide(node[axis], ratio[axis]);
+      weights[axis] =
+        static_cast<double>(node[axis] - first[axis] * ratio[axis]) / ratio[axis];
+    }
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double weight = 1.0;
+      Index3 place = first;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const bool isUpper = (corner >> axis & 1) != 0;
+        weight *= isUpper ? weights[axis] : 1.0 - weights[axis];
+        place[axis] += isUpper ? 1 : 0;
+      }
+      if (weight > 0.0)
+      {
+        const std::optional<double> value = this->ReadCoarser(level - 1, place);
+        if (!value)
+        {
+          return std::nullopt;
+        }
+        sum += weight * *value;
+      }
+    }
+    return sum;
+  }
+
+  std::optional<double> ReadCoarser(int level, const Index3& node)
+  {
+    auto& known = this->Coarser[static_cast<std::size_t>(level)];
+    const auto found = known.find(node);
+    return found != known.end() ? found->second
+                                : known.emplace(node, this->Read(level, node)).first->second;
+  }
+
+  const AmrHierarchy& Hierarchy;
+  /// Of each level, the patch that had the last cell.
+  std::vector<const AmrPatch*> Likely;
+  std::vector<std::map<Index3, std::optional<double>>> Coarser;
+};
+
+//------------------------------------------------------------------------------
+AmrHierarchy::AmrHierarchy(
+  std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)
+  : OfCells(ofCells)
+  , Patches(std::move(patches))
+{
+  Index3 toFirst = { 1, 1, 1 };
+  for (std::size_t level = 0; level < ratios.size(); ++level)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      toFirst[axis] *= level > 0 ? ratios[level][axis] : 1;
+    }
+    this->Levels.push_back({ ratios[level], toFirst, {}, nullptr });
+  }
+  for (std::size_t i = 0; i < this->Patches.size(); ++i)
+  {
+    this->Levels[static_cast<std::size_t>(this->Patches[i].Level)].Patches.push_back(i);
+  }
+  for (Level& level : this->Levels)
+  {
+    std::vector<Bounds> boxes;
+    for (const std::size_t number : level.Patches)
+    {
+      const AmrPatch& patch = this->Patches[number];
+      Bounds box;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        box.Lower[axis] = patch.First[axis];
+        box.Upper[axis] = patch.First[axis] + patch.Cells[axis];
+      }
+      boxes.push_back(box);
+    }
+    level.Tree = std::make_unique<BoundsTree>(boxes);
+    level.HasOverlaps = this->HasOverlaps(level);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool AmrHierarchy::HasOverlaps(const Level& level) const
+{
+  return std::any_of(level.Patches.begin(), level.Patches.end(),
+    [&](std::size_t number)
+    {
+      const AmrPatch& patch = this->Patches[number];
+      int count = 0;
+      level.Tree->Find(
+        [&patch](const Bounds& box)
+        {
+          bool overlap = true;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            overlap = overlap && box.Lower[axis] < patch.First[axis] + patch.Cells[axis] &&
+              patch.First[axis] < box.Upper[axis];
+          }
+          return overlap;
+        },
+        [&count](std::size_t) { ++count; });
+      return count > 1;
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The first patch of a level that has a cell, or one that is likely to; null if there is none.
+const AmrPatch* AmrHierarchy::FindOwner(
+  int level, const Index3& cell, const AmrPatch* likely) const
+{
+  const Level& all = this->Levels[static_cast<std::size_t>(level)];
+  if (!all.HasOverlaps && likely && Owns(*likely, cell))
+  {
+    return likely;
+  }
+  const AmrPatch* owner = nullptr;
+  all.Tree->Find(
+    [&cell](const Bounds& box)
+    {
+      bool isIn = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        isIn = isIn && box.Lower[axis] <= cell[axis] && cell[axis] < box.Upper[axis];
+      }
+      return isIn;
+    },
+    [&](std::size_t number)
+    {
+      const AmrPatch* patch = &this->Patches[all.Patches[number]];
+      if (Owns(*patch, cell) && (!owner || patch < owner))
+      {
+        owner = patch;
+      }
+    });
+  return owner;
+}
+
+//------------------------------------------------------------------------------
+bool AmrHierarchy::IsCoveredByFiner(int level, const Index3& cell) const
+{
+  Index3 inside = cell;
+  for (std::size_t finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size(); ++finer)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      inside[axis] = inside[axis] * this->Levels[finer].Ratio[axis] +
+        this->Levels[finer].Ratio[axis] / 2;
+    }
+    if (this->FindOwner(static_cast<int>(finer), inside, nullptr))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell) const
+{
+  Index3 around = cell;
+  for (int coarser = level - 1; coarser >= 0; --coarser)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      around[axis] = FloorDivide(
+        around[axis], this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio[axis]);
+    }
+    if (this->FindOwner(coarser, around, nullptr))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+AmrNodes AmrHierarchy::MakeNodes(std::size_t number) const
+{
+  const AmrPatch& patch = this->Patches[number];
+  const int nodesOfCell = this->GetNodesOfCell();
+  AmrNodes nodes;
+  Index3 first;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = nodesOfCell * patch.First[axis] - 1;
+    nodes.Dimensions[axis] = nodesOfCell * patch.Cells[axis] + 3;
+  }
+  nodes.Values.resize(Count(nodes.Dimensions));
+  std::vector<Index3> missing;
+  NodeReader reader(*this, patch);
+  ForEachIndex({ 0, 0, 0 }, nodes.Dimensions,
+    [&](const Index3& i)
+    {
+      const std::optional<double> value =
+        reader.Read(patch.Level, { first[0] + i[0], first[1] + i[1], first[2] + i[2] });
+      nodes.Values[Offset(i, nodes.Dimensions)] = value.value_or(0.0);
+      if (!value)
+      {
+        missing.push_back(i);
+      }
+    });
+  // Around the data, values go on in a straight line, so that central differences are one-sided.
+  for (const Index3& node : missing)
+  {
+    Index3 nearest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      nearest[axis] = std::clamp(node[axis], 1, nodes.Dimensions[axis] - 2);
+    }
+    const double atNearest = nodes.Values[Offset(nearest, nodes.Dimensions)];
+    double value = atNearest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      Index3 next = nearest;
+      next[axis] -= node[axis] - nearest[axis];
+      value += atNearest - nodes.Values[Offset(next, nodes.Dimensions)];
+    }
+    nodes.Values[Offset(node, nodes.Dimensions)] = value;
+  }
+  this->HideCells(patch, nodes);
+  return nodes;
+}
+
+//------------------------------------------------------------------------------
+/// Cells around the patch count, too: a ray in a face of it may be taken for one in these.
+void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
+{
+  const Index3 size = { patch.Cells[0] + 2, patch.Cells[1] + 2, patch.Cells[2] + 2 };
+  std::vector<unsigned char> isHidden(Count(size), 0);
+  const auto hide = [&](const Index3& cell)
+  {
+    isHidden[Offset({ cell[0] - patch.First[0] + 1, cell[1] - patch.First[1] + 1,
+                      cell[2] - patch.First[2] + 1 },
+      size)] = 1;
+  };
+  ForEachIndex(patch.First, patch.Cells,
+    [&](const Index3& cell)
+    {
+      const std::size_t number = GetNumber(patch, cell);
+      if ((patch.GhostCells && patch.GhostCells[number] != 0) ||
+        (patch.HiddenCells && patch.HiddenCells[number] != 0))
+      {
+        hide(cell);
+      }
+    });
+  Index3 ratio = { 1, 1, 1 };
+  for (auto level = static_cast<std::size_t>(patch.Level); level < this->Levels.size(); ++level)
+  {
+    const bool isOwnLevel = level == static_cast<std::size_t>(patch.Level);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      ratio[axis] *= isOwnLevel ? 1 : this->Levels[level].Ratio[axis];
+    }
+    for (const std::size_t number : this->Levels[level].Patches)
+    {
+      const AmrPatch& other = this->Patches[number];
+      if (isOwnLevel && &other >= &patch)
+      {
+        continue;
+      }
+      // The cells that the other patch has as a whole.
+      Index3 low;
+      Index3 count;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
+        low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis] - 1);
+        count[axis] = std::min(end, patch.First[axis] + patch.Cells[axis] + 1) - low[axis];
+      }
+      ForEachIndex(low, count,
+        [&](const Index3& cell)
+        {
+          if (!isOwnLevel || (IsIn(patch, cell) && Owns(other, cell)))
+          {
+            hide(cell);
+          }
+        });
+    }
+  }
+  if (std::find(isHidden.begin(), isHidden.end(), 1) == isHidden.end())
+  {
+    return;
+  }
+  const int nodesOfCell = this->GetNodesOfCell();
+  const Index3 cells = { nodes.Dimensions[0] - 1, nodes.Dimensions[1] - 1,
+    nodes.Dimensions[2] - 1 };
+  nodes.HiddenCells.resize(Count(cells), 0);
+  ForEachIndex({ 0, 0, 0 }, cells,
+    [&](const Index3& i)
+    {
+      Index3 cell;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        cell[axis] = FloorDivide(i[axis] - 1, nodesOfCell) + 1;
+      }
+      nodes.HiddenCells[Offset(i, cells)] = isHidden[Offset(cell, size)];
+    });
+}
+
+}

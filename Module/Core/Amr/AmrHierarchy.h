@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef AmrHierarchy_h
+#define AmrHierarchy_h
+
+#include "Field/BoundsTree.h"
+#include "Image/Samples/VolumeView.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A block of a refined grid: cells of one level.
+struct AmrPatch
+{
+  /// 0 is the coarsest.
+  int Level;
+  /// The first cell on the lattice of the level, and the number of cells.
+  Index3 First;
+  Index3 Cells;
+  /// At the points of the cells, or one for each cell.
+  VolumeView Samples;
+  /// For each cell, whether another patch has it (a ghost), or nothing is to be drawn there; null
+  /// if there are none of either.
+  const unsigned char* GhostCells = nullptr;
+  const unsigned char* HiddenCells = nullptr;
+};
+
+/// The samples of a patch, as they are traced: at nodes, with a layer of them around the patch.
+struct AmrNodes
+{
+  Index3 Dimensions;
+  std::vector<double> Values;
+  /// One for each cell between nodes, not zero where finer cells count, or none.
+  std::vector<unsigned char> HiddenCells;
+};
+
+/// Adaptive mesh refinement: patches on lattices that are finer from level to level, of which the
+/// finest count. It gives each patch samples such that the trilinear interpolants of all patches
+/// are one continuous function: there are no cracks where levels meet.
+///
+/// The nodes of samples at points are these points. Samples of cells make nodes at the corners and
+/// the centres of cells, edges and faces, which have the mean of the cells of the level that touch
+/// them: between equal levels that is the trilinear interpolant between the centres of cells, as
+/// for images. (The octants of F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive Mesh
+/// Refinement Data, IEEE TVCG 25(1), 2019.) A node that a coarser cell touches, and no finer one,
+/// has the value of the interpolant of the coarser level there, so that both are the same on the
+/// faces between them.
+///
+/// Where patches of one level overlap, the first counts, unless it has a ghost there.
+class AmrHierarchy
+{
+public:
+  /// Ratios are, for each level, the numbers of its cells in one of the level before, along each
+  /// axis; those of the first level are not used. What patches refer to must outlive the hierarchy
+  /// and not change.
+  AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells);
+
+  /// The number of nodes along the edge of a cell, counted without one of its ends.
+  int GetNodesOfCell() const { return this->OfCells ? 2 : 1; }
+
+  AmrNodes MakeNodes(std::size_t patch) const;
+
+private:
+  /// The patches of a level.
+  struct Level
+  {
+    /// Cells in one of the level before, and in one of the first.
+    Index3 Ratio;
+    Index3 RatioToFirst;
+    std::vector<std::size_t> Patches;
+    std::unique_ptr<BoundsTree> Tree;
+    bool HasOverlaps = false;
+  };
+  class NodeReader;
+
+  const AmrPatch* FindOwner(int level, const Index3& cell, const AmrPatch* likely) const;
+  bool IsCoveredByFiner(int level, const Index3& cell) const;
+  bool IsCoveredByCoarser(int level, const Index3& cell) const;
+  bool HasOverlaps(const Level& level) const;
+  void HideCells(const AmrPatch& patch, AmrNodes& nodes) const;
+
+  bool OfCells;
+  std::vector<AmrPatch> Patches;
+  std::vector<Level> Levels;
+};
+
+}
+
+#endif

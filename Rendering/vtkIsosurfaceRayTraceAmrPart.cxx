@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceAmrPart.h"
+
+#include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceLatticeSampling.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Leaf = vtkIsosurfaceRayTraceLeaf;
+
+/// A thousandth of a cell is less than is visible, and more than the rounding of coordinates that
+/// were written as text.
+constexpr double Slack = 1e-3;
+
+bool AreEqual(const vtkirt::Vector3& a, const vtkirt::Vector3& b)
+{
+  bool areEqual = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    areEqual = areEqual && std::abs(a[axis] - b[axis]) <= Slack * std::abs(b[axis]);
+  }
+  return areEqual;
+}
+
+vtkirt::Vector3 GetSpacing(const Leaf& leaf)
+{
+  vtkirt::Vector3 spacing;
+  vtkImageData::SafeDownCast(leaf.Data)->GetSpacing(spacing.data());
+  return spacing;
+}
+
+/// The position of the first point.
+vtkirt::Vector3 GetCorner(const Leaf& leaf)
+{
+  auto* image = vtkImageData::SafeDownCast(leaf.Data);
+  const int* extent = image->GetExtent();
+  const int first[3] = { extent[0], extent[2], extent[4] };
+  vtkirt::Vector3 corner;
+  image->TransformIndexToPhysicalPoint(first, corner.data());
+  return corner;
+}
+
+/// The lattices of the levels, coarsest first.
+class Levels
+{
+public:
+  explicit Levels(const std::vector<Leaf>& leaves)
+  {
+    std::vector<vtkirt::Vector3> spacings;
+    for (const Leaf& leaf : leaves)
+    {
+      spacings.push_back(GetSpacing(leaf));
+    }
+    std::sort(spacings.begin(), spacings.end(), std::greater<>());
+    for (const vtkirt::Vector3& spacing : spacings)
+    {
+      if (!this->Spacings.empty() && AreEqual(spacing, this->Spacings.back()))
+      {
+        continue;
+      }
+      vtkirt::Index3 ratio = { 1, 1, 1 };
+      if (this->Spacings.empty() || FindRatio(this->Spacings.back(), spacing, ratio))
+      {
+        this->Spacings.push_back(spacing);
+        this->Ratios.push_back(ratio);
+      }
+    }
+    const auto coarsest = std::find_if(leaves.begin(), leaves.end(),
+      [this](const Leaf& leaf) { return AreEqual(GetSpacing(leaf), this->Spacings.front()); });
+    this->Origin = GetCorner(*coarsest);
+  }
+
+  /// Finds the place of a block. Returns why it has none; empty if it has.
+  std::string Place(const Leaf& leaf, vtkirt::AmrPatch& patch) const
+  {
+    auto* image = vtkImageData::SafeDownCast(leaf.Data);
+    if (!image->GetDirectionMatrix()->IsIdentity())
+    {
+      return "It has a direction matrix. Give blocks of AMR data along the axes.";
+    }
+    const vtkirt::Vector3 spacing = GetSpacing(leaf);
+    const auto level = std::find_if(this->Spacings.begin(), this->Spacings.end(),
+      [&spacing](const vtkirt::Vector3& ofLevel) { return AreEqual(spacing, ofLevel); });
+    if (level == this->Spacings.end())
+    {
+      return "Its spacing is not a whole part of that of the next coarser level.";
+    }
+    patch.Level = static_cast<int>(level - this->Spacings.begin());
+    const vtkirt::Vector3 corner = GetCorner(leaf);
+    const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(image);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double place = (corner[axis] - this->Origin[axis]) / (*level)[axis];
+      const double whole = std::round(place);
+      if (!(std::abs(place - whole) <= Slack) || !(std::abs(whole) < 0x1p28))
+      {
+        return "It does not lie on the lattice of its level: its origin is not a whole number of "
+               "cells from that of the coarsest level.";
+      }
+      patch.First[axis] = static_cast<int>(whole);
+      patch.Cells[axis] = points[axis] - 1;
+    }
+    return "";
+  }
+
+  const std::vector<vtkirt::Index3>& GetRatios() const { return this->Ratios; }
+
+private:
+  static bool FindRatio(
+    const vtkirt::Vector3& coarse, const vtkirt::Vector3& fine, vtkirt::Index3& ratio)
+  {
+    bool isWhole = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double exact = coarse[axis] / fine[axis];
+      const double whole = std::round(exact);
+      isWhole = isWhole && whole >= 1.0 && whole <= 1024.0 &&
+        std::abs(exact - whole) <= Slack * whole;
+      ratio[axis] = isWhole ? static_cast<int>(whole) : 1;
+    }
+    return isWhole;
+  }
+
+  vtkirt::Vector3 Origin;
+  std::vector<vtkirt::Vector3> Spacings;
+  std::vector<vtkirt::Index3> Ratios;
+};
+
+/// The flags of some kinds, for each cell of a block; empty if none has them.
+std::vector<unsigned char> FindFlags(const Leaf& leaf, int kinds)
+{
+  vtkUnsignedCharArray* flags = leaf.Data->GetCellGhostArray();
+  std::vector<unsigned char> found;
+  for (vtkIdType i = 0; flags && i < flags->GetNumberOfValues(); ++i)
+  {
+    found.push_back((flags->GetValue(i) & kinds) != 0 ? 1 : 0);
+  }
+  return std::find(found.begin(), found.end(), 1) == found.end() ? std::vector<unsigned char>{}
+                                                                 : found;
+}
+
+}
+
+//------------------------------------------------------------------------------
+struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
+{
+  std::unique_ptr<vtkirt::AmrHierarchy> Patches;
+  bool OfCells;
+  vtkirt::ImageSettings Settings;
+  vtkVolumeMapper* Cropping;
+  /// Copies of scalars that are not plain arrays in memory, and flags of cells, of each patch.
+  std::vector<vtkSmartPointer<vtkDataArray>> PlainScalars;
+  std::vector<std::vector<unsigned char>> Flags;
+};
+
+//------------------------------------------------------------------------------
+std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmrPart::MakeParts(
+  const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+  const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
+  vtkVolumeMapper* cropping, vtkIsosurfaceRayTraceLeftOut& leftOut)
+{
+  std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> parts;
+  if (leaves.empty())
+  {
+    return parts;
+  }
+  const auto whole = std::make_shared<Hierarchy>();
+  whole->OfCells = scalars.AreOfCells;
+  whole->Settings = settings;
+  whole->Cropping = cropping;
+  const Levels levels(leaves);
+  std::vector<vtkirt::AmrPatch> patches;
+  std::vector<const vtkIsosurfaceRayTraceLeaf*> placed;
+  for (const vtkIsosurfaceRayTraceLeaf& leaf : leaves)
+  {
+    vtkirt::AmrPatch patch{};
+    const std::string problem = levels.Place(leaf, patch);
+    if (!problem.empty())
+    {
+      leftOut.Add(leaf, problem);
+      continue;
+    }
+    vtkIsosurfaceRayTraceScalars own = scalars;
+    own.Array = leaf.Scalars;
+    whole->PlainScalars.emplace_back();
+    const auto view = own.MakeView(whole->PlainScalars.back());
+    patch.Samples = { view.Values, view.Type, patch.Cells, view.Stride };
+    for (int& dimension : patch.Samples.Dimensions)
+    {
+      dimension += scalars.AreOfCells ? 0 : 1;
+    }
+    const auto keepFlags = [&whole, &leaf](int kinds) -> const unsigned char*
+    {
+      whole->Flags.push_back(FindFlags(leaf, kinds));
+      return whole->Flags.back().empty() ? nullptr : whole->Flags.back().data();
+    };
+    patch.GhostCells = keepFlags(vtkDataSetAttributes::DUPLICATECELL);
+    patch.HiddenCells =
+      keepFlags(vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL);
+    patches.push_back(patch);
+    placed.push_back(&leaf);
+  }
+  whole->Patches = std::make_unique<vtkirt::AmrHierarchy>(
+    levels.GetRatios(), std::move(patches), scalars.AreOfCells);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(*placed[i], i, whole));
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
+  const vtkIsosurfaceRayTraceLeaf& leaf, std::size_t number, std::shared_ptr<Hierarchy> whole)
+  : Leaf(leaf)
+  , Number(number)
+  , Whole(std::move(whole))
+  , Memory(leaf.Scalars->GetVoidPointer(0))
+  , NumberOfTuples(leaf.Scalars->GetNumberOfTuples())
+{
+  this->Cells = vtkIsosurfaceRayTraceGeometry::GetDimensions(leaf.Data);
+  const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
+  const vtkirt::Vector3 spacing = GetSpacing(leaf);
+  const vtkirt::Vector3 corner = GetCorner(leaf);
+  vtkNew<vtkImageData> nodes;
+  int extent[6];
+  double ofNodes[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    --this->Cells[axis];
+    extent[2 * axis] = -1;
+    extent[2 * axis + 1] = nodesOfCell * this->Cells[axis] + 1;
+    ofNodes[axis] = spacing[axis] / nodesOfCell;
+  }
+  nodes->SetExtent(extent);
+  nodes->SetSpacing(ofNodes);
+  nodes->SetOrigin(corner.data());
+  this->Geometry = vtkIsosurfaceRayTraceGeometry(nodes, false);
+}
+
+//------------------------------------------------------------------------------
+vtkirt::TracedField& vtkIsosurfaceRayTraceAmrPart::GetField()
+{
+  this->Update(1);
+  return *this->Field;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceAmrPart::Update(int threads)
+{
+  if (this->Field)
+  {
+    return false;
+  }
+  this->Nodes = this->Whole->Patches->MakeNodes(this->Number);
+  vtkirt::VolumeView view;
+  view.Samples = this->Nodes.Values.data();
+  view.Type = vtkirt::ScalarType::Float64;
+  view.Dimensions = this->Nodes.Dimensions;
+  this->Field = vtkirt::ImageField::New(view, this->Whole->Settings, threads);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Visibility vtkIsosurfaceRayTraceAmrPart::FindVisible() const
+{
+  vtkirt::Visibility visible;
+  visible.HiddenCells = this->Nodes.HiddenCells.empty() ? nullptr : this->Nodes.HiddenCells.data();
+  if (this->Whole->Cropping)
+  {
+    vtkIsosurfaceRayTraceCropping::Apply(this->Whole->Cropping, this->Geometry, visible);
+  }
+  return visible;
+}
+
+//------------------------------------------------------------------------------
+/// Without the layer of nodes around it.
+vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
+{
+  vtkirt::Bounds box = { { 1.0, 1.0, 1.0 }, {} };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Upper[axis] = 1.0 + this->Whole->Patches->GetNodesOfCell() * this->Cells[axis];
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Index3 vtkIsosurfaceRayTraceAmrPart::FindStructuredCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
+  vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double place = (cell[axis] - 1 + hit.Parametric[axis]) / nodesOfCell;
+    // Hits may lie in the margin around the block.
+    cell[axis] = std::clamp(
+      static_cast<int>(std::floor((cell[axis] - 1) / static_cast<double>(nodesOfCell))), 0,
+      this->Cells[axis] - 1);
+    parametric[axis] = std::clamp(place - cell[axis], 0.0, 1.0);
+  }
+  return cell;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceAmrPart::FindCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  return this->Leaf.FirstCell +
+    static_cast<vtkIdType>(vtkirt::Offset(this->FindStructuredCell(hit, parametric), this->Cells));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkIsosurfaceRayTraceAmrPart::FindPoint(const vtkirt::Hit& hit) const
+{
+  vtkirt::Vector3 parametric;
+  vtkirt::Index3 point = this->FindStructuredCell(hit, parametric);
+  vtkirt::Index3 points = this->Cells;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    point[axis] += parametric[axis] >= 0.5 ? 1 : 0;
+    ++points[axis];
+  }
+  return this->Leaf.FirstPoint + static_cast<vtkIdType>(vtkirt::Offset(point, points));
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAmrPart::SampleColors(
+  const vtkirt::Hit& hit, int components, double* values) const
+{
+  vtkirt::Vector3 index;
+  const vtkirt::Index3 cell = this->FindStructuredCell(hit, index);
+  vtkirt::Index3 points = this->Cells;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    index[axis] += cell[axis];
+    ++points[axis];
+  }
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] =
+      vtkIsosurfaceRayTraceSampleLattice(this->Leaf.Colors, points, index, component);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceAmrPart::IsIntact() const
+{
+  vtkDataArray* scalars = this->Leaf.Scalars;
+  const vtkDataArray* colors = this->Leaf.Colors;
+  return scalars->GetVoidPointer(0) == this->Memory &&
+    scalars->GetNumberOfTuples() >= this->NumberOfTuples &&
+    (!colors || colors->GetNumberOfTuples() >= this->Leaf.Data->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAmrPart::AddObjects(std::vector<vtkObject*>& objects) const
+{
+  objects.insert(objects.end(), { this->Leaf.Data, this->Leaf.Scalars, this->Leaf.Colors });
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,464 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Levels of refined grids whose samples disagree: their interpolants must meet all the same, and no
+// ray may slip through a surface where they do.
+
+#include "Amr/AmrHierarchy.h"
+#include "Field/FieldSet.h"
+#include "Image/ImageField.h"
+#include "Matrices.h"
+#include "Picture/CastRays.h"
+#include "RandomNumbers.h"
+#include "TestVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+struct Box
+{
+  int Level;
+  Index3 First;
+  Index3 Cells;
+};
+
+/// A hierarchy of patches with samples of a ball, each with errors of its own level.
+class Grids
+{
+public:
+  Grids(std::vector<Index3> ratios, const std::vector<Box>& boxes, bool ofCells, double noise)
+    : Ratios(std::move(ratios))
+    , Boxes(boxes)
+    , NodesOfCell(ofCells ? 2 : 1)
+  {
+    Vector3 size = { 1.0, 1.0, 1.0 };
+    for (std::size_t level = 0; level < this->Ratios.size(); ++level)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        size[axis] /= level > 0 ? this->Ratios[level][axis] : 1;
+      }
+      this->Sizes.push_back(size);
+    }
+    std::vector<AmrPatch> patches;
+    for (const Box& box : boxes)
+    {
+      const Vector3& cell = this->Sizes[static_cast<std::size_t>(box.Level)];
+      Index3 dimensions = box.Cells;
+      for (int& dimension : dimensions)
+      {
+        dimension += ofCells ? 0 : 1;
+      }
+      this->Volumes.push_back(TestVolume<float>::Of(dimensions,
+        [&](const Vector3& index)
+        {
+          Vector3 point;
+          std::uint64_t hash = 1469598103934665603ULL + static_cast<std::uint64_t>(box.Level);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            const double place = index[axis] + box.First[axis];
+            point[axis] = (place + (ofCells ? 0.5 : 0.0)) * cell[axis];
+            hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(place) + 1000)) *
+              1099511628211ULL;
+          }
+          hash ^= hash >> 31;
+          return 2.7 - Length(point - Vector3{ 4.0, 4.0, 4.0 }) +
+            noise * (static_cast<double>(hash % 2001) / 1000.0 - 1.0);
+        }));
+      AmrPatch patch{};
+      patch.Level = box.Level;
+      patch.First = box.First;
+      patch.Cells = box.Cells;
+      patches.push_back(patch);
+    }
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      patches[i].Samples = this->Volumes[i].View();
+    }
+    this->Hierarchy = std::make_unique<AmrHierarchy>(this->Ratios, patches, ofCells);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      this->Nodes.push_back(this->Hierarchy->MakeNodes(i));
+    }
+  }
+
+  std::size_t GetNumberOfPatches() const { return this->Boxes.size(); }
+
+  /// The place of a point among the nodes of a patch.
+  Vector3 ToNodes(std::size_t number, const Vector3& point) const
+  {
+    const Box& box = this->Boxes[number];
+    Vector3 place;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place[axis] = 1.0 +
+        this->NodesOfCell *
+          (point[axis] / this->Sizes[static_cast<std::size_t>(box.Level)][axis] - box.First[axis]);
+    }
+    return place;
+  }
+
+  Matrix4 GetWorldFromNodes(std::size_t number) const
+  {
+    const Box& box = this->Boxes[number];
+    Matrix4 matrix = Scaling({ 1.0, 1.0, 1.0 });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double node =
+        this->Sizes[static_cast<std::size_t>(box.Level)][axis] / this->NodesOfCell;
+      matrix[5 * axis] = node;
+      matrix[4 * axis + 3] = node * (this->NodesOfCell * box.First[axis] - 1);
+    }
+    return matrix;
+  }
+
+  /// The patch whose cell counts at a point: none outside.
+  int FindLeaf(const Vector3& point) const
+  {
+    int leaf = -1;
+    for (std::size_t i = 0; i < this->Boxes.size(); ++i)
+    {
+      const Vector3 place = this->ToNodes(i, point);
+      bool isIn = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        isIn = isIn && place[axis] >= 1.0 &&
+          place[axis] < 1.0 + this->NodesOfCell * this->Boxes[i].Cells[axis];
+      }
+      if (isIn && (leaf < 0 || this->Boxes[i].Level > this->Boxes[static_cast<std::size_t>(leaf)].Level))
+      {
+        leaf = static_cast<int>(i);
+      }
+    }
+    return leaf;
+  }
+
+  /// The interpolant of a patch, in a cell of nodes that a point near by is in.
+  double Interpolate(std::size_t number, const Vector3& point, const Vector3& inCell) const
+  {
+    const AmrNodes& nodes = this->Nodes[number];
+    const Vector3 place = this->ToNodes(number, point);
+    const Vector3 near = this->ToNodes(number, inCell);
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double weight = 1.0;
+      Index3 node;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double first = std::floor(near[axis]);
+        const bool isUpper = (corner >> axis & 1) != 0;
+        weight *= isUpper ? place[axis] - first : 1.0 - (place[axis] - first);
+        node[axis] = static_cast<int>(first) + (isUpper ? 1 : 0);
+      }
+      sum += weight * nodes.Values[Offset(node, nodes.Dimensions)];
+    }
+    return sum;
+  }
+
+  bool IsHidden(std::size_t number, const Vector3& point) const
+  {
+    const AmrNodes& nodes = this->Nodes[number];
+    const Vector3 place = this->ToNodes(number, point);
+    const Index3 cells = { nodes.Dimensions[0] - 1, nodes.Dimensions[1] - 1,
+      nodes.Dimensions[2] - 1 };
+    return !nodes.HiddenCells.empty() &&
+      nodes.HiddenCells[Offset({ static_cast<int>(place[0]), static_cast<int>(place[1]),
+                                 static_cast<int>(place[2]) },
+        cells)] != 0;
+  }
+
+  /// A place of a corner of a cell, an edge or a face of a patch, or inside of it.
+  Vector3 PickPlace(RandomNumbers& random, int free) const
+  {
+    const auto number = static_cast<std::size_t>(
+      random.Integer(0, static_cast<int>(this->Boxes.size()) - 1));
+    const Box& box = this->Boxes[number];
+    Vector3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double size = this->Sizes[static_cast<std::size_t>(box.Level)][axis];
+      double place = random.Integer(0, box.Cells[axis]);
+      if (static_cast<int>(axis) < free)
+      {
+        place = random.Uniform(0.0, box.Cells[axis]);
+      }
+      else if (random.Integer(0, 1) == 0)
+      {
+        place = random.Integer(0, 1) * box.Cells[axis];
+      }
+      point[axis] = (box.First[axis] + place) * size;
+    }
+    std::rotate(point.begin(), point.begin() + random.Integer(0, 2), point.end());
+    return point;
+  }
+
+  std::vector<Index3> Ratios;
+  std::vector<Box> Boxes;
+  int NodesOfCell;
+  std::vector<Vector3> Sizes;
+  std::vector<TestVolume<float>> Volumes;
+  std::unique_ptr<AmrHierarchy> Hierarchy;
+  std::vector<AmrNodes> Nodes;
+};
+
+/// Three levels, by 2 and by 3; patches that touch at faces, edges and corners, and levels that
+/// differ by two where they meet.
+std::vector<Box> MakeBoxes()
+{
+  return { { 0, { 0, 0, 0 }, { 8, 8, 4 } }, { 0, { 0, 0, 4 }, { 8, 8, 4 } },
+    { 1, { 2, 2, 2 }, { 6, 6, 6 } }, { 1, { 8, 2, 2 }, { 4, 4, 8 } },
+    { 1, { 8, 8, 8 }, { 6, 4, 4 } }, { 1, { 4, 10, 2 }, { 4, 4, 2 } },
+    { 2, { 6, 6, 6 }, { 9, 12, 6 } }, { 2, { 15, 9, 6 }, { 9, 6, 6 } },
+    { 2, { 30, 24, 24 }, { 12, 6, 12 } } };
+}
+
+const std::vector<Index3> TheRatios = { { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 } };
+
+class AmrSamples : public testing::TestWithParam<bool>
+{
+};
+
+//------------------------------------------------------------------------------
+TEST_P(AmrSamples, InterpolantsMeet)
+{
+  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.5);
+  RandomNumbers random(11);
+  int different = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Vector3 point = grids.PickPlace(random, i % 3);
+    double first = 0.0;
+    int leaves = 0;
+    int firstLeaf = -1;
+    for (int side = 0; side < 8; ++side)
+    {
+      constexpr double step = 1e-7;
+      Vector3 beside = point;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        beside[axis] += (side >> axis & 1) != 0 ? step : -step;
+      }
+      const int leaf = grids.FindLeaf(beside);
+      if (leaf < 0)
+      {
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(leaf);
+      EXPECT_FALSE(grids.IsHidden(number, beside));
+      const double value = grids.Interpolate(number, point, beside);
+      if (leaves++ == 0)
+      {
+        first = value;
+        firstLeaf = leaf;
+      }
+      different += leaf != firstLeaf ? 1 : 0;
+      ASSERT_NEAR(value, first, 1e-13) << point[0] << " " << point[1] << " " << point[2];
+    }
+  }
+  EXPECT_GT(different, 10000);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(AmrSamples, FinerCellsCount)
+{
+  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.0);
+  RandomNumbers random(12);
+  for (int i = 0; i < 5000; ++i)
+  {
+    const Vector3 point = { random.Uniform(0.0, 8.0), random.Uniform(0.0, 8.0),
+      random.Uniform(0.0, 8.0) };
+    const int leaf = grids.FindLeaf(point);
+    for (std::size_t number = 0; number < grids.GetNumberOfPatches(); ++number)
+    {
+      const Box& box = grids.Boxes[number];
+      const Vector3 place = grids.ToNodes(number, point);
+      bool isIn = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        isIn = isIn && place[axis] >= 1.0 &&
+          place[axis] < 1.0 + grids.NodesOfCell * box.Cells[axis];
+      }
+      if (isIn)
+      {
+        EXPECT_EQ(grids.IsHidden(number, point), static_cast<int>(number) != leaf);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A patch of a level.
+class Source final : public FieldSource
+{
+public:
+  Source(const Grids& grids, std::size_t number)
+    : Nodes(grids.Nodes[number])
+    , Field(ImageField::New(
+        { this->Nodes.Values.data(), ScalarType::Float64, this->Nodes.Dimensions, 1 }, {}, 1))
+  {
+  }
+
+  TracedField& GetField() override { return *this->Field; }
+  Visibility FindVisible() const override
+  {
+    Visibility visible;
+    visible.HiddenCells =
+      this->Nodes.HiddenCells.empty() ? nullptr : this->Nodes.HiddenCells.data();
+    return visible;
+  }
+
+private:
+  const AmrNodes& Nodes;
+  std::unique_ptr<ImageField> Field;
+};
+
+struct Traced
+{
+  explicit Traced(const Grids& grids)
+  {
+    std::vector<PlacedField> placed;
+    for (std::size_t i = 0; i < grids.GetNumberOfPatches(); ++i)
+    {
+      this->Sources.push_back(std::make_unique<Source>(grids, i));
+      PlacedField field{};
+      field.Source = this->Sources.back().get();
+      field.SetFromOwn = grids.GetWorldFromNodes(i);
+      const Index3& nodes = grids.Nodes[i].Dimensions;
+      field.Box = TransformBounds(field.SetFromOwn,
+        { { 1.0, 1.0, 1.0 }, { nodes[0] - 2.0, nodes[1] - 2.0, nodes[2] - 2.0 } });
+      field.IsSeamless = true;
+      placed.push_back(field);
+    }
+    this->Set = std::make_unique<FieldSet>(placed);
+  }
+
+  std::vector<std::unique_ptr<Source>> Sources;
+  std::unique_ptr<FieldSet> Set;
+};
+
+/// Rays from outside, through places where patches meet, or anywhere.
+std::vector<CastRay> MakeRays(const Grids& grids, RandomNumbers& random, int count)
+{
+  std::vector<CastRay> rays;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 through = grids.PickPlace(random, i % 4);
+    Vector3 direction = { random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0),
+      random.Uniform(-1.0, 1.0) };
+    if (i % 5 == 0)
+    {
+      // Along an axis or in a plane of the lattices.
+      direction[static_cast<std::size_t>(random.Integer(0, 2))] = 0.0;
+      direction[static_cast<std::size_t>(random.Integer(0, 2))] = 0.0;
+    }
+    if (i % 7 == 0)
+    {
+      // From corner to corner.
+      direction = grids.PickPlace(random, 0) - through;
+    }
+    if (Length(direction) > 1e-3)
+    {
+      direction = direction * (1.0 / Length(direction));
+      rays.push_back({ through - direction * 32.0, direction, 0.0, 64.0 });
+    }
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
+TEST_P(AmrSamples, NoRaySlipsThroughAClosedSurface)
+{
+  const char* asked = std::getenv("ATTACK_RAYS");
+  const int count = asked ? std::atoi(asked) : 200000;
+  for (const double noise : { 0.0, 0.35 })
+  {
+    const Grids grids(TheRatios, MakeBoxes(), GetParam(), noise);
+    Traced traced(grids);
+    TraceRequest request;
+    request.Surfaces = { { 0.0, 1e-6 } };
+    traced.Set->Select(request, {});
+    RandomNumbers random(13);
+    std::size_t hitting = 0;
+    std::size_t slipped = 0;
+    const std::vector<CastRay> rays = MakeRays(grids, random, count);
+    const RayHits hits = CastRays(*traced.Set, rays, 2);
+    for (std::size_t ray = 0; ray < rays.size(); ++ray)
+    {
+      bool isInside = false;
+      bool isClosed = true;
+      for (std::size_t i = hits.First[ray]; i < hits.First[ray + 1]; ++i)
+      {
+        isClosed = isClosed && hits.Hits[i].Entering != isInside;
+        isInside = hits.Hits[i].Entering;
+      }
+      hitting += hits.First[ray] < hits.First[ray + 1] ? 1 : 0;
+      slipped += isClosed && !isInside ? 0 : 1;
+    }
+    EXPECT_GT(hitting, rays.size() / 3);
+    EXPECT_EQ(slipped, 0U) << "of " << hitting << ", noise " << noise;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AmrSamples, testing::Bool(),
+  [](const testing::TestParamInfo<bool>& kind) { return kind.param ? "OfCells" : "OfPoints"; });
+
+//------------------------------------------------------------------------------
+TEST(AmrHierarchy, BetweenEqualLevelsTheInterpolantIsThatOfImages)
+{
+  const Grids grids({ { 1, 1, 1 } },
+    { { 0, { 0, 0, 0 }, { 4, 8, 8 } }, { 0, { 4, 0, 0 }, { 4, 8, 8 } } }, true, 0.5);
+  // The samples at the centres of the cells of both.
+  const auto sample = [&grids](int x, int y, int z)
+  { return static_cast<double>(grids.Volumes[x < 4 ? 0 : 1].At({ x < 4 ? x : x - 4, y, z })); };
+  RandomNumbers random(14);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 point = { random.Uniform(0.5, 7.5), random.Uniform(0.5, 7.5),
+      random.Uniform(0.5, 7.5) };
+    const Index3 first = { std::min(6, static_cast<int>(point[0] - 0.5)),
+      std::min(6, static_cast<int>(point[1] - 0.5)), std::min(6, static_cast<int>(point[2] - 0.5)) };
+    double expected = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double weight = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double place = point[axis] - 0.5 - first[axis];
+        weight *= (corner >> axis & 1) != 0 ? place : 1.0 - place;
+      }
+      expected += weight *
+        sample(first[0] + (corner & 1), first[1] + (corner >> 1 & 1), first[2] + (corner >> 2));
+    }
+    EXPECT_NEAR(
+      grids.Interpolate(static_cast<std::size_t>(grids.FindLeaf(point)), point, point), expected,
+      1e-12);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AmrHierarchy, OfPatchesThatOverlapTheFirstCounts)
+{
+  const Grids grids({ { 1, 1, 1 } },
+    { { 0, { 0, 0, 0 }, { 5, 8, 8 } }, { 0, { 3, 0, 0 }, { 5, 8, 8 } } }, false, 0.5);
+  EXPECT_TRUE(grids.Nodes[0].HiddenCells.empty());
+  for (int x = 0; x < 5; ++x)
+  {
+    EXPECT_EQ(grids.IsHidden(1, { 3.5 + x, 2.5, 4.5 }), x < 2);
+  }
+}
+
+}
+}
