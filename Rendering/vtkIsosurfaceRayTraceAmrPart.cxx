@@ -133,8 +133,8 @@ private:
     {
       const double exact = coarse[axis] / fine[axis];
       const double whole = std::round(exact);
-      isWhole = isWhole && whole >= 1.0 && whole <= 1024.0 &&
-        std::abs(exact - whole) <= Slack * whole;
+      isWhole =
+        isWhole && whole >= 1.0 && whole <= 1024.0 && std::abs(exact - whole) <= Slack * whole;
       ratio[axis] = isWhole ? static_cast<int>(whole) : 1;
     }
     return isWhole;
@@ -174,9 +174,9 @@ struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
 
 //------------------------------------------------------------------------------
 std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmrPart::MakeParts(
-  const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
-  const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
-  vtkVolumeMapper* cropping, vtkIsosurfaceRayTraceLeftOut& leftOut)
+  const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, const vtkIsosurfaceRayTraceScalars& scalars,
+  const vtkirt::ImageSettings& settings, vtkVolumeMapper* cropping,
+  vtkIsosurfaceRayTraceLeftOut& leftOut)
 {
   std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> parts;
   if (leaves.empty())
@@ -293,6 +293,12 @@ vtkirt::Visibility vtkIsosurfaceRayTraceAmrPart::FindVisible() const
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkIsosurfaceRayTraceAmrPart::GetMemory() const
+{
+  return this->Nodes.Values.size() * sizeof(double) + this->Nodes.HiddenCells.size();
+}
+
+//------------------------------------------------------------------------------
 /// Without the layer of nodes around it.
 vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
 {
@@ -314,9 +320,9 @@ vtkirt::Index3 vtkIsosurfaceRayTraceAmrPart::FindStructuredCell(
   {
     const double place = (cell[axis] - 1 + hit.Parametric[axis]) / nodesOfCell;
     // Hits may lie in the margin around the block.
-    cell[axis] = std::clamp(
-      static_cast<int>(std::floor((cell[axis] - 1) / static_cast<double>(nodesOfCell))), 0,
-      this->Cells[axis] - 1);
+    cell[axis] =
+      std::clamp(static_cast<int>(std::floor((cell[axis] - 1) / static_cast<double>(nodesOfCell))),
+        0, this->Cells[axis] - 1);
     parametric[axis] = std::clamp(place - cell[axis], 0.0, 1.0);
   }
   return cell;

@@ -15,8 +15,9 @@
 #include "Amr/AmrHierarchy.h"
 #include "Image/ImageField.h"
 
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <cstddef> // for std::size_t
+#include <memory>  // for std::unique_ptr
+#include <vector>  // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -35,6 +36,7 @@ public:
 
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
+  std::size_t GetMemory() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override
   {
     return this->Geometry.GetPhysicalFromObject();

@@ -74,6 +74,15 @@
  * other lattices, each block is traced by itself where it is; small ones are prepared when the
  * first ray comes to them. Where caps of several blocks coincide, the first block is seen.
  *
+ * AMR data (vtkOverlappingAMR, vtkNonOverlappingAMR) with scalars of points or of cells are drawn by
+ * their finest cells. Levels meet without cracks: their interpolants are one continuous function,
+ * in which nodes on the border of a finer block have the values of the coarser interpolant. Scalars
+ * of cells are interpolated as those of images are, between the centres of cells; beside a coarser
+ * level by octants (F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive Mesh Refinement Data,
+ * IEEE TVCG 25(1), 2019). Refinement ratios are whole numbers, any for each level and axis. Of
+ * blocks of one level that overlap, the first counts, but not its ghosts. A block is prepared when
+ * the first ray comes to it, in 8 bytes for each of its points, or 64 for each of its cells.
+ *
  * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
  * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
  * through all blocks: see FindBlock.

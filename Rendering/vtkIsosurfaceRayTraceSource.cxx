@@ -115,7 +115,12 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   if (isNewer || !this->Built || this->Built->AreOfCells != key.AreOfCells)
   {
     this->GridTime = 0; // Until the hidden cells are there: memory for them may fail.
+    const std::vector<unsigned char> before = this->HiddenCells;
     this->UpdateHiddenCells(grid, selection.AreOfCells);
+    if (this->HiddenCells != before)
+    {
+      this->Field.reset();
+    }
   }
   this->GridTime = grid->GetMTime();
   this->Geometry = std::move(geometry);

@@ -137,7 +137,8 @@ public:
         isIn = isIn && place[axis] >= 1.0 &&
           place[axis] < 1.0 + this->NodesOfCell * this->Boxes[i].Cells[axis];
       }
-      if (isIn && (leaf < 0 || this->Boxes[i].Level > this->Boxes[static_cast<std::size_t>(leaf)].Level))
+      if (isIn &&
+        (leaf < 0 || this->Boxes[i].Level > this->Boxes[static_cast<std::size_t>(leaf)].Level))
       {
         leaf = static_cast<int>(i);
       }
@@ -175,16 +176,16 @@ public:
     const Index3 cells = { nodes.Dimensions[0] - 1, nodes.Dimensions[1] - 1,
       nodes.Dimensions[2] - 1 };
     return !nodes.HiddenCells.empty() &&
-      nodes.HiddenCells[Offset({ static_cast<int>(place[0]), static_cast<int>(place[1]),
-                                 static_cast<int>(place[2]) },
+      nodes.HiddenCells[Offset(
+        { static_cast<int>(place[0]), static_cast<int>(place[1]), static_cast<int>(place[2]) },
         cells)] != 0;
   }
 
   /// A place of a corner of a cell, an edge or a face of a patch, or inside of it.
   Vector3 PickPlace(RandomNumbers& random, int free) const
   {
-    const auto number = static_cast<std::size_t>(
-      random.Integer(0, static_cast<int>(this->Boxes.size()) - 1));
+    const auto number =
+      static_cast<std::size_t>(random.Integer(0, static_cast<int>(this->Boxes.size()) - 1));
     const Box& box = this->Boxes[number];
     Vector3 point;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -288,8 +289,8 @@ TEST_P(AmrSamples, FinerCellsCount)
       bool isIn = true;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        isIn = isIn && place[axis] >= 1.0 &&
-          place[axis] < 1.0 + grids.NodesOfCell * box.Cells[axis];
+        isIn =
+          isIn && place[axis] >= 1.0 && place[axis] < 1.0 + grids.NodesOfCell * box.Cells[axis];
       }
       if (isIn)
       {
@@ -421,15 +422,17 @@ TEST(AmrHierarchy, BetweenEqualLevelsTheInterpolantIsThatOfImages)
   const Grids grids({ { 1, 1, 1 } },
     { { 0, { 0, 0, 0 }, { 4, 8, 8 } }, { 0, { 4, 0, 0 }, { 4, 8, 8 } } }, true, 0.5);
   // The samples at the centres of the cells of both.
-  const auto sample = [&grids](int x, int y, int z)
-  { return static_cast<double>(grids.Volumes[x < 4 ? 0 : 1].At({ x < 4 ? x : x - 4, y, z })); };
+  const auto sample = [&grids](int x, int y, int z) {
+    return static_cast<double>(grids.Volumes[x < 4 ? 0 : 1].At({ x < 4 ? x : x - 4, y, z }));
+  };
   RandomNumbers random(14);
   for (int i = 0; i < 2000; ++i)
   {
     const Vector3 point = { random.Uniform(0.5, 7.5), random.Uniform(0.5, 7.5),
       random.Uniform(0.5, 7.5) };
     const Index3 first = { std::min(6, static_cast<int>(point[0] - 0.5)),
-      std::min(6, static_cast<int>(point[1] - 0.5)), std::min(6, static_cast<int>(point[2] - 0.5)) };
+      std::min(6, static_cast<int>(point[1] - 0.5)),
+      std::min(6, static_cast<int>(point[2] - 0.5)) };
     double expected = 0.0;
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -442,9 +445,8 @@ TEST(AmrHierarchy, BetweenEqualLevelsTheInterpolantIsThatOfImages)
       expected += weight *
         sample(first[0] + (corner & 1), first[1] + (corner >> 1 & 1), first[2] + (corner >> 2));
     }
-    EXPECT_NEAR(
-      grids.Interpolate(static_cast<std::size_t>(grids.FindLeaf(point)), point, point), expected,
-      1e-12);
+    EXPECT_NEAR(grids.Interpolate(static_cast<std::size_t>(grids.FindLeaf(point)), point, point),
+      expected, 1e-12);
   }
 }
 

@@ -747,6 +747,79 @@ TEST(ImageField, SelectReplacesTheSurfaces)
 }
 
 //------------------------------------------------------------------------------
+/// What is hit with hidden cells is the first of all hits that is in another cell, whatever the
+/// kernels, and with other cells when these are selected.
+TEST(ImageField, HiddenCellsAreNotHit)
+{
+  const Index3 dimensions = { 22, 19, 25 };
+  const auto volume = TestVolume<float>::Of(dimensions,
+    [](const Vector3& p) { return std::sin(p[0]) + std::cos(0.7 * p[1]) - 0.1 * p[2]; });
+  const auto field = ImageField::New(volume.View(), {}, 1);
+  RandomNumbers random(31);
+  std::vector<Line> lines;
+  for (int i = 0; i < 3000; ++i)
+  {
+    lines.push_back(RandomLine(random, dimensions));
+  }
+  const auto trace = [&](const Visibility& visible, double opacity, const Kernels* kernels)
+  {
+    TraceRequest request({ { -0.4, opacity } });
+    request.Visible = visible;
+    Execution execution;
+    execution.PacketKernels = kernels;
+    field->Select(request, execution);
+    std::vector<std::vector<Hit>> hits;
+    for (std::size_t first = 0; first < lines.size(); first += 100)
+    {
+      RayPacket packet;
+      packet.Clear();
+      for (std::size_t i = first; i < first + 100; ++i)
+      {
+        field->AddRay(lines[i].Origin, lines[i].Direction, 0.0, 1e6, packet);
+      }
+      RayHits found;
+      field->Trace(packet, found);
+      for (std::size_t i = 0; i < 100; ++i)
+      {
+        hits.emplace_back(found.Hits.begin() + static_cast<std::ptrdiff_t>(found.First[i]),
+          found.Hits.begin() + static_cast<std::ptrdiff_t>(found.First[i + 1]));
+      }
+    }
+    return hits;
+  };
+  const std::vector<std::vector<Hit>> all = trace({}, 1e-9, nullptr);
+  // Other cells have another address.
+  std::vector<std::vector<unsigned char>> choices;
+  for (const double share : { 0.1, 0.5, 0.9 })
+  {
+    choices.emplace_back(Count({ 21, 18, 24 }));
+    std::vector<unsigned char>& hidden = choices.back();
+    for (unsigned char& cell : hidden)
+    {
+      cell = random.Uniform(0.0, 1.0) < share ? 1 : 0;
+    }
+    Visibility visible;
+    visible.HiddenCells = hidden.data();
+    for (const double opacity : { 1.0, 1e-9 })
+    {
+      for (const Kernels* kernels : { static_cast<const Kernels*>(nullptr), &GetBestKernels() })
+      {
+        const std::vector<std::vector<Hit>> hits = trace(visible, opacity, kernels);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+        {
+          std::vector<Hit> expected;
+          std::copy_if(all[i].begin(), all[i].end(), std::back_inserter(expected),
+            [&hidden](const Hit& hit) { return hidden[static_cast<std::size_t>(hit.Cell)] == 0; });
+          expected.resize(
+            std::min<std::size_t>(expected.size(), opacity >= 1.0 ? 1 : expected.size()));
+          ASSERT_TRUE(AreSame(hits[i], expected)) << share << " " << opacity << " " << i;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(ImageField, NegativeZeroEqualsZero)
 {
   const Index3 size = { 12, 13, 11 };

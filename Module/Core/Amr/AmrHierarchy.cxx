@@ -34,8 +34,8 @@ bool IsIn(const AmrPatch& patch, const Index3& cell)
 
 std::size_t GetNumber(const AmrPatch& patch, const Index3& cell)
 {
-  return Offset({ cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] },
-    patch.Cells);
+  return Offset(
+    { cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] }, patch.Cells);
 }
 
 bool Owns(const AmrPatch& patch, const Index3& cell)
@@ -47,8 +47,8 @@ double GetSample(const AmrPatch& patch, const Index3& index)
 {
   const Index3 place = { index[0] - patch.First[0], index[1] - patch.First[1],
     index[2] - patch.First[2] };
-  return DispatchScalarType(
-    patch.Samples, [&place](const auto& samples) { return static_cast<double>(*samples.At(place)); });
+  return DispatchScalarType(patch.Samples,
+    [&place](const auto& samples) { return static_cast<double>(*samples.At(place)); });
 }
 
 /// Calls visit(index) for the indices of a box, which may be empty.
@@ -152,8 +152,7 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       first[axis] = FloorDivide(node[axis], ratio[axis]);
-      weights[axis] =
-        static_cast<double>(node[axis] - first[axis] * ratio[axis]) / ratio[axis];
+      weights[axis] = static_cast<double>(node[axis] - first[axis] * ratio[axis]) / ratio[axis];
     }
     double sum = 0.0;
     for (int corner = 0; corner < 8; ++corner)
@@ -194,8 +193,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-AmrHierarchy::AmrHierarchy(
-  std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)
+AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)
   : OfCells(ofCells)
   , Patches(std::move(patches))
 {
@@ -257,8 +255,7 @@ bool AmrHierarchy::HasOverlaps(const Level& level) const
 
 //------------------------------------------------------------------------------
 /// The first patch of a level that has a cell, or one that is likely to; null if there is none.
-const AmrPatch* AmrHierarchy::FindOwner(
-  int level, const Index3& cell, const AmrPatch* likely) const
+const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell, const AmrPatch* likely) const
 {
   const Level& all = this->Levels[static_cast<std::size_t>(level)];
   if (!all.HasOverlaps && likely && Owns(*likely, cell))
@@ -291,12 +288,13 @@ const AmrPatch* AmrHierarchy::FindOwner(
 bool AmrHierarchy::IsCoveredByFiner(int level, const Index3& cell) const
 {
   Index3 inside = cell;
-  for (std::size_t finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size(); ++finer)
+  for (std::size_t finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size();
+       ++finer)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      inside[axis] = inside[axis] * this->Levels[finer].Ratio[axis] +
-        this->Levels[finer].Ratio[axis] / 2;
+      inside[axis] =
+        inside[axis] * this->Levels[finer].Ratio[axis] + this->Levels[finer].Ratio[axis] / 2;
     }
     if (this->FindOwner(static_cast<int>(finer), inside, nullptr))
     {
@@ -314,8 +312,8 @@ bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell) const
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      around[axis] = FloorDivide(
-        around[axis], this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio[axis]);
+      around[axis] =
+        FloorDivide(around[axis], this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio[axis]);
     }
     if (this->FindOwner(coarser, around, nullptr))
     {
@@ -381,8 +379,8 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
   std::vector<unsigned char> isHidden(Count(size), 0);
   const auto hide = [&](const Index3& cell)
   {
-    isHidden[Offset({ cell[0] - patch.First[0] + 1, cell[1] - patch.First[1] + 1,
-                      cell[2] - patch.First[2] + 1 },
+    isHidden[Offset(
+      { cell[0] - patch.First[0] + 1, cell[1] - patch.First[1] + 1, cell[2] - patch.First[2] + 1 },
       size)] = 1;
   };
   ForEachIndex(patch.First, patch.Cells,

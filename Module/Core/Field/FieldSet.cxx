@@ -564,7 +564,8 @@ void FieldSet::JoinHits(ThreadBeam& beam, const RayPacket& packet, RayHits& hits
 }
 
 //------------------------------------------------------------------------------
-/// Boxes overlap by their margins, so that no ray slips through between them. A hit there has a twin.
+/// Boxes overlap by their margins, so that no ray slips through between them. A hit there has a
+/// twin.
 void FieldSet::DropTwins(const Vector3& direction, std::vector<Hit>& found) const
 {
   const double length = Length(direction);
@@ -704,6 +705,7 @@ FieldStatistics FieldSet::GetStatistics() const
     if (const TracedField* field = this->Members[i].Field)
     {
       all += field->GetStatistics();
+      all.HierarchyMemory += this->Members[i].Source->GetMemory();
     }
   }
   return all;

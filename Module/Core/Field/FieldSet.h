@@ -29,6 +29,9 @@ public:
 
   /// What of the field is visible, in its object space. It must be there.
   virtual Visibility FindVisible() const = 0;
+
+  /// What is kept for the field besides what it tells itself, in bytes.
+  virtual std::size_t GetMemory() const { return 0; }
 };
 
 /// A field of a set, and where it lies.

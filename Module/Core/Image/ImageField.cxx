@@ -65,7 +65,8 @@ void ImageField::Select(
   const TraceRequest& before = this->Selection.Request;
   const bool isOtherTracer = !wasComplete || request.Interpolation != before.Interpolation ||
     request.Projection != before.Projection;
-  const bool areSameIsovalues = HaveSameIsovalues(request, before);
+  const bool areSameIsovalues =
+    HaveSameIsovalues(request, before) && request.Visible.HiddenCells == before.Visible.HiddenCells;
   this->Selection.Request = request;
   if (isOtherTracer)
   {

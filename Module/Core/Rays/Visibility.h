@@ -79,7 +79,8 @@ struct Visibility
   /// Rays are cut to the intersection of all of them.
   std::vector<HalfSpace> HalfSpaces;
   CroppingRegions Regions;
-  /// One for every cell, by its number, not zero where it is not visible; null if all are.
+  /// One for every cell, by its number, not zero where it is not visible; null if all are. They
+  /// must not change while they are selected.
   const unsigned char* HiddenCells = nullptr;
 
   bool HasCaps() const

@@ -23,8 +23,8 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// For blocks of 8^3 cells, which of the cells a surface passes: those with corners on both sides
-/// of an isovalue and none that is NaN or infinite. The mask of a block is made by the first ray
-/// that needs it.
+/// of an isovalue and none that is NaN or infinite, if they are not hidden. The mask of a block is
+/// made by the first ray that needs it.
 template <typename T>
 class CellMasks
 {
@@ -43,10 +43,13 @@ public:
   /// Makes the mask of a block by another rule.
   using Maker = std::function<void(const Index3& block, BlockMask& mask)>;
 
-  /// Discards all masks, and sets the isovalues for new ones; and another rule, if there is one.
-  void Select(const std::vector<double>& isovalues, Maker maker = nullptr)
+  /// Discards all masks, and sets the isovalues for new ones; hidden cells (see Visibility), and
+  /// another rule, if there are any.
+  void Select(const std::vector<double>& isovalues, const unsigned char* hiddenCells = nullptr,
+    Maker maker = nullptr)
   {
     this->Isovalues = isovalues;
+    this->HiddenCells = hiddenCells;
     this->MakeOther = std::move(maker);
     this->Masks.Clear();
   }
@@ -198,6 +201,8 @@ private:
     if (this->MakeOther)
     {
       this->MakeOther(block, mask);
+      this->Hide(block, mask);
+      mask.CompleteSlices();
       return;
     }
     const Index3 first = BlockMask::GetFirstCell(block);
@@ -246,12 +251,40 @@ private:
       forEachSlice(
         IsFinite{}, [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
     }
+    this->Hide(block, mask);
     mask.CompleteSlices();
+  }
+
+  /// Takes hidden cells out of the slices across z.
+  void Hide(const Index3& block, BlockMask& mask) const
+  {
+    if (!this->HiddenCells)
+    {
+      return;
+    }
+    const Index3& points = this->TheSamples.GetDimensions();
+    const Index3 cells = { points[0] - 1, points[1] - 1, points[2] - 1 };
+    const Index3 first = BlockMask::GetFirstCell(block);
+    for (int z = 0; z < BlockMask::Edge; ++z)
+    {
+      std::uint64_t& slice = mask.Slices[2][z];
+      for (std::uint64_t left = slice; left != 0; left &= left - 1)
+      {
+        const int bit = __builtin_ctzll(left);
+        const Index3 cell = { first[0] + bit % BlockMask::Edge, first[1] + bit / BlockMask::Edge,
+          first[2] + z };
+        if (this->HiddenCells[Offset(cell, cells)] != 0)
+        {
+          slice &= ~(std::uint64_t{ 1 } << bit);
+        }
+      }
+    }
   }
 
   Samples<T> TheSamples;
   Index3 Blocks;
   std::vector<double> Isovalues;
+  const unsigned char* HiddenCells = nullptr;
   Maker MakeOther;
   BlockCache Masks;
 };

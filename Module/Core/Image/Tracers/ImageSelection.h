@@ -58,10 +58,12 @@ struct ImageSelection
     return HitCollector(this->Field, hits);
   }
 
-  /// Whether rays end at a surface, so that only its first root in a cell counts.
+  /// Whether rays end at a surface, so that only its first root in a cell counts: cells are hidden
+  /// as a whole, and are not among those that masks lead rays to.
   bool EndsRays(std::size_t surface) const
   {
-    return this->Request.Surfaces[surface].Opacity >= 1.0 && this->Request.Visible.IsConvex();
+    return this->Request.Surfaces[surface].Opacity >= 1.0 &&
+      this->Request.Visible.Regions.Visible == CroppingRegions::All;
   }
 
   /// Whether any hit of a ray ends it, wherever it is.

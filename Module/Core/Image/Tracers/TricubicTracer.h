@@ -95,7 +95,7 @@ public:
   ActiveMacrocells FindActive(int threads) override
   {
     const std::vector<double> isovalues = this->GetIsovalues();
-    this->Masks.Select(isovalues,
+    this->Masks.Select(isovalues, this->Selection.Request.Visible.HiddenCells,
       [this](const Index3& block, BlockMask& mask)
       { this->Field.MakeMask(block, this->Selection.Isovalues, mask); });
     return this->Hierarchy.FindActive(isovalues, this->Field.GetEdges().GetOvershoot(), threads);

@@ -33,7 +33,7 @@ public:
   ActiveMacrocells FindActive(int threads) override
   {
     const std::vector<double> isovalues = this->GetIsovalues();
-    this->Masks.Select(isovalues);
+    this->Masks.Select(isovalues, this->Selection.Request.Visible.HiddenCells);
     return this->Hierarchy.FindActive(isovalues, threads);
   }
 

@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""AMR data: the finest cells count, levels meet without cracks, hits know their block and cell."""
+
+import math
+import random
+import unittest
+
+from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_XYZ_GRID,
+    vtkAMRBox,
+    vtkDataSetAttributes,
+    vtkImageData,
+    vtkNonOverlappingAMR,
+    vtkOverlappingAMR,
+    vtkUniformGrid,
+)
+from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
+from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+
+from MeshTesting import cast, errors_of, make_volume
+
+GLASS = 1e-6
+
+
+def ball(point):
+    return 2.7 - math.dist(point, (4.0, 4.0, 4.0))
+
+
+def make_grid(level, first, cells, value, of_cells, noise):
+    """A block: 8 x 8 x 8 cells of size 1 are the coarsest level, each other is twice as fine."""
+    size = 0.5**level
+    grid = vtkUniformGrid()
+    grid.SetDimensions([n + 1 for n in cells])
+    grid.SetSpacing(size, size, size)
+    grid.SetOrigin([k * size for k in first])
+    values = vtkDoubleArray()
+    values.SetName("values")
+    counts = [n + (0 if of_cells else 1) for n in cells]
+    generator = random.Random(level + 1)
+    errors = {}
+    for z in range(counts[2]):
+        for y in range(counts[1]):
+            for x in range(counts[0]):
+                place = (first[0] + x, first[1] + y, first[2] + z)
+                generator.seed(str((level, place)))
+                shift = 0.5 if of_cells else 0.0
+                values.InsertNextValue(
+                    value([(k + shift) * size for k in place]) + noise * generator.uniform(-1, 1))
+    data = grid.GetCellData() if of_cells else grid.GetPointData()
+    data.SetScalars(values)
+    return grid
+
+
+def fill(amr, blocks, of_cells, value=ball, noise=0.0):
+    """Blocks are (level, first cell, cells)."""
+    levels = max(block[0] for block in blocks) + 1
+    numbers = [[block for block in blocks if block[0] == level] for level in range(levels)]
+    if amr.IsA("vtkOverlappingAMR"):
+        amr.Initialize(levels, [len(of_level) for of_level in numbers])
+        amr.SetOrigin([0.0, 0.0, 0.0])
+        amr.SetGridDescription(VTK_XYZ_GRID)
+    else:
+        amr.Initialize(levels, [len(of_level) for of_level in numbers])
+    grids = []
+    for level, of_level in enumerate(numbers):
+        if amr.IsA("vtkOverlappingAMR"):
+            amr.SetSpacing(level, [0.5**level] * 3)
+        for i, (_, first, cells) in enumerate(of_level):
+            grid = make_grid(level, first, cells, value, of_cells, noise)
+            if amr.IsA("vtkOverlappingAMR"):
+                amr.SetAMRBox(level, i, vtkAMRBox(first, [f + n - 1 for f, n in zip(first, cells)]))
+            amr.SetDataSet(level, i, grid)
+            grids.append(grid)
+    return grids
+
+
+NESTED = [(0, (0, 0, 0), (8, 8, 8)), (1, (2, 2, 2), (8, 8, 6)), (1, (2, 2, 8), (6, 8, 6)), (2, (8, 8, 8), (8, 8, 8))]
+# The coarse cells that finer ones replace do not exist.
+APART = ([(0, (x, y, z), (2, 2, 2)) for x in (0, 2, 4, 6) for y in (0, 2, 4, 6) for z in (0, 2, 4, 6)
+          if (x, y, z) not in ((2, 2, 2), (4, 2, 2), (4, 4, 6))]
+         + [(1, (4, 4, 4), (8, 4, 4)), (1, (8, 8, 12), (4, 4, 4))])  # fmt: skip
+
+
+def random_rays(count):
+    generator = random.Random(3)
+    rays = []
+    for _ in range(count):
+        through = [generator.uniform(1, 7) for _ in range(3)]
+        direction = [generator.uniform(-1, 1) for _ in range(3)]
+        if generator.random() < 0.5:
+            through = [round(4 * k) / 4 for k in through]
+        if generator.random() < 0.2:
+            direction[generator.randrange(3)] = 0.0
+        if math.hypot(*direction) > 0.1:
+            rays.append(([k - 200 * d for k, d in zip(through, direction)], direction))
+    return rays
+
+
+def make_mapper(data, isovalue=0.0, opacity=GLASS):
+    return make_volume(data, isovalue, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=opacity)
+
+
+class TestAmr(unittest.TestCase):
+    def check_closed(self, data):
+        mapper, volume = make_mapper(data)
+        rays = random_rays(20000)
+        hits = cast(mapper, volume, rays)
+        by_ray = {}
+        for ray, t, _, normal in hits:
+            direction = rays[ray][1]
+            by_ray.setdefault(ray, []).append((t, sum(a * b for a, b in zip(normal, direction))))
+        self.assertGreater(len(by_ray), 5000)
+        for of_ray in by_ray.values():
+            self.assertEqual(len(of_ray) % 2, 0, of_ray)
+        return mapper, volume, hits, rays
+
+    def test_no_ray_slips_through_where_levels_meet(self):
+        for of_cells in (False, True):
+            for kind, blocks in ((vtkOverlappingAMR, NESTED), (vtkNonOverlappingAMR, APART)):
+                for noise in (0.0, 0.3):
+                    with self.subTest(of_cells=of_cells, kind=kind.__name__, noise=noise):
+                        amr = kind()
+                        fill(amr, blocks, of_cells, noise=noise)
+                        self.check_closed(amr)
+
+    def test_hits_are_in_the_finest_cells(self):
+        for of_cells in (False, True):
+            amr = vtkOverlappingAMR()
+            grids = fill(amr, NESTED, of_cells)
+            mapper, _, hits, rays = self.check_closed(amr)
+            in_block, flat_index = mutable(0), mutable(0)
+            seen = set()
+            for ray, t, cell, _ in hits[::7]:
+                point = [o + t * d for o, d in zip(*rays[ray])]
+                # On the sphere, to within the curvature of the field in a cell.
+                self.assertAlmostEqual(ball(point), 0.0, delta=0.3)
+                block = mapper.FindBlock(cell, in_block, flat_index)
+                number = next(i for i, grid in enumerate(grids) if grid is block)
+                seen.add(number)
+                bounds = block.GetCell(int(in_block)).GetBounds()
+                for axis in range(3):
+                    self.assertGreater(point[axis], bounds[2 * axis] - 1e-6)
+                    self.assertLess(point[axis], bounds[2 * axis + 1] + 1e-6)
+                inside = [i for i, grid in enumerate(grids)
+                          if all(grid.GetBounds()[2 * axis] + 1e-6 < point[axis] < grid.GetBounds()[2 * axis + 1] - 1e-6
+                                 for axis in range(3))]  # fmt: skip
+                if inside:
+                    self.assertGreaterEqual(NESTED[number][0], NESTED[max(inside)][0])
+            self.assertEqual(len(seen), 4)
+
+    def test_a_linear_field_has_no_levels(self):
+        """All interpolants are exact, so the surface is a plane, and every ray hits it once."""
+        for of_cells in (False, True):
+            amr = vtkOverlappingAMR()
+            fill(amr, NESTED, of_cells, value=lambda p: p[0] + 0.5 * p[1] + 0.25 * p[2] - 7.0)
+            mapper, volume = make_mapper(amr)
+            rays = [((1.1 + 0.05 * i, 1.1 + 0.05 * j, -1.0), (0.01, 0.02, 1.0)) for i in range(110) for j in range(110)]
+            hits = cast(mapper, volume, rays)
+            count = 0
+            for ray, t, _, normal in hits:
+                point = [o + t * d for o, d in zip(*rays[ray])]
+                if all(1.0 < k < 7.0 for k in point):
+                    # At the border of the domain the means of cells are not linear.
+                    self.assertAlmostEqual(point[0] + 0.5 * point[1] + 0.25 * point[2], 7.0, delta=1e-9)
+                    self.assertAlmostEqual(abs(normal[0]), 1.0 / math.sqrt(1.3125), delta=1e-9)
+                    count += 1
+            self.assertGreater(count, 1000)
+
+    def test_one_level_is_the_image(self):
+        """Blocks of cells on one level are the image of the cells, between its centres."""
+        amr = vtkOverlappingAMR()
+        blocks = [(0, (x, y, z), (4, 4, 4)) for z in (0, 4) for y in (0, 4) for x in (0, 4)]
+        fill(amr, blocks, True, noise=0.4)
+        image = make_grid(0, (0, 0, 0), (8, 8, 8), ball, True, 0.4)
+        whole = vtkImageData()
+        whole.ShallowCopy(image)
+        rays = random_rays(3000)
+        hits = cast(*make_mapper(amr), rays)
+        expected = cast(*make_mapper(whole), rays)
+        self.assertGreater(len(expected), 3000)
+        self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
+        for hit, other in zip(hits, expected):
+            self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
+            self.assertLess(math.dist(hit[3], other[3]), 1.5)
+
+    def test_pulse(self):
+        """The source of VTK: a Gaussian pulse, two levels."""
+        source = vtkAMRGaussianPulseSource()
+        source.SetDimension(3)
+        source.SetRootSpacing(0.5)
+        source.Update()
+        amr = source.GetOutput()
+        mapper, volume = make_mapper(amr, 2e-5, 1.0)
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectScalarArray("Gaussian-Pulse")
+        camera = vtkCamera()
+        camera.SetPosition(3, 4, 12)
+        camera.SetClippingRange(1, 30)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, camera, None, 60, 60, image))
+        shown = 0
+        for pixel in range(3600):
+            x, y, z = image.GetPointData().GetArray("Position").GetTuple3(pixel)
+            if x == x:
+                shown += 1
+                # Its width is that of a coarse cell.
+                pulse = math.exp(-((x / 0.5) ** 2 + (y / 0.5) ** 2 + (z / 0.5) ** 2))
+                self.assertAlmostEqual(pulse, 0.2, delta=0.2)
+        self.assertGreater(shown, 20)
+
+    def test_blanked_cells_and_ghosts(self):
+        amr = vtkOverlappingAMR()
+        grids = fill(amr, NESTED, False)
+        before = cast(*make_mapper(amr), random_rays(2000))
+        flags = vtkUnsignedCharArray()
+        flags.SetName(vtkDataSetAttributes.GhostArrayName())
+        flags.SetNumberOfTuples(512)
+        flags.Fill(0)
+        grids[3].GetCellData().AddArray(flags)
+        self.assertEqual(cast(*make_mapper(amr), random_rays(2000)), before)
+        flags.Fill(vtkDataSetAttributes.HIDDENCELL)
+        flags.Modified()
+        mapper, volume = make_mapper(amr)
+        hidden = cast(mapper, volume, random_rays(2000))
+        self.assertLess(len(hidden), len(before))
+        in_block, flat_index = mutable(0), mutable(0)
+        self.assertFalse(any(mapper.FindBlock(hit[2], in_block, flat_index) is grids[3] for hit in hidden))
+
+    def test_a_block_that_does_not_fit_is_left_out(self):
+        for change, text in ((lambda grid: grid.SetSpacing(0.3, 0.3, 0.3), "whole part"),
+                             (lambda grid: grid.SetOrigin(1.1, 1.0, 1.0), "lattice of its level"),
+                             (lambda grid: grid.SetSpacing(math.nan, 0.5, 0.5), "spacing"),
+                             (lambda grid: grid.GetPointData().GetScalars().SetNumberOfTuples(5), "scalars unlike")):
+            with self.subTest(text):
+                amr = vtkOverlappingAMR()
+                grids = fill(amr, NESTED, False)
+                change(grids[2])
+                mapper, volume = make_mapper(amr)
+                hits = []
+                messages = errors_of(
+                    mapper, lambda: hits.extend(cast(mapper, volume, random_rays(500))), vtkCommand.WarningEvent)
+                self.assertEqual(len(messages), 1, messages)
+                self.assertIn("of the composite input is left out.", messages[0])
+                self.assertIn(text, messages[0])
+                self.assertGreater(len(hits), 100)
+
+    def test_what_no_ray_meets_costs_nothing(self):
+        amr = vtkOverlappingAMR()
+        fill(amr, NESTED, True)
+        mapper, volume = make_mapper(amr, opacity=1.0)
+        cast(mapper, volume, [((-1.0, 0.2, 0.2), (1.0, 0.0, 0.0))])
+        little = mapper.GetMacrocellMemory()
+        cast(mapper, volume, random_rays(500))
+        self.assertLess(little, 0.4 * mapper.GetMacrocellMemory())
+
+
+if __name__ == "__main__":
+    unittest.main()
