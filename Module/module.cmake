@@ -74,6 +74,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceAmrPart
   Rendering/vtkIsosurfaceRayTraceArrayColors
   Rendering/vtkIsosurfaceRayTraceBlock
+  Rendering/vtkIsosurfaceRayTraceBlockDisplay
   Rendering/vtkIsosurfaceRayTraceBlockJoin
   Rendering/vtkIsosurfaceRayTraceBlocks
   Rendering/vtkIsosurfaceRayTraceColors

@@ -5,6 +5,7 @@
 #include "vtkIsosurfaceRayTraceGeometry.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceLatticeSampling.h"
+#include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkImageData.h"
 
@@ -38,6 +39,22 @@ void vtkIsosurfaceRayTraceImageColors::Sample(
     values[component] =
       vtkIsosurfaceRayTraceSampleLattice(this->Array, dimensions, index, component);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Vector3 vtkIsosurfaceRayTraceBlockColors::Get(const vtkirt::Hit& hit) const
+{
+  const vtkIsosurfaceRayTraceBlockDisplay& display = this->Input.GetPart(hit).FindLeaf(hit).Display;
+  if (display.Color)
+  {
+    return *display.Color;
+  }
+  if (this->OfArray)
+  {
+    return this->OfArray->Get(hit);
+  }
+  const bool isCap = hit.Plane != vtkirt::Hit::NoPlane;
+  return this->OfValues.GetColor(isCap ? hit.Value : this->Input.GetField()->GetValue(hit));
 }
 
 VTK_ABI_NAMESPACE_END

@@ -11,6 +11,9 @@
 
 #include "Field/TracedField.h"
 
+#include <memory>  // for std::unique_ptr
+#include <utility> // for std::move
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkImageData;
@@ -61,6 +64,28 @@ private:
   vtkDataArray* Array;
   const vtkIsosurfaceRayTracing::TracedField& Field;
   vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject;
+};
+
+/// By the colours that blocks have; else as without them.
+class vtkIsosurfaceRayTraceBlockColors final : public vtkIsosurfaceRayTracing::HitColors
+{
+public:
+  /// The colours of an array may be null. All else must outlive this.
+  vtkIsosurfaceRayTraceBlockColors(const vtkIsosurfaceRayTraceInput& input,
+    std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ofArray,
+    const vtkIsosurfaceRayTraceValueColors& ofValues)
+    : Input(input)
+    , OfArray(std::move(ofArray))
+    , OfValues(ofValues)
+  {
+  }
+
+  vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+
+private:
+  const vtkIsosurfaceRayTraceInput& Input;
+  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> OfArray;
+  const vtkIsosurfaceRayTraceValueColors& OfValues;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -18,6 +18,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -126,7 +127,7 @@ void vtkIsosurfaceRayTraceEngine::UpdateInputs(vtkAlgorithm* mapper)
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
-  vtkAbstractVolumeMapper* mapper, double bounds[6])
+  vtkAbstractVolumeMapper* mapper, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
 {
   auto* blocks = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
   if (!blocks)
@@ -134,7 +135,14 @@ bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
     return false;
   }
   UpdateInputs(mapper);
-  blocks->GetBounds(bounds);
+  if (attributes && attributes->HasBlockVisibilities())
+  {
+    vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, blocks, bounds);
+  }
+  else
+  {
+    blocks->GetBounds(bounds);
+  }
   return true;
 }
 

@@ -24,6 +24,7 @@ class vtkAbstractMapper;
 class vtkAbstractVolumeMapper;
 class vtkAlgorithm;
 class vtkCamera;
+class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
@@ -66,8 +67,10 @@ public:
   /// have requested before.
   static void UpdateInputs(vtkAlgorithm* mapper);
 
-  /// Updates the input of a mapper and finds its bounds, if it is composite. Returns whether it is.
-  static bool FindBoundsOfBlocks(vtkAbstractVolumeMapper* mapper, double bounds[6]);
+  /// Updates the input of a mapper and finds the bounds of its visible blocks, if it is composite.
+  /// Returns whether it is. The attributes of blocks may be null.
+  static bool FindBoundsOfBlocks(vtkAbstractVolumeMapper* mapper,
+    vtkCompositeDataDisplayAttributes* attributes, double bounds[6]);
 
   ///@{
   /// See vtkIsosurfaceRayTraceMapper, which documents them.

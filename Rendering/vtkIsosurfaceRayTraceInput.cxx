@@ -12,6 +12,7 @@
 #include "vtkIsosurfaceRayTraceScalars.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -127,10 +128,12 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   this->IsComposite = composite != nullptr;
   this->AreSameLeaves = false;
+  this->Attributes = settings.Attributes;
   const std::string colors = settings.ColorImage ? "" : settings.ColorArrayName;
   if (composite)
   {
-    this->AreSameLeaves = this->Leaves.Collect(composite, this->Mapper, colors);
+    this->AreSameLeaves =
+      this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes);
     const std::string problem = this->Leaves.GetLeftOut().Describe();
     if (!this->Leaves.Get().empty())
     {
@@ -383,6 +386,21 @@ vtkirt::Visibility vtkIsosurfaceRayTraceInput::FindVisible() const
 std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColors(
   const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
 {
+  std::unique_ptr<vtkirt::HitColors> ofArray = this->MakeColorsOfArray(colorsOfValues);
+  const bool haveBlocksColors = std::any_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
+    [](const Leaf& leaf) { return leaf.Display.Color; });
+  if (!haveBlocksColors)
+  {
+    return ofArray;
+  }
+  return std::make_unique<vtkIsosurfaceRayTraceBlockColors>(
+    *this, std::move(ofArray), colorsOfValues);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray(
+  const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const
+{
   if (this->ColorArray)
   {
     return std::make_unique<vtkIsosurfaceRayTraceImageColors>(
@@ -409,7 +427,7 @@ bool vtkIsosurfaceRayTraceInput::IsIntact() const
 //------------------------------------------------------------------------------
 std::vector<vtkObject*> vtkIsosurfaceRayTraceInput::GetObjects() const
 {
-  std::vector<vtkObject*> objects = { this->ColorImage, this->ColorArray };
+  std::vector<vtkObject*> objects = { this->ColorImage, this->ColorArray, this->Attributes };
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     part->AddObjects(objects);

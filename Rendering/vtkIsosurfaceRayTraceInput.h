@@ -24,6 +24,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractVolumeMapper;
+class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
@@ -47,6 +48,8 @@ struct vtkIsosurfaceRayTraceInputSettings
   vtkImageData* ColorImage = nullptr;
   bool Tetrahedralize = false;
   vtkIsosurfaceRayTracing::ImageSettings Image;
+  /// How blocks are displayed; may be null.
+  vtkCompositeDataDisplayAttributes* Attributes = nullptr;
   /// Crops images; may be null.
   vtkVolumeMapper* Cropping = nullptr;
   int Threads = 1;
@@ -94,8 +97,8 @@ public:
   /// The component of the volume property that gives the colours of the surfaces.
   int GetPropertyComponent() const { return this->PropertyComponent; }
 
-  /// The colours of an array, by those of its values; null if surfaces are coloured by their
-  /// isovalues. The input and the colours of values must outlive them.
+  /// The colours of blocks, or of an array, by those of its values; null if surfaces are coloured
+  /// by their isovalues. The input and the colours of values must outlive them.
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
 
@@ -147,6 +150,8 @@ private:
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     PartList& before);
   void JoinParts();
+  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColorsOfArray(
+    const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
   /// Whether the field is that of a part by itself. (Seamless ones have margins, which a set cuts.)
   bool IsLone() const { return this->Parts.size() == 1 && !this->Parts.front()->IsSeamless(); }
 
@@ -156,6 +161,7 @@ private:
   vtkIsosurfaceRayTraceLeaves Leaves;
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   PartList Parts;
+  vtkCompositeDataDisplayAttributes* Attributes = nullptr;
   /// Whether leaves are as they were for the last selection, and parts the same if they are; what
   /// else these were selected by.
   bool AreSameLeaves = false;

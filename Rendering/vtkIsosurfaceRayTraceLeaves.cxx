@@ -9,6 +9,7 @@
 #include "vtkIsosurfaceRayTraceScalars.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -90,11 +91,13 @@ vtkIsosurfaceRayTraceLeaves::Snapshot vtkIsosurfaceRayTraceLeaves::TakeSnapshot(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceLeaves::Collect(
-  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName)
+bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
+  vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
+  vtkCompositeDataDisplayAttributes* attributes)
 {
   // There may be thousands of blocks, looked through in every frame.
   Snapshot now = TakeSnapshot(input, mapper);
+  now.DisplayTime = attributes ? attributes->GetMTime() : 0;
   if (now == this->Collected)
   {
     return true;
@@ -104,6 +107,7 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(
   this->Leaves.clear();
   this->NumberOfPoints = 0;
   this->NumberOfCells = 0;
+  const vtkIsosurfaceRayTraceBlockDisplays displays(input, attributes);
   const auto iterator = vtk::TakeSmartPointer(input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
@@ -113,9 +117,13 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(
       continue;
     }
     const Leaf leaf = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
-      this->NumberOfCells, nullptr, nullptr, FindName(iterator) };
+      this->NumberOfCells, nullptr, nullptr, FindName(iterator), displays.Get(data) };
     this->NumberOfPoints += data->GetNumberOfPoints();
     this->NumberOfCells += data->GetNumberOfCells();
+    if (!leaf.Display.IsVisible)
+    {
+      continue;
+    }
     const std::string problem = IsTraced(data)
       ? (HasVolume(data) ? this->Append(leaf, mapper, colorArrayName) : "")
       : std::string("It is a ") + data->GetClassName() + ". Give blocks of " + Names + ".";
@@ -139,7 +147,7 @@ void vtkIsosurfaceRayTraceLeaves::Take(
   this->OfCells = scalars.AreOfCells;
   this->NumberOfPoints = data->GetNumberOfPoints();
   this->NumberOfCells = data->GetNumberOfCells();
-  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName), "" } };
+  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName), "", {} } };
 }
 
 //------------------------------------------------------------------------------

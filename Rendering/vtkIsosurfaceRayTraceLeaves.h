@@ -6,10 +6,11 @@
 #ifndef vtkIsosurfaceRayTraceLeaves_h
 #define vtkIsosurfaceRayTraceLeaves_h
 
-#include "vtkDataSet.h"                    // for ivars
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkSmartPointer.h"               // for ivars
-#include "vtkType.h"                       // for vtkIdType
+#include "vtkDataSet.h"                        // for ivars
+#include "vtkIsosurfaceRayTraceBlockDisplay.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"                   // for ivars
+#include "vtkType.h"                           // for vtkIdType
 
 #include <string> // for std::string
 #include <vector> // for std::vector
@@ -17,6 +18,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractVolumeMapper;
+class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
@@ -35,6 +37,7 @@ struct vtkIsosurfaceRayTraceLeaf
   vtkDataArray* Colors;
   /// In composite data; often empty.
   std::string Name;
+  vtkIsosurfaceRayTraceBlockDisplay Display;
 
   /// For the beginning of a sentence.
   std::string GetName() const;
@@ -66,11 +69,11 @@ class vtkIsosurfaceRayTraceLeaves
 public:
   using Leaf = vtkIsosurfaceRayTraceLeaf;
 
-  /// Finds the blocks that have a volume and the scalars of a mapper. Others are passed over. What
-  /// is wrong with a block is told, and the block left out. Returns whether mapper and blocks are
-  /// as they were before, and so all that is known of them.
-  bool Collect(
-    vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
+  /// Finds the blocks that are visible, have a volume and the scalars of a mapper. Others are
+  /// passed over. What is wrong with a block is told, and the block left out. Returns whether
+  /// mapper and blocks are as they were before, and so all that is known of them.
+  bool Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
+    const std::string& colorArrayName, vtkCompositeDataDisplayAttributes* attributes);
 
   /// Takes a data set by itself. Its scalars may be null.
   void Take(vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
@@ -92,6 +95,7 @@ private:
   struct Snapshot
   {
     vtkMTimeType MapperTime = 0;
+    vtkMTimeType DisplayTime = 0;
     /// Blocks, their modification times, and their flat indices.
     std::vector<vtkDataObject*> Blocks;
     std::vector<vtkMTimeType> Times;
@@ -99,8 +103,9 @@ private:
 
     bool operator==(const Snapshot& other) const
     {
-      return this->MapperTime == other.MapperTime && this->Blocks == other.Blocks &&
-        this->Times == other.Times && this->FlatIndices == other.FlatIndices;
+      return this->MapperTime == other.MapperTime && this->DisplayTime == other.DisplayTime &&
+        this->Blocks == other.Blocks && this->Times == other.Times &&
+        this->FlatIndices == other.FlatIndices;
     }
   };
 

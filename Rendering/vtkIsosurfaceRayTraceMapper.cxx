@@ -98,7 +98,8 @@ void vtkIsosurfaceRayTraceMapper::Update(int /*port*/)
 //------------------------------------------------------------------------------
 double* vtkIsosurfaceRayTraceMapper::GetBounds()
 {
-  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(this, this->Bounds)
+  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
+           this, this->CompositeDataDisplayAttributes, this->Bounds)
     ? this->Bounds
     : this->Superclass::GetBounds();
 }

@@ -74,14 +74,15 @@
  * other lattices, each block is traced by itself where it is; small ones are prepared when the
  * first ray comes to them. Where caps of several blocks coincide, the first block is seen.
  *
- * AMR data (vtkOverlappingAMR, vtkNonOverlappingAMR) with scalars of points or of cells are drawn by
- * their finest cells. Levels meet without cracks: their interpolants are one continuous function,
- * in which nodes on the border of a finer block have the values of the coarser interpolant. Scalars
- * of cells are interpolated as those of images are, between the centres of cells; beside a coarser
- * level by octants (F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive Mesh Refinement Data,
- * IEEE TVCG 25(1), 2019). Refinement ratios are whole numbers, any for each level and axis. Of
- * blocks of one level that overlap, the first counts, but not its ghosts. A block is prepared when
- * the first ray comes to it, in 8 bytes for each of its points, or 64 for each of its cells.
+ * AMR data (vtkOverlappingAMR, vtkNonOverlappingAMR) with scalars of points or of cells are drawn
+ * by their finest cells. Levels meet without cracks: their interpolants are one continuous
+ * function, in which nodes on the border of a finer block have the values of the coarser
+ * interpolant. Scalars of cells are interpolated as those of images are, between the centres of
+ * cells; beside a coarser level by octants (F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive
+ * Mesh Refinement Data, IEEE TVCG 25(1), 2019). Refinement ratios are whole numbers, any for each
+ * level and axis. Of blocks of one level that overlap, the first counts, but not its ghosts. A
+ * block is prepared when the first ray comes to it, in 8 bytes for each of its points, or 64 for
+ * each of its cells.
  *
  * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
  * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
@@ -133,9 +134,11 @@
 #ifndef vtkIsosurfaceRayTraceMapper_h
 #define vtkIsosurfaceRayTraceMapper_h
 
-#include "vtkIsosurfaceRayTraceSetMacros.h" // for vtkIsosurfaceSetClampMacro
-#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkIsosurfaceRayTracingModule.h"  // for export macro
+#include "vtkCompositeDataDisplayAttributes.h" // for ivars
+#include "vtkIsosurfaceRayTraceSetMacros.h"    // for vtkIsosurfaceSetClampMacro
+#include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h"     // for export macro
+#include "vtkSmartPointer.h"                   // for ivars
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
@@ -325,6 +328,21 @@ public:
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * How the blocks of a composite input are displayed: whether they are visible, and their colours,
+   * which surfaces and caps have in place of those of the property and of ColorArrayName. What is
+   * said of a node holds for all blocks below it that have nothing of their own. Opacity is that of
+   * the property; pickability and materials are not used. Null, the default: all are displayed
+   * alike.
+   */
+  void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
+  vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes() const
+  {
+    return this->CompositeDataDisplayAttributes;
+  }
   ///@}
 
   /**
@@ -647,7 +665,7 @@ public:
 
   ///@{
   /**
-   * Get the bounds of the input; of composite input, those of all blocks.
+   * Get the bounds of the input; of composite input, those of all blocks that are visible.
    */
   using vtkVolumeMapper::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
@@ -757,6 +775,7 @@ private:
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   std::string ColorArrayName;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeDataDisplayAttributes;
   bool CapClippingPlanes = false;
   bool Shadows = false;
   bool AmbientOcclusion = false;

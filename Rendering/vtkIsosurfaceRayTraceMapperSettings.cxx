@@ -77,6 +77,17 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetCompositeDataDisplayAttributes(
+  vtkCompositeDataDisplayAttributes* attributes)
+{
+  if (this->CompositeDataDisplayAttributes != attributes)
+  {
+    this->CompositeDataDisplayAttributes = attributes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::SetColorArrayName(const char* name)
 {
   if (vtkIsosurfaceRayTraceSharedSettings::SetName(name, this->ColorArrayName))

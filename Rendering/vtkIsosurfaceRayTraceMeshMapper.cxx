@@ -71,7 +71,8 @@ void vtkIsosurfaceRayTraceMeshMapper::Update(int /*port*/)
 //------------------------------------------------------------------------------
 double* vtkIsosurfaceRayTraceMeshMapper::GetBounds()
 {
-  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(this, this->Bounds)
+  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
+           this, this->CompositeDataDisplayAttributes, this->Bounds)
     ? this->Bounds
     : this->Superclass::GetBounds();
 }
@@ -88,6 +89,17 @@ void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
 {
   if (vtkIsosurfaceRayTraceSharedSettings::SetTileSize(width, height, this->TileSize))
   {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetCompositeDataDisplayAttributes(
+  vtkCompositeDataDisplayAttributes* attributes)
+{
+  if (this->CompositeDataDisplayAttributes != attributes)
+  {
+    this->CompositeDataDisplayAttributes = attributes;
     this->Modified();
   }
 }

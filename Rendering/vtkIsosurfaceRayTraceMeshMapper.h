@@ -54,9 +54,11 @@
 #ifndef vtkIsosurfaceRayTraceMeshMapper_h
 #define vtkIsosurfaceRayTraceMeshMapper_h
 
-#include "vtkIsosurfaceRayTraceSetMacros.h" // for vtkIsosurfaceSetClampMacro
-#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkIsosurfaceRayTracingModule.h"  // for export macro
+#include "vtkCompositeDataDisplayAttributes.h" // for ivars
+#include "vtkIsosurfaceRayTraceSetMacros.h"    // for vtkIsosurfaceSetClampMacro
+#include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h"     // for export macro
+#include "vtkSmartPointer.h"                   // for ivars
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
@@ -163,6 +165,21 @@ public:
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * How the blocks of a composite input are displayed: whether they are visible, and their colours,
+   * which surfaces and caps have in place of those of the property and of ColorArrayName. What is
+   * said of a node holds for all blocks below it that have nothing of their own. Opacity is that of
+   * the property; pickability and materials are not used. Null, the default: all are displayed
+   * alike.
+   */
+  void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
+  vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes() const
+  {
+    return this->CompositeDataDisplayAttributes;
+  }
   ///@}
 
   ///@{
@@ -453,7 +470,7 @@ public:
 
   ///@{
   /**
-   * Get the bounds of the input; of composite input, those of all blocks.
+   * Get the bounds of the input; of composite input, those of all blocks that are visible.
    */
   using vtkUnstructuredGridVolumeMapper::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
@@ -491,6 +508,7 @@ private:
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   std::string ColorArrayName;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeDataDisplayAttributes;
   bool Tetrahedralize = false;
   bool CapClippingPlanes = false;
   bool Shadows = false;

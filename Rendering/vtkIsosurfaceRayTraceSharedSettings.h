@@ -36,6 +36,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     visit("VectorMode", &Mapper::VectorMode, vectorModes - Mapper::DISABLED);
     visit("VectorComponent", &Mapper::VectorComponent);
     visit("ColorArrayName", &Mapper::ColorArrayName);
+    visit("CompositeDataDisplayAttributes", &Mapper::CompositeDataDisplayAttributes);
     visit("CapClippingPlanes", &Mapper::CapClippingPlanes);
     visit("Shadows", &Mapper::Shadows);
     visit("AmbientOcclusion", &Mapper::AmbientOcclusion);
@@ -89,6 +90,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     settings.Component =
       vtkIsosurfaceRayTraceEnumerators::FindComponent(mapper.VectorMode, mapper.VectorComponent);
     settings.ColorArrayName = mapper.ColorArrayName;
+    settings.Attributes = mapper.CompositeDataDisplayAttributes;
     settings.Threads = FindNumberOfThreads(mapper);
   }
 
@@ -135,6 +137,12 @@ struct vtkIsosurfaceRayTraceSharedSettings
   static void Write(ostream& os, const T& value)
   {
     os << value;
+  }
+
+  template <typename T>
+  static void Write(ostream& os, const vtkSmartPointer<T>& object)
+  {
+    os << object.Get();
   }
 
   static void Write(ostream& os, bool value) { os << (value ? "on" : "off"); }

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_TETRA,
+    vtkDataObject,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPartitionedDataSetCollection,
@@ -19,8 +20,14 @@ from vtkmodules.vtkCommonDataModel import (
     vtkRectilinearGrid,
     vtkUnstructuredGrid,
 )
-from vtkmodules.vtkRenderingCore import vtkHardwareSelector, vtkLight, vtkLightCollection, vtkRenderer, vtkRenderWindow
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkRenderingCore import (
+    vtkCompositeDataDisplayAttributes,
+    vtkHardwareSelector,
+    vtkLight,
+    vtkLightCollection,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 import vtkmodules.vtkRenderingOpenGL2  # the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
@@ -241,6 +248,78 @@ class TestManyGrids(unittest.TestCase):
                 self.assertIs(block, blocks[int(flat_index) - 1])
                 seen.add(int(flat_index))
         self.assertGreaterEqual(len(seen), 3)
+
+    def test_visibility_of_blocks(self):
+        blocks = make_blocks()
+        composite = vtkMultiBlockDataSet()
+        composite.SetBlock(0, multi_block(blocks[:3]))
+        composite.SetBlock(1, multi_block(blocks[3:]))
+        mapper, volume = make_volume(composite, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.01)
+        rays = parallel_rays(15)
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+
+        def check(*visible):
+            """Blocks keep their numbers of cells."""
+            listed = [blocks[i] for i in visible]
+            hits, expected = cast(mapper, volume, rays), expected_hits(listed, rays)
+            self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
+            in_block, flat_index = mutable(0), mutable(0)
+            for hit, other in zip(hits, expected):
+                self.assertIs(mapper.FindBlock(hit[2], in_block, flat_index), listed[other[2]])
+            bounds = [listed[0].GetBounds()[i] for i in range(6)]
+            for block in listed[1:]:
+                bounds = [(min, max)[i % 2](a, b) for i, (a, b) in enumerate(zip(bounds, block.GetBounds()))]
+            self.assertEqual(list(mapper.GetBounds()), bounds)
+
+        check(0, 1, 2, 3, 4)
+        attributes.SetBlockVisibility(blocks[1], False)
+        check(0, 2, 3, 4)
+        attributes.SetBlockVisibility(composite.GetBlock(0), False)
+        check(3, 4)
+        attributes.SetBlockVisibility(blocks[2], True)
+        check(2, 3, 4)
+        attributes.SetBlockVisibility(composite, False)
+        check(2)
+        attributes.RemoveBlockVisibilities()
+        check(0, 1, 2, 3, 4)
+
+    def test_colours_of_blocks(self):
+        """Also of images on one lattice, which are one image."""
+        halves = [make_image((3.0 * i, 0, 0), (0.25, 0.25, 0.25), 13, ball) for i in range(2)]
+        meshes = [make_grid(VTK_TETRA, lambda p: 0.4 - math.dist(p, (1.0, 3.0, 5.0)) + 0.6)]
+        camera = vtkRenderer().MakeCamera()
+        camera.SetPosition(3, 3, 30)
+        camera.SetFocalPoint(3, 3, 0)
+        camera.SetClippingRange(10, 50)
+        colors = ((1.0, 0.0, 0.2), (0.0, 0.4, 1.0))
+        for mapper_class in (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper):
+            blocks = halves + meshes
+            mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=mapper_class)
+            volume.GetProperty().ShadeOff()
+            attributes = vtkCompositeDataDisplayAttributes()
+            mapper.SetCompositeDataDisplayAttributes(attributes)
+            for chosen in ((), (1,), (0, 2)):
+                attributes.RemoveBlockColors()
+                for k, i in enumerate(chosen):
+                    attributes.SetBlockColor(blocks[i], colors[k])
+                image = vtkImageData()
+                self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+                data = image.GetPointData()
+                seen = set()
+                in_block, flat_index = mutable(0), mutable(0)
+                for pixel in range(PIXELS**2):
+                    cell = int(data.GetArray("CellId").GetValue(pixel))
+                    if cell < 0:
+                        continue
+                    mapper.FindBlock(cell, in_block, flat_index)
+                    number = int(flat_index) - 1
+                    seen.add(number)
+                    expected = colors[chosen.index(number)] if number in chosen else (0.9, 0.7, 0.5)
+                    for channel in range(3):
+                        self.assertAlmostEqual(data.GetArray("Colors").GetComponent(pixel, channel),
+                                               255 * expected[channel], delta=1)
+                self.assertEqual(seen, {0, 1, 2})
 
     def test_shadows_fall_from_block_to_block(self):
         floor = make_image((0, 0, 0), (0.5, 0.5, 0.5), 13, lambda p: 1.1 - p[2])

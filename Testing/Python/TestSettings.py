@@ -7,7 +7,7 @@ import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkPlaneCollection
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkRenderingCore import vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes, vtkVolume, vtkVolumeProperty
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper, vtkVolumeMapper
 import vtkmodules.vtkRenderingVolumeOpenGL2  # what vtkFixedPointVolumeRayCastMapper needs
 from vtkIsosurfaceRayTracing import (
@@ -46,6 +46,9 @@ def change(mapper, name):
     if name == "ClippingPlanes":
         mapper.AddClippingPlane(vtkPlane())
         return mapper.GetClippingPlanes()
+    if name == "CompositeDataDisplayAttributes":
+        mapper.SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes())
+        return get(mapper, name)
     if name == "MacrocellBranching":
         for level in range(LEVELS):
             mapper.SetMacrocellBranching(level, 10 + level)
