@@ -88,6 +88,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceInput
+  Rendering/vtkIsosurfaceRayTraceInputs
   Rendering/vtkIsosurfaceRayTraceLattices
   Rendering/vtkIsosurfaceRayTraceLeaves
   Rendering/vtkIsosurfaceRayTraceMesh

@@ -4,7 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceHolder.h"
-#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
 #include "vtkIsosurfaceRayTraceOutput.h"
@@ -16,6 +16,7 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -25,6 +26,8 @@
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
@@ -57,6 +60,44 @@ bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle
   return x >= 0 && x < pixels.Width && y >= 0 && y < pixels.Height;
 }
 
+void FindBoundsOfData(
+  vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    if (attributes && attributes->HasBlockVisibilities())
+    {
+      vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, blocks, bounds);
+    }
+    else
+    {
+      blocks->GetBounds(bounds);
+    }
+  }
+  else if (auto* grid = vtkDataSet::SafeDownCast(data))
+  {
+    grid->GetBounds(bounds);
+  }
+}
+
+/// Makes bounds those of what is in them after a transformation.
+void Transform(vtkMatrix4x4* matrix, double bounds[6])
+{
+  vtkBoundingBox moved;
+  for (int corner = 0; corner < 8 && vtkMath::AreBoundsInitialized(bounds); ++corner)
+  {
+    const double point[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+      bounds[4 + (corner >> 2)], 1.0 };
+    double result[4];
+    matrix->MultiplyPoint(point, result);
+    moved.AddPoint(result);
+  }
+  if (moved.IsValid())
+  {
+    moved.GetBounds(bounds);
+  }
+}
+
 /// The names of parameters are those of IntersectWithLine.
 void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double pcoords[3],
   vtkIdType& cellId, double& isovalue, double normal[3])
@@ -66,12 +107,6 @@ void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double
   cellId = hit.CellId;
   isovalue = hit.Value;
   std::copy_n(hit.Normal.begin(), 3, normal);
-}
-
-/// All zero before an input is first traced.
-vtkirt::FieldStatistics GetStatisticsOf(const vtkIsosurfaceRayTraceInput& input)
-{
-  return input.GetField() ? input.GetField()->GetStatistics() : vtkirt::FieldStatistics{};
 }
 
 }
@@ -126,22 +161,33 @@ void vtkIsosurfaceRayTraceEngine::UpdateInputs(vtkAlgorithm* mapper)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
-  vtkAbstractVolumeMapper* mapper, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
+bool vtkIsosurfaceRayTraceEngine::FindBounds(
+  vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
 {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
-  if (!blocks)
+  const int connections = this->Mapper->GetNumberOfInputConnections(0);
+  if (connections < 2 && !vtkCompositeDataSet::SafeDownCast(this->Mapper->GetDataObjectInput()) &&
+    !this->TheClient.GetConnectionVolume(0))
   {
     return false;
   }
-  UpdateInputs(mapper);
-  if (attributes && attributes->HasBlockVisibilities())
+  UpdateInputs(this->Mapper);
+  vtkBoundingBox all;
+  for (int i = 0; i < connections; ++i)
   {
-    vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, blocks, bounds);
+    double own[6];
+    vtkMath::UninitializeBounds(own);
+    FindBoundsOfData(this->Mapper->GetInputDataObject(0, i), attributes, own);
+    if (vtkVolume* volume = this->TheClient.GetConnectionVolume(i))
+    {
+      volume->ComputeMatrix();
+      Transform(volume->GetMatrix(), own);
+    }
+    all.AddBounds(own);
   }
-  else
+  vtkMath::UninitializeBounds(bounds);
+  if (all.IsValid())
   {
-    blocks->GetBounds(bounds);
+    all.GetBounds(bounds);
   }
   return true;
 }
@@ -149,42 +195,69 @@ bool vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
 //------------------------------------------------------------------------------
 vtkirt::FieldStatistics vtkIsosurfaceRayTraceEngine::GetStatistics() const
 {
-  return GetStatisticsOf(*this->Uses.Input);
+  return this->Uses.Inputs->GetStatistics();
 }
 
 //------------------------------------------------------------------------------
 vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
   vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex)
 {
-  const vtkIsosurfaceRayTraceInput& input = this->Uses.GetLastInput();
-  if (vtkDataSet* block = input.FindBlock(cellId, cellInBlock, flatIndex))
+  const vtkIsosurfaceRayTraceInputs& inputs = this->Uses.GetLastInputs();
+  const int connection = std::max(0, inputs.FindConnection(cellId));
+  if (vtkDataSet* block = inputs.Get(connection).FindBlock(cellId, cellInBlock, flatIndex))
   {
     return block;
   }
   cellInBlock = cellId;
   flatIndex = 0;
-  return this->Mapper->GetDataSetInput();
+  return connection < this->Mapper->GetNumberOfInputConnections(0)
+    ? vtkDataSet::SafeDownCast(this->Mapper->GetInputDataObject(0, connection))
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceEngine::SelectInput(
-  vtkIsosurfaceRayTraceInput& input, vtkVolume* volume) const
+std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
+  const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const
 {
   std::string problem = vtkIsosurfaceRayTraceRequest::FindProblem(this->TheClient.GetSettings());
-  if (!problem.empty())
+  inputs.SetNumber(static_cast<int>(volumes.OfConnections.size()));
+  for (int i = 0; i < inputs.GetNumber() && problem.empty(); ++i)
   {
-    return problem;
+    vtkIsosurfaceRayTraceInput& input = inputs.Get(i);
+    vtkVolume* own = volumes.OfConnections[static_cast<std::size_t>(i)];
+    problem = input.Select(volumes.GetProperty(i));
+    if (problem.empty())
+    {
+      problem = vtkIsosurfaceRayTraceProblems::FindInVolume(
+        own ? own : volumes.Drawn, input.GetPropertyComponent(), input.FindPhysicalFromObject());
+    }
+    if (problem.empty() && own &&
+      !vtkIsosurfaceRayTraceProblems::IsInvertible(volumes.FindWorldFromData(i)))
+    {
+      problem = "The matrices of its volume and of the one that is drawn have no finite product "
+                "with an inverse. Give both finite numbers, and scales other than 0.";
+    }
+    if (!problem.empty() && inputs.GetNumber() > 1)
+    {
+      return "Connection " + std::to_string(i) + ": " + problem;
+    }
   }
-  problem = input.Select(volume->GetProperty());
-  if (!problem.empty())
-  {
-    return problem;
-  }
-  problem = vtkIsosurfaceRayTraceProblems::FindInVolume(
-    volume, input.GetPropertyComponent(), input.FindPhysicalFromObject());
   return problem.empty()
     ? vtkIsosurfaceRayTraceProblems::FindInPlanes(this->Mapper->GetClippingPlanes())
     : problem;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceRequest::DrawnVolumes vtkIsosurfaceRayTraceEngine::FindVolumes(
+  vtkVolume* drawn) const
+{
+  vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes{ drawn, {} };
+  const int connections = std::max(1, this->Mapper->GetNumberOfInputConnections(0));
+  for (int i = 0; i < connections; ++i)
+  {
+    volumes.OfConnections.push_back(this->TheClient.GetConnectionVolume(i));
+  }
+  return volumes;
 }
 
 //------------------------------------------------------------------------------
@@ -192,21 +265,29 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
 {
   this->Mapper->Update();
-  vtkIsosurfaceRayTraceInput& input = use.GetInput();
-  if (this->ReportOnce(this->SelectInput(input, volume)))
+  vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
+  const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
+  if (this->ReportOnce(this->SelectInputs(inputs, volumes)))
   {
     return nullptr;
   }
-  this->WarnOnce(input.DescribeLeftOut());
   const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
   const vtkirt::Stopwatch watch;
-  if (input.Update(settings.NumberOfThreads))
+  bool isBuilt = false;
+  std::string leftOut;
+  for (int i = 0; i < inputs.GetNumber(); ++i)
+  {
+    leftOut = leftOut.empty() ? inputs.Get(i).DescribeLeftOut() : leftOut;
+    isBuilt = inputs.Get(i).Update(settings.NumberOfThreads) || isBuilt;
+  }
+  if (isBuilt)
   {
     this->HierarchyTime = watch.GetSeconds();
   }
+  this->WarnOnce(leftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
-    settings, input, volume, this->Mapper->GetClippingPlanes());
-  const double gradients = GetStatisticsOf(input).GradientSeconds;
+    settings, inputs, volumes, this->Mapper->GetClippingPlanes());
+  const double gradients = inputs.GetStatistics().GradientSeconds;
   if (gradients > 0.0)
   {
     this->GradientTime = gradients;
@@ -224,7 +305,7 @@ bool vtkIsosurfaceRayTraceEngine::SendEvent(const vtkIsosurfaceRayTraceUse& use,
     return true;
   }
   this->Mapper->InvokeEvent(event, progress);
-  return request.Input.IsIntact() ||
+  return request.Inputs.IsIntact() ||
     !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
                       "that were being traced, so the picture is not complete. Change them between "
                       "frames.");
@@ -268,14 +349,22 @@ try
     return false;
   }
   this->Mapper->Update();
-  vtkIsosurfaceRayTraceInput& input = use.GetInput();
-  if (!this->SelectInput(input, volume).empty())
+  vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
+  const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
+  if (!this->SelectInputs(inputs, volumes).empty())
   {
     return false;
   }
-  const std::vector<vtkirt::Isosurface> surfaces =
-    vtkIsosurfaceRayTraceScene::GetSurfaces(volume->GetProperty(), input.GetPropertyComponent());
-  return !surfaces.empty() && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
+  bool areAny = false;
+  bool areOpaque = true;
+  for (int i = 0; i < inputs.GetNumber(); ++i)
+  {
+    const std::vector<vtkirt::Isosurface> surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(
+      volumes.GetProperty(i), inputs.Get(i).GetPropertyComponent());
+    areAny = areAny || !surfaces.empty();
+    areOpaque = areOpaque && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
+  }
+  return areAny && areOpaque;
 }
 catch (const std::bad_alloc&)
 {

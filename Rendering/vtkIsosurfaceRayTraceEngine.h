@@ -8,6 +8,7 @@
 #define vtkIsosurfaceRayTraceEngine_h
 
 #include "vtkIsosurfaceRayTraceFrame.h"    // for ivars
+#include "vtkIsosurfaceRayTraceRequest.h"  // for arguments
 #include "vtkIsosurfaceRayTraceUse.h"      // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
@@ -29,14 +30,12 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
-class vtkIsosurfaceRayTraceInput;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
-struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
 
 class vtkIsosurfaceRayTraceEngine
@@ -47,7 +46,9 @@ public:
   {
     std::function<vtkIsosurfaceRayTraceSettings()> GetSettings;
     /// Makes an input of the mapper.
-    vtkIsosurfaceRayTraceUseState::Maker NewInput;
+    vtkIsosurfaceRayTraceInputs::Maker NewInput;
+    /// The volume that was set for a connection; null if none was.
+    std::function<vtkVolume*(int connection)> GetConnectionVolume;
     /// Called with the distance between rays of the frame that begins.
     std::function<void(float)> SetImageSampleDistance;
     /// What to do where there is not enough memory, as sentences.
@@ -67,10 +68,10 @@ public:
   /// have requested before.
   static void UpdateInputs(vtkAlgorithm* mapper);
 
-  /// Updates the input of a mapper and finds the bounds of its visible blocks, if it is composite.
-  /// Returns whether it is. The attributes of blocks may be null.
-  static bool FindBoundsOfBlocks(vtkAbstractVolumeMapper* mapper,
-    vtkCompositeDataDisplayAttributes* attributes, double bounds[6]);
+  /// Updates the inputs of the mapper and finds the bounds of all that is visible, if there are
+  /// several connections or composite data. Returns whether there are. The attributes of blocks may
+  /// be null.
+  bool FindBounds(vtkCompositeDataDisplayAttributes* attributes, double bounds[6]);
 
   ///@{
   /// See vtkIsosurfaceRayTraceMapper, which documents them.
@@ -102,8 +103,11 @@ public:
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
 
 private:
-  /// Selects what to trace of an input. Returns why it cannot be traced; empty if it can.
-  std::string SelectInput(vtkIsosurfaceRayTraceInput& input, vtkVolume* volume) const;
+  /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
+  /// empty if they can.
+  std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
+    const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const;
+  vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);

@@ -3,7 +3,7 @@
 #include "vtkIsosurfaceRayTraceFrame.h"
 
 #include "vtkIsosurfaceRayTraceHits.h"
-#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -170,8 +170,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   const Drawing drawing(settings, target);
   this->SetScene(settings, request, target, drawing);
   const vtkirt::Scene& scene = this->Picture.Scene;
-  const vtkirt::TraceRequest& trace = request.GetTraceRequest();
-  if (trace.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
+  if (request.IsNothing() || scene.Pixels.Width == 0 || scene.Pixels.Height == 0)
   {
     return true;
   }
@@ -179,7 +178,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   const vtkirt::Stopwatch ofDepths;
   // For a selection of points the depth is also that of our own surfaces, rounded; there, the depth
   // test decides.
-  if (MayShowOthers(target.Renderer) && (!drawing.Selector || trace.Projection))
+  if (MayShowOthers(target.Renderer) && (!drawing.Selector || request.IsProjection()))
   {
     this->ReadDepths(drawing);
   }
@@ -265,8 +264,12 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   {
     return this->Trace(request.Execution, drawing, keepGoing);
   }
-  std::vector<vtkObject*> objects = request.Input.GetObjects();
-  objects.insert(objects.end(), { target.Mapper, request.Property });
+  std::vector<vtkObject*> objects = request.Inputs.GetObjects();
+  objects.push_back(target.Mapper);
+  for (const vtkIsosurfaceRayTraceRequest::Volume& volume : request.Volumes)
+  {
+    objects.push_back(volume.Property);
+  }
   const vtkIsosurfaceRayTraceAccumulation::Key key = { objects,
     static_cast<double>(settings.ImageSampleDistance), scene };
   vtkIsosurfaceRayTraceAccumulation& accumulation =
@@ -334,14 +337,14 @@ void vtkIsosurfaceRayTraceFrame::DisplayColors(const Drawing& drawing)
 void vtkIsosurfaceRayTraceFrame::DisplayIds(
   const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing)
 {
-  const vtkIsosurfaceRayTraceSelection selection(drawing.Selector, request.Input);
+  const vtkIsosurfaceRayTraceSelection selection(drawing.Selector, request.Inputs);
   selection.WriteIds(this->Picture);
   if (drawing.Sampling.Rays > 1)
   {
     vtkirt::TakeNearestRays(
       drawing.Sampling.Rays, this->Picture.Scene.Pixels.Width, this->Picture.Frame);
   }
-  const bool isOpaque = !request.GetTraceRequest().Projection;
+  const bool isOpaque = !request.IsProjection();
   this->Display.Display(drawing.Window, this->GetImage(drawing, isOpaque), nullptr);
 }
 

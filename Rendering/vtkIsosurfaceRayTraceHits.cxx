@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceHits.h"
 
-#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 
 #include "vtkCamera.h"
@@ -21,36 +21,42 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector3>& origins,
   const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
 {
-  const vtkirt::Matrix4& worldFromObject = this->Request.WorldFromObject;
-  vtkirt::Matrix4 objectFromWorld = {};
-  vtkMatrix4x4::Invert(worldFromObject.data(), objectFromWorld.data());
-  // Differences first: no digits are lost in a volume far from the origin of the world.
-  const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
-  std::vector<vtkirt::CastRay> rays(origins.size());
-  for (std::size_t i = 0; i < rays.size(); ++i)
+  std::vector<vtkirt::TracedField*> fields;
+  std::vector<std::vector<vtkirt::CastRay>> rays;
+  for (const vtkIsosurfaceRayTraceRequest::Volume& volume : this->Request.Volumes)
   {
-    using vtkirt::operator-;
-    rays[i] = { vtkirt::TransformDirection(objectFromWorld, origins[i] - first),
-      vtkirt::TransformDirection(objectFromWorld, directions[i]), 0.0, tEnd };
+    const vtkirt::Matrix4& worldFromObject = volume.WorldFromObject;
+    vtkirt::Matrix4 objectFromWorld = {};
+    vtkMatrix4x4::Invert(worldFromObject.data(), objectFromWorld.data());
+    // Differences first: no digits are lost in a volume far from the origin of the world.
+    const vtkirt::Vector3 first = vtkirt::TransformPoint(worldFromObject, { 0.0, 0.0, 0.0 });
+    fields.push_back(volume.Input->GetField());
+    rays.emplace_back(origins.size());
+    for (std::size_t i = 0; i < origins.size(); ++i)
+    {
+      using vtkirt::operator-;
+      rays.back()[i] = { vtkirt::TransformDirection(objectFromWorld, origins[i] - first),
+        vtkirt::TransformDirection(objectFromWorld, directions[i]), 0.0, tEnd };
+    }
   }
-  return vtkirt::CastRays(*this->Request.Input.GetField(), rays, threads);
+  return vtkirt::CastRays(fields, rays, threads);
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetPosition(const vtkirt::Hit& hit) const
 {
-  return vtkirt::TransformPoint(
-    this->Request.WorldFromObject, this->Request.Input.GetField()->GetPoint(hit));
+  const vtkIsosurfaceRayTraceRequest::Volume& volume = this->Request.GetVolume(hit);
+  return vtkirt::TransformPoint(volume.WorldFromObject, volume.GetField().GetPoint(hit));
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetNormal(const vtkirt::Hit& hit) const
 {
   using vtkirt::operator*;
-  const vtkirt::TracedField& field = *this->Request.Input.GetField();
+  const vtkIsosurfaceRayTraceRequest::Volume& volume = this->Request.GetVolume(hit);
+  const vtkirt::TracedField& field = volume.GetField();
   const vtkirt::Vector3 gradient = field.GetGradient(hit, field.GetRequest().Normals);
-  return vtkirt::Normalized(vtkirt::GradientToWorld(this->Request.WorldFromObject, gradient)) *
-    -1.0;
+  return vtkirt::Normalized(vtkirt::GradientToWorld(volume.WorldFromObject, gradient)) * -1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -58,10 +64,10 @@ vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   const vtkirt::Hit& hit) const
 {
   Description description;
-  description.CellId = this->Request.Input.FindCell(hit, description.Parametric);
+  description.CellId = this->Request.Inputs.FindCell(hit, description.Parametric);
   description.Position = this->GetPosition(hit);
   description.Normal = this->GetNormal(hit);
-  description.Value = this->Request.Input.GetField()->GetValue(hit);
+  description.Value = this->Request.GetVolume(hit).GetField().GetValue(hit);
   return description;
 }
 

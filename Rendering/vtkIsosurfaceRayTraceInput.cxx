@@ -61,15 +61,24 @@ bool AreSame(const vtkirt::PlacedField& a, const vtkirt::PlacedField& b)
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceInput::vtkIsosurfaceRayTraceInput(
-  vtkAbstractVolumeMapper* mapper, std::function<vtkIsosurfaceRayTraceInputSettings()> getSettings)
+vtkIsosurfaceRayTraceInput::vtkIsosurfaceRayTraceInput(vtkAbstractVolumeMapper* mapper,
+  int connection, std::function<vtkIsosurfaceRayTraceInputSettings()> getSettings)
   : Mapper(mapper)
+  , Connection(connection)
   , GetSettings(std::move(getSettings))
 {
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceInput::~vtkIsosurfaceRayTraceInput() = default;
+
+//------------------------------------------------------------------------------
+vtkDataObject* vtkIsosurfaceRayTraceInput::GetData() const
+{
+  return this->Connection < this->Mapper->GetNumberOfInputConnections(0)
+    ? this->Mapper->GetInputDataObject(0, this->Connection)
+    : nullptr;
+}
 
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
@@ -124,7 +133,7 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
 std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   const vtkIsosurfaceRayTraceInputSettings& settings)
 {
-  vtkDataObject* input = this->Mapper->GetDataObjectInput();
+  vtkDataObject* input = this->GetData();
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   this->IsComposite = composite != nullptr;
   this->AreSameLeaves = false;
@@ -211,7 +220,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
       grids.push_back(leaf);
     }
   }
-  if (vtkUniformGridAMR::SafeDownCast(this->Mapper->GetDataObjectInput()))
+  if (vtkUniformGridAMR::SafeDownCast(this->GetData()))
   {
     this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts(
       grids, scalars, settings.Image, settings.Cropping, this->LeftOut);

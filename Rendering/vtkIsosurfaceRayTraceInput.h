@@ -26,6 +26,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractVolumeMapper;
 class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceGridPart;
@@ -58,8 +59,8 @@ struct vtkIsosurfaceRayTraceInputSettings
 class vtkIsosurfaceRayTraceInput
 {
 public:
-  /// The mapper owns its inputs, and tells its settings.
-  vtkIsosurfaceRayTraceInput(vtkAbstractVolumeMapper* mapper,
+  /// Of a connection of the first port. The mapper owns its inputs, and tells its settings.
+  vtkIsosurfaceRayTraceInput(vtkAbstractVolumeMapper* mapper, int connection,
     std::function<vtkIsosurfaceRayTraceInputSettings()> getSettings);
   ~vtkIsosurfaceRayTraceInput();
   vtkIsosurfaceRayTraceInput(const vtkIsosurfaceRayTraceInput&) = delete;
@@ -155,7 +156,10 @@ private:
   /// Whether the field is that of a part by itself. (Seamless ones have margins, which a set cuts.)
   bool IsLone() const { return this->Parts.size() == 1 && !this->Parts.front()->IsSeamless(); }
 
+  vtkDataObject* GetData() const;
+
   vtkAbstractVolumeMapper* Mapper;
+  int Connection;
   std::function<vtkIsosurfaceRayTraceInputSettings()> GetSettings;
   bool IsComposite = false;
   vtkIsosurfaceRayTraceLeaves Leaves;

@@ -21,11 +21,12 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceMapper);
 vtkIsosurfaceRayTraceMapper::vtkIsosurfaceRayTraceMapper()
   : Engine(std::make_unique<vtkIsosurfaceRayTraceEngine>(this,
       vtkIsosurfaceRayTraceEngine::Client{ [this] { return this->GetSettings(); },
-        [this]
+        [this](int connection)
         {
           return std::make_unique<vtkIsosurfaceRayTraceInput>(
-            this, [this] { return this->GetInputSettings(); });
+            this, connection, [this] { return this->GetInputSettings(); });
         },
+        [this](int connection) { return this->GetConnectionVolume(connection); },
         [this](float distance) { this->ImageSampleDistance = distance; },
         "Call SetMaximumBrickMemory() or SetBrickLayoutToNoBricks(), or make the picture or the "
         "input smaller." }))
@@ -43,7 +44,10 @@ int vtkIsosurfaceRayTraceMapper::FillInputPortInformation(int port, vtkInformati
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   if (port == 0)
   {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
   else
@@ -98,8 +102,7 @@ void vtkIsosurfaceRayTraceMapper::Update(int /*port*/)
 //------------------------------------------------------------------------------
 double* vtkIsosurfaceRayTraceMapper::GetBounds()
 {
-  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
-           this, this->CompositeDataDisplayAttributes, this->Bounds)
+  return this->Engine->FindBounds(this->CompositeDataDisplayAttributes, this->Bounds)
     ? this->Bounds
     : this->Superclass::GetBounds();
 }

@@ -143,6 +143,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -343,6 +344,19 @@ public:
   {
     return this->CompositeDataDisplayAttributes;
   }
+  ///@}
+
+  ///@{
+  /**
+   * Several connections of the first port (AddInputConnection) are drawn together: hits are in the
+   * order of each ray, whatever data they are of. The volume of a connection, counted from 0, gives
+   * its data their own property (isovalues, colours, opacities, material) and their place: its
+   * matrix leads from the coordinates of the data to those of the volume that the mapper draws. It
+   * must not be in a renderer by itself. Null, the default: the property is that of the drawn
+   * volume, and the data are where they are. Cells are numbered through all connections.
+   */
+  void SetConnectionVolume(int connection, vtkVolume* volume);
+  vtkVolume* GetConnectionVolume(int connection) const;
   ///@}
 
   /**
@@ -775,6 +789,7 @@ private:
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   std::string ColorArrayName;
+  std::vector<vtkSmartPointer<vtkVolume>> ConnectionVolumes;
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeDataDisplayAttributes;
   bool CapClippingPlanes = false;
   bool Shadows = false;

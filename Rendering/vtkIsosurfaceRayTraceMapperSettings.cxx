@@ -64,9 +64,7 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
 {
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    const bool hasInput =
-      port < mapper->GetNumberOfInputPorts() && mapper->GetNumberOfInputConnections(port) > 0;
-    this->SetInputConnection(port, hasInput ? mapper->GetInputConnection(port, 0) : nullptr);
+    vtkIsosurfaceRayTraceSharedSettings::CopyConnections(mapper, port, this);
   }
   vtkIsosurfaceRayTraceSharedSettings::CopyChoiceOfScalars(mapper, this);
   this->SetBlendMode(mapper->GetBlendMode());
@@ -74,6 +72,21 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
   this->SetCropping(mapper->GetCropping());
   this->SetCroppingRegionPlanes(mapper->GetCroppingRegionPlanes());
   this->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetConnectionVolume(int connection, vtkVolume* volume)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkIsosurfaceRayTraceMapper::GetConnectionVolume(int connection) const
+{
+  return vtkIsosurfaceRayTraceSharedSettings::GetAt(connection, this->ConnectionVolumes);
 }
 
 //------------------------------------------------------------------------------

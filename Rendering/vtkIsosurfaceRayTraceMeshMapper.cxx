@@ -22,11 +22,12 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceMeshMapper);
 vtkIsosurfaceRayTraceMeshMapper::vtkIsosurfaceRayTraceMeshMapper()
   : Engine(std::make_unique<vtkIsosurfaceRayTraceEngine>(this,
       vtkIsosurfaceRayTraceEngine::Client{ [this] { return this->GetSettings(); },
-        [this]
+        [this](int connection)
         {
           return std::make_unique<vtkIsosurfaceRayTraceInput>(
-            this, [this] { return this->GetInputSettings(); });
+            this, connection, [this] { return this->GetInputSettings(); });
         },
+        [this](int connection) { return this->GetConnectionVolume(connection); },
         [this](float distance) { this->ImageSampleDistance = distance; },
         "Make the picture or the input smaller." }))
 {
@@ -39,7 +40,10 @@ vtkIsosurfaceRayTraceMeshMapper::~vtkIsosurfaceRayTraceMeshMapper() = default;
 int vtkIsosurfaceRayTraceMeshMapper::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
@@ -71,8 +75,7 @@ void vtkIsosurfaceRayTraceMeshMapper::Update(int /*port*/)
 //------------------------------------------------------------------------------
 double* vtkIsosurfaceRayTraceMeshMapper::GetBounds()
 {
-  return vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(
-           this, this->CompositeDataDisplayAttributes, this->Bounds)
+  return this->Engine->FindBounds(this->CompositeDataDisplayAttributes, this->Bounds)
     ? this->Bounds
     : this->Superclass::GetBounds();
 }
@@ -91,6 +94,21 @@ void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
   {
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMeshMapper::SetConnectionVolume(int connection, vtkVolume* volume)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkIsosurfaceRayTraceMeshMapper::GetConnectionVolume(int connection) const
+{
+  return vtkIsosurfaceRayTraceSharedSettings::GetAt(connection, this->ConnectionVolumes);
 }
 
 //------------------------------------------------------------------------------
@@ -239,8 +257,7 @@ void vtkIsosurfaceRayTraceMeshMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (auto* other = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper))
   {
-    this->SetInputConnection(
-      0, other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
+    vtkIsosurfaceRayTraceSharedSettings::CopyConnections(other, 0, this);
     vtkIsosurfaceRayTraceSharedSettings::CopyChoiceOfScalars(other, this);
     this->SetBlendMode(other->GetBlendMode());
     this->SetTetrahedralize(other->GetTetrahedralize());

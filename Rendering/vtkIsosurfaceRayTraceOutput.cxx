@@ -154,7 +154,7 @@ void WriteHits(
 void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output)
 {
-  const bool isProjection = request.GetTraceRequest().Projection.has_value();
+  const bool isProjection = request.IsProjection();
   const vtkIsosurfaceRayTraceHits traced(request);
   output->Initialize();
   output->SetDimensions(width, height, 1);
@@ -184,7 +184,7 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       }
       else
       {
-        arrays.SetIsovalueId(to, request.FindIsovalue(description.Value));
+        arrays.SetIsovalueId(to, request.GetVolume(hit).FindIsovalue(description.Value));
       }
     }
   }

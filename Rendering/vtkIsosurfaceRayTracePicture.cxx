@@ -17,35 +17,46 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
 {
-  vtkirt::SceneField shown;
-  shown.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(request.Property, request.Component);
-  if (!this->ColorsOfValues || !this->ColorsOfValues->AreOf(request.Property, request.Component))
-  {
-    this->ColorsOfValues =
-      std::make_unique<vtkIsosurfaceRayTraceValueColors>(request.Property, request.Component);
-  }
-  shown.ColorsOfValues = this->ColorsOfValues.get();
-  for (const vtkirt::Isosurface& surface : request.GetTraceRequest().Surfaces)
-  {
-    shown.Colors.push_back(this->ColorsOfValues->GetColor(surface.Isovalue));
-  }
-  this->ColorsOfHits = request.Input.MakeColors(*this->ColorsOfValues);
-  shown.ColorsOfHits = this->ColorsOfHits.get();
-  shown.View = vtkIsosurfaceRayTraceScene::MakeCamera(
-    view.ClipFromWorld, request.WorldFromObject, view.Width, view.Height);
-
   vtkirt::Scene scene;
   scene.TileWidth = settings.TileWidth;
   scene.TileHeight = settings.TileHeight;
   scene.Shadows = settings.Shadows;
   scene.OcclusionRays = settings.NumberOfAmbientOcclusionRays;
   scene.OcclusionRadius = settings.AmbientOcclusionRadius;
-  shown.Field = request.Input.GetField();
-  shown.CellSize = request.Input.GetCellSize();
-  shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
-  scene.Pixels = shown.Pixels;
-  scene.Fields.push_back(shown);
+  this->Colors.resize(request.Volumes.size());
+  for (std::size_t i = 0; i < request.Volumes.size(); ++i)
+  {
+    const vtkIsosurfaceRayTraceRequest::Volume& volume = request.Volumes[i];
+    vtkirt::SceneField shown;
+    SetColors(volume, this->Colors[i], shown);
+    shown.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(volume.Property, volume.Component);
+    shown.View = vtkIsosurfaceRayTraceScene::MakeCamera(
+      view.ClipFromWorld, volume.WorldFromObject, view.Width, view.Height);
+    shown.Field = volume.Input->GetField();
+    shown.CellSize = volume.Input->GetCellSize();
+    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
+    scene.Pixels = i > 0 ? vtkirt::Unite(scene.Pixels, shown.Pixels) : shown.Pixels;
+    scene.Fields.push_back(shown);
+  }
   this->Scene = std::move(scene);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTracePicture::SetColors(const vtkIsosurfaceRayTraceRequest::Volume& volume,
+  ColorsOfField& colors, vtkirt::SceneField& shown)
+{
+  if (!colors.OfValues || !colors.OfValues->AreOf(volume.Property, volume.Component))
+  {
+    colors.OfValues =
+      std::make_unique<vtkIsosurfaceRayTraceValueColors>(volume.Property, volume.Component);
+  }
+  shown.ColorsOfValues = colors.OfValues.get();
+  for (const vtkirt::Isosurface& surface : volume.GetField().GetRequest().Surfaces)
+  {
+    shown.Colors.push_back(colors.OfValues->GetColor(surface.Isovalue));
+  }
+  colors.OfHits = volume.Input->MakeColors(*colors.OfValues);
+  shown.ColorsOfHits = colors.OfHits.get();
 }
 
 //------------------------------------------------------------------------------

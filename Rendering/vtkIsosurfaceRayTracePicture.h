@@ -6,6 +6,7 @@
 #ifndef vtkIsosurfaceRayTracePicture_h
 #define vtkIsosurfaceRayTracePicture_h
 
+#include "vtkIsosurfaceRayTraceRequest.h"     // for arguments
 #include "vtkIsosurfaceRayTraceValueColors.h" // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
 
@@ -14,11 +15,11 @@
 #include <cstddef>    // for std::size_t
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
+#include <vector>     // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkRenderer;
-struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
 
 class vtkIsosurfaceRayTracePicture
@@ -60,8 +61,16 @@ private:
     return this->Scene.Fields[static_cast<std::size_t>(hit.Field)];
   }
 
-  std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> ColorsOfHits;
-  std::unique_ptr<vtkIsosurfaceRayTraceValueColors> ColorsOfValues;
+  struct ColorsOfField
+  {
+    std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> OfHits;
+    std::unique_ptr<vtkIsosurfaceRayTraceValueColors> OfValues;
+  };
+
+  static void SetColors(const vtkIsosurfaceRayTraceRequest::Volume& volume, ColorsOfField& colors,
+    vtkIsosurfaceRayTracing::SceneField& shown);
+
+  std::vector<ColorsOfField> Colors;
 };
 
 VTK_ABI_NAMESPACE_END

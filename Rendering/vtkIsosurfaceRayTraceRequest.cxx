@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceRequest.h"
 
-#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkCollectionRange.h"
 #include "vtkContourValues.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkVolume.h"
@@ -15,6 +16,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -57,62 +59,110 @@ std::string vtkIsosurfaceRayTraceRequest::FindProblem(const vtkIsosurfaceRayTrac
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
-  const vtkIsosurfaceRayTraceSettings& settings, const vtkIsosurfaceRayTraceInput& input,
-  vtkVolume* volume, vtkPlaneCollection* clippingPlanes)
-  : Input(input)
-  , Property(volume->GetProperty())
-  , Component(input.GetPropertyComponent())
-  , WorldFromObject(
-      vtkIsosurfaceRayTraceScene::GetWorldFromObject(volume, input.GetPhysicalFromObject()))
+vtkVolumeProperty* vtkIsosurfaceRayTraceRequest::DrawnVolumes::GetProperty(int connection) const
 {
-  for (vtkObject* object : input.GetObjects())
+  vtkVolume* own = this->OfConnections[static_cast<std::size_t>(connection)];
+  return own ? own->GetProperty() : this->Drawn->GetProperty();
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Matrix4 vtkIsosurfaceRayTraceRequest::DrawnVolumes::FindWorldFromData(int connection) const
+{
+  vtkVolume* own = this->OfConnections[static_cast<std::size_t>(connection)];
+  vtkirt::Matrix4 matrix;
+  std::copy_n(this->Drawn->GetMatrix()->GetData(), 16, matrix.begin());
+  if (own)
+  {
+    // It is not in a renderer, which would do so.
+    own->ComputeMatrix();
+    vtkMatrix4x4::Multiply4x4(
+      this->Drawn->GetMatrix()->GetData(), own->GetMatrix()->GetData(), matrix.data());
+  }
+  return matrix;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
+  const vtkIsosurfaceRayTraceSettings& settings, const vtkIsosurfaceRayTraceInputs& inputs,
+  const DrawnVolumes& volumes, vtkPlaneCollection* clippingPlanes)
+  : Inputs(inputs)
+{
+  this->Execution.Threads = settings.NumberOfThreads;
+  for (vtkObject* object : inputs.GetObjects())
   {
     this->Objects.emplace_back(object);
   }
-  this->Objects.emplace_back(this->Property);
-  vtkContourValues* isovalues = this->Property->GetIsoSurfaceValues();
-  for (int i = 0; i < isovalues->GetNumberOfContours(); ++i)
+  for (int connection = 0; connection < inputs.GetNumber(); ++connection)
   {
-    this->Isovalues.push_back(isovalues->GetValue(i));
+    const vtkIsosurfaceRayTraceInput& input = inputs.Get(connection);
+    Volume volume{};
+    volume.Input = &input;
+    volume.Property = volumes.GetProperty(connection);
+    volume.Component = input.GetPropertyComponent();
+    vtkContourValues* isovalues = volume.Property->GetIsoSurfaceValues();
+    for (int i = 0; i < isovalues->GetNumberOfContours(); ++i)
+    {
+      volume.Isovalues.push_back(isovalues->GetValue(i));
+    }
+    vtkMatrix4x4::Multiply4x4(volumes.FindWorldFromData(connection).data(),
+      input.GetPhysicalFromObject().data(), volume.WorldFromObject.data());
+    this->Objects.emplace_back(volume.Property);
+    this->Select(settings, volume, clippingPlanes);
+    this->Volumes.push_back(std::move(volume));
   }
-  this->Execution.Threads = settings.NumberOfThreads;
+}
+
+//------------------------------------------------------------------------------
+/// Selects what the field of an input traces.
+void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& settings,
+  const Volume& volume, vtkPlaneCollection* clippingPlanes) const
+{
   vtkirt::TraceRequest request;
   request.Projection = settings.Projection;
   if (!settings.Projection)
   {
-    request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(this->Property, this->Component);
+    request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(volume.Property, volume.Component);
   }
   request.Interpolation = settings.InterpolationMode;
   request.Solver = settings.RootSolver;
   request.Interpolations = settings.NumberOfInterpolations;
   request.Normals = settings.NormalMode;
-  std::vector<vtkirt::HalfSpace> planes;
+  request.Visible = volume.Input->FindVisible();
   if (clippingPlanes)
   {
     for (vtkPlane* plane : vtk::Range(clippingPlanes))
     {
-      planes.push_back(ToObjectSpace(plane, this->WorldFromObject));
-      planes.back().IsCapped = settings.CapClippingPlanes;
+      request.Visible.HalfSpaces.push_back(ToObjectSpace(plane, volume.WorldFromObject));
+      request.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
     }
   }
-  request.Visible = input.FindVisible();
-  std::vector<vtkirt::HalfSpace>& all = request.Visible.HalfSpaces;
-  all.insert(all.end(), planes.begin(), planes.end());
-  input.GetField()->Select(request, this->Execution, { settings.MaximumMemory });
+  volume.Input->GetField()->Select(request, this->Execution, { settings.MaximumMemory });
 }
 
 //------------------------------------------------------------------------------
-int vtkIsosurfaceRayTraceRequest::FindIsovalue(double isovalue) const
+int vtkIsosurfaceRayTraceRequest::Volume::FindIsovalue(double isovalue) const
 {
   const auto found = std::find(this->Isovalues.begin(), this->Isovalues.end(), isovalue);
   return found == this->Isovalues.end() ? -1 : static_cast<int>(found - this->Isovalues.begin());
 }
 
 //------------------------------------------------------------------------------
-const vtkirt::TraceRequest& vtkIsosurfaceRayTraceRequest::GetTraceRequest() const
+const vtkirt::TracedField& vtkIsosurfaceRayTraceRequest::Volume::GetField() const
 {
-  return this->Input.GetField()->GetRequest();
+  return *this->Input->GetField();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceRequest::IsProjection() const
+{
+  return this->Volumes.front().GetField().GetRequest().Projection.has_value();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceRequest::IsNothing() const
+{
+  return std::all_of(this->Volumes.begin(), this->Volumes.end(),
+    [](const Volume& volume) { return volume.GetField().GetRequest().IsNothing(); });
 }
 
 VTK_ABI_NAMESPACE_END

@@ -12,12 +12,14 @@
 
 #include "Field/TracedField.h"
 
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <cstddef> // for std::size_t
+#include <string>  // for std::string
+#include <vector>  // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkIsosurfaceRayTraceInput;
+class vtkIsosurfaceRayTraceInputs;
 class vtkObject;
 class vtkPlaneCollection;
 class vtkVolume;
@@ -30,29 +32,64 @@ struct vtkIsosurfaceRayTraceRequest
   /// Why the blend mode cannot be drawn; empty if it can.
   static std::string FindProblem(const vtkIsosurfaceRayTraceSettings& settings);
 
-  /// Selects what the fields of the input trace from now on: of what is visible, and not cut off by
-  /// clipping planes (which may be null). The input must be up to date, and outlive the request.
+  /// What is traced of an input, and how it is coloured.
+  struct Volume
+  {
+    const vtkIsosurfaceRayTraceInput* Input;
+    vtkVolumeProperty* Property;
+    /// That of the property.
+    int Component;
+    /// Those of the property, by their numbers.
+    std::vector<double> Isovalues;
+    /// From the object space of the field to the world.
+    vtkIsosurfaceRayTracing::Matrix4 WorldFromObject;
+
+    /// The number of an isovalue of the property; -1 if it has no such value.
+    int FindIsovalue(double isovalue) const;
+
+    const vtkIsosurfaceRayTracing::TracedField& GetField() const;
+  };
+
+  /// The volume that a mapper draws, and for each connection the one that gives it a property and
+  /// a place in the former; null for none of its own.
+  struct DrawnVolumes
+  {
+    vtkVolume* Drawn;
+    std::vector<vtkVolume*> OfConnections;
+
+    vtkVolumeProperty* GetProperty(int connection) const;
+    /// From the coordinates of the data of a connection to the world.
+    vtkIsosurfaceRayTracing::Matrix4 FindWorldFromData(int connection) const;
+  };
+
+  /// Selects what the fields of the inputs trace from now on: of what is visible, and not cut off
+  /// by clipping planes (which may be null). The inputs must be up to date, and outlive the
+  /// request.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
-    const vtkIsosurfaceRayTraceInput& input, vtkVolume* volume, vtkPlaneCollection* clippingPlanes);
+    const vtkIsosurfaceRayTraceInputs& inputs, const DrawnVolumes& volumes,
+    vtkPlaneCollection* clippingPlanes);
 
-  /// The number of an isovalue of the property; -1 if it has no such value.
-  int FindIsovalue(double isovalue) const;
+  /// That of a hit.
+  const Volume& GetVolume(const vtkIsosurfaceRayTracing::Hit& hit) const
+  {
+    return this->Volumes[static_cast<std::size_t>(hit.Field)];
+  }
 
-  /// What was selected: the same of all fields, but for what is visible.
-  const vtkIsosurfaceRayTracing::TraceRequest& GetTraceRequest() const;
+  /// Whether projections are selected, and whether nothing is: no surfaces of any volume.
+  bool IsProjection() const;
+  bool IsNothing() const;
 
-  const vtkIsosurfaceRayTraceInput& Input;
-  vtkVolumeProperty* Property;
-  /// Those of the property, by their numbers.
-  std::vector<double> Isovalues;
-  /// That of the property.
-  int Component;
-  /// From the object space of the fields to the world.
-  vtkIsosurfaceRayTracing::Matrix4 WorldFromObject;
+  const vtkIsosurfaceRayTraceInputs& Inputs;
+  /// One for each connection.
+  std::vector<Volume> Volumes;
   vtkIsosurfaceRayTracing::Execution Execution;
-  /// What is traced, and the property: they exist as long as the request, whatever becomes of the
-  /// inputs of the mapper and of the volume.
+  /// What is traced, and the properties: they exist as long as the request, whatever becomes of the
+  /// inputs of the mapper and of the volumes.
   std::vector<vtkSmartPointer<vtkObject>> Objects;
+
+private:
+  void Select(const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
+    vtkPlaneCollection* clippingPlanes) const;
 };
 
 VTK_ABI_NAMESPACE_END

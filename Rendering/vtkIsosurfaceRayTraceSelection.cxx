@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceSelection.h"
 
-#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTracePicture.h"
 
 #include "vtkHardwareSelector.h"
@@ -17,14 +17,14 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceSelection::vtkIsosurfaceRayTraceSelection(
-  vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInput& input)
+  vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInputs& inputs)
   : Selector(selector)
-  , Input(input)
+  , Inputs(inputs)
 {
   selector->BeginRenderProp();
   selector->RenderCompositeIndex(1);
-  selector->UpdateMaximumCellId(input.GetNumberOfCells());
-  selector->UpdateMaximumPointId(input.GetNumberOfPoints());
+  selector->UpdateMaximumCellId(inputs.GetNumberOfCells());
+  selector->UpdateMaximumPointId(inputs.GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
@@ -54,7 +54,7 @@ void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& pict
       color[channel] = static_cast<std::uint8_t>(id & 0xff);
     }
     color[3] = 255;
-    if (!this->Input.GetField()->GetRequest().Projection)
+    if (!this->Inputs.Get(hit.Field).GetField()->GetRequest().Projection)
     {
       // Of a projection, a picture has no depth either.
       frame.Depths[pixel] = std::clamp(picture.GetDepth(hit), 0.0F, 1.0F);
@@ -69,13 +69,13 @@ vtkIdType vtkIsosurfaceRayTraceSelection::GetId(const vtkirt::Hit& hit) const
   switch (this->Selector->GetCurrentPass())
   {
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return this->Input.FindPoint(hit);
+      return this->Inputs.FindPoint(hit);
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return this->Input.FindPoint(hit) >> 24;
+      return this->Inputs.FindPoint(hit) >> 24;
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return this->Input.FindCell(hit, parametric);
+      return this->Inputs.FindCell(hit, parametric);
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return this->Input.FindCell(hit, parametric) >> 24;
+      return this->Inputs.FindCell(hit, parametric) >> 24;
     default:
       break;
   }

@@ -14,7 +14,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkHardwareSelector;
-class vtkIsosurfaceRayTraceInput;
+class vtkIsosurfaceRayTraceInputs;
 class vtkIsosurfaceRayTracePicture;
 
 class vtkIsosurfaceRayTraceSelection
@@ -22,7 +22,7 @@ class vtkIsosurfaceRayTraceSelection
 public:
   /// Begins the prop; the destructor ends it. In between, its ids are drawn.
   vtkIsosurfaceRayTraceSelection(
-    vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInput& input);
+    vtkHardwareSelector* selector, const vtkIsosurfaceRayTraceInputs& inputs);
   ~vtkIsosurfaceRayTraceSelection();
   vtkIsosurfaceRayTraceSelection(const vtkIsosurfaceRayTraceSelection&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSelection&) = delete;
@@ -35,7 +35,7 @@ private:
   vtkIdType GetId(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
   vtkHardwareSelector* Selector;
-  const vtkIsosurfaceRayTraceInput& Input;
+  const vtkIsosurfaceRayTraceInputs& Inputs;
 };
 
 VTK_ABI_NAMESPACE_END

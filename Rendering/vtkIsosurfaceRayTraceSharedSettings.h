@@ -13,6 +13,7 @@
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkVolume.h"
 
 #include <omp.h>
 
@@ -20,6 +21,7 @@
 #include <cstddef>  // for std::size_t
 #include <iterator> // for std::begin
 #include <string>   // for std::string
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -37,6 +39,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
     visit("VectorComponent", &Mapper::VectorComponent);
     visit("ColorArrayName", &Mapper::ColorArrayName);
     visit("CompositeDataDisplayAttributes", &Mapper::CompositeDataDisplayAttributes);
+    visit("ConnectionVolume", &Mapper::ConnectionVolumes);
     visit("CapClippingPlanes", &Mapper::CapClippingPlanes);
     visit("Shadows", &Mapper::Shadows);
     visit("AmbientOcclusion", &Mapper::AmbientOcclusion);
@@ -111,6 +114,37 @@ struct vtkIsosurfaceRayTraceSharedSettings
     return setting != before;
   }
 
+  /// Sets a volume of a list by its number. Returns whether it has changed.
+  static bool SetAt(int number, vtkVolume* volume, std::vector<vtkSmartPointer<vtkVolume>>& volumes)
+  {
+    if (number < 0 || GetAt(number, volumes) == volume)
+    {
+      return false;
+    }
+    const auto place = static_cast<std::size_t>(number);
+    volumes.resize(std::max(volumes.size(), place + 1));
+    volumes[place] = volume;
+    return true;
+  }
+
+  static vtkVolume* GetAt(int number, const std::vector<vtkSmartPointer<vtkVolume>>& volumes)
+  {
+    const auto place = static_cast<std::size_t>(number);
+    return number >= 0 && place < volumes.size() ? volumes[place].Get() : nullptr;
+  }
+
+  /// Copies the connections of a port; none, if there is no such port.
+  static void CopyConnections(vtkAlgorithm* from, int port, vtkAlgorithm* to)
+  {
+    to->SetInputConnection(port, nullptr);
+    const int connections =
+      port < from->GetNumberOfInputPorts() ? from->GetNumberOfInputConnections(port) : 0;
+    for (int i = 0; i < connections; ++i)
+    {
+      to->AddInputConnection(port, from->GetInputConnection(port, i));
+    }
+  }
+
   /// Copies which scalars are chosen.
   template <typename Mapper>
   static void CopyChoiceOfScalars(vtkAbstractVolumeMapper* from, Mapper* to)
@@ -137,6 +171,15 @@ struct vtkIsosurfaceRayTraceSharedSettings
   static void Write(ostream& os, const T& value)
   {
     os << value;
+  }
+
+  template <typename T>
+  static void Write(ostream& os, const std::vector<vtkSmartPointer<T>>& objects)
+  {
+    for (const vtkSmartPointer<T>& object : objects)
+    {
+      os << object.Get() << " ";
+    }
   }
 
   template <typename T>

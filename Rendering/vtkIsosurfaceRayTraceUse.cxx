@@ -32,22 +32,22 @@ vtkIsosurfaceRayTraceUse::~vtkIsosurfaceRayTraceUse()
 {
   if (this->Lock.owns_lock() && --this->State.Depth == 0)
   {
-    this->State.NestedInput.reset();
+    this->State.NestedInputs.reset();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceInput& vtkIsosurfaceRayTraceUse::GetInput() const
+vtkIsosurfaceRayTraceInputs& vtkIsosurfaceRayTraceUse::GetInputs() const
 {
   if (!this->Nested)
   {
-    return *this->State.Input;
+    return *this->State.Inputs;
   }
-  if (!this->State.NestedInput)
+  if (!this->State.NestedInputs)
   {
-    this->State.NestedInput = this->State.NewInput();
+    this->State.NestedInputs = std::make_unique<vtkIsosurfaceRayTraceInputs>(this->State.NewInput);
   }
-  return *this->State.NestedInput;
+  return *this->State.NestedInputs;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -5,48 +5,44 @@
  * @brief   one use of a mapper that ray traces isosurfaces: drawing, casting, picking
  *
  * As long as a use lasts, the mapper exists and no other thread may use it. Observers of events
- * that it sends may use the mapper as well: such a use is nested, and has an input of its own, so
+ * that it sends may use the mapper as well: such a use is nested, and has inputs of its own, so
  * that whatever it traces, the frame that is being traced stays as it is.
  */
 
 #ifndef vtkIsosurfaceRayTraceUse_h
 #define vtkIsosurfaceRayTraceUse_h
 
-#include "vtkIsosurfaceRayTraceInput.h"    // for ivars
+#include "vtkIsosurfaceRayTraceInputs.h"   // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkObject.h"                     // for ivars
 #include "vtkSmartPointer.h"               // for ivars
 
-#include <functional> // for std::function
-#include <memory>     // for std::unique_ptr
-#include <mutex>      // for std::recursive_mutex
+#include <memory> // for std::unique_ptr
+#include <mutex>  // for std::recursive_mutex
 
 VTK_ABI_NAMESPACE_BEGIN
 
 /// What the uses of a mapper share.
 struct vtkIsosurfaceRayTraceUseState
 {
-  /// Makes an input of the mapper.
-  using Maker = std::function<std::unique_ptr<vtkIsosurfaceRayTraceInput>()>;
-
-  explicit vtkIsosurfaceRayTraceUseState(const Maker& newInput)
+  explicit vtkIsosurfaceRayTraceUseState(const vtkIsosurfaceRayTraceInputs::Maker& newInput)
     : NewInput(newInput)
-    , Input(newInput())
+    , Inputs(std::make_unique<vtkIsosurfaceRayTraceInputs>(newInput))
   {
   }
 
   /// That of the last use.
-  const vtkIsosurfaceRayTraceInput& GetLastInput() const
+  const vtkIsosurfaceRayTraceInputs& GetLastInputs() const
   {
-    return this->NestedInput ? *this->NestedInput : *this->Input;
+    return this->NestedInputs ? *this->NestedInputs : *this->Inputs;
   }
 
   std::recursive_mutex Mutex;
   int Depth = 0;
-  Maker NewInput;
-  std::unique_ptr<vtkIsosurfaceRayTraceInput> Input;
+  vtkIsosurfaceRayTraceInputs::Maker NewInput;
+  std::unique_ptr<vtkIsosurfaceRayTraceInputs> Inputs;
   /// Of the nested uses, as long as the outer one lasts.
-  std::unique_ptr<vtkIsosurfaceRayTraceInput> NestedInput;
+  std::unique_ptr<vtkIsosurfaceRayTraceInputs> NestedInputs;
 };
 
 class vtkIsosurfaceRayTraceUse
@@ -65,8 +61,8 @@ public:
   /// Whether an observer of another use began it.
   bool IsNested() const { return this->Nested; }
 
-  /// The input of an allowed use.
-  vtkIsosurfaceRayTraceInput& GetInput() const;
+  /// The inputs of an allowed use.
+  vtkIsosurfaceRayTraceInputs& GetInputs() const;
 
 private:
   /// Owns the state, so it goes last.

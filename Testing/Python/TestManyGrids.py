@@ -27,11 +27,24 @@ from vtkmodules.vtkRenderingCore import (
     vtkLightCollection,
     vtkRenderer,
     vtkRenderWindow,
+    vtkVolume,
 )
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import vtkmodules.vtkRenderingOpenGL2  # the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
-from MeshTesting import SIZE, ball, cast, make_grid, make_structured_grid, make_volume, parallel_rays, plane, set_values
+from MeshTesting import (
+    SIZE,
+    ball,
+    cast,
+    errors_of,
+    make_grid,
+    make_structured_grid,
+    make_volume,
+    parallel_rays,
+    plane,
+    set_values,
+)
 
 PIXELS = 120
 
@@ -320,6 +333,93 @@ class TestManyGrids(unittest.TestCase):
                         self.assertAlmostEqual(data.GetArray("Colors").GetComponent(pixel, channel),
                                                255 * expected[channel], delta=1)
                 self.assertEqual(seen, {0, 1, 2})
+
+    def make_two_volumes(self, mapper_class, opacity=0.01):
+        """An image and a mesh, each with isovalues, colours and a matrix of its own; and each alone."""
+        data = [make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball), make_grid(VTK_TETRA, plane)]
+        alone = []
+        for i, isovalues in enumerate(((0.0, 0.6), (2.5, 3.5, 4.0))):
+            _, volume = alone_one = make_volume(
+                data[i], *isovalues, mapper_class=mapper_of(data[i]), opacity=opacity)
+            volume.SetPosition(0.3 * i, 0.1, -0.2 * i)
+            volume.RotateZ(20.0 * i)
+            volume.SetScale(1.0 + 0.1 * i, 1.0, 0.9)
+            colors = volume.GetProperty().GetRGBTransferFunction()
+            colors.RemoveAllPoints()
+            colors.AddRGBPoint(0.0, 0.2 + 0.6 * i, 0.5, 0.9 - 0.7 * i)
+            alone.append(alone_one)
+        mapper, volume = make_volume(None, mapper_class=mapper_class)
+        for i, grid in enumerate(data):
+            producer = vtkTrivialProducer()
+            producer.SetOutput(grid)
+            mapper.AddInputConnection(0, producer.GetOutputPort())
+            own = vtkVolume()
+            own.SetProperty(alone[i][1].GetProperty())
+            own.SetUserMatrix(alone[i][1].GetMatrix())
+            mapper.SetConnectionVolume(i, own)
+        return mapper, volume, alone, data
+
+    def test_several_connections(self):
+        rays = parallel_rays(21)
+        mapper, volume, alone, data = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+        for i in (0, 1):
+            alone[i][1].ComputeMatrix()
+        messages = errors_of(mapper, lambda: cast(mapper, volume, rays))
+        self.assertEqual(messages, [])
+        expected = sorted((ray, t, i, cell, normal) for i in (0, 1) for ray, t, cell, normal in cast(*alone[i], rays))
+        hits = cast(mapper, volume, rays)
+        self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
+        self.assertGreater(len({hit[2] for hit in expected}), 1)
+        in_block, flat_index = mutable(0), mutable(0)
+        for hit, (_, t, number, cell, normal) in zip(hits, expected):
+            self.assertAlmostEqual(hit[1], t, delta=1e-9)
+            self.assertIs(mapper.FindBlock(hit[2], in_block, flat_index), data[number])
+            self.assertEqual(in_block, cell)
+            self.assertLess(math.dist(hit[3], normal), 1e-6)
+        bounds = [alone[0][1].GetBounds()[i] for i in range(6)]
+        bounds = [(min, max)[i % 2](a, b) for i, (a, b) in enumerate(zip(bounds, alone[1][1].GetBounds()))]
+        for a, b in zip(volume.GetBounds(), bounds):
+            self.assertAlmostEqual(a, b, delta=1e-9)
+        # Moved together.
+        volume.SetPosition(10.0, 0.0, 0.0)
+        moved = [((x + 10.0, y, z), direction) for (x, y, z), direction in rays]
+        volume.ComputeMatrix()
+        for hit, other in zip(cast(mapper, volume, moved), expected):
+            self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
+
+    def test_colours_of_connections(self):
+        mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMeshMapper, 1.0)
+        for i in (0, 1):
+            mapper.GetConnectionVolume(i).GetProperty().ShadeOff()
+        camera = vtkRenderer().MakeCamera()
+        camera.SetPosition(3, 3, -30)
+        camera.SetFocalPoint(3, 3, 0)
+        camera.SetClippingRange(10, 50)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+        in_block, flat_index = mutable(0), mutable(0)
+        seen = set()
+        for pixel in range(PIXELS**2):
+            cell = int(image.GetPointData().GetArray("CellId").GetValue(pixel))
+            if cell >= 0:
+                number = next(i for i, grid in enumerate(data) if grid is mapper.FindBlock(cell, in_block, flat_index))
+                seen.add(number)
+                color = image.GetPointData().GetArray("Colors").GetTuple(pixel)
+                for channel, expected in zip(color, (0.2 + 0.6 * number, 0.5, 0.9 - 0.7 * number)):
+                    self.assertAlmostEqual(channel, 255 * expected, delta=1)
+        self.assertEqual(seen, {0, 1})
+
+    def test_errors_name_the_connection(self):
+        mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+        data[1].GetPointData().Initialize()
+        messages = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays(5)))
+        self.assertEqual(len(messages), 1)
+        self.assertIn("Connection 1: The input has no scalars", messages[0])
+        mapper, volume, _, _ = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+        mapper.GetConnectionVolume(0).SetScale(0.0)
+        messages = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays(5)))
+        self.assertEqual(len(messages), 1)
+        self.assertIn("Connection 0: The matrix of the volume", messages[0])
 
     def test_shadows_fall_from_block_to_block(self):
         floor = make_image((0, 0, 0), (0.5, 0.5, 0.5), 13, lambda p: 1.1 - p[2])

@@ -49,6 +49,9 @@ def change(mapper, name):
     if name == "CompositeDataDisplayAttributes":
         mapper.SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes())
         return get(mapper, name)
+    if name == "ConnectionVolume":
+        mapper.SetConnectionVolume(1, vtkVolume())
+        return get(mapper, name)
     if name == "MacrocellBranching":
         for level in range(LEVELS):
             mapper.SetMacrocellBranching(level, 10 + level)
@@ -64,6 +67,8 @@ def change(mapper, name):
 def get(mapper, name):
     if name == "MacrocellBranching":
         return [mapper.GetMacrocellBranching(level) for level in range(LEVELS)]
+    if name == "ConnectionVolume":
+        return [mapper.GetConnectionVolume(connection) for connection in range(3)]
     return getattr(mapper, "Get" + name)()
 
 

@@ -279,7 +279,7 @@ TEST(ScenesOfFields, RaysHaveTheHitsOfAllFieldsInOrder)
     other.Select(0.3);
     const RayHits ofOne = CastRays(*one.Field, rays, 1);
     const RayHits ofOther = CastRays(*other.Field, rays, 1);
-    const RayHits both = CastRays({ one.Field.get(), other.Field.get() }, rays, 2);
+    const RayHits both = CastRays({ one.Field.get(), other.Field.get() }, { rays, rays }, 2);
     int interleaved = 0;
     int dropped = 0;
     for (std::size_t ray = 0; ray < rays.size(); ++ray)

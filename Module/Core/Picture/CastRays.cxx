@@ -70,20 +70,21 @@ void Join(const std::vector<TracedField*>& fields, const std::vector<RayHits>& o
 }
 
 /// Finds the hits of a packet of rays.
-void TracePacket(
-  const std::vector<TracedField*>& fields, const CastRay* rays, std::size_t count, RayHits& hits)
+void TracePacket(const std::vector<TracedField*>& fields,
+  const std::vector<std::vector<CastRay>>& rays, std::size_t first, std::size_t count,
+  RayHits& hits)
 {
   RayPacket packet;
   OpaqueEnds ends;
   if (fields.size() == 1)
   {
-    TraceField(*fields.front(), rays, count, ends, packet, hits);
+    TraceField(*fields.front(), &rays.front()[first], count, ends, packet, hits);
     return;
   }
   std::vector<RayHits> ofFields(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i)
   {
-    TraceField(*fields[i], rays, count, ends, packet, ofFields[i]);
+    TraceField(*fields[i], &rays[i][first], count, ends, packet, ofFields[i]);
     ends.Add(fields[i]->GetRequest(), ofFields[i]);
   }
   Join(fields, ofFields, count, hits);
@@ -94,15 +95,16 @@ void TracePacket(
 //------------------------------------------------------------------------------
 RayHits CastRays(TracedField& field, const std::vector<CastRay>& rays, int threads)
 {
-  return CastRays(std::vector<TracedField*>{ &field }, rays, threads);
+  return CastRays(std::vector<TracedField*>{ &field }, { rays }, threads);
 }
 
 //------------------------------------------------------------------------------
-RayHits CastRays(
-  const std::vector<TracedField*>& fields, const std::vector<CastRay>& rays, int threads)
+RayHits CastRays(const std::vector<TracedField*>& fields,
+  const std::vector<std::vector<CastRay>>& rays, int threads)
 {
   constexpr std::size_t size = RayPacket::Capacity;
-  const std::size_t packets = (rays.size() + size - 1) / size;
+  const std::size_t count = rays.front().size();
+  const std::size_t packets = (count + size - 1) / size;
   std::vector<RayHits> found(packets);
   FirstException exception;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
@@ -113,8 +115,7 @@ RayHits CastRays(
       {
         const auto number = static_cast<std::size_t>(i);
         const std::size_t first = number * size;
-        TracePacket(
-          fields, rays.data() + first, std::min(size, rays.size() - first), found[number]);
+        TracePacket(fields, rays, first, std::min(size, count - first), found[number]);
       });
   }
   exception.Rethrow();

@@ -23,11 +23,11 @@ struct CastRay
 /// The hits of any number of rays with what the field was selected for, traced on several threads.
 RayHits CastRays(TracedField& field, const std::vector<CastRay>& rays, int threads);
 
-/// The same with several fields that share an object space. The hits of a ray are in order whatever
-/// field they are of, up to the first opaque one, or to where no transmittance is left. Surfaces
-/// must be selected: projections cannot be joined.
-RayHits CastRays(
-  const std::vector<TracedField*>& fields, const std::vector<CastRay>& rays, int threads);
+/// The same with several fields, for each of which there are the rays in its object space. The hits
+/// of a ray are in order whatever field they are of, up to the first opaque one, or to where no
+/// transmittance is left. Surfaces must be selected: projections cannot be joined.
+RayHits CastRays(const std::vector<TracedField*>& fields,
+  const std::vector<std::vector<CastRay>>& rays, int threads);
 
 }
 
