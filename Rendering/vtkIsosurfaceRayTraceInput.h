@@ -103,6 +103,8 @@ public:
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
 
+  int GetNumberOfParts() const { return static_cast<int>(this->Parts.size()); }
+
   /// The part that has a hit.
   const vtkIsosurfaceRayTracePart& GetPart(const vtkIsosurfaceRayTracing::Hit& hit) const
   {

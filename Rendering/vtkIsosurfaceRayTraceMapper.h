@@ -523,7 +523,8 @@ public:
    * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
    * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
    * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
-   * (Parker et al. used 32 x 4.)
+   * (Parker et al. used 32 x 4.) For blocks that are traced by themselves tiles are 32 x 32 at
+   * least.
    */
   void SetTileSize(int width, int height);
   void SetTileSize(const int size[2]) { this->SetTileSize(size[0], size[1]); }

@@ -9,6 +9,9 @@
 
 #include "vtkRenderer.h"
 
+#include <algorithm>
+#include <utility>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
@@ -34,6 +37,13 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
       view.ClipFromWorld, volume.WorldFromObject, view.Width, view.Height);
     shown.Field = volume.Input->GetField();
     shown.CellSize = volume.Input->GetCellSize();
+    if (volume.Input->GetNumberOfParts() > 1)
+    {
+      // The parts that may be seen are found for each tile.
+      constexpr int least = 32;
+      scene.TileWidth = std::max(scene.TileWidth, least);
+      scene.TileHeight = std::max(scene.TileHeight, least);
+    }
     shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
     scene.Pixels = i > 0 ? vtkirt::Unite(scene.Pixels, shown.Pixels) : shown.Pixels;
     scene.Fields.push_back(shown);

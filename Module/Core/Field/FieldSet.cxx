@@ -117,6 +117,8 @@ struct FieldSet::Member
   TracedField* Field = nullptr;
   /// Whether rays may hit anything of it.
   bool MayHit = true;
+  /// The time that its bricks had taken when it was selected.
+  std::int64_t BrickNanoseconds = 0;
   /// The number of half-spaces that cut the member alone: those of the request follow.
   int OwnHalfSpaces = 0;
   std::atomic<unsigned int> Selection{ 0 };
@@ -318,6 +320,7 @@ void FieldSet::SelectMember(Member& member, const Execution& execution) const
   }
   member.Field->Select(this->MakeRequest(member), execution, budget);
   member.MayHit = member.Field->MayHit();
+  member.BrickNanoseconds = member.Field->GetBrickNanoseconds();
   member.Selection.store(this->Selection, std::memory_order_release);
 }
 
@@ -709,6 +712,22 @@ FieldStatistics FieldSet::GetStatistics() const
     }
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+/// Only those that have been selected since make bricks.
+std::int64_t FieldSet::GetBrickNanoseconds() const
+{
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  {
+    const Member& member = this->Members[i];
+    if (this->IsSelected(member) && member.MayHit)
+    {
+      sum += member.Field->GetBrickNanoseconds() - member.BrickNanoseconds;
+    }
+  }
+  return sum;
 }
 
 }

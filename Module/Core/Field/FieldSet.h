@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -92,6 +93,7 @@ public:
   void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
     double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
+  std::int64_t GetBrickNanoseconds() const override;
 
 private:
   struct Member;

@@ -144,6 +144,12 @@ public:
 
   virtual FieldStatistics GetStatistics() const = 0;
 
+  /// The time spent making bricks since any fixed point of time before the last Select.
+  virtual std::int64_t GetBrickNanoseconds() const
+  {
+    return this->GetStatistics().BrickNanoseconds;
+  }
+
   /// The value of a hit: its isovalue, or the extreme value of a projection.
   double GetValue(const Hit& hit) const
   {

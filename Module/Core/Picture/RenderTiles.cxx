@@ -45,7 +45,7 @@ double GetBrickSeconds(const Scene& scene)
   double seconds = 0.0;
   for (const SceneField& field : scene.Fields)
   {
-    seconds += 1e-9 * static_cast<double>(field.Field->GetStatistics().BrickNanoseconds);
+    seconds += 1e-9 * static_cast<double>(field.Field->GetBrickNanoseconds());
   }
   return seconds;
 }
