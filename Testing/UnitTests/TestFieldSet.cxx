@@ -401,46 +401,72 @@ TEST(FieldSet, InstructionSetsChangeNoBit)
 //------------------------------------------------------------------------------
 TEST(FieldSet, BeamsChangeNoBit)
 {
-  // The tiles of a picture have beams, rays that are cast have none.
+  // The tiles of a picture have beams, rays that are cast have none. Members overlap: of those that
+  // begin nearer, surfaces may be farther.
   const Matrix4 identity = Scaling({ 1.0, 1.0, 1.0 });
-  Blocks blocks(6, identity, true);
-  blocks.Set->Select(MakeRequest(0.3), {});
-  const std::unique_ptr<TracedField::Beam> beam = blocks.Set->MakeBeam();
+  Blocks some(6, identity, true);
+  Blocks others(16, Multiply(Translation({ 3.1, 2.7, -4.9 }), Rotation(0.1, -0.2)), true);
+  std::vector<PlacedField> placed = others.Placed;
+  placed.insert(placed.end(), some.Placed.begin(), some.Placed.end());
+  FieldSet set(placed);
+  const std::unique_ptr<TracedField::Beam> beam = set.MakeBeam();
   const Matrix4 clipFromObject =
     Multiply(Perspective(30.0, 200.0, 0.4), Invert(Translation({ 16.0, 17.0, 90.0 })));
   const Camera view(clipFromObject, Invert(clipFromObject), identity, 64, 48);
-  std::size_t count = 0;
-  for (int tile = 0; tile < 8; ++tile)
+  for (const double opacity : { 0.3, 1.0 })
   {
-    const PixelRectangle pixels = { tile % 4 * 16, tile / 4 * 24, 16, 8 };
-    RayPacket lines;
-    lines.Clear();
-    for (const int y : { pixels.Y, pixels.Y + 7 })
+    set.Select(MakeRequest(opacity), {});
+    std::size_t count = 0;
+    for (int tile = 0; tile < 24; ++tile)
     {
-      for (const int x : { pixels.X, pixels.X + 15 })
+      const PixelRectangle pixels = { tile % 4 * 16, tile / 4 * 8, 16, 8 };
+      RayPacket lines;
+      lines.Clear();
+      for (const int y : { pixels.Y, pixels.Y + 7 })
       {
-        const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const int x : { pixels.X, pixels.X + 15 })
         {
-          lines.Origin[axis][lines.Count] = ray.Origin[axis];
-          lines.Direction[axis][lines.Count] = ray.Direction[axis];
+          const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            lines.Origin[axis][lines.Count] = ray.Origin[axis];
+            lines.Direction[axis][lines.Count] = ray.Direction[axis];
+          }
+          ++lines.Count;
         }
-        ++lines.Count;
       }
+      set.Begin(lines, beam.get());
+      RayPacket packet;
+      set.MakeRays(view, pixels, {}, packet);
+      RayPacket again = packet;
+      RayHits inBeam;
+      RayHits without;
+      set.Trace(packet, inBeam, beam.get());
+      set.Trace(again, without);
+      EXPECT_EQ(inBeam.First, without.First);
+      EXPECT_TRUE(AreSame(inBeam.Hits, without.Hits));
+      count += inBeam.Hits.size();
     }
-    blocks.Set->Begin(lines, beam.get());
-    RayPacket packet;
-    blocks.Set->MakeRays(view, pixels, {}, packet);
-    RayPacket again = packet;
-    RayHits inBeam;
-    RayHits without;
-    blocks.Set->Trace(packet, inBeam, beam.get());
-    blocks.Set->Trace(again, without);
-    EXPECT_EQ(inBeam.First, without.First);
-    EXPECT_TRUE(AreSame(inBeam.Hits, without.Hits));
-    count += inBeam.Hits.size();
+    EXPECT_GT(count, 1000U);
   }
-  EXPECT_GT(count, 1000U);
+}
+
+//------------------------------------------------------------------------------
+/// A ray that starts on a surface is not stopped by the same surface of another member.
+TEST(FieldSet, SurfacesThatCoincideCastNoShadowsOnEachOther)
+{
+  const Matrix4 identity = Scaling({ 1.0, 1.0, 1.0 });
+  Blocks once(Edge - 1, identity, false);
+  Blocks again(16, identity, true);
+  std::vector<PlacedField> placed = once.Placed;
+  placed.insert(placed.end(), again.Placed.begin(), again.Placed.end());
+  FieldSet set(placed);
+  TraceRequest request = MakeRequest(1.0);
+  request.Normals = NormalMode::InterpolantGradient;
+  once.All.front()->GetField().Select(request, {});
+  const Frame expected = Render(once.All.front()->GetField(), identity, true, &GetBestKernels());
+  set.Select(request, {});
+  EXPECT_LE(CountDifferent(Render(set, identity, true, &GetBestKernels()), expected, 40), 200U);
 }
 
 }
