@@ -7,6 +7,7 @@
 #include "Field/BoundsTree.h"
 #include "Image/Samples/VolumeView.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -79,7 +80,15 @@ private:
   };
   class NodeReader;
 
-  const AmrPatch* FindOwner(int level, const Index3& cell, const AmrPatch* likely) const;
+  /// Patches that were found lately, of a level.
+  struct Likely
+  {
+    std::array<const AmrPatch*, 8> Patches = {};
+    std::size_t Next = 0;
+  };
+
+  const AmrPatch* FindOwner(int level, const Index3& cell, Likely& likely) const;
+  const AmrPatch* FindOwner(int level, const Index3& cell) const;
   bool IsCoveredByFiner(int level, const Index3& cell) const;
   bool IsCoveredByCoarser(int level, const Index3& cell) const;
   bool HasOverlaps(const Level& level) const;
