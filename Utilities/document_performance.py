@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write the results of vtkIsosurfaceBenchmark and vtkIsosurfaceMeshBenchmark into
-Documentation/performance.md.
+"""Write the results of vtkIsosurfaceBenchmark, vtkIsosurfaceMeshBenchmark and
+vtkIsosurfaceBlocksBenchmark into Documentation/performance.md.
 
     document_performance.py cranium.json large.json growth.json
 
@@ -39,6 +39,9 @@ NEEDS = {
         3: "a display",
         4: "a display",
         5: "--shapes hexahedra",
+    },
+    "vtkIsosurfaceBlocksBenchmark": {
+        1: "a display",
     },
 }
 
