@@ -15,7 +15,8 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUniformGrid,
 )
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageReslice, vtkRTAnalyticSource
 from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
@@ -238,6 +239,27 @@ def blocks(picture, image, isovalue):
     picture.mapper.SetInputDataObject(pieces)
 
 
+def registered(picture, image, isovalue):
+    """A second scan, coarser and turned. The matrix of its volume puts its skin around the bone."""
+    turn = vtkTransform()
+    turn.RotateZ(25.0)
+    scan = vtkImageReslice()
+    scan.SetInputData(image)
+    scan.SetResliceTransform(turn)
+    scan.AutoCropOutputOn()
+    scan.SetOutputSpacing([3.0 * length for length in image.GetSpacing()])
+    scan.SetBackgroundLevel(image.GetScalarRange()[0])
+    picture.mapper.AddInputConnection(0, scan.GetOutputPort())
+    volume = vtkVolume()
+    volume.SetUserTransform(turn)
+    skin = volume.GetProperty()
+    skin.ShadeOn()
+    skin.GetIsoSurfaceValues().SetValue(0, 0.5 * (image.GetScalarRange()[0] + isovalue))
+    skin.GetRGBTransferFunction().AddRGBPoint(0.0, 0.45, 0.75, 0.95)
+    skin.GetScalarOpacity().AddPoint(0.0, 0.35)
+    picture.mapper.SetConnectionVolume(1, volume)
+
+
 def boxes(picture, image, isovalue):
     picture.mapper.SetInterpolationModeToNearest()
     picture.camera.Zoom(3.0)
@@ -269,6 +291,7 @@ SCENES = (
     cells,
     rectilinear,
     blocks,
+    registered,
     boxes,
     near,
     cubic,
