@@ -22,6 +22,7 @@
 #include <vtkOverlappingAMR.h>
 #include <vtkSmartPointer.h>
 #include <vtkUniformGrid.h>
+#include <vtkVersionMacros.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 #include <vtksys/CommandLineArguments.hxx>
@@ -159,8 +160,12 @@ vtkSmartPointer<vtkDataObject> MakeBlocks(
 vtkSmartPointer<vtkDataObject> MakeAmr(const Arguments& arguments, vtkImageData* whole)
 {
   vtkNew<vtkOverlappingAMR> amr;
-  const int counts[] = { arguments.Blocks * arguments.Blocks * arguments.Blocks };
-  amr->Initialize(1, counts);
+  const int count = arguments.Blocks * arguments.Blocks * arguments.Blocks;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  amr->Initialize(std::vector<unsigned int>{ static_cast<unsigned int>(count) });
+#else
+  amr->Initialize(1, &count);
+#endif
   amr->SetOrigin(whole->GetOrigin());
   amr->SetGridDescription(VTK_XYZ_GRID);
   amr->SetSpacing(0, whole->GetSpacing());

@@ -7,7 +7,7 @@ import math
 import random
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     VTK_XYZ_GRID,
     vtkAMRBox,
@@ -59,12 +59,14 @@ def fill(amr, blocks, of_cells, value=ball, noise=0.0):
     """Blocks are (level, first cell, cells)."""
     levels = max(block[0] for block in blocks) + 1
     numbers = [[block for block in blocks if block[0] == level] for level in range(levels)]
+    counts = [len(of_level) for of_level in numbers]
+    if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() >= 906:
+        amr.Initialize(counts)
+    else:
+        amr.Initialize(levels, counts)
     if amr.IsA("vtkOverlappingAMR"):
-        amr.Initialize(levels, [len(of_level) for of_level in numbers])
         amr.SetOrigin([0.0, 0.0, 0.0])
         amr.SetGridDescription(VTK_XYZ_GRID)
-    else:
-        amr.Initialize(levels, [len(of_level) for of_level in numbers])
     grids = []
     for level, of_level in enumerate(numbers):
         if amr.IsA("vtkOverlappingAMR"):
