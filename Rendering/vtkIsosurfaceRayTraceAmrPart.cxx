@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceAmrPart.h"
 
+#include "vtkIsosurfaceRayTraceBlock.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceLatticeSampling.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -145,7 +145,7 @@ private:
   std::vector<vtkirt::Index3> Ratios;
 };
 
-/// The flags of some kinds, for each cell of a block; empty if none has them.
+/// The flags of some kinds, for each cell of a block; none if it has no flags.
 std::vector<unsigned char> FindFlags(const Leaf& leaf, int kinds)
 {
   vtkUnsignedCharArray* flags = leaf.Data->GetCellGhostArray();
@@ -154,8 +154,33 @@ std::vector<unsigned char> FindFlags(const Leaf& leaf, int kinds)
   {
     found.push_back((flags->GetValue(i) & kinds) != 0 ? 1 : 0);
   }
-  return std::find(found.begin(), found.end(), 1) == found.end() ? std::vector<unsigned char>{}
-                                                                 : found;
+  return found;
+}
+
+/// Not zero for each cell of a block that is blanked, refined, or has a hidden corner; none if the
+/// block has no flags.
+std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
+{
+  if (!leaf.Data->GetPointGhostArray())
+  {
+    return FindFlags(leaf, vtkIsosurfaceRayTraceBlock::Blanked);
+  }
+  const vtkIsosurfaceRayTraceBlock block{ leaf, { 0, 0, 0 } };
+  const vtkirt::Index3 cells = block.GetCells();
+  std::vector<unsigned char> hidden;
+  hidden.reserve(vtkirt::Count(cells));
+  for (int z = 0; z < cells[2]; ++z)
+  {
+    for (int y = 0; y < cells[1]; ++y)
+    {
+      for (int x = 0; x < cells[0]; ++x)
+      {
+        const bool isShown = block.Shows({ x, y, z }, vtkIsosurfaceRayTraceBlock::Blanked);
+        hidden.push_back(isShown ? 0 : 1);
+      }
+    }
+  }
+  return hidden;
 }
 
 }
@@ -208,14 +233,14 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
     {
       dimension += scalars.AreOfCells ? 0 : 1;
     }
-    const auto keepFlags = [&whole, &leaf](int kinds) -> const unsigned char*
+    const auto keep = [&whole](std::vector<unsigned char>&& flags) -> const unsigned char*
     {
-      whole->Flags.push_back(FindFlags(leaf, kinds));
-      return whole->Flags.back().empty() ? nullptr : whole->Flags.back().data();
+      const bool hasAny = std::find(flags.begin(), flags.end(), 1) != flags.end();
+      whole->Flags.push_back(hasAny ? std::move(flags) : std::vector<unsigned char>{});
+      return hasAny ? whole->Flags.back().data() : nullptr;
     };
-    patch.GhostCells = keepFlags(vtkDataSetAttributes::DUPLICATECELL);
-    patch.HiddenCells =
-      keepFlags(vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL);
+    patch.GhostCells = keep(FindFlags(leaf, vtkIsosurfaceRayTraceBlock::Duplicate));
+    patch.HiddenCells = keep(FindHiddenCells(leaf));
     patches.push_back(patch);
     placed.push_back(&leaf);
   }

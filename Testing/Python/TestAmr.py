@@ -7,7 +7,7 @@ import math
 import random
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray, vtkVersion
+from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkIdList, vtkUnsignedCharArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     VTK_XYZ_GRID,
     vtkAMRBox,
@@ -231,6 +231,31 @@ class TestAmr(unittest.TestCase):
         self.assertLess(len(hidden), len(before))
         in_block, flat_index = mutable(0), mutable(0)
         self.assertFalse(any(mapper.FindBlock(hit[2], in_block, flat_index) is grids[3] for hit in hidden))
+
+    def test_cells_with_a_blanked_point_are_not_hit(self):
+        for of_cells in (False, True):
+            with self.subTest(of_cells):
+                amr = vtkOverlappingAMR()
+                grids = fill(amr, NESTED, of_cells)
+                mapper, volume = make_mapper(amr)
+                rays = random_rays(2000)
+                before = cast(mapper, volume, rays)
+                in_block, flat_index = mutable(0), mutable(0)
+
+                def place(hit):
+                    grid = mapper.FindBlock(hit[2], in_block, flat_index)
+                    return grid, in_block.get()
+
+                places = [place(hit) for hit in before]
+                grid, cell = next((grid, cell) for grid, cell in places if grid in grids[1:])
+                point = grid.GetCell(cell).GetPointId(0)
+                around = vtkIdList()
+                grid.GetPointCells(point, around)
+                left = [hit for hit, (other, number) in zip(before, places)
+                        if other is not grid or around.IsId(number) < 0]
+                self.assertLess(len(left), len(before))
+                grid.BlankPoint(point)
+                self.assertEqual(cast(mapper, volume, rays), left)
 
     def test_a_block_that_does_not_fit_is_left_out(self):
         for change, text in ((lambda grid: grid.SetSpacing(0.3, 0.3, 0.3), "whole part"),
