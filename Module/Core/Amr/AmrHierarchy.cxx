@@ -4,9 +4,6 @@
 #include "Amr/AmrHierarchy.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -66,6 +63,29 @@ void ForEachIndex(const Index3& first, const Index3& count, const Visit& visit)
       }
     }
   }
+}
+
+/// The box of some cells of a level.
+Bounds GetBox(const Index3& first, const Index3& count)
+{
+  Bounds box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = first[axis];
+    box.Upper[axis] = first[axis] + count[axis];
+  }
+  return box;
+}
+
+/// Whether boxes have cells in common.
+bool Overlap(const Bounds& a, const Bounds& b)
+{
+  bool overlap = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    overlap = overlap && a.Lower[axis] < b.Upper[axis] && b.Lower[axis] < a.Upper[axis];
+  }
+  return overlap;
 }
 
 /// The cells that touch a node, along one axis.
@@ -238,14 +258,9 @@ AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> pat
   : OfCells(ofCells)
   , Patches(std::move(patches))
 {
-  Index3 toFirst = { 1, 1, 1 };
-  for (std::size_t level = 0; level < ratios.size(); ++level)
+  for (const Index3& ratio : ratios)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      toFirst[axis] *= level > 0 ? ratios[level][axis] : 1;
-    }
-    this->Levels.push_back({ ratios[level], toFirst, {}, nullptr });
+    this->Levels.push_back({ ratio, {}, nullptr });
   }
   for (std::size_t i = 0; i < this->Patches.size(); ++i)
   {
@@ -257,13 +272,7 @@ AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> pat
     for (const std::size_t number : level.Patches)
     {
       const AmrPatch& patch = this->Patches[number];
-      Bounds box;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        box.Lower[axis] = patch.First[axis];
-        box.Upper[axis] = patch.First[axis] + patch.Cells[axis];
-      }
-      boxes.push_back(box);
+      boxes.push_back(GetBox(patch.First, patch.Cells));
     }
     level.Tree = std::make_unique<BoundsTree>(boxes);
     level.HasOverlaps = this->HasOverlaps(level);
@@ -277,18 +286,9 @@ bool AmrHierarchy::HasOverlaps(const Level& level) const
     [&](std::size_t number)
     {
       const AmrPatch& patch = this->Patches[number];
+      const Bounds own = GetBox(patch.First, patch.Cells);
       int count = 0;
-      level.Tree->Find(
-        [&patch](const Bounds& box)
-        {
-          bool overlap = true;
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            overlap = overlap && box.Lower[axis] < patch.First[axis] + patch.Cells[axis] &&
-              patch.First[axis] < box.Upper[axis];
-          }
-          return overlap;
-        },
+      level.Tree->Find([&own](const Bounds& box) { return Overlap(box, own); },
         [&count](std::size_t) { ++count; });
       return count > 1;
     });
@@ -323,17 +323,9 @@ const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell, Likely& l
 const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell) const
 {
   const Level& all = this->Levels[static_cast<std::size_t>(level)];
+  const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
   const AmrPatch* owner = nullptr;
-  all.Tree->Find(
-    [&cell](const Bounds& box)
-    {
-      bool isIn = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        isIn = isIn && box.Lower[axis] <= cell[axis] && cell[axis] < box.Upper[axis];
-      }
-      return isIn;
-    },
+  all.Tree->Find([&ofCell](const Bounds& box) { return Overlap(box, ofCell); },
     [&](std::size_t number)
     {
       const AmrPatch* patch = &this->Patches[all.Patches[number]];
@@ -464,6 +456,8 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
         hide(cell);
       }
     });
+  // In cells of each level.
+  Bounds around = GetBox({ patch.First[0] - 1, patch.First[1] - 1, patch.First[2] - 1 }, size);
   Index3 ratio = { 1, 1, 1 };
   for (auto level = static_cast<std::size_t>(patch.Level); level < this->Levels.size(); ++level)
   {
@@ -471,32 +465,36 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       ratio[axis] *= isOwnLevel ? 1 : this->Levels[level].Ratio[axis];
+      around.Lower[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
+      around.Upper[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
     }
-    for (const std::size_t number : this->Levels[level].Patches)
-    {
-      const AmrPatch& other = this->Patches[number];
-      if (isOwnLevel && &other >= &patch)
+    this->Levels[level].Tree->Find([&around](const Bounds& box) { return Overlap(box, around); },
+      [&](std::size_t number)
       {
-        continue;
-      }
-      // The cells that the other patch has as a whole.
-      Index3 low;
-      Index3 count;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
-        low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis] - 1);
-        count[axis] = std::min(end, patch.First[axis] + patch.Cells[axis] + 1) - low[axis];
-      }
-      ForEachIndex(low, count,
-        [&](const Index3& cell)
+        const AmrPatch& other = this->Patches[this->Levels[level].Patches[number]];
+        if (isOwnLevel && &other >= &patch)
         {
-          if (!isOwnLevel || (IsIn(patch, cell) && Owns(other, cell)))
+          return;
+        }
+        // The cells that the other patch has as a whole.
+        Index3 low;
+        Index3 count;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
+          low[axis] =
+            std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis] - 1);
+          count[axis] = std::min(end, patch.First[axis] + patch.Cells[axis] + 1) - low[axis];
+        }
+        ForEachIndex(low, count,
+          [&](const Index3& cell)
           {
-            hide(cell);
-          }
-        });
-    }
+            if (!isOwnLevel || (IsIn(patch, cell) && Owns(other, cell)))
+            {
+              hide(cell);
+            }
+          });
+      });
   }
   if (std::find(isHidden.begin(), isHidden.end(), 1) == isHidden.end())
   {

@@ -71,9 +71,8 @@ private:
   /// The patches of a level.
   struct Level
   {
-    /// Cells in one of the level before, and in one of the first.
+    /// Cells in one of the level before.
     Index3 Ratio;
-    Index3 RatioToFirst;
     std::vector<std::size_t> Patches;
     std::unique_ptr<BoundsTree> Tree;
     bool HasOverlaps = false;
