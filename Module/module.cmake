@@ -99,6 +99,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceScalars
   Rendering/vtkIsosurfaceRayTraceScene
   Rendering/vtkIsosurfaceRayTraceSelection
+  Rendering/vtkIsosurfaceRayTraceSnapshot
   Rendering/vtkIsosurfaceRayTraceSource
   Rendering/vtkIsosurfaceRayTraceUse
   Rendering/vtkIsosurfaceRayTraceValueColors)

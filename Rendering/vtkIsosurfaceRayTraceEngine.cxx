@@ -60,26 +60,6 @@ bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle
   return x >= 0 && x < pixels.Width && y >= 0 && y < pixels.Height;
 }
 
-void FindBoundsOfData(
-  vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
-{
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    if (attributes && attributes->HasBlockVisibilities())
-    {
-      vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, blocks, bounds);
-    }
-    else
-    {
-      blocks->GetBounds(bounds);
-    }
-  }
-  else if (auto* grid = vtkDataSet::SafeDownCast(data))
-  {
-    grid->GetBounds(bounds);
-  }
-}
-
 /// Makes bounds those of what is in them after a transformation.
 void Transform(vtkMatrix4x4* matrix, double bounds[6])
 {
@@ -172,11 +152,21 @@ bool vtkIsosurfaceRayTraceEngine::FindBounds(
   }
   UpdateInputs(this->Mapper);
   vtkBoundingBox all;
+  this->Blocks.resize(static_cast<std::size_t>(connections));
   for (int i = 0; i < connections; ++i)
   {
     double own[6];
     vtkMath::UninitializeBounds(own);
-    FindBoundsOfData(this->Mapper->GetInputDataObject(0, i), attributes, own);
+    vtkDataObject* data = this->Mapper->GetInputDataObject(0, i);
+    if (auto* grid = vtkDataSet::SafeDownCast(data))
+    {
+      grid->GetBounds(own);
+    }
+    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      this->FindBoundsOfBlocks(
+        composite, attributes, this->Blocks[static_cast<std::size_t>(i)], own);
+    }
     if (vtkVolume* volume = this->TheClient.GetConnectionVolume(i))
     {
       volume->ComputeMatrix();
@@ -190,6 +180,28 @@ bool vtkIsosurfaceRayTraceEngine::FindBounds(
     all.GetBounds(bounds);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Finds those of composite data, which were the last ones of a connection, or others.
+void vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(vtkCompositeDataSet* data,
+  vtkCompositeDataDisplayAttributes* attributes, BlocksOfConnection& last, double bounds[6]) const
+{
+  vtkIsosurfaceRayTraceSnapshot now(
+    data, attributes, this->TheClient.GetSettings().NumberOfThreads);
+  if (!(now == last.Found))
+  {
+    if (attributes && attributes->HasBlockVisibilities())
+    {
+      vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, data, last.Bounds.data());
+    }
+    else
+    {
+      data->GetBounds(last.Bounds.data());
+    }
+    last.Found = std::move(now);
+  }
+  std::copy(last.Bounds.begin(), last.Bounds.end(), bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +299,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   this->WarnOnce(leftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
-  const double gradients = inputs.GetStatistics().GradientSeconds;
+  const double gradients = inputs.GetGradientSeconds();
   if (gradients > 0.0)
   {
     this->GradientTime = gradients;
@@ -304,7 +316,25 @@ bool vtkIsosurfaceRayTraceEngine::SendEvent(const vtkIsosurfaceRayTraceUse& use,
   {
     return true;
   }
+  if (!this->Mapper->HasObserver(event))
+  {
+    return true;
+  }
   this->Mapper->InvokeEvent(event, progress);
+  return this->IsIntact(request);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::CheckAbort(
+  const vtkIsosurfaceRayTraceRequest& request, vtkRenderWindow* window)
+{
+  const bool isAsked = window->HasObserver(vtkCommand::AbortCheckEvent) != 0;
+  return window->CheckAbortStatus() != 0 || (isAsked && !this->IsIntact(request));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::IsIntact(const vtkIsosurfaceRayTraceRequest& request)
+{
   return request.Inputs.IsIntact() ||
     !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
                       "that were being traced, so the picture is not complete. Change them between "
@@ -430,7 +460,7 @@ bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
       {
         return this->SendEvent(
                  use, request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction) &&
-          holder.GetWindow()->CheckAbortStatus() == 0 && holder.CanDraw();
+          !this->CheckAbort(request, holder.GetWindow()) && holder.CanDraw();
       });
   this->Times = this->Frame.GetTimes();
   this->DisplayTime = this->Frame.GetDisplayTime();

@@ -9,15 +9,18 @@
 
 #include "vtkIsosurfaceRayTraceFrame.h"    // for ivars
 #include "vtkIsosurfaceRayTraceRequest.h"  // for arguments
+#include "vtkIsosurfaceRayTraceSnapshot.h" // for ivars
 #include "vtkIsosurfaceRayTraceUse.h"      // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
 #include "Field/TracedField.h"
 #include "Picture/RenderTiles.h"
 
+#include <array>      // for std::array
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
+#include <vector>     // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -26,6 +29,7 @@ class vtkAbstractVolumeMapper;
 class vtkAlgorithm;
 class vtkCamera;
 class vtkCompositeDataDisplayAttributes;
+class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
@@ -33,6 +37,7 @@ class vtkIsosurfaceRayTraceHolder;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
@@ -103,6 +108,15 @@ public:
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
 
 private:
+  /// The blocks that a connection had when their bounds were asked for last.
+  struct BlocksOfConnection
+  {
+    vtkIsosurfaceRayTraceSnapshot Found;
+    std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  };
+
+  void FindBoundsOfBlocks(vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes,
+    BlocksOfConnection& last, double bounds[6]) const;
   /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
   /// empty if they can.
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
@@ -125,11 +139,16 @@ private:
   /// traced has outlived it.
   bool SendEvent(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
     unsigned long event, double* progress);
+  /// Whether the window wants to abort the frame, or its observers have made it impossible.
+  bool CheckAbort(const vtkIsosurfaceRayTraceRequest& request, vtkRenderWindow* window);
+  /// Whether what is traced has outlived the observers of an event; if not, that is reported.
+  bool IsIntact(const vtkIsosurfaceRayTraceRequest& request);
 
   vtkAbstractVolumeMapper* Mapper;
   Client TheClient;
   vtkIsosurfaceRayTraceUseState Uses;
   vtkIsosurfaceRayTraceFrame Frame;
+  std::vector<BlocksOfConnection> Blocks;
   std::string LastProblem;
   std::string LastWarning;
   double HierarchyTime = 0.0;

@@ -36,7 +36,6 @@ public:
     const vtkIsosurfaceRayTraceScalars& scalars,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping);
 
-  void SelectAgain() override { this->IsBuilt = false; }
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;

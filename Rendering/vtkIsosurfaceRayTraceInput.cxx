@@ -100,15 +100,10 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   }
   const bool isSameChoice =
     scalars.Component == this->Component && settings.Image == this->ImageSettings;
-  if (this->AreSameLeaves && this->ArePartsKept && isSameChoice)
-  {
-    // Thousands of blocks are not put in order again for every frame.
-    for (const std::unique_ptr<Part>& part : this->Parts)
-    {
-      part->SelectAgain();
-    }
-  }
-  else
+  // Thousands of blocks are not put in order again for every frame.
+  const bool areSameParts =
+    this->AreSameLeaves && this->ArePartsKept && isSameChoice && this->ArePartsIntact();
+  if (!areSameParts)
   {
     this->ArePartsKept = false;
     this->ArePlaced = false;
@@ -142,7 +137,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   if (composite)
   {
     this->AreSameLeaves =
-      this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes);
+      this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes, settings.Threads);
     const std::string problem = this->Leaves.GetLeftOut().Describe();
     if (!this->Leaves.Get().empty())
     {
@@ -380,11 +375,13 @@ void vtkIsosurfaceRayTraceInput::JoinParts()
   }
   const bool isSame = this->Set &&
     std::equal(placed.begin(), placed.end(), this->Placed.begin(), this->Placed.end(), AreSame);
-  if (!isSame)
+  if (isSame)
   {
-    this->Set = std::make_unique<vtkirt::FieldSet>(placed);
-    this->Placed = std::move(placed);
+    this->Set->Forget();
+    return;
   }
+  this->Set = std::make_unique<vtkirt::FieldSet>(placed);
+  this->Placed = std::move(placed);
 }
 
 //------------------------------------------------------------------------------
@@ -431,9 +428,15 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::IsIntact() const
 {
-  return std::all_of(this->Parts.begin(), this->Parts.end(),
-           [](const std::unique_ptr<Part>& part) { return part->IsIntact(); }) &&
+  return this->ArePartsIntact() &&
     (!this->ColorArray || this->ColorArray->GetNumberOfTuples() >= this->NumberOfColors);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::ArePartsIntact() const
+{
+  return std::all_of(this->Parts.begin(), this->Parts.end(),
+    [](const std::unique_ptr<Part>& part) { return part->IsIntact(); });
 }
 
 //------------------------------------------------------------------------------

@@ -153,6 +153,7 @@ private:
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     PartList& before);
   void JoinParts();
+  bool ArePartsIntact() const;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColorsOfArray(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
   /// Whether the field is that of a part by itself. (Seamless ones have margins, which a set cuts.)

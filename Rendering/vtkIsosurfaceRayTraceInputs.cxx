@@ -113,4 +113,16 @@ vtkirt::FieldStatistics vtkIsosurfaceRayTraceInputs::GetStatistics() const
   return all;
 }
 
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceInputs::GetGradientSeconds() const
+{
+  double all = 0.0;
+  for (const auto& input : this->Inputs)
+  {
+    const vtkirt::TracedField* field = input->GetField();
+    all += field ? field->GetGradientSeconds() : 0.0;
+  }
+  return all;
+}
+
 VTK_ABI_NAMESPACE_END

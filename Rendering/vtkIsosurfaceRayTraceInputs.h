@@ -55,6 +55,7 @@ public:
   bool IsIntact() const;
   std::vector<vtkObject*> GetObjects() const;
   vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;
+  double GetGradientSeconds() const;
   ///@}
 
 private:

@@ -74,31 +74,13 @@ std::string vtkIsosurfaceRayTraceLeftOut::Describe() const
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceLeaves::Snapshot vtkIsosurfaceRayTraceLeaves::TakeSnapshot(
-  vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper)
-{
-  Snapshot now;
-  now.MapperTime = mapper->vtkObject::GetMTime();
-  const auto iterator = vtk::TakeSmartPointer(input->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* block = iterator->GetCurrentDataObject();
-    now.Blocks.push_back(block);
-    now.Times.push_back(block->GetMTime());
-    now.FlatIndices.push_back(iterator->GetCurrentFlatIndex());
-  }
-  return now;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
-  vtkCompositeDataDisplayAttributes* attributes)
+  vtkCompositeDataDisplayAttributes* attributes, int threads)
 {
-  // There may be thousands of blocks, looked through in every frame.
-  Snapshot now = TakeSnapshot(input, mapper);
-  now.DisplayTime = attributes ? attributes->GetMTime() : 0;
-  if (now == this->Collected)
+  vtkIsosurfaceRayTraceSnapshot now(input, attributes, threads);
+  const vtkMTimeType mapperTime = mapper->vtkObject::GetMTime();
+  if (now == this->Collected && mapperTime == this->MapperTime)
   {
     return true;
   }
@@ -133,6 +115,7 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
     }
   }
   this->Collected = std::move(now);
+  this->MapperTime = mapperTime;
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "vtkDataSet.h"                        // for ivars
 #include "vtkIsosurfaceRayTraceBlockDisplay.h" // for ivars
+#include "vtkIsosurfaceRayTraceSnapshot.h"     // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"                   // for ivars
 #include "vtkType.h"                           // for vtkIdType
@@ -21,7 +22,6 @@ class vtkAbstractVolumeMapper;
 class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkDataArray;
-class vtkDataObject;
 
 /// A data set that is traced.
 struct vtkIsosurfaceRayTraceLeaf
@@ -73,7 +73,7 @@ public:
   /// passed over. What is wrong with a block is told, and the block left out. Returns whether
   /// mapper and blocks are as they were before, and so all that is known of them.
   bool Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
-    const std::string& colorArrayName, vtkCompositeDataDisplayAttributes* attributes);
+    const std::string& colorArrayName, vtkCompositeDataDisplayAttributes* attributes, int threads);
 
   /// Takes a data set by itself. Its scalars may be null.
   void Take(vtkDataSet* data, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
@@ -92,26 +92,8 @@ private:
   std::string Append(Leaf leaf, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);
 
   /// What blocks were collected by.
-  struct Snapshot
-  {
-    vtkMTimeType MapperTime = 0;
-    vtkMTimeType DisplayTime = 0;
-    /// Blocks, their modification times, and their flat indices.
-    std::vector<vtkDataObject*> Blocks;
-    std::vector<vtkMTimeType> Times;
-    std::vector<unsigned int> FlatIndices;
-
-    bool operator==(const Snapshot& other) const
-    {
-      return this->MapperTime == other.MapperTime && this->DisplayTime == other.DisplayTime &&
-        this->Blocks == other.Blocks && this->Times == other.Times &&
-        this->FlatIndices == other.FlatIndices;
-    }
-  };
-
-  static Snapshot TakeSnapshot(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper);
-
-  Snapshot Collected;
+  vtkIsosurfaceRayTraceSnapshot Collected;
+  vtkMTimeType MapperTime = 0;
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   std::vector<Leaf> Leaves;
   bool OfCells = false;

@@ -22,9 +22,6 @@ struct vtkIsosurfaceRayTraceLeaf;
 class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
 {
 public:
-  /// The same data again, which have not been modified.
-  virtual void SelectAgain() {}
-
   /// From the object space of the field to the coordinates of the data. Known before the field is.
   virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
 

@@ -10,6 +10,8 @@
 #include "Picture/CastRays.h"
 #include "Picture/RenderTiles.h"
 #include "RandomNumbers.h"
+#include "Rays/LineFrustum.h"
+#include "Rays/RaysInBox.h"
 #include "SameBits.h"
 #include "TestVolume.h"
 
@@ -50,6 +52,7 @@ public:
 
   TracedField& GetField() override
   {
+    ++this->TimesAsked;
     if (!this->Field)
     {
       this->Field = ImageField::New(this->Volume.View(), {}, 1);
@@ -74,8 +77,10 @@ public:
   }
 
   bool IsMade() const { return this->Field != nullptr; }
+  int GetTimesAsked() const { return this->TimesAsked; }
 
 private:
+  int TimesAsked = 0;
   TestVolume<double> Volume;
   Index3 First;
   std::unique_ptr<ImageField> Field;
@@ -240,6 +245,44 @@ TEST(FieldSet, WhatNoRayMeetsIsNotMade)
   hidden.Set->Select(MakeRequest(1.0), {});
   CastRays(*hidden.Set, { { { -5.0, 2.0, 2.0 }, { 1.0, 0.0, 0.0 }, 0.0, 1e9 } }, 1);
   EXPECT_LT(hidden.CountMade(), 4);
+}
+
+//------------------------------------------------------------------------------
+/// Thousands of members are selected again only if something has changed.
+TEST(FieldSet, MembersAreSelectedAgainIfNeeded)
+{
+  Blocks blocks(16, Scaling({ 1.0, 1.0, 1.0 }), true);
+  const std::vector<CastRay> rays = MakeRays(200);
+  const auto trace = [&blocks, &rays](const TraceRequest& request, const MemoryBudget& budget)
+  {
+    blocks.Set->Select(request, {}, budget);
+    return CastRays(*blocks.Set, rays, 1);
+  };
+  const auto count = [&blocks] { return blocks.All.front()->GetTimesAsked(); };
+  const RayHits first = trace(MakeRequest(1.0), {});
+  EXPECT_EQ(count(), 1);
+  EXPECT_TRUE(AreSame(trace(MakeRequest(1.0), {}).Hits, first.Hits));
+  EXPECT_EQ(count(), 1);
+  trace(MakeRequest(0.5), {});
+  EXPECT_EQ(count(), 2);
+  TraceRequest cut = MakeRequest(0.5);
+  cut.Visible.HalfSpaces = { { { 0.0, 0.0, 1.0 }, -3.0 } };
+  trace(cut, {});
+  EXPECT_EQ(count(), 3);
+  cut.Visible.HalfSpaces.front().Offset = -4.0;
+  trace(cut, {});
+  EXPECT_EQ(count(), 4);
+  blocks.Set->Forget();
+  trace(cut, {});
+  EXPECT_EQ(count(), 5);
+  // Caches with a limit begin a frame with every selection.
+  const MemoryBudget little = { 1 << 20 };
+  trace(cut, little);
+  EXPECT_EQ(count(), 6);
+  trace(cut, little);
+  EXPECT_EQ(count(), 7);
+  trace(cut, {});
+  EXPECT_EQ(count(), 8);
 }
 
 //------------------------------------------------------------------------------
@@ -413,41 +456,128 @@ TEST(FieldSet, BeamsChangeNoBit)
   const Matrix4 clipFromObject =
     Multiply(Perspective(30.0, 200.0, 0.4), Invert(Translation({ 16.0, 17.0, 90.0 })));
   const Camera view(clipFromObject, Invert(clipFromObject), identity, 64, 48);
+  const auto findCorners = [&view](const PixelRectangle& pixels)
+  {
+    RayPacket lines;
+    lines.Clear();
+    for (const int y : { pixels.Y, pixels.Y + pixels.Height - 1 })
+    {
+      for (const int x : { pixels.X, pixels.X + pixels.Width - 1 })
+      {
+        const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          lines.Origin[axis][lines.Count] = ray.Origin[axis];
+          lines.Direction[axis][lines.Count] = ray.Direction[axis];
+        }
+        ++lines.Count;
+      }
+    }
+    return lines;
+  };
+  ASSERT_EQ(set.GetPacketsAtOnce(), 8);
+  const auto packets = std::make_unique<TracedPacket[]>(8);
   for (const double opacity : { 0.3, 1.0 })
   {
     set.Select(MakeRequest(opacity), {});
     std::size_t count = 0;
-    for (int tile = 0; tile < 24; ++tile)
+    for (int tile = 0; tile < 4; ++tile)
     {
-      const PixelRectangle pixels = { tile % 4 * 16, tile / 4 * 8, 16, 8 };
-      RayPacket lines;
-      lines.Clear();
-      for (const int y : { pixels.Y, pixels.Y + 7 })
+      // Beside packets with all rays there is one without any.
+      const PixelRectangle pixels = { tile % 2 * 32, tile / 2 * 24, 32, 24 };
+      set.Begin(findCorners(pixels), beam.get());
+      RayHits without[8];
+      for (int i = 0; i < 7; ++i)
       {
-        for (const int x : { pixels.X, pixels.X + 15 })
-        {
-          const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            lines.Origin[axis][lines.Count] = ray.Origin[axis];
-            lines.Direction[axis][lines.Count] = ray.Direction[axis];
-          }
-          ++lines.Count;
-        }
+        const PixelRectangle block = { pixels.X + i % 2 * 16, pixels.Y + i / 2 % 3 * 8, 16, 8 };
+        packets[i].Corners = findCorners(block);
+        set.MakeRays(view, block, {}, packets[i].Rays);
+        packets[i].Rays.Exists.Words[0] = i == 5 ? 0 : packets[i].Rays.Exists.Words[0];
+        packets[i].Rays.Exists.Words[1] = i == 5 ? 0 : packets[i].Rays.Exists.Words[1];
+        RayPacket again = packets[i].Rays;
+        set.Trace(again, without[i]);
       }
-      set.Begin(lines, beam.get());
-      RayPacket packet;
-      set.MakeRays(view, pixels, {}, packet);
-      RayPacket again = packet;
-      RayHits inBeam;
-      RayHits without;
-      set.Trace(packet, inBeam, beam.get());
-      set.Trace(again, without);
-      EXPECT_EQ(inBeam.First, without.First);
-      EXPECT_TRUE(AreSame(inBeam.Hits, without.Hits));
-      count += inBeam.Hits.size();
+      set.TracePackets(packets.get(), 7, beam.get());
+      for (int i = 0; i < 7; ++i)
+      {
+        EXPECT_EQ(packets[i].Hits.First, without[i].First);
+        EXPECT_TRUE(AreSame(packets[i].Hits.Hits, without[i].Hits));
+        count += without[i].Hits.size();
+      }
     }
     EXPECT_GT(count, 1000U);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Boxes are found one by one or all at once.
+TEST(LineFrustum, FindsTheBoxesThatRaysMeet)
+{
+  RandomNumbers random(5);
+  BoundsList boxes;
+  Bounds around = NoBounds();
+  std::vector<Bounds> each;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const auto pick = [&random] { return random.Uniform(-9.0, 9.0); };
+    const Vector3 lower = { pick(), pick(), pick() };
+    const Vector3 size = { random.Uniform(0.1, 1.5), 0.3, 0.2 };
+    each.push_back({ lower, lower + size });
+    boxes.Add(each.back());
+    around = Unite(around, each.back());
+  }
+  ASSERT_EQ(boxes.GetSize(), each.size());
+  for (const bool isParallel : { false, true })
+  {
+    RayPacket lines;
+    lines.Clear();
+    for (int i = 0; i < 4; ++i)
+    {
+      const Vector3 eye = { 1.0, 2.0, 30.0 };
+      const Vector3 corner = { -2.0 + 1.5 * (i % 2), -3.0 + 2.5 * (i / 2), 0.0 };
+      const Vector3 origin = isParallel ? corner + Vector3{ 0.0, 0.0, 30.0 } : eye;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        lines.Origin[axis][i] = origin[axis];
+        lines.Direction[axis][i] = corner[axis] - origin[axis];
+      }
+      ++lines.Count;
+    }
+    const LineFrustum frustum(lines, around);
+    std::vector<bool> isMet(each.size());
+    frustum.ForEachMet(boxes, [&isMet](std::size_t i) { isMet[i] = true; });
+    int met = 0;
+    for (std::size_t i = 0; i < each.size(); ++i)
+    {
+      EXPECT_EQ(frustum.MayMeet(each[i]), isMet[i]);
+      met += isMet[i] ? 1 : 0;
+    }
+    EXPECT_GT(met, 5);
+    EXPECT_LT(met, 100);
+    // A ray in the middle meets none of the others.
+    for (int i = 0; i < 200; ++i)
+    {
+      const double u = random.Uniform(0.0, 1.0);
+      const double v = random.Uniform(0.0, 1.0);
+      Vector3 origin;
+      Vector3 inverse;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const auto mix = [&](const double(&of)[RayPacket::Capacity]) {
+          return (1.0 - v) * ((1.0 - u) * of[0] + u * of[1]) + v * ((1.0 - u) * of[2] + u * of[3]);
+        };
+        origin[axis] = mix(lines.Origin[axis]);
+        inverse[axis] = 1.0 / mix(lines.Direction[axis]);
+      }
+      for (std::size_t k = 0; k < each.size(); ++k)
+      {
+        double begin = 0.0;
+        double end = 9.0;
+        const bool meets = CutToBox(
+          each[k].Lower.data(), each[k].Upper.data(), origin.data(), inverse.data(), begin, end);
+        EXPECT_TRUE(!meets || isMet[k]);
+      }
+    }
   }
 }
 

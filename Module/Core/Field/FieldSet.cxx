@@ -3,6 +3,7 @@
 
 #include "Field/FieldSet.h"
 
+#include "Field/GatheredRays.h"
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
 #include "Math/Matrix.h"
@@ -81,6 +82,11 @@ HalfSpace Transform(const HalfSpace& half, const Matrix4& setFromOwn)
   return result;
 }
 
+bool IsLimited(const MemoryBudget& budget)
+{
+  return budget.CacheBytes != MemoryBudget{}.CacheBytes;
+}
+
 double FindMargin(const Bounds& box)
 {
   const Vector3 size = box.Upper - box.Lower;
@@ -102,26 +108,28 @@ Bounds WithMargin(const Bounds& box)
 }
 
 //------------------------------------------------------------------------------
-struct FieldSet::Member
+struct alignas(64) FieldSet::Member
 {
-  FieldSource* Source = nullptr;
+  // What is asked of thousands of members comes first, side by side.
   Bounds Box;
+  std::atomic<unsigned int> Selection{ 0 };
+  /// Whether rays may hit anything of it.
+  bool MayHit = true;
+  bool IsOnDemand = false;
+  bool IsSeamless = false;
+
+  FieldSource* Source = nullptr;
   Matrix4 SetFromOwn;
   Matrix4 OwnFromSet;
   Matrix4 SetFromOwnGradient;
   double CellSize = 1.0;
   double MemoryShare = 1.0;
-  bool IsOnDemand = false;
-  bool IsSeamless = false;
   /// Null before it is selected first.
   TracedField* Field = nullptr;
-  /// Whether rays may hit anything of it.
-  bool MayHit = true;
   /// The time that its bricks had taken when it was selected.
   std::int64_t BrickNanoseconds = 0;
   /// The number of half-spaces that cut the member alone: those of the request follow.
   int OwnHalfSpaces = 0;
-  std::atomic<unsigned int> Selection{ 0 };
 
   /// A hit, with the number that its half-space has in the member, or in the set.
   Hit ToOwn(Hit hit) const
@@ -161,10 +169,35 @@ struct FieldSet::Candidate
 {
   double Near;
   std::size_t Number;
+  /// Of the packets that are traced, those with such rays: a bit for each.
+  unsigned int Packets = 1;
 
   bool operator<(const Candidate& other) const
   {
     return std::make_pair(this->Near, this->Number) < std::make_pair(other.Near, other.Number);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// A packet that is traced.
+struct FieldSet::PacketOfSet
+{
+  RayPacket* Rays;
+  RayHits* Hits;
+  /// The greatest T that one of the rays ends at.
+  double End;
+  /// The hits of each ray with all members so far.
+  std::vector<Hit> Found[RayPacket::Capacity];
+
+  void Begin(RayPacket& rays, RayHits& hits)
+  {
+    this->Rays = &rays;
+    this->Hits = &hits;
+    this->End = FindEnd(rays);
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      this->Found[i].clear();
+    }
   }
 };
 
@@ -178,7 +211,8 @@ public:
   {
     this->HasLines = true;
     this->Lines = lines;
-    this->Candidates.clear();
+    this->InBeam.clear();
+    this->Boxes.Clear();
     for (auto& [number, beam] : this->InUse)
     {
       this->Free[beam.Kind].push_back(std::move(beam.Own));
@@ -219,14 +253,16 @@ public:
 
   bool HasLines = false;
   RayPacket Lines;
-  /// The members that rays between the lines may meet, front to back.
-  std::vector<Candidate> Candidates;
+  /// The members that rays between the lines may meet, front to back, and their boxes.
+  std::vector<Candidate> InBeam;
+  BoundsList Boxes;
+  PacketOfSet Packets[PacketsAtOnce];
+  int PacketCount = 0;
   /// Of the member that is traced: rays and hits.
   RaysInBox Inside;
+  GatheredRays Gathered;
   RayPacket Moved;
   RayHits HitsOfMember;
-  /// The hits of each ray with all members so far.
-  std::vector<Hit> Found[RayPacket::Capacity];
 
 private:
   struct BeamOfMember
@@ -281,10 +317,16 @@ FieldSet::~FieldSet() = default;
 void FieldSet::Select(
   const TraceRequest& request, const Execution& execution, const MemoryBudget& budget)
 {
+  // There may be thousands of members. Those that have had the same selection need no other, unless
+  // they are to evict something.
+  const bool isSame = this->IsSelectionKnown && request == this->Request &&
+    execution.PacketKernels == this->PacketKernels && !IsLimited(this->Budget) &&
+    !IsLimited(budget);
+  this->IsSelectionKnown = false; // Whatever throws on the way.
   this->Request = request;
   this->PacketKernels = execution.PacketKernels;
   this->Budget = budget;
-  ++this->Selection;
+  this->Selection += isSame ? 0 : 1;
   for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
   {
     if (!this->Members[i].IsOnDemand)
@@ -292,6 +334,7 @@ void FieldSet::Select(
       this->SelectMember(this->Members[i], execution);
     }
   }
+  this->IsSelectionKnown = true;
 }
 
 //------------------------------------------------------------------------------
@@ -313,7 +356,7 @@ void FieldSet::SelectMember(Member& member, const Execution& execution) const
 {
   member.Field = &member.Source->GetField();
   MemoryBudget budget = this->Budget;
-  if (budget.CacheBytes != MemoryBudget{}.CacheBytes)
+  if (IsLimited(budget))
   {
     budget.CacheBytes = static_cast<std::size_t>(
       static_cast<double>(budget.CacheBytes) * (member.MemoryShare / this->MemoryShares));
@@ -389,16 +432,20 @@ void FieldSet::Begin(const RayPacket& lines, Beam* beam) const
 {
   auto* thread = static_cast<ThreadBeam*>(beam);
   thread->Begin(lines);
-  const LineFrustum frustum(lines);
+  const LineFrustum frustum(lines, this->Box);
   this->Tree.Find([&frustum](const Bounds& box) { return frustum.MayMeet(box); },
     [&](std::size_t number)
     {
       if (!this->IsKnownEmpty(this->Members[number]))
       {
-        thread->Candidates.push_back({ frustum.FindNear(this->Members[number].Box), number });
+        thread->InBeam.push_back({ frustum.FindNear(this->Members[number].Box), number });
       }
     });
-  std::sort(thread->Candidates.begin(), thread->Candidates.end());
+  std::sort(thread->InBeam.begin(), thread->InBeam.end());
+  for (const Candidate& candidate : thread->InBeam)
+  {
+    thread->Boxes.Add(this->Members[candidate.Number].Box);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -409,8 +456,8 @@ bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
   {
     return true;
   }
-  const LineFrustum frustum(lines);
-  return std::any_of(thread->Candidates.begin(), thread->Candidates.end(),
+  const LineFrustum frustum(lines, this->Box);
+  return std::any_of(thread->InBeam.begin(), thread->InBeam.end(),
     [&](const Candidate& candidate)
     {
       const Member& member = this->Members[candidate.Number];
@@ -465,87 +512,184 @@ void FieldSet::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     own = std::make_unique<ThreadBeam>();
     thread = own.get();
   }
-  if (!thread->HasLines)
-  {
-    thread->Candidates = this->FindCandidates(packet);
-  }
-  for (int i = 0; i < packet.Count; ++i)
-  {
-    thread->Found[i].clear();
-  }
-  double end = FindEnd(packet);
-  for (const Candidate& candidate : thread->Candidates)
-  {
-    if (candidate.Near > end)
-    {
-      break;
-    }
-    Cut(this->PacketKernels, packet, this->Members[candidate.Number].Box, thread->Inside);
-    const Member* member = IsEmpty(thread->Inside.Rays) ? nullptr : this->Prepare(candidate.Number);
-    if (!member)
-    {
-      continue;
-    }
-    member->Field->MoveRays(packet, thread->Inside, member->OwnFromSet, thread->Moved);
-    member->Field->Trace(
-      thread->Moved, thread->HitsOfMember, thread->GetBeam(candidate.Number, *member));
-    if (this->TakeHits(candidate.Number, packet, *thread))
-    {
-      end = FindEnd(packet);
-    }
-  }
-  this->JoinHits(*thread, packet, hits);
+  thread->PacketCount = 1;
+  thread->Packets[0].Begin(packet, hits);
+  this->TraceMembers(this->FindCandidates(packet), *thread);
 }
 
 //------------------------------------------------------------------------------
-/// Takes the hits of a member. Rays end at opaque ones: returns whether any does.
-bool FieldSet::TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const
+void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
 {
+  auto* thread = static_cast<ThreadBeam*>(beam);
+  thread->PacketCount = count;
+  for (Candidate& candidate : thread->InBeam)
+  {
+    candidate.Packets = 0;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    thread->Packets[i].Begin(packets[i].Rays, packets[i].Hits);
+    if (IsEmpty(packets[i].Rays.Exists))
+    {
+      continue;
+    }
+    LineFrustum(packets[i].Corners, this->Box)
+      .ForEachMet(thread->Boxes,
+        [thread, i](std::size_t candidate) { thread->InBeam[candidate].Packets |= 1U << i; });
+  }
+  this->TraceMembers(thread->InBeam, *thread);
+}
+
+//------------------------------------------------------------------------------
+/// Traces the packets through the candidates, which are sorted.
+void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const
+{
+  const PacketOfSet* const first = beam.Packets;
+  for (const Candidate& candidate : candidates)
+  {
+    const bool isBehindAll = std::all_of(first, first + beam.PacketCount,
+      [&candidate](const PacketOfSet& packet) { return candidate.Near > packet.End; });
+    if (isBehindAll)
+    {
+      break;
+    }
+    this->TraceMember(candidate, beam);
+  }
+  for (int i = 0; i < beam.PacketCount; ++i)
+  {
+    this->JoinHits(beam.Packets[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Traces the packets through a member: those with all rays in its box as they are, of the others
+/// the rays that are in it together.
+void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
+{
+  GatheredRays& gathered = beam.Gathered;
+  gathered.Clear();
+  const Member* member = nullptr;
+  for (unsigned int left = candidate.Packets; left != 0; left &= left - 1)
+  {
+    const int number = __builtin_ctz(left);
+    PacketOfSet& packet = beam.Packets[number];
+    if (candidate.Near > packet.End)
+    {
+      continue;
+    }
+    Cut(this->PacketKernels, *packet.Rays, this->Members[candidate.Number].Box, beam.Inside);
+    const int count = CountOf(beam.Inside.Rays);
+    member = count > 0 && !member ? this->Prepare(candidate.Number) : member;
+    if (count > 0 && !member)
+    {
+      return;
+    }
+    if (count == CountOf(packet.Rays->Exists))
+    {
+      member->Field->MoveRays(*packet.Rays, beam.Inside, member->OwnFromSet, beam.Moved);
+      this->TraceMoved(
+        candidate.Number, beam, [number](int ray) { return std::pair(number, ray); });
+      continue;
+    }
+    if (!gathered.HasRoomFor(count))
+    {
+      this->TraceGathered(candidate.Number, beam);
+    }
+    gathered.Add(number, *packet.Rays, beam.Inside);
+  }
+  this->TraceGathered(candidate.Number, beam);
+}
+
+//------------------------------------------------------------------------------
+void FieldSet::TraceGathered(std::size_t number, ThreadBeam& beam) const
+{
+  GatheredRays& gathered = beam.Gathered;
+  if (gathered.Rays.Count == 0)
+  {
+    return;
+  }
+  const Member& member = this->Members[number];
+  member.Field->MoveRays(gathered.Rays, gathered.Parts, member.OwnFromSet, beam.Moved);
+  this->TraceMoved(number, beam,
+    [&gathered](int ray) { return std::pair(gathered.Packet[ray], gathered.Place[ray]); });
+  gathered.Clear();
+}
+
+//------------------------------------------------------------------------------
+/// Traces the rays that were moved to a member. Find(ray) tells the packet that a ray is of, and
+/// its number there.
+template <typename Find>
+void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const
+{
+  const Member& member = this->Members[number];
   const RayHits& found = beam.HitsOfMember;
-  bool endsRays = false;
-  for (int i = 0; i < packet.Count; ++i)
+  member.Field->Trace(beam.Moved, beam.HitsOfMember, beam.GetBeam(number, member));
+  if (found.Hits.empty())
+  {
+    return;
+  }
+  unsigned int shortened = 0;
+  for (int i = 0; i < beam.Moved.Count; ++i)
   {
     const auto ray = static_cast<std::size_t>(i);
     for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
     {
-      Hit hit = this->Members[number].ToSet(found.Hits[k]);
+      const auto [packet, place] = find(i);
+      Hit hit = member.ToSet(found.Hits[k]);
       hit.Member = static_cast<int>(number);
-      if (hit.Plane != Hit::NoPlane)
+      if (this->TakeHit(hit, place, beam.Packets[packet]))
       {
-        // The same for all members with a cap there, whatever their arithmetic.
-        hit.T = FindCrossing(this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)],
-          packet.GetOrigin(i), packet.GetDirection(i))
-                  .T;
+        shortened |= 1U << packet;
       }
-      if (!this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0)
-      {
-        // Another member may have a cap right there.
-        const double beyond =
-          Slack * Length(this->Box.Upper - this->Box.Lower) / Length(packet.GetDirection(i));
-        packet.End[i] = std::min(packet.End[i], hit.T + beyond);
-        endsRays = true;
-      }
-      hit.T += packet.Base[i];
-      beam.Found[i].push_back(hit);
     }
   }
-  return endsRays;
+  for (; shortened != 0; shortened &= shortened - 1)
+  {
+    PacketOfSet& packet = beam.Packets[__builtin_ctz(shortened)];
+    packet.End = FindEnd(*packet.Rays);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Takes a hit of a ray, which ends there if it is opaque: returns whether it is.
+bool FieldSet::TakeHit(Hit hit, int ray, PacketOfSet& packet) const
+{
+  RayPacket& rays = *packet.Rays;
+  if (hit.Plane != Hit::NoPlane)
+  {
+    // The same for all members with a cap there, whatever their arithmetic.
+    hit.T = FindCrossing(this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)],
+      rays.GetOrigin(ray), rays.GetDirection(ray))
+              .T;
+  }
+  const bool isOpaque = !this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0;
+  if (isOpaque)
+  {
+    // Another member may have a cap right there.
+    const double beyond =
+      Slack * Length(this->Box.Upper - this->Box.Lower) / Length(rays.GetDirection(ray));
+    rays.End[ray] = std::min(rays.End[ray], hit.T + beyond);
+  }
+  hit.T += rays.Base[ray];
+  packet.Found[ray].push_back(hit);
+  return isOpaque;
 }
 
 //------------------------------------------------------------------------------
 /// Puts the hits of each ray in order.
-void FieldSet::JoinHits(ThreadBeam& beam, const RayPacket& packet, RayHits& hits) const
+void FieldSet::JoinHits(PacketOfSet& packet) const
 {
+  RayHits& hits = *packet.Hits;
   hits.Clear();
-  for (int i = 0; i < packet.Count; ++i)
+  for (int i = 0; i < packet.Rays->Count; ++i)
   {
-    std::vector<Hit>& found = beam.Found[i];
+    std::vector<Hit>& found = packet.Found[i];
     if (found.size() > 1)
     {
       std::stable_sort(found.begin(), found.end(),
         [](const Hit& a, const Hit& b)
         { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
-      this->DropTwins(packet.GetDirection(i), found);
+      this->DropTwins(packet.Rays->GetDirection(i), found);
     }
     if (this->Request.Projection)
     {
@@ -667,34 +811,42 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
   alignas(64) double ownPoints[3][RayPacket::Capacity];
   alignas(64) double ownGradients[3][RayPacket::Capacity];
   Hit own[RayPacket::Capacity];
-  int order[RayPacket::Capacity];
-  std::iota(order, order + count, 0);
-  std::stable_sort(
-    order, order + count, [hits](int a, int b) { return hits[a].Member < hits[b].Member; });
-  for (int first = 0; first < count;)
+  int places[RayPacket::Capacity];
+  int left[RayPacket::Capacity];
+  std::iota(left, left + count, 0);
+  while (count > 0)
   {
-    const Member& member = this->GetMember(hits[order[first]]);
-    int last = first;
-    while (last < count && hits[order[last]].Member == hits[order[first]].Member)
+    const int number = hits[left[0]].Member;
+    const Member& member = this->GetMember(hits[left[0]]);
+    int ownCount = 0;
+    int others = 0;
+    for (int k = 0; k < count; ++k)
     {
-      own[last - first] = member.ToOwn(hits[order[last]]);
-      ++last;
+      const int i = left[k];
+      if (hits[i].Member == number)
+      {
+        own[ownCount] = member.ToOwn(hits[i]);
+        places[ownCount++] = i;
+      }
+      else
+      {
+        left[others++] = i;
+      }
     }
-    member.Field->GetPointsAndGradients(own, last - first, ownPoints, ownGradients);
-    for (int k = 0; k < last - first; ++k)
+    count = others;
+    member.Field->GetPointsAndGradients(own, ownCount, ownPoints, ownGradients);
+    for (int k = 0; k < ownCount; ++k)
     {
-      const int i = order[first + k];
       const Vector3 point =
         TransformPoint(member.SetFromOwn, { ownPoints[0][k], ownPoints[1][k], ownPoints[2][k] });
       const Vector3 gradient = TransformDirection(
         member.SetFromOwnGradient, { ownGradients[0][k], ownGradients[1][k], ownGradients[2][k] });
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        points[axis][i] = point[axis];
-        gradients[axis][i] = gradient[axis];
+        points[axis][places[k]] = point[axis];
+        gradients[axis][places[k]] = gradient[axis];
       }
     }
-    first = last;
   }
 }
 
@@ -712,6 +864,18 @@ FieldStatistics FieldSet::GetStatistics() const
     }
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+/// Members that are selected by a ray have no such gradients.
+double FieldSet::GetGradientSeconds() const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  {
+    sum += this->Members[i].IsOnDemand ? 0.0 : this->Members[i].Field->GetGradientSeconds();
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------

@@ -73,6 +73,11 @@ public:
 
   void Select(const TraceRequest& request, const Execution& execution,
     const MemoryBudget& budget = {}) override;
+
+  /// To be called before the next Select if the field of a member, or what is visible of it, may
+  /// not be what it was.
+  void Forget() { this->IsSelectionKnown = false; }
+
   const TraceRequest& GetRequest() const override { return this->Request; }
 
   Bounds GetBounds() const override { return this->Box; }
@@ -85,6 +90,8 @@ public:
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
+  int GetPacketsAtOnce() const override { return PacketsAtOnce; }
+  void TracePackets(TracedPacket* packets, int count, Beam* beam) override;
   void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance) override;
   Vector3 GetPoint(const Hit& hit) const override;
@@ -93,12 +100,16 @@ public:
   void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
     double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
+  double GetGradientSeconds() const override;
   std::int64_t GetBrickNanoseconds() const override;
 
 private:
+  static constexpr int PacketsAtOnce = 8;
+
   struct Member;
   class ThreadBeam;
   struct Candidate;
+  struct PacketOfSet;
 
   TraceRequest MakeRequest(Member& member) const;
   void SelectMember(Member& member, const Execution& execution) const;
@@ -108,8 +119,13 @@ private:
   const Member& GetMember(const Hit& hit) const;
 
   std::vector<Candidate> FindCandidates(const RayPacket& packet) const;
-  bool TakeHits(std::size_t number, RayPacket& packet, ThreadBeam& beam) const;
-  void JoinHits(ThreadBeam& beam, const RayPacket& packet, RayHits& hits) const;
+  void TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const;
+  void TraceMember(const Candidate& candidate, ThreadBeam& beam) const;
+  void TraceGathered(std::size_t number, ThreadBeam& beam) const;
+  template <typename Find>
+  void TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const;
+  bool TakeHit(Hit hit, int ray, PacketOfSet& packet) const;
+  void JoinHits(PacketOfSet& packet) const;
   void DropTwins(const Vector3& direction, std::vector<Hit>& found) const;
 
   std::size_t NumberOfMembers;
@@ -123,6 +139,8 @@ private:
   /// The number of the selection; members that have another are to be selected before they are
   /// traced.
   unsigned int Selection = 0;
+  /// Whether members that have it are as they were selected.
+  bool IsSelectionKnown = false;
   /// Of the members, which share them.
   mutable std::array<std::mutex, 64> Mutexes;
 };

@@ -45,6 +45,15 @@ void TracedField::MakeRays(const Camera& view, const PixelRectangle& pixels,
 }
 
 //------------------------------------------------------------------------------
+void TracedField::TracePackets(TracedPacket* packets, int count, Beam* beam)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    this->Trace(packets[i].Rays, packets[i].Hits, beam);
+  }
+}
+
+//------------------------------------------------------------------------------
 void TracedField::FindTransmittance(
   RayPacket& packet, const Departure* departures, double* transmittance)
 {

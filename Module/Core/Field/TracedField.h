@@ -32,10 +32,6 @@ struct FieldStatistics
   std::size_t CacheMemory = 0;
   std::size_t NumberOfBricks = 0;
   std::size_t MaximumNumberOfBricks = 0;
-  /// The time spent making bricks so far, summed over the threads.
-  std::int64_t BrickNanoseconds = 0;
-  /// The time that the last request took to find gradients of all data.
-  double GradientSeconds = 0.0;
 
   void operator+=(const FieldStatistics& other)
   {
@@ -43,9 +39,16 @@ struct FieldStatistics
     this->CacheMemory += other.CacheMemory;
     this->NumberOfBricks += other.NumberOfBricks;
     this->MaximumNumberOfBricks += other.MaximumNumberOfBricks;
-    this->BrickNanoseconds += other.BrickNanoseconds;
-    this->GradientSeconds += other.GradientSeconds;
   }
+};
+
+/// The rays through a block of pixels, and their hits.
+struct TracedPacket
+{
+  /// Those at its corners, of which only the origins and the directions are set.
+  RayPacket Corners;
+  RayPacket Rays;
+  RayHits Hits;
 };
 
 /// Scalar data that rays are traced through: an image, a rectilinear grid, a mesh of cells.
@@ -120,6 +123,12 @@ public:
   virtual void Trace(RayPacket& packet, RayHits& hits, Beam* beam) = 0;
   void Trace(RayPacket& packet, RayHits& hits) { this->Trace(packet, hits, nullptr); }
 
+  /// The number of neighbouring packets that are best traced together, up to 8.
+  virtual int GetPacketsAtOnce() const { return 1; }
+
+  /// Finds the hits of several packets of a beam, which must be begun.
+  virtual void TracePackets(TracedPacket* packets, int count, Beam* beam);
+
   /// Finds the transmittance along each ray: the product of those of the surfaces it crosses,
   /// without the crossing that it starts from. There is a departure for each ray. The packet is
   /// used up.
@@ -144,11 +153,12 @@ public:
 
   virtual FieldStatistics GetStatistics() const = 0;
 
-  /// The time spent making bricks since any fixed point of time before the last Select.
-  virtual std::int64_t GetBrickNanoseconds() const
-  {
-    return this->GetStatistics().BrickNanoseconds;
-  }
+  /// The time that the last selection took to find gradients of all data.
+  virtual double GetGradientSeconds() const { return 0.0; }
+
+  /// The time spent making bricks since any fixed point of time before the last Select, summed over
+  /// the threads.
+  virtual std::int64_t GetBrickNanoseconds() const { return 0; }
 
   /// The value of a hit: its isovalue, or the extreme value of a projection.
   double GetValue(const Hit& hit) const

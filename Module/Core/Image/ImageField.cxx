@@ -243,4 +243,10 @@ FieldStatistics ImageField::GetStatistics() const
   return this->Structures->GetStatistics();
 }
 
+//------------------------------------------------------------------------------
+std::int64_t ImageField::GetBrickNanoseconds() const
+{
+  return this->Structures->GetBrickNanoseconds();
+}
+
 }

@@ -427,7 +427,6 @@ FieldStatistics MeshField::GetStatistics() const
   FieldStatistics statistics;
   statistics.HierarchyMemory =
     this->Tree.GetMemory() + (this->Smooth ? this->Smooth->GetMemory() : 0);
-  statistics.GradientSeconds = this->GradientSeconds;
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
     statistics.CacheMemory += surface.Pieces->GetMemory();

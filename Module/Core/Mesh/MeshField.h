@@ -55,6 +55,7 @@ public:
   void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
     double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
+  double GetGradientSeconds() const override { return this->GradientSeconds; }
 
 private:
   class ThreadBeam;
@@ -75,7 +76,6 @@ private:
   CellTree Tree;
   /// Null until they are requested first.
   std::unique_ptr<PointGradients> Smooth;
-  /// Of the last request.
   double GradientSeconds = 0.0;
   MeshSelection Selection;
 };

@@ -14,13 +14,25 @@ PixelBlockRenderer::PixelBlockRenderer(
   : TheScene(scene)
   , Shaders(shaders)
   , Picture(frame)
-  , Traced(new TracedPacket[scene.Fields.size()])
+  , BlocksAtOnce(GetBlocksAtOnce(scene))
+  , Traced(new TracedPacket[scene.Fields.size() * static_cast<std::size_t>(this->BlocksAtOnce)])
   , FragmentsOfFields(scene.Fields.size())
 {
   for (const SceneField& field : scene.Fields)
   {
     this->Beams.push_back(field.Field->MakeBeam());
   }
+}
+
+//------------------------------------------------------------------------------
+int PixelBlockRenderer::GetBlocksAtOnce(const Scene& scene)
+{
+  int most = 1;
+  for (const SceneField& field : scene.Fields)
+  {
+    most = std::max(most, field.Field->GetPacketsAtOnce());
+  }
+  return std::min(most, MaximumBlocks);
 }
 
 //------------------------------------------------------------------------------
@@ -31,7 +43,7 @@ void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
     const SceneField& field = this->TheScene.Fields[i];
     if (this->Beams[i] && Overlap(field.Pixels, this->InViewport(tile)))
     {
-      RayPacket& corners = this->Traced[i].Packet;
+      RayPacket& corners = this->GetTraced(i, 0).Corners;
       this->FindCorners(field.View, tile, corners);
       field.Field->Begin(corners, this->Beams[i].get());
     }
@@ -46,76 +58,96 @@ PixelRectangle PixelBlockRenderer::InViewport(const PixelRectangle& pixels) cons
 }
 
 //------------------------------------------------------------------------------
-/// The index of a pixel of the block in the arrays of a frame.
-std::size_t PixelBlockRenderer::GetOffset(int x, int y) const
+/// The index of a pixel of a block in the arrays of a frame.
+std::size_t PixelBlockRenderer::GetOffset(const PixelRectangle& block, int x, int y) const
 {
-  return static_cast<std::size_t>(this->Block.X + x) +
-    static_cast<std::size_t>(this->Block.Y + y) *
-    static_cast<std::size_t>(this->TheScene.Pixels.Width);
+  return static_cast<std::size_t>(block.X + x) +
+    static_cast<std::size_t>(block.Y + y) * static_cast<std::size_t>(this->TheScene.Pixels.Width);
 }
 
 //------------------------------------------------------------------------------
-void PixelBlockRenderer::Trace(const PixelRectangle& block)
+void PixelBlockRenderer::Trace(const PixelRectangle* blocks, int count)
 {
-  const Scene& scene = this->TheScene;
-  this->Block = block;
-  const PixelRectangle pixels = this->InViewport(block);
-  const PixelDepths depths = { scene.Depth ? scene.Depth + this->GetOffset(0, 0) : nullptr,
-    scene.Pixels.Width };
-  this->Ends.Clear();
+  this->BlockCount = count;
+  std::copy_n(blocks, count, this->Blocks);
+  for (int block = 0; block < count; ++block)
+  {
+    this->Ends[block].Clear();
+  }
   // Projections last: they end at the surfaces of all fields.
+  const std::vector<SceneField>& fields = this->TheScene.Fields;
   for (const bool isProjection : { false, true })
   {
-    for (std::size_t i = 0; i < scene.Fields.size(); ++i)
+    for (std::size_t i = 0; i < fields.size(); ++i)
     {
-      if (scene.Fields[i].Field->GetRequest().Projection.has_value() == isProjection)
+      if (fields[i].Field->GetRequest().Projection.has_value() == isProjection)
       {
-        this->TraceField(i, pixels, depths);
+        this->TraceField(i);
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void PixelBlockRenderer::TraceField(
-  std::size_t number, const PixelRectangle& pixels, const PixelDepths& depths)
+void PixelBlockRenderer::TraceField(std::size_t number)
 {
-  const SceneField& field = this->TheScene.Fields[number];
-  TracedPacket& traced = this->Traced[number];
-  TracedField::Beam* beam = this->Beams[number].get();
-  if (!this->MayHit(field, beam, traced.Packet))
+  TracedField& field = *this->TheScene.Fields[number].Field;
+  bool isAnyRay = false;
+  for (int block = 0; block < this->BlockCount; ++block)
   {
-    traced.Packet.Clear();
-    traced.Packet.Count = pixels.Width * pixels.Height;
-    traced.Hits.Hits.clear();
-    traced.Hits.First.assign(static_cast<std::size_t>(traced.Packet.Count) + 1, 0);
-    return;
+    isAnyRay = this->MakeRays(number, block) || isAnyRay;
   }
-  field.Field->MakeRays(field.View, pixels, depths, traced.Packet);
-  if (this->TheScene.Fields.size() == 1)
+  if (isAnyRay)
   {
-    field.Field->Trace(traced.Packet, traced.Hits, beam);
-    return;
+    field.TracePackets(&this->GetTraced(number, 0), this->BlockCount, this->Beams[number].get());
   }
-  this->Ends.Cut(traced.Packet);
-  field.Field->Trace(traced.Packet, traced.Hits, beam);
-  for (Hit& hit : traced.Hits.Hits)
+  for (int block = 0; this->TheScene.Fields.size() > 1 && block < this->BlockCount; ++block)
   {
-    hit.Field = static_cast<int>(number);
+    RayHits& hits = this->GetTraced(number, block).Hits;
+    for (Hit& hit : hits.Hits)
+    {
+      hit.Field = static_cast<int>(number);
+    }
+    this->Ends[block].Add(field.GetRequest(), hits);
   }
-  this->Ends.Add(field.Field->GetRequest(), traced.Hits);
 }
 
 //------------------------------------------------------------------------------
-/// Whether a ray through the block may hit a field: decided by the rays at its corners.
-bool PixelBlockRenderer::MayHit(
-  const SceneField& field, TracedField::Beam* beam, RayPacket& corners) const
+/// Makes the rays through a block, unless none of them can hit the field: returns whether they may.
+bool PixelBlockRenderer::MakeRays(std::size_t number, int block)
 {
-  if (!Overlap(field.Pixels, this->InViewport(this->Block)))
+  const SceneField& field = this->TheScene.Fields[number];
+  const PixelRectangle& pixels = this->Blocks[block];
+  TracedPacket& traced = this->GetTraced(number, block);
+  if (!this->MayHit(field, this->Beams[number].get(), pixels, traced.Corners))
+  {
+    traced.Rays.Clear();
+    traced.Rays.Count = pixels.Width * pixels.Height;
+    traced.Hits.Hits.clear();
+    traced.Hits.First.assign(static_cast<std::size_t>(traced.Rays.Count) + 1, 0);
+    return false;
+  }
+  const float* depth = this->TheScene.Depth;
+  field.Field->MakeRays(field.View, this->InViewport(pixels),
+    { depth ? depth + this->GetOffset(pixels, 0, 0) : nullptr, this->TheScene.Pixels.Width },
+    traced.Rays);
+  if (this->TheScene.Fields.size() > 1)
+  {
+    this->Ends[block].Cut(traced.Rays);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether a ray through a block may hit a field: decided by the rays at its corners.
+bool PixelBlockRenderer::MayHit(const SceneField& field, TracedField::Beam* beam,
+  const PixelRectangle& block, RayPacket& corners) const
+{
+  if (!Overlap(field.Pixels, this->InViewport(block)))
   {
     return false;
   }
-  this->FindCorners(field.View, this->Block, corners);
+  this->FindCorners(field.View, block, corners);
   return field.Field->MayHitBetween(corners, beam);
 }
 
@@ -144,9 +176,21 @@ void PixelBlockRenderer::FindCorners(
 //------------------------------------------------------------------------------
 void PixelBlockRenderer::Shade()
 {
+  for (this->Block = 0; this->Block < this->BlockCount; ++this->Block)
+  {
+    this->ShadeBlock();
+  }
+}
+
+//------------------------------------------------------------------------------
+void PixelBlockRenderer::ShadeBlock()
+{
   const std::size_t fields = this->TheScene.Fields.size();
-  const bool isEmpty = std::all_of(this->Traced.get(), this->Traced.get() + fields,
-    [](const TracedPacket& traced) { return traced.Hits.Hits.empty(); });
+  bool isEmpty = true;
+  for (std::size_t i = 0; i < fields; ++i)
+  {
+    isEmpty = isEmpty && this->GetTraced(i, this->Block).Hits.Hits.empty();
+  }
   if (isEmpty)
   {
     this->WriteBackground();
@@ -169,11 +213,12 @@ void PixelBlockRenderer::Shade()
 //------------------------------------------------------------------------------
 void PixelBlockRenderer::WriteBackground()
 {
-  for (int y = 0; y < this->Block.Height; ++y)
+  const PixelRectangle& block = this->Blocks[this->Block];
+  for (int y = 0; y < block.Height; ++y)
   {
     const std::size_t first = this->GetOffset(0, y);
-    std::fill_n(&this->Picture.Colors[4 * first], 4 * this->Block.Width, std::uint8_t{ 0 });
-    std::fill_n(&this->Picture.Depths[first], this->Block.Width, PixelWithoutDepth);
+    std::fill_n(&this->Picture.Colors[4 * first], 4 * block.Width, std::uint8_t{ 0 });
+    std::fill_n(&this->Picture.Depths[first], block.Width, PixelWithoutDepth);
   }
 }
 
@@ -181,15 +226,17 @@ void PixelBlockRenderer::WriteBackground()
 /// A single opaque surface needs no fragments.
 void PixelBlockRenderer::WriteOpaque()
 {
-  const RayHits& hits = this->Traced[0].Hits;
+  const PixelRectangle& block = this->Blocks[this->Block];
+  const TracedPacket& traced = this->GetTraced(0, this->Block);
+  const RayHits& hits = traced.Hits;
   HitPixels made;
-  this->Shaders.front().MakePixels(this->Traced[0].Packet, hits, made);
+  this->Shaders.front().MakePixels(traced.Rays, hits, made);
   std::size_t ray = 0;
   std::size_t hit = 0;
-  for (int y = 0; y < this->Block.Height; ++y)
+  for (int y = 0; y < block.Height; ++y)
   {
     std::size_t pixel = this->GetOffset(0, y);
-    for (int x = 0; x < this->Block.Width; ++x, ++ray, ++pixel)
+    for (int x = 0; x < block.Width; ++x, ++ray, ++pixel)
     {
       const bool isHit = hits.First[ray + 1] > hit;
       const std::uint32_t color = isHit ? made.Colors[hit] : 0;
@@ -215,8 +262,8 @@ void PixelBlockRenderer::WriteFragments()
     {
       if (fields[i].Field->GetRequest().Projection.has_value() == isProjection)
       {
-        this->Shaders[i].MakeFragments(
-          this->Traced[i].Packet, this->Traced[i].Hits, this->FragmentsOfFields[next++]);
+        const TracedPacket& traced = this->GetTraced(i, this->Block);
+        this->Shaders[i].MakeFragments(traced.Rays, traced.Hits, this->FragmentsOfFields[next++]);
       }
     }
   }
@@ -228,9 +275,10 @@ void PixelBlockRenderer::WriteFragments()
   // A value by itself keeps its opacity; a sum of one would round it.
   const bool isLoneValue = fields.size() == 1 && fields.front().Field->GetRequest().Projection;
   std::size_t ray = 0;
-  for (int y = 0; y < this->Block.Height; ++y)
+  const PixelRectangle& block = this->Blocks[this->Block];
+  for (int y = 0; y < block.Height; ++y)
   {
-    for (int x = 0; x < this->Block.Width; ++x, ++ray)
+    for (int x = 0; x < block.Width; ++x, ++ray)
     {
       const Fragment* first = fragments.List.data() + fragments.First[ray];
       const std::size_t count = fragments.First[ray + 1] - fragments.First[ray];
@@ -247,9 +295,10 @@ void PixelBlockRenderer::WriteFragments()
 /// Keeps the nearest hit of each ray.
 void PixelBlockRenderer::WriteHits()
 {
+  const int width = this->Blocks[this->Block].Width;
   for (std::size_t i = 0; i < this->TheScene.Fields.size(); ++i)
   {
-    const RayHits& hits = this->Traced[i].Hits;
+    const RayHits& hits = this->GetTraced(i, this->Block).Hits;
     for (std::size_t ray = 0; ray + 1 < hits.First.size(); ++ray)
     {
       if (hits.First[ray] == hits.First[ray + 1])
@@ -257,8 +306,7 @@ void PixelBlockRenderer::WriteHits()
         continue;
       }
       const int index = static_cast<int>(ray);
-      Hit& kept =
-        this->Picture.Hits[this->GetOffset(index % this->Block.Width, index / this->Block.Width)];
+      Hit& kept = this->Picture.Hits[this->GetOffset(index % width, index / width)];
       const Hit& hit = hits.Hits[hits.First[ray]];
       if (i == 0 || kept.Surface == Hit::NoSurface || hit.T < kept.T)
       {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -55,8 +56,8 @@ struct Tile
 {
   /// In pixels from the lower left of the rectangle drawn.
   PixelRectangle Pixels;
-  /// The number of blocks that are done: the first ones.
-  int BlocksDone = 0;
+  /// The number of groups of blocks that are done: the first ones.
+  int GroupsDone = 0;
   bool IsDone = false;
 };
 
@@ -74,20 +75,32 @@ std::vector<Tile> MakeTiles(const Scene& scene)
   return tiles;
 }
 
-/// Calls visit for the parts of a tile that make a packet of rays each, until it returns false: as
-/// square as may be, since the rays of a packet are traced together.
+/// Calls visit(blocks, count) for groups of neighbouring parts of a tile that make a packet of rays
+/// each, until it returns false. Parts and groups are as square as may be, since their rays are
+/// traced together.
 template <typename Visit>
-void ForEachBlock(const PixelRectangle& tile, const Visit& visit)
+void ForEachGroup(const PixelRectangle& tile, int blocksAtOnce, const Visit& visit)
 {
   constexpr int width = 16;
   const int columns = std::min(width, tile.Width);
   const int rows = RayPacket::Capacity / columns;
-  for (int y = 0; y < tile.Height; y += rows)
+  const int across = blocksAtOnce > 1 ? 2 : 1;
+  const int up = blocksAtOnce / across;
+  for (int y = 0; y < tile.Height; y += up * rows)
   {
-    for (int x = 0; x < tile.Width; x += columns)
+    for (int x = 0; x < tile.Width; x += across * columns)
     {
-      if (!visit(PixelRectangle{ tile.X + x, tile.Y + y, std::min(columns, tile.Width - x),
-            std::min(rows, tile.Height - y) }))
+      PixelRectangle blocks[PixelBlockRenderer::MaximumBlocks];
+      int count = 0;
+      for (int blockY = y; blockY < std::min(y + up * rows, tile.Height); blockY += rows)
+      {
+        for (int blockX = x; blockX < std::min(x + across * columns, tile.Width); blockX += columns)
+        {
+          blocks[count++] = { tile.X + blockX, tile.Y + blockY,
+            std::min(columns, tile.Width - blockX), std::min(rows, tile.Height - blockY) };
+        }
+      }
+      if (!visit(blocks, count))
       {
         return;
       }
@@ -129,7 +142,9 @@ public:
     , Picture(frame)
     , Times(times)
     , Shaders(MakeShaders(scene, execution.PacketKernels))
+    , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
     , Tiles(MakeTiles(scene))
+    , BrickSeconds(GetBrickSeconds(scene))
   {
   }
 
@@ -151,8 +166,11 @@ private:
   Frame& Picture;
   FrameTimes& Times;
   std::vector<Shader> Shaders;
+  int BlocksAtOnce;
   /// Those that are not done.
   std::vector<Tile> Tiles;
+  /// Up to the last step.
+  double BrickSeconds;
   std::atomic<std::size_t> PixelsDone{ 0 };
   Clock::time_point StepStart;
   std::atomic<bool> IsStepOver{ false };
@@ -168,7 +186,6 @@ void FrameRenderer::TakeStep()
   this->IsStepOver = false;
   this->TraceNanoseconds = 0;
   this->ShadeNanoseconds = 0;
-  const double brickSecondsBefore = GetBrickSeconds(this->TheScene);
   const auto tiles = static_cast<std::int64_t>(this->Tiles.size());
   FirstException exception;
 #pragma omp parallel num_threads(this->TheExecution.Threads)
@@ -186,7 +203,9 @@ void FrameRenderer::TakeStep()
                       [](const Tile& tile) { return tile.IsDone; }),
     this->Tiles.end());
 
-  const double brickSeconds = GetBrickSeconds(this->TheScene) - brickSecondsBefore;
+  const double brickSecondsBefore =
+    std::exchange(this->BrickSeconds, GetBrickSeconds(this->TheScene));
+  const double brickSeconds = this->BrickSeconds - brickSecondsBefore;
   const double traceSeconds = 1e-9 * static_cast<double>(this->TraceNanoseconds.load());
   const double shadeSeconds = 1e-9 * static_cast<double>(this->ShadeNanoseconds.load());
   const double threadSeconds = traceSeconds + shadeSeconds;
@@ -198,8 +217,8 @@ void FrameRenderer::TakeStep()
 }
 
 //------------------------------------------------------------------------------
-/// Renders the blocks of a tile that are left, until the step is over. (A loop of OpenMP cannot be
-/// left early: the remaining tiles do nothing.)
+/// Renders the groups of blocks of a tile that are left, until the step is over. (A loop of OpenMP
+/// cannot be left early: the remaining tiles do nothing.)
 void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
 {
   int number = 0;
@@ -208,10 +227,10 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
   std::size_t pixels = 0;
   tile.IsDone = true;
   renderer.BeginTile(tile.Pixels);
-  ForEachBlock(tile.Pixels,
-    [&](const PixelRectangle& block)
+  ForEachGroup(tile.Pixels, this->BlocksAtOnce,
+    [&](const PixelRectangle* blocks, int count)
     {
-      if (number++ < tile.BlocksDone)
+      if (number++ < tile.GroupsDone)
       {
         return true;
       }
@@ -221,14 +240,17 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
         return false;
       }
       const Clock::time_point begin = Clock::now();
-      renderer.Trace(block);
+      renderer.Trace(blocks, count);
       const Clock::time_point traced = Clock::now();
       renderer.Shade();
       const Clock::time_point end = Clock::now();
       traceTime += traced - begin;
       shadeTime += end - traced;
-      pixels += Area(block);
-      ++tile.BlocksDone;
+      for (int i = 0; i < count; ++i)
+      {
+        pixels += Area(blocks[i]);
+      }
+      ++tile.GroupsDone;
       if (end - this->StepStart >= ReportInterval)
       {
         this->IsStepOver.store(true, std::memory_order_relaxed);

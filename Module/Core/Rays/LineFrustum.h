@@ -7,11 +7,11 @@
 #include "Math/Bounds.h"
 #include "Rays/RayPacket.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -21,14 +21,15 @@ namespace vtkIsosurfaceRayTracing
 class LineFrustum
 {
 public:
-  /// Of the lines only the origins and the directions are needed.
-  explicit LineFrustum(const RayPacket& lines)
+  /// Of the lines only the origins and the directions are needed. All boxes that it is asked about
+  /// must lie in the box around them.
+  LineFrustum(const RayPacket& lines, const Bounds& around)
   {
     constexpr std::array<std::array<int, 4>, 4> sides = { { { 0, 1, 2, 3 }, { 1, 3, 0, 2 },
       { 3, 2, 1, 0 }, { 2, 0, 3, 1 } } };
     for (const std::array<int, 4>& side : sides)
     {
-      this->AddSide(lines, side);
+      this->AddSide(lines, side, around);
     }
     this->FindDepth(lines);
   }
@@ -36,23 +37,42 @@ public:
   /// Whether a ray may meet a box. Some boxes outside are taken for met.
   bool MayMeet(const Bounds& box) const
   {
-    for (const Side& side : this->Sides)
+    const double* const ends[2] = { box.Lower.data(), box.Upper.data() };
+    for (int i = 0; i < this->SideCount; ++i)
     {
-      double highest = 0.0;
-      double size = 0.0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double low = side.Normal[axis] * (box.Lower[axis] - side.Point[axis]);
-        const double high = side.Normal[axis] * (box.Upper[axis] - side.Point[axis]);
-        highest += std::max(low, high);
-        size += std::abs(low) + std::abs(high);
-      }
-      if (highest < -Slack * size)
+      const Side& side = this->Sides[i];
+      const double highest = side.Normal[0] * ends[side.Farther[0]][0] +
+        side.Normal[1] * ends[side.Farther[1]][1] + side.Normal[2] * ends[side.Farther[2]][2];
+      if (highest + side.Offset < 0.0)
       {
         return false;
       }
     }
     return true;
+  }
+
+  /// Calls visit(number) for those of a list of boxes that a ray may meet, in order.
+  template <typename Visit>
+  void ForEachMet(const BoundsList& boxes, const Visit& visit) const
+  {
+    constexpr std::size_t batch = 64;
+    double least[batch];
+    for (std::size_t first = 0; first < boxes.GetSize(); first += batch)
+    {
+      const std::size_t count = std::min(batch, boxes.GetSize() - first);
+      std::fill_n(least, count, 0.0);
+      for (int i = 0; i < this->SideCount; ++i)
+      {
+        FindLeast(this->Sides[i], boxes, first, count, least);
+      }
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        if (least[i] >= 0.0)
+        {
+          visit(first + i);
+        }
+      }
+    }
   }
 
   /// A T that no ray comes to a box before.
@@ -84,11 +104,32 @@ private:
   struct Side
   {
     Vector3 Normal;
-    Vector3 Point;
+    /// Of a point at the plane, the height is the product with the normal, and this; boxes get more
+    /// than what rounding may take from them.
+    double Offset;
+    /// Along each axis, the end of boxes that is higher: the lower one is 0, the upper one 1.
+    int Farther[3];
   };
 
+  /// Lowers numbers to the heights that some boxes reach above a side.
+  static void FindLeast(
+    const Side& side, const BoundsList& boxes, std::size_t first, std::size_t count, double* least)
+  {
+    const double* corner[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      corner[axis] = (side.Farther[axis] != 0 ? boxes.Upper : boxes.Lower)[axis].data() + first;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double highest = side.Normal[0] * corner[0][i] + side.Normal[1] * corner[1][i] +
+        side.Normal[2] * corner[2][i];
+      least[i] = std::min(least[i], highest + side.Offset);
+    }
+  }
+
   /// Of lines that coincide there is no plane.
-  void AddSide(const RayPacket& lines, const std::array<int, 4>& side)
+  void AddSide(const RayPacket& lines, const std::array<int, 4>& side, const Bounds& around)
   {
     const Vector3 origin = lines.GetOrigin(side[0]);
     const Vector3 direction = Normalized(lines.GetDirection(side[0]));
@@ -114,9 +155,18 @@ private:
         isBelow = isBelow && height <= 0.0;
       }
     }
-    if (isAbove != isBelow)
+    if (isAbove == isBelow)
     {
-      this->Sides.push_back({ isAbove ? normal : normal * -1.0, origin });
+      return;
+    }
+    normal = isAbove ? normal : normal * -1.0;
+    Side& added = this->Sides[this->SideCount++];
+    added = { normal, -Dot(normal, origin), {} };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      added.Farther[axis] = normal[axis] >= 0.0 ? 1 : 0;
+      added.Offset += Slack * std::abs(normal[axis]) *
+        (std::abs(around.Lower[axis] - origin[axis]) + std::abs(around.Upper[axis] - origin[axis]));
     }
   }
 
@@ -138,7 +188,8 @@ private:
     }
   }
 
-  std::vector<Side> Sides;
+  Side Sides[4];
+  int SideCount = 0;
   /// T is the product with a point, and the offset.
   struct
   {

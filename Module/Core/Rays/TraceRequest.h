@@ -20,6 +20,11 @@ struct Isosurface
 {
   double Isovalue;
   double Opacity;
+
+  bool operator==(const Isosurface& other) const
+  {
+    return this->Isovalue == other.Isovalue && this->Opacity == other.Opacity;
+  }
 };
 
 /// The extreme value along a ray that a projection shows.
@@ -81,6 +86,14 @@ struct TraceRequest
   Visibility Visible;
   /// The gradients that hits are shaded by.
   NormalMode Normals = NormalMode::CentralDifferences;
+
+  bool operator==(const TraceRequest& other) const
+  {
+    return this->Surfaces == other.Surfaces && this->Interpolation == other.Interpolation &&
+      this->Solver == other.Solver && this->Interpolations == other.Interpolations &&
+      this->Projection == other.Projection && this->Visible == other.Visible &&
+      this->Normals == other.Normals;
+  }
 
   bool IsNothing() const { return this->Surfaces.empty() && !this->Projection; }
 

@@ -22,6 +22,12 @@ struct HalfSpace
   double Offset;
   /// Whether the insides of surfaces are capped at its plane: see Caps.h, and MeshCaps.h.
   bool IsCapped = false;
+
+  bool operator==(const HalfSpace& other) const
+  {
+    return this->Normal == other.Normal && this->Offset == other.Offset &&
+      this->IsCapped == other.IsCapped;
+  }
 };
 
 enum class RayEnd
@@ -58,6 +64,11 @@ struct CroppingRegions
 
   static constexpr unsigned int All = 0x7ffffff;
 
+  bool operator==(const CroppingRegions& other) const
+  {
+    return this->Planes == other.Planes && this->Visible == other.Visible;
+  }
+
   bool Contain(const Vector3& point) const
   {
     int region = 0;
@@ -82,6 +93,12 @@ struct Visibility
   /// One for every cell, by its number, not zero where it is not visible; null if all are. They
   /// must not change while they are selected.
   const unsigned char* HiddenCells = nullptr;
+
+  bool operator==(const Visibility& other) const
+  {
+    return this->HalfSpaces == other.HalfSpaces && this->Regions == other.Regions &&
+      this->HiddenCells == other.HiddenCells;
+  }
 
   bool HasCaps() const
   {

@@ -116,44 +116,61 @@ private:
     return std::isfinite(gradient[0]) && std::isfinite(gradient[1]) && std::isfinite(gradient[2]);
   }
 
-  /// Central differences at the corners of a cell, interpolated.
+  /// Central differences at the corners of a cell, interpolated. At the border of the image they
+  /// are one-sided.
   Vector3 InterpolateDifferences(
     const Index3& cell, const Vector3& parametric, const UnevenPlanes* planes) const
   {
+    // The steps from the first corner to the sample before it, to the two corners, and to the
+    // sample behind, if there are such.
+    std::ptrdiff_t steps[3][4];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::ptrdiff_t stride = this->TheSamples.GetStrides()[axis];
+      const bool hasPrevious = cell[axis] > 0;
+      const bool hasNext = cell[axis] + 2 < this->TheSamples.GetDimensions()[axis];
+      steps[axis][0] = hasPrevious ? -stride : 0;
+      steps[axis][1] = 0;
+      steps[axis][2] = stride;
+      steps[axis][3] = hasNext ? 2 * stride : stride;
+    }
+    const T* first = this->TheSamples.At(cell);
     Vector3 gradient;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       CellCorners differences;
-      for (int corner = 0; corner < 8; ++corner)
+      for (std::size_t corner = 0; corner < 8; ++corner)
       {
-        differences[static_cast<std::size_t>(corner)] = this->GetDifference(
-          { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2) }, axis,
-          planes);
+        const T* sample = first;
+        for (const std::size_t other : { (axis + 1) % 3, (axis + 2) % 3 })
+        {
+          sample += steps[other][1 + (corner >> other & 1)];
+        }
+        differences[corner] =
+          this->GetDifference(sample, cell, axis, corner >> axis & 1, steps[axis], planes);
       }
       gradient[axis] = Interpolate(differences, parametric);
     }
     return gradient;
   }
 
-  /// The slope at a sample: the central difference, or its equivalent for uneven spacing; at the
-  /// border of the image, the one-sided difference.
-  double GetDifference(Index3 sample, std::size_t axis, const UnevenPlanes* planes) const
+  /// The slope at one of two corners along an axis, of which the sample is the first: the central
+  /// difference, or its equivalent for uneven spacing.
+  static double GetDifference(const T* sample, const Index3& cell, std::size_t axis,
+    std::size_t corner, const std::ptrdiff_t steps[4], const UnevenPlanes* planes)
   {
-    const int index = sample[axis];
-    const int next = std::min(index + 1, this->TheSamples.GetDimensions()[axis] - 1);
-    const int previous = std::max(index - 1, 0);
-    sample[axis] = next;
-    const auto high = static_cast<double>(*this->TheSamples.At(sample));
-    sample[axis] = previous;
-    const auto low = static_cast<double>(*this->TheSamples.At(sample));
+    const auto low = static_cast<double>(sample[steps[corner]]);
+    const auto high = static_cast<double>(sample[steps[corner + 2]]);
     if (planes)
     {
-      sample[axis] = index;
-      const auto middle = static_cast<double>(*this->TheSamples.At(sample));
-      const UnevenPlanes::SlopeWeights& weights = planes->GetSlopeWeights(axis, index);
+      const auto middle = static_cast<double>(sample[steps[corner + 1]]);
+      const UnevenPlanes::SlopeWeights& weights =
+        planes->GetSlopeWeights(axis, cell[axis] + static_cast<int>(corner));
       return weights.Below * (middle - low) + weights.Above * (high - middle);
     }
-    return (high - low) / (next - previous);
+    const bool isCentral =
+      steps[corner] != steps[corner + 1] && steps[corner + 1] != steps[corner + 2];
+    return (high - low) * (isCentral ? 0.5 : 1.0);
   }
 
   Samples<T> TheSamples;
