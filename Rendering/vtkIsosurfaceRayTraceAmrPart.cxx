@@ -87,6 +87,7 @@ public:
     const auto coarsest = std::find_if(leaves.begin(), leaves.end(),
       [this](const Leaf& leaf) { return AreEqual(GetSpacing(leaf), this->Spacings.front()); });
     this->Origin = GetCorner(*coarsest);
+    this->LeaveOutTooFine(leaves);
   }
 
   /// Finds the place of a block. Returns why it has none; empty if it has.
@@ -105,13 +106,22 @@ public:
       return "Its spacing is not a whole part of that of the next coarser level.";
     }
     patch.Level = static_cast<int>(level - this->Spacings.begin());
+    if (level - this->Spacings.begin() >= static_cast<std::ptrdiff_t>(this->Ratios.size()))
+    {
+      return "Its cells are too small: the whole data have more than 2^29 of them along an axis.";
+    }
+    if (!(this->FindReach(leaf) <= Farthest))
+    {
+      return "It lies more than a million cells of the coarsest level away from the first block "
+             "there.";
+    }
     const vtkirt::Vector3 corner = GetCorner(leaf);
     const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(image);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const double place = (corner[axis] - this->Origin[axis]) / (*level)[axis];
       const double whole = std::round(place);
-      if (!(std::abs(place - whole) <= Slack) || !(std::abs(whole) < 0x1p28))
+      if (!(std::abs(place - whole) <= Slack))
       {
         return "It does not lie on the lattice of its level: its origin is not a whole number of "
                "cells from that of the coarsest level.";
@@ -122,9 +132,54 @@ public:
     return "";
   }
 
+  /// Of the levels that are not too fine.
   const std::vector<vtkirt::Index3>& GetRatios() const { return this->Ratios; }
 
 private:
+  /// In cells of the coarsest level.
+  static constexpr double Farthest = 0x1p20;
+
+  /// How far a block reaches from the origin, in cells of the coarsest level.
+  double FindReach(const Leaf& leaf) const
+  {
+    const vtkirt::Vector3 corner = GetCorner(leaf);
+    const vtkirt::Vector3 spacing = GetSpacing(leaf);
+    const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(leaf.Data);
+    double reach = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      reach = std::max(reach,
+        (std::abs(corner[axis] - this->Origin[axis]) + points[axis] * spacing[axis]) /
+          this->Spacings.front()[axis]);
+    }
+    return reach;
+  }
+
+  /// Places are counted in cells of all levels, and in halves of them.
+  void LeaveOutTooFine(const std::vector<Leaf>& leaves)
+  {
+    double reach = 0.0;
+    for (const Leaf& leaf : leaves)
+    {
+      const double ofLeaf = this->FindReach(leaf);
+      reach = ofLeaf <= Farthest ? std::max(reach, ofLeaf) : reach;
+    }
+    vtkirt::Vector3 count = { reach, reach, reach };
+    std::size_t level = 0;
+    for (; level < this->Ratios.size(); ++level)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        count[axis] *= this->Ratios[level][axis];
+      }
+      if (!(std::max({ count[0], count[1], count[2] }) < 0x1p29))
+      {
+        break;
+      }
+    }
+    this->Ratios.resize(level);
+  }
+
   static bool FindRatio(
     const vtkirt::Vector3& coarse, const vtkirt::Vector3& fine, vtkirt::Index3& ratio)
   {

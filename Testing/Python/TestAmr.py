@@ -275,6 +275,29 @@ class TestAmr(unittest.TestCase):
                 self.assertIn(text, messages[0])
                 self.assertGreater(len(hits), 100)
 
+    def test_levels_that_are_too_fine_are_left_out(self):
+        rays = random_rays(500)
+        # Thirty levels, each twice as fine.
+        deep = [(0, (0, 0, 0), (8, 8, 8))] + [(level, (0, 0, 0), (2, 2, 2)) for level in range(1, 31)]
+        amr = vtkOverlappingAMR()
+        fill(amr, deep, False)
+        mapper, volume = make_mapper(amr)
+        hits = []
+        messages = errors_of(mapper, lambda: hits.extend(cast(mapper, volume, rays)), vtkCommand.WarningEvent)
+        self.assertEqual(len(messages), 1, messages)
+        self.assertIn("cells are too small", messages[0])
+        self.assertGreater(len(hits), 100)
+        # A block far away.
+        amr = vtkOverlappingAMR()
+        grids = fill(amr, NESTED, False)
+        mapper, volume = make_mapper(amr)
+        grids[3].SetOrigin(2.0**40, 0.0, 0.0)
+        hits = []
+        messages = errors_of(mapper, lambda: hits.extend(cast(mapper, volume, rays)), vtkCommand.WarningEvent)
+        self.assertEqual(len(messages), 1, messages)
+        self.assertIn("million cells", messages[0])
+        self.assertGreater(len(hits), 100)
+
     def test_what_no_ray_meets_costs_nothing(self):
         amr = vtkOverlappingAMR()
         fill(amr, NESTED, True)
