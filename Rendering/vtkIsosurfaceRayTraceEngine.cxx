@@ -143,6 +143,7 @@ void vtkIsosurfaceRayTraceEngine::UpdateInputs(vtkAlgorithm* mapper)
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::FindBounds(
   vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
+try
 {
   const int connections = this->Mapper->GetNumberOfInputConnections(0);
   if (connections < 2 && !vtkCompositeDataSet::SafeDownCast(this->Mapper->GetDataObjectInput()) &&
@@ -150,6 +151,7 @@ bool vtkIsosurfaceRayTraceEngine::FindBounds(
   {
     return false;
   }
+  vtkMath::UninitializeBounds(bounds);
   UpdateInputs(this->Mapper);
   vtkBoundingBox all;
   this->Blocks.resize(static_cast<std::size_t>(connections));
@@ -174,11 +176,15 @@ bool vtkIsosurfaceRayTraceEngine::FindBounds(
     }
     all.AddBounds(own);
   }
-  vtkMath::UninitializeBounds(bounds);
   if (all.IsValid())
   {
     all.GetBounds(bounds);
   }
+  return true;
+}
+catch (const std::bad_alloc&)
+{
+  this->ReportBadAlloc();
   return true;
 }
 
