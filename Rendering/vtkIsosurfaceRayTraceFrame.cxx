@@ -310,9 +310,14 @@ bool vtkIsosurfaceRayTraceFrame::Trace(const vtkirt::Execution& execution, const
 bool vtkIsosurfaceRayTraceFrame::IsOpaque(const Drawing& drawing) const
 {
   // A mean is not opaque at the edge of a surface.
-  const vtkirt::TraceRequest& request = this->Picture.Scene.Fields.front().Field->GetRequest();
-  return !request.Projection && vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces) &&
-    drawing.Sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1;
+  const std::vector<vtkirt::SceneField>& fields = this->Picture.Scene.Fields;
+  return drawing.Sampling.Rays == 1 && this->NumberOfAccumulatedFrames <= 1 &&
+    std::all_of(fields.begin(), fields.end(),
+      [](const vtkirt::SceneField& field)
+      {
+        const vtkirt::TraceRequest& request = field.Field->GetRequest();
+        return !request.Projection && vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces);
+      });
 }
 
 //------------------------------------------------------------------------------

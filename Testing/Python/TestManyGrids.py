@@ -33,6 +33,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import vtkmodules.vtkRenderingOpenGL2  # the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
+from PictureTesting import capture
 from MeshTesting import (
     SIZE,
     ball,
@@ -408,6 +409,36 @@ class TestManyGrids(unittest.TestCase):
                 for channel, expected in zip(color, (0.2 + 0.6 * number, 0.5, 0.9 - 0.7 * number)):
                     self.assertAlmostEqual(channel, 255 * expected, delta=1)
         self.assertEqual(seen, {0, 1})
+
+    def test_opaque_and_translucent_connections_in_a_window(self):
+        """The picture in a window is the one without, before the background."""
+        for opaque in (0, 1):
+            mapper, volume, _, _ = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+            for i in (0, 1):
+                surface = mapper.GetConnectionVolume(i).GetProperty()
+                surface.ShadeOff()
+                surface.GetScalarOpacity().RemoveAllPoints()
+                surface.GetScalarOpacity().AddPoint(0.0, 1.0 if i == opaque else 0.4)
+            renderer = vtkRenderer()
+            renderer.AddVolume(volume)
+            renderer.SetBackground(0.2, 0.4, 0.6)
+            window = vtkRenderWindow()
+            window.SetOffScreenRendering(1)
+            window.SetMultiSamples(0)
+            window.SetSize(PIXELS, PIXELS)
+            window.AddRenderer(renderer)
+            renderer.ResetCamera()
+            window.Render()
+            image = vtkImageData()
+            self.assertTrue(mapper.RenderToImage(volume, renderer.GetActiveCamera(), None, PIXELS, PIXELS, image))
+            translucent = 0
+            shown = capture(window)
+            for pixel in range(PIXELS**2):
+                *color, alpha = image.GetPointData().GetArray("Colors").GetTuple(pixel)
+                translucent += 0 < alpha < 255
+                for channel, own, behind in zip(shown[3 * pixel :], color, (51, 102, 153)):
+                    self.assertAlmostEqual(channel, own + (1 - alpha / 255) * behind, delta=2)
+            self.assertGreater(translucent, 100)
 
     def test_errors_name_the_connection(self):
         mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
