@@ -67,6 +67,25 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(background, (41.0, 46.0, 56.0))
         self.assertGreater(surface[0], 100.0)
 
+    def test_many_grids(self):
+        """Rays and triangles show the same surfaces."""
+        output = self.check_script("many_grids.py", write_waves(self.folder), str(ISOVALUE), self.folder)
+        names = ("refined", "registered", "mixed")
+        self.assertEqual(len(output.splitlines()), len(names))
+        for name, line in zip(names, output.splitlines()):
+            times = re.fullmatch(rf".*/{name}\.png: rays ([0-9.]+) ms, triangles ([0-9.]+) ms", line)
+            self.assertTrue(times, line)
+            self.assertGreater(min(float(time) for time in times.groups()), 0.0)
+            pixels = read(os.path.join(self.folder, name + ".png"))
+            self.assertEqual(len(pixels), 960 * 480)
+            shown = [pixel != (41.0, 46.0, 56.0) for pixel in pixels]
+            sides = [[shown[960 * y + x] for y in range(480) for x in range(first, first + 480)] for first in (0, 480)]
+            self.assertGreater(sum(sides[0]), 0.1 * len(sides[0]))
+            different = sum(a != b for a, b in zip(*sides))
+            self.assertLess(different, 0.02 * sum(sides[0]))
+        result = self.run_script("many_grids.py", write_waves(self.folder), "1", self.folder, "absent", "Density", "1")
+        self.assertIn("there is no file absent", result.stderr)
+
     def test_pictures_that_cannot_be_written(self):
         volume = write_waves(self.folder)
         picture = os.path.join(self.folder, "absent", "picture.png")
@@ -104,7 +123,8 @@ class TestExamples(unittest.TestCase):
         picture = os.path.join(self.folder, "picture.png")
         for file_name in (os.path.join(self.folder, "absent.mhd"), *write_bad_volumes(self.folder)):
             for script, last in (("compare_isosurfaces.py", ()), ("ray_trace_isosurface.py", (picture,)),
-                                 ("gallery.py", (self.folder,)), ("scenes.py", (self.folder,))):
+                                 ("gallery.py", (self.folder,)), ("scenes.py", (self.folder,)),
+                                 ("many_grids.py", (self.folder,))):
                 with self.subTest(script, file_name=file_name):
                     result = self.run_script(script, file_name, str(ISOVALUE), *last)
                     self.assertEqual(result.returncode, 1, result.stderr)
@@ -117,6 +137,7 @@ class TestExamples(unittest.TestCase):
         for script, arguments in (
             ("compare_isosurfaces.py", "VOLUME.mhd ISOVALUE"),
             ("ray_trace_isosurface.py", "VOLUME.mhd ISOVALUE PICTURE.png"),
+            ("many_grids.py", "VOLUME.mhd ISOVALUE FOLDER"),
         ):
             for given in ((), ("absent.mhd", "1", "picture.png")[: len(arguments.split())]):
                 result = self.run_script(script, *given)
