@@ -338,6 +338,24 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
 }
 
 //------------------------------------------------------------------------------
+/// Most blocks of a simulation have nothing of a surface: they need no nodes.
+bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
+{
+  // Between the samples the tricubic interpolant may have any value.
+  if (request.Projection || request.Interpolation == vtkirt::Interpolant::Tricubic)
+  {
+    return true;
+  }
+  if (!this->Range)
+  {
+    this->Range = this->Whole->Patches->FindRange(this->Number);
+  }
+  return std::any_of(request.Surfaces.begin(), request.Surfaces.end(),
+    [this](const vtkirt::Isosurface& surface)
+    { return this->Range->Min <= surface.Isovalue && surface.Isovalue <= this->Range->Max; });
+}
+
+//------------------------------------------------------------------------------
 vtkirt::TracedField& vtkIsosurfaceRayTraceAmrPart::GetField()
 {
   this->Update(1);

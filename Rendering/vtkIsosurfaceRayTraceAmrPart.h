@@ -15,9 +15,10 @@
 #include "Amr/AmrHierarchy.h"
 #include "Image/ImageField.h"
 
-#include <cstddef> // for std::size_t
-#include <memory>  // for std::unique_ptr
-#include <vector>  // for std::vector
+#include <cstddef>  // for std::size_t
+#include <memory>   // for std::unique_ptr
+#include <optional> // for std::optional
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -34,6 +35,7 @@ public:
     const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping,
     vtkIsosurfaceRayTraceLeftOut& leftOut);
 
+  bool MayHit(const vtkIsosurfaceRayTracing::TraceRequest& request) override;
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   std::size_t GetMemory() const override;
@@ -75,6 +77,8 @@ private:
   vtkIsosurfaceRayTracing::Index3 Cells;
   /// Of the nodes.
   vtkIsosurfaceRayTraceGeometry Geometry;
+  /// None before it is asked for first.
+  std::optional<vtkIsosurfaceRayTracing::AmrRange> Range;
   vtkIsosurfaceRayTracing::AmrNodes Nodes;
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
   /// What the scalars were when they were selected.

@@ -306,6 +306,15 @@ class TestAmr(unittest.TestCase):
         little = mapper.GetMacrocellMemory()
         cast(mapper, volume, random_rays(500))
         self.assertLess(little, 0.4 * mapper.GetMacrocellMemory())
+        # Nor does what rays meet, but has no values of the surface.
+        amr = vtkNonOverlappingAMR()
+        fill(amr, APART, True)
+        memory = []
+        for isovalue in (0.0, 2.1):
+            mapper, volume = make_mapper(amr, isovalue)
+            self.assertGreater(len(cast(mapper, volume, random_rays(5000))), 50)
+            memory.append(mapper.GetMacrocellMemory())
+        self.assertLess(memory[1], 0.5 * memory[0])
 
 
 if __name__ == "__main__":

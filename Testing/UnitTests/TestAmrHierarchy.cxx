@@ -273,6 +273,39 @@ TEST_P(AmrSamples, InterpolantsMeet)
 }
 
 //------------------------------------------------------------------------------
+/// The values of the interpolant in a patch are in the range that is known before.
+TEST_P(AmrSamples, RangesHoldAllValues)
+{
+  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.5);
+  double widest = 0.0;
+  for (std::size_t i = 0; i < grids.GetNumberOfPatches(); ++i)
+  {
+    const AmrRange range = grids.Hierarchy->FindRange(i);
+    const AmrNodes& nodes = grids.Nodes[i];
+    AmrRange actual;
+    Index3 node;
+    for (node[2] = 1; node[2] < nodes.Dimensions[2] - 1; ++node[2])
+    {
+      for (node[1] = 1; node[1] < nodes.Dimensions[1] - 1; ++node[1])
+      {
+        for (node[0] = 1; node[0] < nodes.Dimensions[0] - 1; ++node[0])
+        {
+          const double value = nodes.Values[Offset(node, nodes.Dimensions)];
+          actual.Min = std::min(actual.Min, value);
+          actual.Max = std::max(actual.Max, value);
+        }
+      }
+    }
+    EXPECT_LE(range.Min, actual.Min);
+    EXPECT_GE(range.Max, actual.Max);
+    // Cells beside the patch are a small part of the data.
+    EXPECT_LT(range.Max - range.Min, 12.0);
+    widest = std::max(widest, (range.Max - range.Min) / (actual.Max - actual.Min));
+  }
+  EXPECT_LT(widest, 5.0);
+}
+
+//------------------------------------------------------------------------------
 TEST_P(AmrSamples, FinerCellsCount)
 {
   const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.0);

@@ -4,6 +4,7 @@
 #include "Amr/AmrHierarchy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -88,6 +89,32 @@ bool Overlap(const Bounds& a, const Bounds& b)
   return overlap;
 }
 
+/// Includes the samples of a patch that are of the cells of a box.
+void Include(
+  const AmrPatch& patch, bool ofCells, const Index3& first, const Index3& end, AmrRange& range)
+{
+  Index3 low;
+  Index3 count;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = std::max(first[axis] - patch.First[axis], 0);
+    count[axis] =
+      std::min(end[axis] - patch.First[axis], patch.Cells[axis]) - low[axis] + (ofCells ? 0 : 1);
+  }
+  DispatchScalarType(patch.Samples,
+    [&](const auto& samples)
+    {
+      ForEachIndex(low, count,
+        [&](const Index3& i)
+        {
+          const auto value = static_cast<double>(*samples.At(i));
+          const bool isFinite = std::isfinite(value);
+          range.Min = isFinite ? std::min(range.Min, value) : range.Min;
+          range.Max = isFinite ? std::max(range.Max, value) : range.Max;
+        });
+    });
+}
+
 /// The cells that touch a node, along one axis.
 struct TouchingCells
 {
@@ -122,6 +149,47 @@ bool IsInner(const Index3& node, const AmrNodes& nodes)
   return isInner;
 }
 
+/// Doubles the resolution of lines of values, from the centres of cells to all nodes between the
+/// first and the last border: each line has a number of values side by side.
+void Refine(const double* lines, int cells, std::size_t values, double* refined)
+{
+  for (int node = 1; node < 2 * cells; ++node)
+  {
+    const double* below = lines + static_cast<std::size_t>((node - 1) / 2) * values;
+    const double* above = lines + static_cast<std::size_t>(node / 2) * values;
+    double* to = refined + static_cast<std::size_t>(node - 1) * values;
+    for (std::size_t i = 0; i < values; ++i)
+    {
+      to[i] = 0.5 * (below[i] + above[i]);
+    }
+  }
+}
+
+/// The means at the inner nodes of cells: along one axis after the other.
+template <typename T>
+std::vector<double> RefineCells(const Samples<T>& samples, const Index3& cells)
+{
+  std::vector<double> values;
+  values.reserve(Count(cells));
+  ForEachIndex({ 0, 0, 0 }, cells,
+    [&](const Index3& cell) { values.push_back(static_cast<double>(*samples.At(cell))); });
+  std::size_t before = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto nodes = static_cast<std::size_t>(2 * cells[axis] - 1);
+    const std::size_t lines = values.size() / (before * static_cast<std::size_t>(cells[axis]));
+    std::vector<double> refined(lines * before * nodes);
+    for (std::size_t line = 0; line < lines; ++line)
+    {
+      Refine(&values[line * before * static_cast<std::size_t>(cells[axis])], cells[axis], before,
+        &refined[line * before * nodes]);
+    }
+    values = std::move(refined);
+    before *= nodes;
+  }
+  return values;
+}
+
 /// Fills the nodes of a patch of which that is true, as NodeReader reads them, but faster.
 void FillInner(const AmrPatch& patch, int nodesOfCell, AmrNodes& nodes)
 {
@@ -130,25 +198,17 @@ void FillInner(const AmrPatch& patch, int nodesOfCell, AmrNodes& nodes)
   DispatchScalarType(patch.Samples,
     [&](const auto& samples)
     {
-      ForEachIndex({ 2, 2, 2 }, count,
+      std::vector<double> refined;
+      if (nodesOfCell == 2)
+      {
+        refined = RefineCells(samples, patch.Cells);
+      }
+      ForEachIndex({ 0, 0, 0 }, count,
         [&](const Index3& i)
         {
-          const Index3 node = { i[0] - 1, i[1] - 1, i[2] - 1 };
-          double& value = nodes.Values[Offset(i, nodes.Dimensions)];
-          if (nodesOfCell == 1)
-          {
-            value = static_cast<double>(*samples.At(node));
-            return;
-          }
-          double sum = 0.0;
-          int cells = 0;
-          ForEachTouching(node, nodesOfCell,
-            [&](const Index3& cell)
-            {
-              sum += static_cast<double>(*samples.At(cell));
-              ++cells;
-            });
-          value = sum / cells;
+          const Index3 node = { i[0] + 1, i[1] + 1, i[2] + 1 };
+          nodes.Values[Offset({ i[0] + 2, i[1] + 2, i[2] + 2 }, nodes.Dimensions)] =
+            nodesOfCell == 2 ? refined[Offset(i, count)] : static_cast<double>(*samples.At(node));
         });
     });
 }
@@ -432,6 +492,45 @@ AmrNodes AmrHierarchy::MakeNodes(std::size_t number) const
   }
   this->HideCells(patch, nodes);
   return nodes;
+}
+
+//------------------------------------------------------------------------------
+/// Nodes have values of samples, means of them, or are between those of coarser levels.
+AmrRange AmrHierarchy::FindRange(std::size_t number) const
+{
+  // The cells that nodes in the patch and in its faces are of, with one more on all sides.
+  constexpr int margin = 2;
+  const AmrPatch& patch = this->Patches[number];
+  Index3 first = patch.First;
+  Index3 end;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    end[axis] = first[axis] + patch.Cells[axis];
+  }
+  AmrRange range;
+  for (int level = patch.Level; level >= 0; --level)
+  {
+    const Level& all = this->Levels[static_cast<std::size_t>(level)];
+    Index3 count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] -= margin;
+      end[axis] += margin;
+      count[axis] = end[axis] - first[axis];
+    }
+    const Bounds box = GetBox(first, count);
+    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+      [&](std::size_t other)
+      { Include(this->Patches[all.Patches[other]], this->OfCells, first, end, range); });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = FloorDivide(first[axis], all.Ratio[axis]);
+      end[axis] = -FloorDivide(-end[axis], all.Ratio[axis]);
+    }
+  }
+  // More than the rounding of means.
+  const double slack = 1e-12 * std::max(std::abs(range.Min), std::abs(range.Max));
+  return range.Min <= range.Max ? AmrRange{ range.Min - slack, range.Max + slack } : range;
 }
 
 //------------------------------------------------------------------------------

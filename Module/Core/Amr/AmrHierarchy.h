@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,6 +42,13 @@ struct AmrNodes
   std::vector<unsigned char> HiddenCells;
 };
 
+/// The least and the largest of some values; the largest is less if there are none.
+struct AmrRange
+{
+  double Min = std::numeric_limits<double>::infinity();
+  double Max = -std::numeric_limits<double>::infinity();
+};
+
 /// Adaptive mesh refinement: patches on lattices that are finer from level to level, of which the
 /// finest count. It gives each patch samples such that the trilinear interpolants of all patches
 /// are one continuous function: there are no cracks where levels meet.
@@ -66,6 +74,9 @@ public:
   int GetNodesOfCell() const { return this->OfCells ? 2 : 1; }
 
   AmrNodes MakeNodes(std::size_t patch) const;
+
+  /// A range that has all finite values of the interpolant in a patch; it may be larger.
+  AmrRange FindRange(std::size_t patch) const;
 
 private:
   /// The patches of a level.

@@ -354,6 +354,12 @@ TraceRequest FieldSet::MakeRequest(Member& member) const
 //------------------------------------------------------------------------------
 void FieldSet::SelectMember(Member& member, const Execution& execution) const
 {
+  member.MayHit = this->Request.Visible.HasCaps() || member.Source->MayHit(this->Request);
+  if (!member.MayHit && member.IsOnDemand)
+  {
+    member.Selection.store(this->Selection, std::memory_order_release);
+    return;
+  }
   member.Field = &member.Source->GetField();
   MemoryBudget budget = this->Budget;
   if (IsLimited(budget))

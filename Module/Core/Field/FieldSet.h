@@ -25,6 +25,10 @@ class FieldSource
 public:
   virtual ~FieldSource() = default;
 
+  /// Whether rays may hit anything of a request without caps, as far as it is known without making
+  /// the field. Called by one thread at a time.
+  virtual bool MayHit(const TraceRequest& /*request*/) { return true; }
+
   /// The field, which is made if it is not there. Called by one thread at a time.
   virtual TracedField& GetField() = 0;
 
