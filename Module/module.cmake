@@ -83,6 +83,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceEnumerators
   Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry
+  Rendering/vtkIsosurfaceRayTraceGhosts
   Rendering/vtkIsosurfaceRayTraceGridPart
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder

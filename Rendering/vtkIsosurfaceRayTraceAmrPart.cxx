@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceBlock.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
+#include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceLatticeSampling.h"
 
 #include "vtkDataArray.h"
@@ -218,7 +219,7 @@ std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
 {
   if (!leaf.Data->GetPointGhostArray())
   {
-    return FindFlags(leaf, vtkIsosurfaceRayTraceBlock::Blanked);
+    return FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Blanked);
   }
   const vtkIsosurfaceRayTraceBlock block{ leaf, { 0, 0, 0 } };
   const vtkirt::Index3 cells = block.GetCells();
@@ -230,7 +231,7 @@ std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
     {
       for (int x = 0; x < cells[0]; ++x)
       {
-        const bool isShown = block.Shows({ x, y, z }, vtkIsosurfaceRayTraceBlock::Blanked);
+        const bool isShown = block.Shows({ x, y, z }, vtkIsosurfaceRayTraceGhosts::Blanked);
         hidden.push_back(isShown ? 0 : 1);
       }
     }
@@ -294,7 +295,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
       whole->Flags.push_back(hasAny ? std::move(flags) : std::vector<unsigned char>{});
       return hasAny ? whole->Flags.back().data() : nullptr;
     };
-    patch.GhostCells = keep(FindFlags(leaf, vtkIsosurfaceRayTraceBlock::Duplicate));
+    patch.GhostCells = keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate));
     patch.HiddenCells = keep(FindHiddenCells(leaf));
     patches.push_back(patch);
     placed.push_back(&leaf);

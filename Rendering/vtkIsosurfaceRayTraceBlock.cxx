@@ -3,15 +3,13 @@
 #include "vtkIsosurfaceRayTraceBlock.h"
 
 #include "vtkIsosurfaceRayTraceGeometry.h"
+#include "vtkIsosurfaceRayTraceGhosts.h"
 
 #include "vtkUnsignedCharArray.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
-
-static_assert(int{ vtkDataSetAttributes::DUPLICATEPOINT } == vtkIsosurfaceRayTraceBlock::Duplicate,
-  "both are the same bit");
 
 //------------------------------------------------------------------------------
 vtkirt::Index3 vtkIsosurfaceRayTraceBlock::GetPoints() const
@@ -40,17 +38,9 @@ bool vtkIsosurfaceRayTraceBlock::Shows(const vtkirt::Index3& cell, int hiding) c
   {
     return false;
   }
-  for (int corner = 0; ofPoints && corner < 8; ++corner)
-  {
-    const vtkirt::Index3 point = { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1),
-      cell[2] + (corner >> 2) };
-    if ((ofPoints->GetValue(static_cast<vtkIdType>(vtkirt::Offset(point, this->GetPoints()))) &
-          vtkDataSetAttributes::HIDDENPOINT) != 0)
-    {
-      return false;
-    }
-  }
-  return true;
+  return !ofPoints ||
+    !vtkIsosurfaceRayTraceGhosts::HasAtCorner(
+      ofPoints, cell, this->GetPoints(), vtkIsosurfaceRayTraceGhosts::HiddenPoint);
 }
 
 //------------------------------------------------------------------------------

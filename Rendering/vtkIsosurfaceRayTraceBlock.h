@@ -6,7 +6,6 @@
 #ifndef vtkIsosurfaceRayTraceBlock_h
 #define vtkIsosurfaceRayTraceBlock_h
 
-#include "vtkDataSetAttributes.h"          // for ghost types
 #include "vtkIsosurfaceRayTraceLeaves.h"   // for base class
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
@@ -34,11 +33,6 @@ struct vtkIsosurfaceRayTraceBlock : vtkIsosurfaceRayTraceLeaf
     return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < size[0] &&
       index[1] < size[1] && index[2] < size[2];
   }
-
-  /// Bits of ghost arrays. The bit for duplicates is the same for points and cells.
-  static constexpr int Blanked =
-    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-  static constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
 
   /// The index of its first point in the grid.
   Index3 First;

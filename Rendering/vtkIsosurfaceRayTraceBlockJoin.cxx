@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceBlockJoin.h"
 
+#include "vtkIsosurfaceRayTraceGhosts.h"
+
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -149,7 +152,10 @@ void vtkIsosurfaceRayTraceBlockJoin::CopySamples(const Block& block, vtkDataArra
   const vtkirt::Index3 size = ofCells ? block.GetCells() : block.GetPoints();
   const vtkirt::Index3 whole = ofCells ? this->Cells : this->Points;
   const auto isTaken = [flags, onlyOwn](vtkIdType sample)
-  { return !onlyOwn || !flags || (flags->GetValue(sample) & Block::Duplicate) == 0; };
+  {
+    return !onlyOwn || !flags ||
+      (flags->GetValue(sample) & vtkIsosurfaceRayTraceGhosts::Duplicate) == 0;
+  };
   for (int z = 0; z < size[2]; ++z)
   {
     for (int y = 0; y < size[1]; ++y)
@@ -181,7 +187,8 @@ void vtkIsosurfaceRayTraceBlockJoin::HideMissingCells(vtkImageData* image) const
 {
   // A cell that is a duplicate in a block may be that of another block; as samples, both are the
   // same.
-  const int hiding = Block::Blanked | (this->OfCells ? 0 : Block::Duplicate);
+  const int hiding = vtkIsosurfaceRayTraceGhosts::Blanked |
+    (this->OfCells ? 0 : vtkIsosurfaceRayTraceGhosts::Duplicate);
   std::vector<bool> isShown(vtkirt::Count(this->Cells), false);
   for (const Block& block : this->Blocks)
   {

@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceBlocks.h"
 
 #include "vtkIsosurfaceRayTraceBlockJoin.h"
+#include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceLattices.h"
 
 #include "vtkCellData.h"
@@ -141,7 +142,9 @@ const vtkIsosurfaceRayTraceBlock& vtkIsosurfaceRayTraceBlocks::FindOwner(
   }
   // The block that shows it; for cells that are duplicates everywhere, any. Of several, the first.
   std::size_t owner = this->Blocks.size();
-  for (const int hiding : { Block::Blanked | Block::Duplicate, Block::Blanked })
+  for (const int hiding :
+    { vtkIsosurfaceRayTraceGhosts::Blanked | vtkIsosurfaceRayTraceGhosts::Duplicate,
+      vtkIsosurfaceRayTraceGhosts::Blanked })
   {
     this->Tree->Find(
       [&cell](const vtkirt::Bounds& box)

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceMesh.h"
 
+#include "vtkIsosurfaceRayTraceGhosts.h"
+
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -478,22 +479,22 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
   {
     return;
   }
-  constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
-    vtkDataSetAttributes::DUPLICATECELL;
+  using Ghosts = vtkIsosurfaceRayTraceGhosts;
   const std::int64_t count = this->Cells->GetNumberOfCells();
   this->HiddenCells.resize(static_cast<std::size_t>(count), 0);
   for (std::int64_t i = 0; i < count; ++i)
   {
     const auto number = static_cast<std::size_t>(i);
     const vtkIdType id = this->CellIds.empty() ? i : this->CellIds[number];
-    bool isHidden = cellFlags && (cellFlags->GetValue(id) & hiddenCell) != 0;
+    bool isHidden =
+      cellFlags && (cellFlags->GetValue(id) & (Ghosts::Blanked | Ghosts::Duplicate)) != 0;
     vtkirt::MeshCell cell;
     if (pointFlags && this->Cells->LoadIds(i, cell))
     {
       isHidden = isHidden ||
         std::any_of(cell.Ids, cell.Ids + cell.Count,
           [pointFlags](vtkIdType point)
-          { return (pointFlags->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+          { return (pointFlags->GetValue(point) & Ghosts::HiddenPoint) != 0; });
     }
     this->HiddenCells[number] = isHidden ? 1 : 0;
   }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceSource.h"
 
+#include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -15,27 +15,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
-
-namespace
-{
-
-/// Whether any corner of a cell has one of some flags. Corners are counted from first.
-bool HasFlagAtCorner(
-  vtkUnsignedCharArray* flags, const vtkirt::Index3& first, const vtkirt::Index3& size, int bits)
-{
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const vtkirt::Index3 index = { first[0] + (corner & 1), first[1] + (corner >> 1 & 1),
-      first[2] + (corner >> 2) };
-    if ((flags->GetValue(static_cast<vtkIdType>(vtkirt::Offset(index, size))) & bits) != 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-}
 
 //------------------------------------------------------------------------------
 /// What a field was built from, and how. While it is the same, so is the field.
@@ -163,7 +142,7 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
   {
     return;
   }
-  constexpr int blanked = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  using Ghosts = vtkIsosurfaceRayTraceGhosts;
   const int fewer = areOfCells ? 1 : 0;
   const vtkirt::Index3 size = { this->Cells[0] - fewer, this->Cells[1] - fewer,
     this->Cells[2] - fewer };
@@ -179,16 +158,15 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
         if (areOfCells)
         {
           // A cell between the centres of eight: its samples may be those of another piece.
-          isHidden = HasFlagAtCorner(cellFlags, cell, this->Cells, blanked);
+          isHidden = Ghosts::HasAtCorner(cellFlags, cell, this->Cells, Ghosts::Blanked);
         }
         else
         {
           const auto number = static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
-          isHidden = (cellFlags &&
-                       (cellFlags->GetValue(number) &
-                         (blanked | vtkDataSetAttributes::DUPLICATECELL)) != 0) ||
-            (pointFlags &&
-              HasFlagAtCorner(pointFlags, cell, points, vtkDataSetAttributes::HIDDENPOINT));
+          isHidden =
+            (cellFlags &&
+              (cellFlags->GetValue(number) & (Ghosts::Blanked | Ghosts::Duplicate)) != 0) ||
+            (pointFlags && Ghosts::HasAtCorner(pointFlags, cell, points, Ghosts::HiddenPoint));
         }
         this->HiddenCells.push_back(isHidden ? 1 : 0);
       }
