@@ -340,19 +340,28 @@ TEST(FieldSet, HalfSpacesCutAllMembers)
 }
 
 //------------------------------------------------------------------------------
+/// A field and where it is in a scene.
+struct Shown
+{
+  TracedField& Field;
+  Matrix4 WorldFromObject;
+};
+
 /// A picture with shadows and ambient occlusion.
-Frame Render(
-  TracedField& field, const Matrix4& worldFromObject, bool shadows, const Kernels* kernels)
+Frame Render(const std::vector<Shown>& fields, bool shadows, const Kernels* kernels)
 {
   Scene scene;
-  SceneField shown;
-  shown.Field = &field;
-  const Matrix4 clipFromObject = Multiply(Perspective(30.0, 200.0, 0.4),
-    Multiply(Invert(Translation({ 16.0, 17.0, 90.0 })), worldFromObject));
-  shown.View = Camera(clipFromObject, Invert(clipFromObject), worldFromObject, 150, 130);
-  shown.Colors = { { 1.0, 0.6, 0.2 }, { 0.3, 0.5, 1.0 } };
-  shown.Surface.Shade = true;
-  scene.Fields = { shown };
+  for (const Shown& each : fields)
+  {
+    SceneField shown;
+    shown.Field = &each.Field;
+    const Matrix4 clipFromObject = Multiply(Perspective(30.0, 200.0, 0.4),
+      Multiply(Invert(Translation({ 16.0, 17.0, 90.0 })), each.WorldFromObject));
+    shown.View = Camera(clipFromObject, Invert(clipFromObject), each.WorldFromObject, 150, 130);
+    shown.Colors = { { 1.0, 0.6, 0.2 }, { 0.3, 0.5, 1.0 } };
+    shown.Surface.Shade = true;
+    scene.Fields.push_back(shown);
+  }
   scene.Pixels = { 0, 0, 150, 130 };
   scene.TileWidth = 64;
   scene.TileHeight = 64;
@@ -405,8 +414,8 @@ TEST(FieldSet, PicturesAreThoseOfTheImage)
         execution.PacketKernels = kernels;
         image.Select(request, execution);
         blocks.Set->Select(request, execution);
-        const Frame expected = Render(image, identity, shadows, kernels);
-        const Frame frame = Render(*blocks.Set, InvertAffine(Turned), shadows, kernels);
+        const Frame expected = Render({ { image, identity } }, shadows, kernels);
+        const Frame frame = Render({ { *blocks.Set, InvertAffine(Turned) } }, shadows, kernels);
         EXPECT_GT(std::count_if(frame.Colors.begin(), frame.Colors.end(),
                     [](std::uint8_t channel) { return channel > 50; }),
           9000);
@@ -415,6 +424,36 @@ TEST(FieldSet, PicturesAreThoseOfTheImage)
           << opacity << " " << shadows;
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Packets of a set are traced together, those of a field beside it one by one.
+TEST(FieldSet, PicturesBesideAnotherFieldAreThoseOfTheImage)
+{
+  const Matrix4 identity = Scaling({ 1.0, 1.0, 1.0 });
+  const Matrix4 aside = Multiply(Translation({ 4.0, 6.0, -9.0 }), Rotation(0.5, 0.3));
+  Blocks whole(Edge - 1, identity, false);
+  Blocks other(Edge - 1, identity, false);
+  TracedField& image = whole.All.front()->GetField();
+  TracedField& beside = other.All.front()->GetField();
+  Blocks blocks(6, Turned, true);
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    TraceRequest request = MakeRequest(opacity);
+    request.Normals = NormalMode::InterpolantGradient;
+    image.Select(request, {});
+    blocks.Set->Select(request, {});
+    beside.Select(MakeRequest(0.6), {});
+    const Shown ofSet = { *blocks.Set, InvertAffine(Turned) };
+    const Kernels* kernels = &GetBestKernels();
+    const Frame expected = Render({ { image, identity }, { beside, aside } }, false, kernels);
+    const Frame first = Render({ ofSet, { beside, aside } }, false, kernels);
+    const Frame last = Render({ { beside, aside }, ofSet }, false, kernels);
+    const Frame alone = Render({ ofSet }, false, kernels);
+    EXPECT_LE(CountDifferent(first, expected, 1), 2U);
+    EXPECT_LE(CountDifferent(last, expected, 1), 2U);
+    EXPECT_GT(CountDifferent(alone, expected, 1), 2000U);
   }
 }
 
@@ -593,10 +632,12 @@ TEST(FieldSet, SurfacesThatCoincideCastNoShadowsOnEachOther)
   FieldSet set(placed);
   TraceRequest request = MakeRequest(1.0);
   request.Normals = NormalMode::InterpolantGradient;
-  once.All.front()->GetField().Select(request, {});
-  const Frame expected = Render(once.All.front()->GetField(), identity, true, &GetBestKernels());
+  TracedField& image = once.All.front()->GetField();
+  image.Select(request, {});
+  const Frame expected = Render({ { image, identity } }, true, &GetBestKernels());
   set.Select(request, {});
-  EXPECT_LE(CountDifferent(Render(set, identity, true, &GetBestKernels()), expected, 40), 200U);
+  const Frame frame = Render({ { set, identity } }, true, &GetBestKernels());
+  EXPECT_LE(CountDifferent(frame, expected, 40), 200U);
 }
 
 }
