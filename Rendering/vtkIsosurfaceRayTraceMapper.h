@@ -40,7 +40,9 @@
  * ScalarMode and SelectScalarArray set the array. Cell scalars are samples at the centres of the
  * cells, so that their surfaces end half a cell inside the border. Nothing is drawn in cells that
  * are blanked (HIDDENCELL, REFINEDCELL), that have a hidden point, or that are duplicates of those
- * of another piece. An array vtkGhostType that is no vtkUnsignedCharArray is ignored, as by VTK.
+ * of another piece; of what is between the centres of eight cells, the cell with the lowest indices
+ * decides to which piece it belongs. An array vtkGhostType that is no vtkUnsignedCharArray is
+ * ignored, as by VTK.
  *
  * What cannot be traced is an error, reported once and not in every frame, and the rest of the
  * scene is drawn as without the volume: arrays (scalars, vtkGhostType, colours) whose number of

@@ -154,19 +154,17 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
       for (int x = 0; x < size[0]; ++x)
       {
         const vtkirt::Index3 cell = { x, y, z };
-        bool isHidden = false;
+        const auto number = static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
+        const int flags = cellFlags ? cellFlags->GetValue(number) : 0;
+        bool isHidden = (flags & (Ghosts::Blanked | Ghosts::Duplicate)) != 0;
         if (areOfCells)
         {
-          // A cell between the centres of eight: its samples may be those of another piece.
-          isHidden = Ghosts::HasAtCorner(cellFlags, cell, this->Cells, Ghosts::Blanked);
+          // A cell between the centres of eight is that of the piece that has the first of them.
+          isHidden = isHidden || Ghosts::HasAtCorner(cellFlags, cell, this->Cells, Ghosts::Blanked);
         }
-        else
+        else if (pointFlags)
         {
-          const auto number = static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
-          isHidden =
-            (cellFlags &&
-              (cellFlags->GetValue(number) & (Ghosts::Blanked | Ghosts::Duplicate)) != 0) ||
-            (pointFlags && Ghosts::HasAtCorner(pointFlags, cell, points, Ghosts::HiddenPoint));
+          isHidden = isHidden || Ghosts::HasAtCorner(pointFlags, cell, points, Ghosts::HiddenPoint);
         }
         this->HiddenCells.push_back(isHidden ? 1 : 0);
       }
