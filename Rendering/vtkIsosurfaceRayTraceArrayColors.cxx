@@ -7,6 +7,7 @@
 #include "vtkIsosurfaceRayTraceLatticeSampling.h"
 #include "vtkIsosurfaceRayTraceValueColors.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -17,7 +18,19 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 void vtkIsosurfaceRayTraceArrayColors::Sample(
   const vtkirt::Hit& hit, int components, double* values) const
 {
-  this->Input.GetPart(hit).SampleColors(hit, components, values);
+  const vtkIsosurfaceRayTracePart& part = this->Input.GetPart(hit);
+  if (!this->AreOfCells)
+  {
+    part.SampleColors(hit, components, values);
+    return;
+  }
+  const vtkIsosurfaceRayTraceLeaf& leaf = part.FindLeaf(hit);
+  vtkirt::Vector3 parametric;
+  const vtkIdType cell = part.FindCell(hit, parametric) - leaf.FirstCell;
+  for (int component = 0; component < components; ++component)
+  {
+    values[component] = leaf.CellColors->GetComponent(cell, component);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -23,11 +23,12 @@ class vtkIsosurfaceRayTraceInput;
 class vtkIsosurfaceRayTraceArrayColors final : public vtkIsosurfaceRayTraceColors
 {
 public:
-  /// Direct: the arrays hold colours.
-  vtkIsosurfaceRayTraceArrayColors(const vtkIsosurfaceRayTraceInput& input, bool areDirect,
-    const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
+  /// Arrays of cells have one value in a cell. Direct: the arrays hold colours.
+  vtkIsosurfaceRayTraceArrayColors(const vtkIsosurfaceRayTraceInput& input, bool areOfCells,
+    bool areDirect, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
     : vtkIsosurfaceRayTraceColors(areDirect, colorsOfValues)
     , Input(input)
+    , AreOfCells(areOfCells)
   {
   }
 
@@ -36,6 +37,7 @@ private:
     const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;
 
   const vtkIsosurfaceRayTraceInput& Input;
+  bool AreOfCells;
 };
 
 /// By an image that lies where the hits are.

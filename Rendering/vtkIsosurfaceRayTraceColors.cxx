@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceValueColors.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
@@ -23,12 +24,29 @@ vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceColors::DescribeMissing(
-  const std::string& name, const std::string& input)
+vtkDataArray* vtkIsosurfaceRayTraceColors::FindCellArray(vtkDataSet* grid, const std::string& name)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
+  const bool hasAll = array && array->GetNumberOfTuples() > 0 &&
+    array->GetNumberOfTuples() == grid->GetNumberOfCells();
+  return hasAll ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceColors::DescribeMissing(const std::string& name)
+{
+  return "There is no array named \"" + name +
+    "\" in the input to colour by. Give an array with a tuple for every point, or for every cell, "
+    "to SetColorArrayName.";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceColors::DescribeMissingInImage(const std::string& name)
 {
   return "There are no point data " +
-    (name.empty() ? std::string("scalars") : "named \"" + name + "\"") + " in " + input +
-    " to colour by. Give an array with a tuple for every point to SetColorArrayName.";
+    (name.empty() ? std::string("scalars") : "named \"" + name + "\"") +
+    " in the second input to colour by. Give an array with a tuple for every point to "
+    "SetColorArrayName.";
 }
 
 //------------------------------------------------------------------------------

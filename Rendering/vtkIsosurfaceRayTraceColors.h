@@ -21,12 +21,16 @@ class vtkIsosurfaceRayTraceValueColors;
 class vtkIsosurfaceRayTraceColors : public vtkIsosurfaceRayTracing::HitColors
 {
 public:
-  /// The array of a name, or the point scalars of the grid if the name is empty; null if there is
-  /// none.
+  /// The point data of a name with a tuple for every point, or the point scalars if the name is
+  /// empty; null if there are none.
   static vtkDataArray* FindArray(vtkDataSet* grid, const std::string& name);
 
-  /// That an input has no array of that name.
-  static std::string DescribeMissing(const std::string& name, const std::string& input);
+  /// The cell data of a name with a tuple for every cell; null if there are none.
+  static vtkDataArray* FindCellArray(vtkDataSet* grid, const std::string& name);
+
+  /// That the input, or the image to colour by, has no array of that name.
+  static std::string DescribeMissing(const std::string& name);
+  static std::string DescribeMissingInImage(const std::string& name);
 
   /// Whether an array holds colours of 8 bits, and not values that have colours.
   static bool IsDirect(vtkDataArray* array);

@@ -171,13 +171,13 @@ std::string vtkIsosurfaceRayTraceInput::SelectColors(
   {
     const bool haveColors = name.empty() ||
       std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
-        [](const Leaf& leaf) { return leaf.Colors; });
-    return haveColors ? "" : vtkIsosurfaceRayTraceColors::DescribeMissing(name, "the input");
+        [](const Leaf& leaf) { return leaf.GetAnyColors(); });
+    return haveColors ? "" : vtkIsosurfaceRayTraceColors::DescribeMissing(name);
   }
   this->ColorArray = vtkIsosurfaceRayTraceColors::FindArray(this->ColorImage, name);
   if (!this->ColorArray)
   {
-    return vtkIsosurfaceRayTraceColors::DescribeMissing(name, "the second input");
+    return vtkIsosurfaceRayTraceColors::DescribeMissingInImage(name);
   }
   this->NumberOfColors = this->ColorArray->GetNumberOfTuples();
   const std::string problem = vtkIsosurfaceRayTraceGeometry::FindProblem(this->ColorImage);
@@ -416,13 +416,14 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
       this->ColorImage, this->ColorArray, *this->Field, this->PhysicalFromObject, colorsOfValues);
   }
   const std::vector<Leaf>& leaves = this->Leaves.Get();
-  if (!leaves.front().Colors)
+  if (!leaves.front().GetAnyColors())
   {
     return nullptr;
   }
   const bool areDirect = std::all_of(leaves.begin(), leaves.end(),
-    [](const Leaf& leaf) { return vtkIsosurfaceRayTraceColors::IsDirect(leaf.Colors); });
-  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(*this, areDirect, colorsOfValues);
+    [](const Leaf& leaf) { return vtkIsosurfaceRayTraceColors::IsDirect(leaf.GetAnyColors()); });
+  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(
+    *this, this->Leaves.AreColorsOfCells(), areDirect, colorsOfValues);
 }
 
 //------------------------------------------------------------------------------
@@ -435,8 +436,13 @@ bool vtkIsosurfaceRayTraceInput::IsIntact() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::ArePartsIntact() const
 {
-  return std::all_of(this->Parts.begin(), this->Parts.end(),
-    [](const std::unique_ptr<Part>& part) { return part->IsIntact(); });
+  const std::vector<Leaf>& leaves = this->Leaves.Get();
+  const bool areColorsIntact = !this->Leaves.AreColorsOfCells() ||
+    std::all_of(leaves.begin(), leaves.end(),
+      [](const Leaf& leaf) { return leaf.CellColors->GetNumberOfTuples() >= leaf.NumberOfCells; });
+  return areColorsIntact &&
+    std::all_of(this->Parts.begin(), this->Parts.end(),
+      [](const std::unique_ptr<Part>& part) { return part->IsIntact(); });
 }
 
 //------------------------------------------------------------------------------
@@ -446,6 +452,13 @@ std::vector<vtkObject*> vtkIsosurfaceRayTraceInput::GetObjects() const
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     part->AddObjects(objects);
+  }
+  for (const Leaf& leaf : this->Leaves.Get())
+  {
+    if (leaf.CellColors)
+    {
+      objects.push_back(leaf.CellColors);
+    }
   }
   return objects;
 }

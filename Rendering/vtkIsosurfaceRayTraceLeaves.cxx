@@ -23,10 +23,14 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// The array to colour by, if there is a name.
-vtkDataArray* FindColors(vtkDataSet* data, const std::string& name)
+/// Finds the array to colour a leaf by, if there is a name: of points, or if there is none of
+/// cells.
+void FindColors(const std::string& name, vtkIsosurfaceRayTraceLeaf& leaf)
 {
-  return name.empty() ? nullptr : vtkIsosurfaceRayTraceColors::FindArray(data, name);
+  leaf.Colors = name.empty() ? nullptr : vtkIsosurfaceRayTraceColors::FindArray(leaf.Data, name);
+  leaf.CellColors = name.empty() || leaf.Colors
+    ? nullptr
+    : vtkIsosurfaceRayTraceColors::FindCellArray(leaf.Data, name);
 }
 
 /// The name of a block; empty if it has none.
@@ -99,7 +103,8 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
       continue;
     }
     const Leaf leaf = { data, iterator->GetCurrentFlatIndex(), this->NumberOfPoints,
-      this->NumberOfCells, nullptr, nullptr, FindName(iterator), displays.Get(data) };
+      this->NumberOfCells, data->GetNumberOfCells(), nullptr, nullptr, nullptr, FindName(iterator),
+      displays.Get(data) };
     this->NumberOfPoints += data->GetNumberOfPoints();
     this->NumberOfCells += data->GetNumberOfCells();
     if (!leaf.Display.IsVisible)
@@ -130,7 +135,9 @@ void vtkIsosurfaceRayTraceLeaves::Take(
   this->OfCells = scalars.AreOfCells;
   this->NumberOfPoints = data->GetNumberOfPoints();
   this->NumberOfCells = data->GetNumberOfCells();
-  this->Leaves = { { data, 0, 0, 0, scalars.Array, FindColors(data, colorArrayName), "", {} } };
+  this->Leaves = { { data, 0, 0, 0, this->NumberOfCells, scalars.Array, nullptr, nullptr, "",
+    {} } };
+  FindColors(colorArrayName, this->Leaves.front());
 }
 
 //------------------------------------------------------------------------------
@@ -164,13 +171,21 @@ std::string vtkIsosurfaceRayTraceLeaves::Append(
   {
     return problem;
   }
-  leaf.Colors = FindColors(leaf.Data, colorArrayName);
-  if (leaf.Colors && first.Colors &&
-    leaf.Colors->GetNumberOfComponents() != first.Colors->GetNumberOfComponents())
+  FindColors(colorArrayName, leaf);
+  const vtkDataArray* colors = leaf.GetAnyColors();
+  const vtkDataArray* ofFirst = first.GetAnyColors();
+  if (colors && ofFirst && colors->GetNumberOfComponents() != ofFirst->GetNumberOfComponents())
   {
-    return "It has " + std::to_string(leaf.Colors->GetNumberOfComponents()) +
+    return "It has " + std::to_string(colors->GetNumberOfComponents()) +
       " components to colour by (" + colorArrayName + "), others have " +
-      std::to_string(first.Colors->GetNumberOfComponents()) + ". Give all blocks the same number.";
+      std::to_string(ofFirst->GetNumberOfComponents()) + ". Give all blocks the same number.";
+  }
+  if (colors && ofFirst && (leaf.CellColors == nullptr) != (first.CellColors == nullptr))
+  {
+    return "Its array to colour by (" + colorArrayName + ") is one of " +
+      (leaf.CellColors ? "cells, those of others are of points."
+                       : "points, those of others are of cells.") +
+      " Give all blocks arrays of the same kind.";
   }
   this->Leaves.push_back(leaf);
   return "";

@@ -32,12 +32,17 @@ struct vtkIsosurfaceRayTraceLeaf
   /// The numbers of points and cells of the data sets before it.
   vtkIdType FirstPoint;
   vtkIdType FirstCell;
-  /// Its scalars; and the array to colour by, which may be null.
+  vtkIdType NumberOfCells;
+  /// Its scalars; and the array of points, or else of cells, to colour by, which may be null.
   vtkDataArray* Scalars;
   vtkDataArray* Colors;
+  vtkDataArray* CellColors;
   /// In composite data; often empty.
   std::string Name;
   vtkIsosurfaceRayTraceBlockDisplay Display;
+
+  /// The array to colour by, of points or cells.
+  vtkDataArray* GetAnyColors() const { return this->Colors ? this->Colors : this->CellColors; }
 
   /// For the beginning of a sentence.
   std::string GetName() const;
@@ -81,6 +86,13 @@ public:
   const std::vector<Leaf>& Get() const { return this->Leaves; }
   const vtkIsosurfaceRayTraceLeftOut& GetLeftOut() const { return this->LeftOut; }
   bool AreScalarsOfCells() const { return this->OfCells; }
+
+  /// Whether the leaves have arrays of cells to colour by: those of all are of the same kind.
+  bool AreColorsOfCells() const
+  {
+    return !this->Leaves.empty() && this->Leaves.front().CellColors != nullptr;
+  }
+
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 

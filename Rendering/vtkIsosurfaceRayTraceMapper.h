@@ -321,9 +321,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of a point array that colours the surfaces instead of their isovalues: its
-   * value at a hit, interpolated trilinearly, is mapped through the colour transfer function of the
-   * property; an array of unsigned char with three or four components holds the colours themselves.
+   * Set/Get the name of an array that colours the surfaces instead of their isovalues: its value at
+   * a hit is mapped through the colour transfer function of the property; an array of unsigned char
+   * with three or four components holds the colours themselves. Values of points are interpolated
+   * trilinearly. If no array of points has the name, it is one of cells, and a surface has one
+   * colour in a cell. All blocks of a composite input must have it, of the same kind.
    * It is an array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if
    * there is one: an image of any resolution in the same coordinates, whose border values extend
    * beyond it. An empty name takes the point scalars of the second input; without a second input,

@@ -158,11 +158,12 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of a point array of the input that colours the surfaces instead of their
-   * isovalues: its value at a hit, interpolated in the cell, is mapped through the colour transfer
-   * function of the property; an array of unsigned char with three or four components holds the
-   * colours themselves. All blocks of a composite input must have it. Opacity is always that of the
-   * isovalue. Default: empty, and surfaces are coloured by isovalue.
+   * Set/Get the name of an array of the input that colours the surfaces instead of their isovalues:
+   * its value at a hit is mapped through the colour transfer function of the property; an array of
+   * unsigned char with three or four components holds the colours themselves. Values of points are
+   * interpolated in the cell. If no array of points has the name, it is one of cells, and a surface
+   * has one colour in a cell. All blocks of a composite input must have it, of the same kind.
+   * Opacity is always that of the isovalue. Default: empty, and surfaces are coloured by isovalue.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }

@@ -143,8 +143,8 @@ class TestMeshColors(unittest.TestCase):
         vectors.SetBlock(1, add_array(make_grid(VTK_TETRA, ball), "height", lambda p: p))
         short = add_array(make_grid(VTK_TETRA, ball), "height", height)
         short.GetPointData().GetArray("height").SetNumberOfTuples(7)
-        for data, text in ((bare, 'no point data named "height"'), (blocks, 'no point data named "height"'),
-                           (short, 'no point data named "height"')):
+        for data, text in ((bare, 'no array named "height"'), (blocks, 'no array named "height"'),
+                           (short, 'no array named "height"')):
             with self.subTest(text):
                 mapper, volume, renderer = make_scene(data, "height")
 
