@@ -623,7 +623,9 @@ public:
    * building bricks, tracing, shading, and displaying (reading the depth of the scene, uploading
    * and drawing the image). The time of a step that the frame did not need is 0. Bricks, tracing
    * and shading are interleaved on all threads: the wall-clock time of the three together is
-   * divided in proportion to the time the threads spent in each.
+   * divided in proportion to the time the threads spent in each. Small blocks of composite data
+   * that are traced by themselves are prepared, macrocells included, when the first ray comes to
+   * them: that is among the time of bricks.
    */
   double GetMacrocellBuildTime();
   double GetBrickBuildTime();

@@ -6,6 +6,7 @@
 #include "Field/GatheredRays.h"
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
+#include "Field/Stopwatch.h"
 #include "Math/Matrix.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/LineFrustum.h"
@@ -395,7 +396,9 @@ FieldSet::Member* FieldSet::Prepare(std::size_t number) const
     const std::lock_guard<std::mutex> lock(this->Mutexes[number % this->Mutexes.size()]);
     if (!this->IsSelected(member))
     {
+      const Stopwatch watch;
       this->SelectMember(member, { 1, this->PacketKernels });
+      this->PrepareNanoseconds += static_cast<std::int64_t>(1e9 * watch.GetSeconds());
     }
   }
   return member.MayHit ? &member : nullptr;
@@ -885,10 +888,11 @@ double FieldSet::GetGradientSeconds() const
 }
 
 //------------------------------------------------------------------------------
-/// Only those that have been selected since make bricks.
+/// Like bricks, members are made when the first ray comes to them. Only those that have been
+/// selected since make bricks.
 std::int64_t FieldSet::GetBrickNanoseconds() const
 {
-  std::int64_t sum = 0;
+  std::int64_t sum = this->PrepareNanoseconds;
   for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
   {
     const Member& member = this->Members[i];

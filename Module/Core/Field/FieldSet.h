@@ -145,6 +145,8 @@ private:
   unsigned int Selection = 0;
   /// Whether members that have it are as they were selected.
   bool IsSelectionKnown = false;
+  /// The time that threads took so far to make and select members that rays came to.
+  mutable std::atomic<std::int64_t> PrepareNanoseconds{ 0 };
   /// Of the members, which share them.
   mutable std::array<std::mutex, 64> Mutexes;
 };
