@@ -3,10 +3,10 @@
 
 #include "Field/FieldSet.h"
 
+#include "Field/BuildTimer.h"
 #include "Field/GatheredRays.h"
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
-#include "Field/Stopwatch.h"
 #include "Math/Matrix.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/LineFrustum.h"
@@ -127,8 +127,6 @@ struct alignas(64) FieldSet::Member
   double MemoryShare = 1.0;
   /// Null before it is selected first.
   TracedField* Field = nullptr;
-  /// The time that its bricks had taken when it was selected.
-  std::int64_t BrickNanoseconds = 0;
   /// The number of half-spaces that cut the member alone: those of the request follow.
   int OwnHalfSpaces = 0;
 
@@ -308,6 +306,10 @@ FieldSet::FieldSet(const std::vector<PlacedField>& fields)
     member.IsOnDemand = placed.IsOnDemand;
     member.IsSeamless = placed.IsSeamless;
     this->MemoryShares += placed.MemoryShare;
+    if (!placed.IsOnDemand)
+    {
+      this->Eager.push_back(i);
+    }
   }
 }
 
@@ -328,12 +330,9 @@ void FieldSet::Select(
   this->PacketKernels = execution.PacketKernels;
   this->Budget = budget;
   this->Selection += isSame ? 0 : 1;
-  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  for (const std::size_t number : this->Eager)
   {
-    if (!this->Members[i].IsOnDemand)
-    {
-      this->SelectMember(this->Members[i], execution);
-    }
+    this->SelectMember(this->Members[number], execution);
   }
   this->IsSelectionKnown = true;
 }
@@ -370,7 +369,6 @@ void FieldSet::SelectMember(Member& member, const Execution& execution) const
   }
   member.Field->Select(this->MakeRequest(member), execution, budget);
   member.MayHit = member.Field->MayHit();
-  member.BrickNanoseconds = member.Field->GetBrickNanoseconds();
   member.Selection.store(this->Selection, std::memory_order_release);
 }
 
@@ -396,9 +394,8 @@ FieldSet::Member* FieldSet::Prepare(std::size_t number) const
     const std::lock_guard<std::mutex> lock(this->Mutexes[number % this->Mutexes.size()]);
     if (!this->IsSelected(member))
     {
-      const Stopwatch watch;
+      const BuildTimer timer;
       this->SelectMember(member, { 1, this->PacketKernels });
-      this->PrepareNanoseconds += static_cast<std::int64_t>(1e9 * watch.GetSeconds());
     }
   }
   return member.MayHit ? &member : nullptr;
@@ -880,26 +877,9 @@ FieldStatistics FieldSet::GetStatistics() const
 double FieldSet::GetGradientSeconds() const
 {
   double sum = 0.0;
-  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  for (const std::size_t number : this->Eager)
   {
-    sum += this->Members[i].IsOnDemand ? 0.0 : this->Members[i].Field->GetGradientSeconds();
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
-/// Like bricks, members are made when the first ray comes to them. Only those that have been
-/// selected since make bricks.
-std::int64_t FieldSet::GetBrickNanoseconds() const
-{
-  std::int64_t sum = this->PrepareNanoseconds;
-  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
-  {
-    const Member& member = this->Members[i];
-    if (this->IsSelected(member) && member.MayHit)
-    {
-      sum += member.Field->GetBrickNanoseconds() - member.BrickNanoseconds;
-    }
+    sum += this->Members[number].Field->GetGradientSeconds();
   }
   return sum;
 }

@@ -105,7 +105,6 @@ public:
     double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
   double GetGradientSeconds() const override;
-  std::int64_t GetBrickNanoseconds() const override;
 
 private:
   static constexpr int PacketsAtOnce = 8;
@@ -134,6 +133,8 @@ private:
 
   std::size_t NumberOfMembers;
   std::unique_ptr<Member[]> Members;
+  /// The numbers of those that are not on demand.
+  std::vector<std::size_t> Eager;
   BoundsTree Tree;
   Bounds Box;
   TraceRequest Request;
@@ -145,8 +146,6 @@ private:
   unsigned int Selection = 0;
   /// Whether members that have it are as they were selected.
   bool IsSelectionKnown = false;
-  /// The time that threads took so far to make and select members that rays came to.
-  mutable std::atomic<std::int64_t> PrepareNanoseconds{ 0 };
   /// Of the members, which share them.
   mutable std::array<std::mutex, 64> Mutexes;
 };

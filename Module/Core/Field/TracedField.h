@@ -156,10 +156,6 @@ public:
   /// The time that the last selection took to find gradients of all data.
   virtual double GetGradientSeconds() const { return 0.0; }
 
-  /// The time spent making bricks since any fixed point of time before the last Select, summed over
-  /// the threads.
-  virtual std::int64_t GetBrickNanoseconds() const { return 0; }
-
   /// The value of a hit: its isovalue, or the extreme value of a projection.
   double GetValue(const Hit& hit) const
   {

@@ -243,10 +243,4 @@ FieldStatistics ImageField::GetStatistics() const
   return this->Structures->GetStatistics();
 }
 
-//------------------------------------------------------------------------------
-std::int64_t ImageField::GetBrickNanoseconds() const
-{
-  return this->Structures->GetBrickNanoseconds();
-}
-
 }

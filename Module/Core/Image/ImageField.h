@@ -57,7 +57,6 @@ public:
   void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
     double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
-  std::int64_t GetBrickNanoseconds() const override;
 
   /// The cells of the image.
   const CellLattice& GetLattice() const { return this->Selection.Lattice; }

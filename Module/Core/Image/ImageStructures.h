@@ -40,7 +40,6 @@ public:
   virtual void BeginFrame(std::size_t maximumMemory) = 0;
 
   virtual FieldStatistics GetStatistics() const = 0;
-  virtual std::int64_t GetBrickNanoseconds() const = 0;
 };
 
 /// Builds the macrocells, with the given number of threads. Each type of samples is compiled

@@ -81,11 +81,6 @@ public:
       this->Bricks.GetNumberOfBricks(), this->Bricks.GetMaximumNumberOfBricks() };
   }
 
-  std::int64_t GetBrickNanoseconds() const override
-  {
-    return this->Bricks.GetCounters().Nanoseconds;
-  }
-
 private:
   template <Extremum Kind>
   std::unique_ptr<ImageTracer> NewProjection(const ImageSelection& selection)

@@ -3,6 +3,7 @@
 
 #include "Picture/RenderTiles.h"
 
+#include "Field/BuildTimer.h"
 #include "Field/FirstException.h"
 #include "Picture/PixelBlockRenderer.h"
 
@@ -38,17 +39,6 @@ std::int64_t Nanoseconds(Clock::duration duration)
 std::size_t Area(const PixelRectangle& pixels)
 {
   return static_cast<std::size_t>(pixels.Width) * static_cast<std::size_t>(pixels.Height);
-}
-
-/// The time spent making bricks so far, summed over the threads.
-double GetBrickSeconds(const Scene& scene)
-{
-  double seconds = 0.0;
-  for (const SceneField& field : scene.Fields)
-  {
-    seconds += 1e-9 * static_cast<double>(field.Field->GetBrickNanoseconds());
-  }
-  return seconds;
 }
 
 /// A tile of the picture.
@@ -144,7 +134,6 @@ public:
     , Shaders(MakeShaders(scene, execution.PacketKernels))
     , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
     , Tiles(MakeTiles(scene))
-    , BrickSeconds(GetBrickSeconds(scene))
   {
   }
 
@@ -169,14 +158,13 @@ private:
   int BlocksAtOnce;
   /// Those that are not done.
   std::vector<Tile> Tiles;
-  /// Up to the last step.
-  double BrickSeconds;
   std::atomic<std::size_t> PixelsDone{ 0 };
   Clock::time_point StepStart;
   std::atomic<bool> IsStepOver{ false };
   // Summed over the threads.
   std::atomic<std::int64_t> TraceNanoseconds{ 0 };
   std::atomic<std::int64_t> ShadeNanoseconds{ 0 };
+  std::atomic<std::int64_t> BuildNanoseconds{ 0 };
 };
 
 //------------------------------------------------------------------------------
@@ -186,6 +174,7 @@ void FrameRenderer::TakeStep()
   this->IsStepOver = false;
   this->TraceNanoseconds = 0;
   this->ShadeNanoseconds = 0;
+  this->BuildNanoseconds = 0;
   const auto tiles = static_cast<std::int64_t>(this->Tiles.size());
   FirstException exception;
 #pragma omp parallel num_threads(this->TheExecution.Threads)
@@ -203,16 +192,14 @@ void FrameRenderer::TakeStep()
                       [](const Tile& tile) { return tile.IsDone; }),
     this->Tiles.end());
 
-  const double brickSecondsBefore =
-    std::exchange(this->BrickSeconds, GetBrickSeconds(this->TheScene));
-  const double brickSeconds = this->BrickSeconds - brickSecondsBefore;
   const double traceSeconds = 1e-9 * static_cast<double>(this->TraceNanoseconds.load());
   const double shadeSeconds = 1e-9 * static_cast<double>(this->ShadeNanoseconds.load());
+  const double buildSeconds = 1e-9 * static_cast<double>(this->BuildNanoseconds.load());
   const double threadSeconds = traceSeconds + shadeSeconds;
   const double share =
     threadSeconds > 0.0 ? Seconds(Clock::now() - this->StepStart) / threadSeconds : 0.0;
-  this->Times.Bricks += share * brickSeconds;
-  this->Times.Trace += share * (traceSeconds - brickSeconds);
+  this->Times.Bricks += share * buildSeconds;
+  this->Times.Trace += share * (traceSeconds - buildSeconds);
   this->Times.Shade += share * shadeSeconds;
 }
 
@@ -226,6 +213,7 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
   Clock::duration shadeTime{};
   std::size_t pixels = 0;
   tile.IsDone = true;
+  const std::int64_t builtBefore = BuildTimer::GetNanosecondsOfThread();
   renderer.BeginTile(tile.Pixels);
   ForEachGroup(tile.Pixels, this->BlocksAtOnce,
     [&](const PixelRectangle* blocks, int count)
@@ -260,6 +248,8 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
   this->PixelsDone.fetch_add(pixels, std::memory_order_relaxed);
   this->TraceNanoseconds.fetch_add(Nanoseconds(traceTime), std::memory_order_relaxed);
   this->ShadeNanoseconds.fetch_add(Nanoseconds(shadeTime), std::memory_order_relaxed);
+  this->BuildNanoseconds.fetch_add(
+    BuildTimer::GetNanosecondsOfThread() - builtBefore, std::memory_order_relaxed);
 }
 
 }

@@ -4,8 +4,8 @@
 #ifndef ApronBricks_h
 #define ApronBricks_h
 
+#include "Field/BuildTimer.h"
 #include "Image/Samples/BlockCache.h"
-#include "Image/Samples/BrickCounters.h"
 #include "Image/Samples/Unbricked.h"
 
 #include <algorithm>
@@ -130,7 +130,6 @@ public:
     Index3 First = { -(1 << 30), -(1 << 30), -(1 << 30) };
   };
 
-  const BrickCounters& GetCounters() const { return this->Counters; }
   std::size_t GetNumberOfBricks() const { return this->Bricks.GetNumberOfBlocks(); }
   std::size_t GetMaximumNumberOfBricks() const { return this->Bricks.GetMaximumNumberOfBlocks(); }
   std::size_t GetMemory() const { return this->Bricks.GetMemory(); }
@@ -143,7 +142,7 @@ private:
     return static_cast<const Value*>(this->Bricks.Get(Offset(index, this->BrickDimensions),
       [this, &index](void* memory)
       {
-        const BrickTimer timer(this->Counters);
+        const BuildTimer timer;
         this->FillBrick(index, static_cast<Value*>(memory));
       }));
   }
@@ -181,7 +180,6 @@ private:
   std::array<std::ptrdiff_t, 3> Strides;
   Index3 BrickDimensions;
   BlockCache Bricks;
-  BrickCounters Counters;
 };
 
 }

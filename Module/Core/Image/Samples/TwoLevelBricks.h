@@ -4,7 +4,7 @@
 #ifndef TwoLevelBricks_h
 #define TwoLevelBricks_h
 
-#include "Image/Samples/BrickCounters.h"
+#include "Field/BuildTimer.h"
 #include "Image/Samples/Unbricked.h"
 
 #include <algorithm>
@@ -135,7 +135,6 @@ public:
       this->Address[2][static_cast<std::size_t>(sample[2])];
   }
 
-  const BrickCounters& GetCounters() const { return this->Counters; }
   std::size_t GetNumberOfBricks() const { return this->NumberOfBricks.load(); }
   std::size_t GetMaximumNumberOfBricks() const { return this->States.size(); }
 
@@ -165,7 +164,7 @@ private:
     if (found == Absent &&
       state.compare_exchange_strong(found, BeingFilled, std::memory_order_acq_rel))
     {
-      const BrickTimer timer(this->Counters);
+      const BuildTimer timer;
       this->FillBrick(index);
       this->NumberOfBricks.fetch_add(1, std::memory_order_relaxed);
       state.store(Filled, std::memory_order_release);
@@ -208,7 +207,6 @@ private:
   std::unique_ptr<Value[]> Values;
   std::vector<std::atomic<unsigned char>> States;
   std::atomic<std::size_t> NumberOfBricks{ 0 };
-  BrickCounters Counters;
 };
 
 }

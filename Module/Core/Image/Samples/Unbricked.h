@@ -4,7 +4,6 @@
 #ifndef Unbricked_h
 #define Unbricked_h
 
-#include "Image/Samples/BrickCounters.h"
 #include "Image/Samples/VolumeView.h"
 
 #include <algorithm>
@@ -83,14 +82,12 @@ public:
     Unbricked& Layout;
   };
 
-  const BrickCounters& GetCounters() const { return this->Counters; }
   std::size_t GetNumberOfBricks() const { return 0; }
   std::size_t GetMaximumNumberOfBricks() const { return 0; }
   std::size_t GetMemory() const { return 0; }
 
 private:
   Samples<T> TheSamples;
-  BrickCounters Counters;
 };
 
 }
