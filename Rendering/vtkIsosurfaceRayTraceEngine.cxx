@@ -341,7 +341,7 @@ bool vtkIsosurfaceRayTraceEngine::CheckAbort(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::IsIntact(const vtkIsosurfaceRayTraceRequest& request)
 {
-  return request.Inputs.IsIntact() ||
+  return request.Inputs.IsIntact(request.Execution.Threads) ||
     !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
                       "that were being traced, so the picture is not complete. Change them between "
                       "frames.");

@@ -264,8 +264,11 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   {
     return this->Trace(request.Execution, drawing, keepGoing);
   }
-  std::vector<vtkObject*> objects = request.Inputs.GetObjects();
-  objects.push_back(target.Mapper);
+  std::vector<vtkObject*> objects = { target.Mapper };
+  for (const auto& ofConnection : request.Objects)
+  {
+    objects.insert(objects.end(), ofConnection->begin(), ofConnection->end());
+  }
   for (const vtkIsosurfaceRayTraceRequest::Volume& volume : request.Volumes)
   {
     objects.push_back(volume.Property);

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -101,10 +102,11 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   const bool isSameChoice =
     scalars.Component == this->Component && settings.Image == this->ImageSettings;
   // Thousands of blocks are not put in order again for every frame.
-  const bool areSameParts =
-    this->AreSameLeaves && this->ArePartsKept && isSameChoice && this->ArePartsIntact();
+  const bool areSameParts = this->AreSameLeaves && this->ArePartsKept && isSameChoice &&
+    this->ArePartsIntact(settings.Threads);
   if (!areSameParts)
   {
+    this->Objects = nullptr;
     this->ArePartsKept = false;
     this->ArePlaced = false;
     problem = this->SelectParts(settings, scalars);
@@ -165,8 +167,12 @@ std::string vtkIsosurfaceRayTraceInput::SelectColors(
   const vtkIsosurfaceRayTraceInputSettings& settings)
 {
   const std::string& name = settings.ColorArrayName;
-  this->ColorImage = settings.ColorImage;
-  this->ColorArray = nullptr;
+  vtkDataArray* const before = std::exchange(this->ColorArray, nullptr);
+  if (this->ColorImage != settings.ColorImage)
+  {
+    this->ColorImage = settings.ColorImage;
+    this->Objects = nullptr;
+  }
   if (!this->ColorImage)
   {
     const bool haveColors = name.empty() ||
@@ -178,6 +184,10 @@ std::string vtkIsosurfaceRayTraceInput::SelectColors(
   if (!this->ColorArray)
   {
     return vtkIsosurfaceRayTraceColors::DescribeMissingInImage(name);
+  }
+  if (this->ColorArray != before)
+  {
+    this->Objects = nullptr;
   }
   this->NumberOfColors = this->ColorArray->GetNumberOfTuples();
   const std::string problem = vtkIsosurfaceRayTraceGeometry::FindProblem(this->ColorImage);
@@ -427,27 +437,43 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceInput::IsIntact() const
+bool vtkIsosurfaceRayTraceInput::IsIntact(int threads) const
 {
-  return this->ArePartsIntact() &&
+  return this->ArePartsIntact(threads) &&
     (!this->ColorArray || this->ColorArray->GetNumberOfTuples() >= this->NumberOfColors);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceInput::ArePartsIntact() const
+/// There may be thousands, looked at in every frame: they are far apart in memory.
+bool vtkIsosurfaceRayTraceInput::ArePartsIntact(int threads) const
 {
   const std::vector<Leaf>& leaves = this->Leaves.Get();
   const bool areColorsIntact = !this->Leaves.AreColorsOfCells() ||
     std::all_of(leaves.begin(), leaves.end(),
       [](const Leaf& leaf) { return leaf.CellColors->GetNumberOfTuples() >= leaf.NumberOfCells; });
-  return areColorsIntact &&
-    std::all_of(this->Parts.begin(), this->Parts.end(),
-      [](const std::unique_ptr<Part>& part) { return part->IsIntact(); });
+  if (!areColorsIntact)
+  {
+    return false;
+  }
+  constexpr std::int64_t many = 256;
+  const auto count = static_cast<std::int64_t>(this->Parts.size());
+  bool areIntact = true;
+#pragma omp parallel for num_threads(threads) if (count > many) reduction(&& : areIntact)
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    areIntact = areIntact && this->Parts[static_cast<std::size_t>(i)]->IsIntact();
+  }
+  return areIntact;
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkObject*> vtkIsosurfaceRayTraceInput::GetObjects() const
+std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>>
+vtkIsosurfaceRayTraceInput::GetObjects()
 {
+  if (this->Objects)
+  {
+    return this->Objects;
+  }
   std::vector<vtkObject*> objects = { this->ColorImage, this->ColorArray, this->Attributes };
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
@@ -460,7 +486,13 @@ std::vector<vtkObject*> vtkIsosurfaceRayTraceInput::GetObjects() const
       objects.push_back(leaf.CellColors);
     }
   }
-  return objects;
+  auto held =
+    std::make_shared<const std::vector<vtkSmartPointer<vtkObject>>>(objects.begin(), objects.end());
+  if (this->ArePartsKept)
+  {
+    this->Objects = held;
+  }
+  return held;
 }
 
 VTK_ABI_NAMESPACE_END

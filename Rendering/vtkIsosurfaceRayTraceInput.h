@@ -133,10 +133,11 @@ public:
 
   /// Whether the arrays that are traced are still where they were, and as long. (An observer may
   /// have released their memory.)
-  bool IsIntact() const;
+  bool IsIntact(int threads) const;
 
-  /// The objects that a picture of the input depends on. Some may be null.
-  std::vector<vtkObject*> GetObjects() const;
+  /// The objects that a picture of the input depends on, which exist as long as the list. Some may
+  /// be null.
+  std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>> GetObjects();
 
 private:
   using Part = vtkIsosurfaceRayTracePart;
@@ -153,7 +154,7 @@ private:
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     PartList& before);
   void JoinParts();
-  bool ArePartsIntact() const;
+  bool ArePartsIntact(int threads) const;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColorsOfArray(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
   /// Whether the field is that of a part by itself. (Seamless ones have margins, which a set cuts.)
@@ -173,6 +174,8 @@ private:
   /// else these were selected by.
   bool AreSameLeaves = false;
   bool ArePartsKept = false;
+  /// Those of the parts that are kept; else null.
+  std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>> Objects;
   int Component = 0;
   vtkIsosurfaceRayTracing::ImageSettings ImageSettings;
   int PropertyComponent = 0;

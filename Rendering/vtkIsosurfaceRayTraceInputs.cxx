@@ -81,22 +81,11 @@ int vtkIsosurfaceRayTraceInputs::FindConnection(vtkIdType& cellId) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceInputs::IsIntact() const
+bool vtkIsosurfaceRayTraceInputs::IsIntact(int threads) const
 {
   return std::all_of(this->Inputs.begin(), this->Inputs.end(),
-    [](const std::unique_ptr<vtkIsosurfaceRayTraceInput>& input) { return input->IsIntact(); });
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkObject*> vtkIsosurfaceRayTraceInputs::GetObjects() const
-{
-  std::vector<vtkObject*> objects;
-  for (const auto& input : this->Inputs)
-  {
-    const std::vector<vtkObject*> own = input->GetObjects();
-    objects.insert(objects.end(), own.begin(), own.end());
-  }
-  return objects;
+    [threads](const std::unique_ptr<vtkIsosurfaceRayTraceInput>& input)
+    { return input->IsIntact(threads); });
 }
 
 //------------------------------------------------------------------------------

@@ -52,8 +52,7 @@ public:
 
   ///@{
   /// Of all inputs; see vtkIsosurfaceRayTraceInput.
-  bool IsIntact() const;
-  std::vector<vtkObject*> GetObjects() const;
+  bool IsIntact(int threads) const;
   vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;
   double GetGradientSeconds() const;
   ///@}

@@ -88,13 +88,10 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
   : Inputs(inputs)
 {
   this->Execution.Threads = settings.NumberOfThreads;
-  for (vtkObject* object : inputs.GetObjects())
-  {
-    this->Objects.emplace_back(object);
-  }
   for (int connection = 0; connection < inputs.GetNumber(); ++connection)
   {
-    const vtkIsosurfaceRayTraceInput& input = inputs.Get(connection);
+    vtkIsosurfaceRayTraceInput& input = inputs.Get(connection);
+    this->Objects.push_back(input.GetObjects());
     Volume volume{};
     volume.Input = &input;
     volume.Property = volumes.GetProperty(connection);
@@ -106,7 +103,6 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
     }
     vtkMatrix4x4::Multiply4x4(volumes.FindWorldFromData(connection).data(),
       input.GetPhysicalFromObject().data(), volume.WorldFromObject.data());
-    this->Objects.emplace_back(volume.Property);
     this->Select(settings, volume, clippingPlanes);
     this->Volumes.push_back(std::move(volume));
   }

@@ -8,11 +8,13 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "vtkSmartPointer.h" // for ivars
+#include "vtkSmartPointer.h"   // for ivars
+#include "vtkVolumeProperty.h" // for ivars
 
 #include "Field/TracedField.h"
 
 #include <cstddef> // for std::size_t
+#include <memory>  // for std::shared_ptr
 #include <string>  // for std::string
 #include <vector>  // for std::vector
 
@@ -23,7 +25,6 @@ class vtkIsosurfaceRayTraceInputs;
 class vtkObject;
 class vtkPlaneCollection;
 class vtkVolume;
-class vtkVolumeProperty;
 struct vtkIsosurfaceRayTraceSettings;
 
 /// Made in every call that traces, from the current state of the volume.
@@ -36,7 +37,7 @@ struct vtkIsosurfaceRayTraceRequest
   struct Volume
   {
     const vtkIsosurfaceRayTraceInput* Input;
-    vtkVolumeProperty* Property;
+    vtkSmartPointer<vtkVolumeProperty> Property;
     /// That of the property.
     int Component;
     /// Those of the property, by their numbers.
@@ -83,9 +84,9 @@ struct vtkIsosurfaceRayTraceRequest
   /// One for each connection.
   std::vector<Volume> Volumes;
   vtkIsosurfaceRayTracing::Execution Execution;
-  /// What is traced, and the properties: they exist as long as the request, whatever becomes of the
-  /// inputs of the mapper and of the volumes.
-  std::vector<vtkSmartPointer<vtkObject>> Objects;
+  /// What is traced of each connection: it exists as long as the request, whatever becomes of the
+  /// inputs of the mapper.
+  std::vector<std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>>> Objects;
 
 private:
   void Select(const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
