@@ -33,6 +33,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkVolume.h"
 
 #include "Field/Stopwatch.h"
@@ -599,14 +600,38 @@ catch (const std::bad_alloc&)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceEngine::RenderToImage(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+bool vtkIsosurfaceRayTraceEngine::RenderToImage(
+  vtkVolume* volume, const PictureView& view, vtkImageData* output)
+{
+  return this->RenderPicture("RenderToImage", volume, view, &vtkirt::Scene::KeepHits, output,
+    [&view, output](
+      const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture) {
+      vtkIsosurfaceRayTraceOutput::WriteImage(request, picture, view.Width, view.Height, output);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::RenderToFragments(
+  vtkVolume* volume, const PictureView& view, vtkTable* output)
+{
+  return this->RenderPicture("RenderToFragments", volume, view, &vtkirt::Scene::KeepFragments,
+    output,
+    [&view, output](
+      const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)
+    { vtkIsosurfaceRayTraceOutput::WriteFragments(picture, view.Width, output); });
+}
+
+//------------------------------------------------------------------------------
+/// Renders a picture that keeps something, and has it written to an output.
+template <typename Write>
+bool vtkIsosurfaceRayTraceEngine::RenderPicture(const char* name, vtkVolume* volume,
+  const PictureView& view, bool vtkirt::Scene::*keep, vtkDataObject* output, const Write& write)
 try
 {
-  if (!volume || !camera || !output || width < 1 || height < 1)
+  if (!volume || !view.Camera || !output || view.Width < 1 || view.Height < 1)
   {
     vtkErrorWithObjectMacro(this->Mapper,
-      "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and an output.");
+      << name << " needs a volume, a camera, a size of at least 1 x 1 and an output.");
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
@@ -615,24 +640,25 @@ try
   {
     return false;
   }
-  const vtkirt::Matrix4 clipFromWorld =
-    vtkIsosurfaceRayTraceScene::GetClipFromWorld(camera, static_cast<double>(width) / height);
-  if (this->ReportOnce(vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, lights)))
+  const vtkirt::Matrix4 clipFromWorld = vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+    view.Camera, static_cast<double>(view.Width) / view.Height);
+  if (this->ReportOnce(vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, view.Lights)))
   {
     return false;
   }
   vtkIsosurfaceRayTracePicture picture;
   picture.SetScene(this->TheClient.GetSettings(), *request,
-    { clipFromWorld, static_cast<double>(width), static_cast<double>(height) });
+    { clipFromWorld, static_cast<double>(view.Width), static_cast<double>(view.Height) });
   vtkNew<vtkLightCollection> headlight;
-  if (!lights)
+  if (!view.Lights)
   {
     vtkNew<vtkLight> light;
     light->SetLightTypeToHeadlight();
     headlight->AddItem(light);
   }
-  vtkIsosurfaceRayTraceScene::AddLights(lights ? lights : headlight, camera, true, picture.Scene);
-  picture.Scene.KeepHits = true;
+  vtkIsosurfaceRayTraceScene::AddLights(
+    view.Lights ? view.Lights : headlight, view.Camera, true, picture.Scene);
+  picture.Scene.*keep = true;
   const bool isComplete = picture.Trace(request->Execution,
     [this, &use, &request](double fraction) {
       return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
@@ -642,7 +668,7 @@ try
   {
     return false;
   }
-  vtkIsosurfaceRayTraceOutput::WriteImage(*request, picture, width, height, output);
+  write(*request, picture);
   return true;
 }
 catch (const std::bad_alloc&)

@@ -31,6 +31,7 @@ class vtkCamera;
 class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
@@ -39,6 +40,7 @@ class vtkPoints;
 class vtkPolyData;
 class vtkRenderWindow;
 class vtkRenderer;
+class vtkTable;
 class vtkVolume;
 class vtkWindow;
 struct vtkIsosurfaceRayTraceSettings;
@@ -58,6 +60,15 @@ public:
     std::function<void(float)> SetImageSampleDistance;
     /// What to do where there is not enough memory, as sentences.
     const char* MemoryRemedy;
+  };
+
+  /// The view of a picture that needs no window. Without lights there is a headlight.
+  struct PictureView
+  {
+    vtkCamera* Camera;
+    vtkLightCollection* Lights;
+    int Width;
+    int Height;
   };
 
   /// The mapper owns the engine.
@@ -87,8 +98,8 @@ public:
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
   int PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column, int row, double x[3],
     double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
-  bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
-    int height, vtkImageData* output);
+  bool RenderToImage(vtkVolume* volume, const PictureView& view, vtkImageData* output);
+  bool RenderToFragments(vtkVolume* volume, const PictureView& view, vtkTable* output);
   vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
   void ReleaseGraphicsResources(vtkWindow* window);
   ///@}
@@ -132,6 +143,9 @@ private:
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
     const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+  template <typename Write>
+  bool RenderPicture(const char* name, vtkVolume* volume, const PictureView& view,
+    bool vtkIsosurfaceRayTracing::Scene::*keep, vtkDataObject* output, const Write& write);
   /// Draws a frame. Returns whether it is complete.
   bool DrawFrame(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
     const vtkIsosurfaceRayTraceHolder& holder);

@@ -202,7 +202,14 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
 bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkImageData* output)
 {
-  return this->Engine->RenderToImage(volume, camera, lights, width, height, output);
+  return this->Engine->RenderToImage(volume, { camera, lights, width, height }, output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkTable* output)
+{
+  return this->Engine->RenderToFragments(volume, { camera, lights, width, height }, output);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -249,7 +249,14 @@ int vtkIsosurfaceRayTraceMeshMapper::PickPixel(vtkRenderer* renderer, vtkVolume*
 bool vtkIsosurfaceRayTraceMeshMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkImageData* output)
 {
-  return this->Engine->RenderToImage(volume, camera, lights, width, height, output);
+  return this->Engine->RenderToImage(volume, { camera, lights, width, height }, output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMeshMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkTable* output)
+{
+  return this->Engine->RenderToFragments(volume, { camera, lights, width, height }, output);
 }
 
 //------------------------------------------------------------------------------

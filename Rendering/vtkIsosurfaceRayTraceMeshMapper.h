@@ -75,6 +75,7 @@ class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
+class vtkTable;
 struct vtkIsosurfaceRayTraceInputSettings;
 struct vtkIsosurfaceRayTraceSettings;
 struct vtkIsosurfaceRayTraceSharedSettings;
@@ -468,6 +469,20 @@ public:
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);
+
+  /**
+   * Finds what the pixels of the picture of RenderToImage are made of, so that it can be composited
+   * with others of the same view. The output has a row for each surface that the ray of a pixel
+   * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
+   * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
+   * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
+   * opaque surface, in the depth buffer; else 1). Returns whether
+   * there is an output; if not, an error reports why.
+   *
+   * @sa vtkIsosurfaceRayTraceCompositor
+   */
+  bool RenderToFragments(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights,
+    int width, int height, vtkTable* output);
 
   /**
    * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.

@@ -16,10 +16,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -129,6 +132,43 @@ private:
   vtkNew<vtkDoubleArray> Values;
 };
 
+/// The output of RenderToFragments.
+class FragmentColumns
+{
+public:
+  FragmentColumns(vtkIdType count, vtkTable* output)
+  {
+    const auto add = [count, output](vtkDataArray* column, const char* name, int components)
+    {
+      column->SetName(name);
+      column->SetNumberOfComponents(components);
+      column->SetNumberOfTuples(count);
+      output->AddColumn(column);
+    };
+    add(this->Pixels, "Pixel", 1);
+    add(this->Ts, "T", 1);
+    add(this->Colors, "Color", 3);
+    add(this->Opacities, "Opacity", 1);
+    add(this->Depths, "Depth", 1);
+  }
+
+  void Set(vtkIdType row, vtkIdType pixel, const vtkirt::Fragment& fragment)
+  {
+    this->Pixels->SetValue(row, pixel);
+    this->Ts->SetValue(row, fragment.T);
+    this->Colors->SetTypedTuple(row, fragment.Color.data());
+    this->Opacities->SetValue(row, fragment.Opacity);
+    this->Depths->SetValue(row, fragment.Opacity >= 1.0 ? std::min(fragment.Depth, 1.0F) : 1.0F);
+  }
+
+private:
+  vtkNew<vtkIdTypeArray> Pixels;
+  vtkNew<vtkDoubleArray> Ts;
+  vtkNew<vtkDoubleArray> Colors;
+  vtkNew<vtkDoubleArray> Opacities;
+  vtkNew<vtkFloatArray> Depths;
+};
+
 }
 
 namespace vtkIsosurfaceRayTraceOutput
@@ -187,6 +227,29 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
         arrays.SetIsovalueId(to, request.GetVolume(hit).FindIsovalue(description.Value));
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output)
+{
+  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  const std::vector<vtkirt::FragmentOfPixel>& fragments = picture.Frame.Fragments;
+  // Where the fragments of each pixel begin.
+  std::vector<vtkIdType> rows(vtkirt::Count({ pixels.Width, pixels.Height, 1 }) + 1);
+  for (const vtkirt::FragmentOfPixel& fragment : fragments)
+  {
+    ++rows[fragment.Pixel + 1];
+  }
+  std::partial_sum(rows.begin(), rows.end(), rows.begin());
+  output->Initialize();
+  FragmentColumns columns(static_cast<vtkIdType>(fragments.size()), output);
+  for (const vtkirt::FragmentOfPixel& fragment : fragments)
+  {
+    const auto inRow = static_cast<int>(fragment.Pixel % static_cast<std::size_t>(pixels.Width));
+    const auto row = static_cast<int>(fragment.Pixel / static_cast<std::size_t>(pixels.Width));
+    columns.Set(rows[fragment.Pixel]++,
+      pixels.X + inRow + static_cast<vtkIdType>(pixels.Y + row) * width, fragment.Own);
   }
 }
 

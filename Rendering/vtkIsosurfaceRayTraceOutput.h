@@ -15,6 +15,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkIsosurfaceRayTracePicture;
 class vtkPolyData;
+class vtkTable;
 struct vtkIsosurfaceRayTraceRequest;
 
 namespace vtkIsosurfaceRayTraceOutput
@@ -27,6 +28,10 @@ void WriteHits(const vtkIsosurfaceRayTraceRequest& request,
 /// The output of vtkIsosurfaceRayTraceMapper::RenderToImage. The picture must have kept its hits.
 void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output);
+
+/// The output of vtkIsosurfaceRayTraceMapper::RenderToFragments. The picture must have kept its
+/// fragments.
+void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output);
 
 }
 

@@ -47,6 +47,18 @@ std::vector<long double> BackToFront(const std::vector<Fragment>& fragments)
   return rgba;
 }
 
+/// The number of the first ones that are composited: none is behind others that let less than a
+/// 1024th of the light through.
+std::size_t CountSeen(const std::vector<Fragment>& fragments)
+{
+  std::size_t count = 0;
+  for (long double left = 1.0L; count < fragments.size() && left >= 1.0L / 1024.0L; ++count)
+  {
+    left *= 1.0L - static_cast<long double>(fragments[count].Opacity);
+  }
+  return count;
+}
+
 //------------------------------------------------------------------------------
 TEST(Compositor, LeavesAPixelWithoutFragmentsEmpty)
 {
@@ -71,11 +83,14 @@ TEST(Compositor, CompositesFrontToBackAsOverDoesBackToFront)
       fragments.push_back(RandomFragment(random, random.Uniform(0.05, 0.95)));
     }
     const CompositedPixel pixel = Composite(fragments.data(), fragments.size());
+    const std::vector<long double> all = BackToFront(fragments);
+    fragments.resize(CountSeen(fragments));
     const std::vector<long double> expected = BackToFront(fragments);
     for (std::size_t k = 0; k < 4; ++k)
     {
-      EXPECT_NEAR(
-        static_cast<double>(pixel.Rgba[k]), static_cast<double>(255.0L * expected[k]), 0.5 + 1e-9);
+      const auto channel = static_cast<double>(pixel.Rgba[k]);
+      EXPECT_NEAR(channel, static_cast<double>(255.0L * expected[k]), 0.5 + 1e-9);
+      EXPECT_NEAR(channel, static_cast<double>(255.0L * all[k]), 0.75);
     }
     EXPECT_EQ(pixel.Depth, PixelWithoutDepth);
   }

@@ -81,7 +81,8 @@ SceneField Show(const PlacedImage& image, const Vector3& color)
   return field;
 }
 
-Frame Render(const std::vector<SceneField>& fields, const Scene& settings = {})
+Frame Render(const std::vector<SceneField>& fields, const Scene& settings = {},
+  const Execution& execution = {})
 {
   Scene scene = settings;
   scene.Fields = fields;
@@ -89,7 +90,7 @@ Frame Render(const std::vector<SceneField>& fields, const Scene& settings = {})
   scene.KeepHits = true;
   Frame frame;
   FrameTimes times;
-  EXPECT_TRUE(RenderTiles(scene, {}, frame, times, [](double) { return true; }));
+  EXPECT_TRUE(RenderTiles(scene, execution, frame, times, [](double) { return true; }));
   return frame;
 }
 
@@ -264,6 +265,47 @@ TEST(ScenesOfFields, TranslucentFieldsAreCompositedInOrderAlongTheRay)
     }
   }
   EXPECT_GT(interleaved, 20);
+}
+
+//------------------------------------------------------------------------------
+/// So that another process can composite them with its own.
+TEST(ScenesOfFields, KeptFragmentsMakeThePicture)
+{
+  TwoSpheres spheres;
+  for (const double opacity : { 1.0, 0.4, 0.98 })
+  {
+    spheres.A.Select(opacity);
+    spheres.B.Select(0.4);
+    const std::vector<SceneField> fields = { Show(spheres.A, Red), Show(spheres.B, Green) };
+    const Frame expected = Render(fields);
+    EXPECT_TRUE(expected.Fragments.empty());
+    Scene keeping;
+    keeping.KeepFragments = true;
+    for (const int threads : { 1, 3 })
+    {
+      const Frame kept = Render(fields, keeping, { threads });
+      EXPECT_EQ(kept.Colors, expected.Colors);
+      std::vector<std::vector<Fragment>> ofPixels(kept.Depths.size());
+      for (const FragmentOfPixel& fragment : kept.Fragments)
+      {
+        ofPixels[fragment.Pixel].push_back(fragment.Own);
+      }
+      for (std::size_t i = 0; i < ofPixels.size(); ++i)
+      {
+        const std::vector<Fragment>& fragments = ofPixels[i];
+        EXPECT_TRUE(std::is_sorted(fragments.begin(), fragments.end(),
+          [](const Fragment& a, const Fragment& b) { return a.T < b.T; }));
+        const CompositedPixel pixel = Composite(fragments.data(), fragments.size());
+        EXPECT_TRUE(std::equal(pixel.Rgba, pixel.Rgba + 4, &expected.Colors[4 * i]));
+        EXPECT_EQ(pixel.Depth, expected.Depths[i]);
+        // Nothing is kept behind what lets no light through.
+        for (std::size_t k = 0; k + 1 < fragments.size(); ++k)
+        {
+          EXPECT_LT(fragments[k].Opacity, 1.0);
+        }
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

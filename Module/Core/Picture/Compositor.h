@@ -4,6 +4,7 @@
 #ifndef Compositor_h
 #define Compositor_h
 
+#include "Field/HitCollector.h"
 #include "Math/ByteColor.h"
 #include "Math/Vector.h"
 
@@ -57,6 +58,13 @@ struct Fragments
   }
 };
 
+/// A fragment, and the number of its pixel.
+struct FragmentOfPixel
+{
+  std::size_t Pixel;
+  Fragment Own;
+};
+
 /// The pixel of a single fragment.
 inline CompositedPixel ToPixel(const Fragment& fragment)
 {
@@ -87,13 +95,13 @@ inline void Merge(const std::vector<Fragments>& fields, Fragments& merged)
   }
 }
 
-/// Composites the fragments of one ray, up to the first opaque one.
+/// Composites the fragments of one ray, as far as anything of them is seen.
 inline CompositedPixel Composite(const Fragment* fragments, std::size_t count)
 {
   Vector3 color = { 0.0, 0.0, 0.0 };
   double transmittance = 1.0;
   float depth = PixelWithoutDepth;
-  for (std::size_t i = 0; i < count && transmittance > 0.0; ++i)
+  for (std::size_t i = 0; i < count && transmittance >= NegligibleTransmittance; ++i)
   {
     const Fragment& fragment = fragments[i];
     color = color + fragment.Color * transmittance;

@@ -196,7 +196,7 @@ void PixelBlockRenderer::ShadeBlock()
     this->WriteBackground();
     return;
   }
-  if (fields == 1 && this->Shaders.front().CanMakePixels())
+  if (fields == 1 && this->Shaders.front().CanMakePixels() && !this->TheScene.KeepFragments)
   {
     this->WriteOpaque();
   }
@@ -287,7 +287,23 @@ void PixelBlockRenderer::WriteFragments()
       const std::size_t pixel = this->GetOffset(x, y);
       std::copy_n(made.Rgba, 4, &this->Picture.Colors[4 * pixel]);
       this->Picture.Depths[pixel] = made.Depth;
+      if (this->TheScene.KeepFragments)
+      {
+        this->Keep(first, count, pixel);
+      }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Keeps the fragments of a pixel that are composited.
+void PixelBlockRenderer::Keep(const Fragment* fragments, std::size_t count, std::size_t pixel)
+{
+  double transmittance = 1.0;
+  for (std::size_t i = 0; i < count && transmittance >= NegligibleTransmittance; ++i)
+  {
+    this->Kept.push_back({ pixel, fragments[i] });
+    transmittance *= 1.0 - fragments[i].Opacity;
   }
 }
 

@@ -39,6 +39,9 @@ public:
   /// Writes the pixels of the blocks that were traced last.
   void Shade();
 
+  /// The fragments of all blocks so far, if the scene keeps them.
+  const std::vector<FragmentOfPixel>& GetKept() const { return this->Kept; }
+
 private:
   /// Pixels that are counted from the rectangle drawn, in the viewport.
   PixelRectangle InViewport(const PixelRectangle& pixels) const;
@@ -57,6 +60,7 @@ private:
   void WriteBackground();
   void WriteOpaque();
   void WriteFragments();
+  void Keep(const Fragment* fragments, std::size_t count, std::size_t pixel);
   void WriteHits();
   std::size_t GetOffset(const PixelRectangle& block, int x, int y) const;
   std::size_t GetOffset(int x, int y) const
@@ -79,6 +83,7 @@ private:
   OpaqueEnds Ends[MaximumBlocks];
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
+  std::vector<FragmentOfPixel> Kept;
 };
 
 }

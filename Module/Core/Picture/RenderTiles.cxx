@@ -106,6 +106,7 @@ void Clear(const Scene& scene, Frame& frame)
   frame.Colors.resize(4 * count);
   frame.Depths.resize(count);
   frame.Hits.assign(scene.KeepHits ? count : 0, none);
+  frame.Fragments.clear();
 }
 
 std::vector<Shader> MakeShaders(const Scene& scene, const Kernels* kernels)
@@ -149,6 +150,11 @@ public:
 
 private:
   void Render(Tile& tile, PixelBlockRenderer& renderer);
+  void Append(const std::vector<FragmentOfPixel>& kept)
+  {
+    std::vector<FragmentOfPixel>& all = this->Picture.Fragments;
+    all.insert(all.end(), kept.begin(), kept.end());
+  }
 
   const Scene& TheScene;
   const Execution& TheExecution;
@@ -185,6 +191,11 @@ void FrameRenderer::TakeStep()
     for (std::int64_t i = 0; i < tiles; ++i)
     {
       exception.Guard([&] { this->Render(this->Tiles[static_cast<std::size_t>(i)], *renderer); });
+    }
+    if (this->TheScene.KeepFragments)
+    {
+#pragma omp critical
+      exception.Guard([&] { this->Append(renderer->GetKept()); });
     }
   }
   exception.Rethrow();

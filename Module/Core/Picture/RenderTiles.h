@@ -24,6 +24,9 @@ struct Frame
   std::vector<float> Depths;
   /// The nearest hit, if the scene keeps hits, whatever its opacity.
   std::vector<Hit> Hits;
+  /// If the scene keeps fragments: those of a pixel that are composited follow each other front to
+  /// back; pixels are in no order.
+  std::vector<FragmentOfPixel> Fragments;
 };
 
 /// The wall-clock time of a frame, in seconds. All three are interleaved on all threads; the time

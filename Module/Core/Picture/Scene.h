@@ -105,6 +105,8 @@ struct Scene
   int OcclusionFrame = 0;
   /// Whether the first hit of every pixel is to be kept besides its colour.
   bool KeepHits = false;
+  /// Whether the fragments of every pixel are to be kept.
+  bool KeepFragments = false;
 
   /// The tiles that the image is handed out in.
   int TileWidth = 16;
