@@ -29,7 +29,7 @@ CORE_FOLDERS = [f"{CORE}/{folder}" for folder in (
 )]
 
 # Where includes are looked for, after the folder of the file.
-INCLUDE_FOLDERS = (CORE, "Module", "Rendering", "Filters", "Programs")
+INCLUDE_FOLDERS = (CORE, "Module", "Rendering", "Filters", "Parallel", "Programs")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
@@ -49,8 +49,9 @@ def make_rules():
     rules["Rendering"] = [compat, CORE, "Rendering"]
     mappers = [f"Rendering/vtkIsosurfaceRayTrace{kind}Mapper.h" for kind in ("", "Mesh")]
     rules["Filters"] = [compat, CORE, "Filters", *mappers]
+    rules["Parallel"] = [compat, CORE, "Parallel", *mappers]
     public_headers = find_public_headers()
-    rules["Programs"] = [compat, "Programs", *public_headers]
+    rules["Programs"] = [compat, "Programs", *public_headers, "Parallel/vtkIsosurfaceRayTraceCompositor.h"]
     rules["Examples"] = ["Examples", *public_headers]
     return rules
 
@@ -87,7 +88,7 @@ def check_file(path, rules):
 
 def main():
     rules = make_rules()
-    files = sorted(path for folder in (CORE, "Rendering", "Filters", "Programs", "Examples")
+    files = sorted(path for folder in (CORE, "Rendering", "Filters", "Parallel", "Programs", "Examples")
                    for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".inl", ".cxx"))
     violations = [violation for path in files for violation in check_file(path, rules)]
     for violation in violations:

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceAgreement.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+using Numbers = std::vector<double>;
+
+void Append(const double* values, int count, Numbers& numbers)
+{
+  numbers.insert(numbers.end(), values, values + count);
+}
+
+Numbers DescribeCamera(vtkCamera* camera, int width, int height)
+{
+  Numbers numbers;
+  vtkMatrix4x4* matrix =
+    camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0);
+  Append(matrix->GetData(), 16, numbers);
+  return numbers;
+}
+
+Numbers DescribeLights(vtkLightCollection* lights)
+{
+  Numbers numbers;
+  for (int i = 0; lights && i < lights->GetNumberOfItems(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+    numbers.insert(numbers.end(),
+      { static_cast<double>(light->GetLightType()), static_cast<double>(light->GetSwitch()),
+        static_cast<double>(light->GetPositional()), light->GetIntensity(), light->GetConeAngle(),
+        light->GetExponent() });
+    for (const double* vector :
+      { light->GetTransformedPosition(), light->GetTransformedFocalPoint(),
+        light->GetDiffuseColor(), light->GetSpecularColor(), light->GetAttenuationValues() })
+    {
+      Append(vector, 3, numbers);
+    }
+  }
+  return numbers;
+}
+
+Numbers DescribeIsovalues(vtkVolumeProperty* property)
+{
+  Numbers numbers;
+  vtkContourValues* values = property->GetIsoSurfaceValues();
+  Append(values->GetValues(), values->GetNumberOfContours(), numbers);
+  return numbers;
+}
+
+Numbers DescribeColors(vtkVolumeProperty* property)
+{
+  Numbers numbers;
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  Append(opacity->GetDataPointer(), 2 * opacity->GetSize(), numbers);
+  if (property->GetColorChannels() == 1)
+  {
+    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction();
+    Append(gray->GetDataPointer(), 2 * gray->GetSize(), numbers);
+    return numbers;
+  }
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  Append(colors->GetDataPointer(), 4 * colors->GetSize(), numbers);
+  return numbers;
+}
+
+Numbers DescribeMaterial(vtkVolumeProperty* property)
+{
+  return { static_cast<double>(property->GetShade()), property->GetAmbient(),
+    property->GetDiffuse(), property->GetSpecular(), property->GetSpecularPower() };
+}
+
+template <typename Mapper>
+void AppendSharedSettings(Mapper* mapper, Numbers& numbers)
+{
+  numbers.insert(numbers.end(),
+    { static_cast<double>(mapper->GetNormalMode()), static_cast<double>(mapper->GetVectorMode()),
+      static_cast<double>(mapper->GetVectorComponent()), mapper->GetCapClippingPlanes() ? 1.0 : 0.0,
+      mapper->GetShadows() ? 1.0 : 0.0, mapper->GetAmbientOcclusion() ? 1.0 : 0.0,
+      static_cast<double>(mapper->GetNumberOfAmbientOcclusionRays()),
+      mapper->GetAmbientOcclusionRadius() });
+}
+
+Numbers DescribeMapper(vtkAbstractVolumeMapper* mapper)
+{
+  Numbers numbers;
+  if (auto* ofMeshes = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper))
+  {
+    AppendSharedSettings(ofMeshes, numbers);
+    return numbers;
+  }
+  auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper);
+  AppendSharedSettings(ofImages, numbers);
+  numbers.insert(numbers.end(),
+    { static_cast<double>(ofImages->GetInterpolationMode()),
+      static_cast<double>(ofImages->GetRootSolver()),
+      static_cast<double>(ofImages->GetNumberOfInterpolations()) });
+  return numbers;
+}
+
+Numbers DescribePlanes(vtkPlaneCollection* planes)
+{
+  Numbers numbers;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    Append(planes->GetItem(i)->GetOrigin(), 3, numbers);
+    Append(planes->GetItem(i)->GetNormal(), 3, numbers);
+  }
+  return numbers;
+}
+
+}
+
+namespace vtkIsosurfaceRayTraceAgreement
+{
+
+//------------------------------------------------------------------------------
+std::vector<Item> Describe(
+  vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width, int height)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  Numbers matrix;
+  volume->ComputeMatrix();
+  Append(volume->GetMatrix()->GetData(), 16, matrix);
+  return { { "sizes", { static_cast<double>(width), static_cast<double>(height) } },
+    { "cameras", DescribeCamera(camera, width, height) }, { "lights", DescribeLights(lights) },
+    { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
+    { "transfer functions", DescribeColors(property) }, { "materials", DescribeMaterial(property) },
+    { "settings of the mappers", DescribeMapper(mapper) },
+    { "clipping planes", DescribePlanes(mapper->GetClippingPlanes()) } };
+}
+
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,528 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceCompositor.h"
+
+#include "vtkIsosurfaceRayTraceAgreement.h"
+#include "vtkIsosurfaceRayTraceBinarySwap.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
+
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkDummyController.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+
+#include "Field/Stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+vtkStandardNewMacro(vtkIsosurfaceRayTraceCompositor);
+
+namespace
+{
+
+using OpaquePixel = vtkIsosurfaceRayTraceOpaquePixel;
+using SentFragment = vtkIsosurfaceRayTraceSentFragment;
+
+constexpr int PixelsTag = 31415;
+
+//------------------------------------------------------------------------------
+/// The output of RenderToFragments.
+struct FragmentColumns
+{
+  explicit FragmentColumns(vtkTable* fragments)
+    : Pixels(vtkIdTypeArray::SafeDownCast(fragments->GetColumnByName("Pixel")))
+    , Ts(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("T")))
+    , Colors(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Color")))
+    , Opacities(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Opacity")))
+    , Depths(vtkFloatArray::SafeDownCast(fragments->GetColumnByName("Depth")))
+  {
+  }
+
+  vtkirt::Fragment Get(vtkIdType row) const
+  {
+    vtkirt::Fragment fragment{};
+    fragment.T = this->Ts->GetValue(row);
+    this->Colors->GetTypedTuple(row, fragment.Color.data());
+    fragment.Opacity = this->Opacities->GetValue(row);
+    fragment.Depth = this->Depths->GetValue(row);
+    return fragment;
+  }
+
+  vtkIdTypeArray* Pixels;
+  vtkDoubleArray* Ts;
+  vtkDoubleArray* Colors;
+  vtkDoubleArray* Opacities;
+  vtkFloatArray* Depths;
+};
+
+//------------------------------------------------------------------------------
+bool AreOpaque(vtkTable* fragments)
+{
+  if (fragments->GetNumberOfRows() == 0)
+  {
+    return true;
+  }
+  const FragmentColumns columns(fragments);
+  const double* opacities = columns.Opacities->GetPointer(0);
+  return std::all_of(opacities, opacities + fragments->GetNumberOfRows(),
+    [](double opacity) { return opacity >= 1.0; });
+}
+
+//------------------------------------------------------------------------------
+void ToRecord(const vtkirt::Fragment& fragment, OpaquePixel& record)
+{
+  record.T = fragment.T;
+  record.Shown = vtkirt::ToPixel(fragment);
+}
+
+void ToRecord(const vtkirt::Fragment& fragment, SentFragment& record)
+{
+  record.T = fragment.T;
+  std::copy(fragment.Color.begin(), fragment.Color.end(), record.Color);
+  record.Opacity = fragment.Opacity;
+  record.Depth = fragment.Depth;
+}
+
+template <typename Record>
+std::vector<Record> MakeRecords(vtkTable* fragments)
+{
+  std::vector<Record> records(static_cast<std::size_t>(fragments->GetNumberOfRows()));
+  const FragmentColumns columns(fragments);
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    const auto row = static_cast<vtkIdType>(i);
+    ToRecord(columns.Get(row), records[i]);
+    records[i].Pixel = static_cast<std::uint32_t>(columns.Pixels->GetValue(row));
+  }
+  return records;
+}
+
+//------------------------------------------------------------------------------
+/// Composites the records of one pixel, front to back. The fragments are memory for any use.
+vtkirt::CompositedPixel ToPixel(
+  const OpaquePixel* first, const OpaquePixel*, std::vector<vtkirt::Fragment>&)
+{
+  return first->Shown;
+}
+
+vtkirt::CompositedPixel ToPixel(
+  const SentFragment* first, const SentFragment* end, std::vector<vtkirt::Fragment>& fragments)
+{
+  fragments.clear();
+  std::transform(first, end, std::back_inserter(fragments),
+    [](const SentFragment& sent)
+    {
+      return vtkirt::Fragment{ sent.T, { sent.Color[0], sent.Color[1], sent.Color[2] },
+        sent.Opacity, sent.Depth };
+    });
+  return vtkirt::Composite(fragments.data(), fragments.size());
+}
+
+//------------------------------------------------------------------------------
+/// Calls function(mapper) with a mapper as one of those that trace isosurfaces, if it is one.
+template <typename Function>
+bool Visit(vtkAbstractMapper* mapper, const Function& function)
+{
+  if (auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    return function(ofImages);
+  }
+  auto* ofMeshes = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper);
+  return ofMeshes && function(ofMeshes);
+}
+
+bool DrawsIsosurfaces(vtkAbstractMapper* mapper)
+{
+  if (auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
+  {
+    return ofImages->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
+  }
+  return vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper) != nullptr;
+}
+
+/// Whether a process has any data at all.
+bool HasData(vtkAbstractVolumeMapper* mapper)
+{
+  for (int i = 0; i < mapper->GetNumberOfInputConnections(0); ++i)
+  {
+    vtkDataObject* data = mapper->GetInputDataObject(0, i);
+    if (data && data->GetNumberOfElements(vtkDataObject::POINT) > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+//------------------------------------------------------------------------------
+/// The arguments of RenderToImage but for its output.
+struct vtkIsosurfaceRayTraceCompositor::View
+{
+  vtkVolume* Volume;
+  vtkCamera* Camera;
+  vtkLightCollection* Lights;
+  int Width;
+  int Height;
+
+  std::vector<vtkIsosurfaceRayTraceAgreement::Item> Describe() const
+  {
+    return vtkIsosurfaceRayTraceAgreement::Describe(
+      this->Volume, this->Camera, this->Lights, this->Width, this->Height);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Some rows of the picture.
+struct vtkIsosurfaceRayTraceCompositor::Pixels
+{
+  int Width;
+  int FirstRow;
+  int EndRow;
+  std::vector<unsigned char> Colors;
+  std::vector<float> Depths;
+
+  void SetRows(int first, int end)
+  {
+    const std::size_t count =
+      static_cast<std::size_t>(end - first) * static_cast<std::size_t>(this->Width);
+    this->FirstRow = first;
+    this->EndRow = end;
+    this->Colors.assign(4 * count, 0);
+    this->Depths.assign(count, 1.0F);
+  }
+
+  void Write(vtkImageData* output) const
+  {
+    output->Initialize();
+    if (this->EndRow == this->FirstRow)
+    {
+      return;
+    }
+    output->SetExtent(0, this->Width - 1, this->FirstRow, this->EndRow - 1, 0, 0);
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName("Colors");
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(output->GetNumberOfPoints());
+    std::copy(this->Colors.begin(), this->Colors.end(), colors->GetPointer(0));
+    vtkNew<vtkFloatArray> depths;
+    depths->SetName("Depth");
+    depths->SetNumberOfTuples(output->GetNumberOfPoints());
+    std::copy(this->Depths.begin(), this->Depths.end(), depths->GetPointer(0));
+    output->GetPointData()->SetScalars(colors);
+    output->GetPointData()->AddArray(depths);
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceCompositor::vtkIsosurfaceRayTraceCompositor() = default;
+vtkIsosurfaceRayTraceCompositor::~vtkIsosurfaceRayTraceCompositor() = default;
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceCompositor::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkIsosurfaceRayTraceCompositor::GetController()
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+/// That of the processes, which is there.
+vtkSmartPointer<vtkMultiProcessController> vtkIsosurfaceRayTraceCompositor::FindController()
+{
+  vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
+  if (!controller)
+  {
+    controller = vtkMultiProcessController::GetGlobalController();
+  }
+  if (!controller)
+  {
+    controller = vtkSmartPointer<vtkDummyController>::New();
+  }
+  return controller;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceCompositor::BroadcastCamera(vtkCamera* camera)
+{
+  std::array<double, 17> numbers{};
+  camera->GetPosition(&numbers[0]);
+  camera->GetFocalPoint(&numbers[3]);
+  camera->GetViewUp(&numbers[6]);
+  camera->GetClippingRange(&numbers[9]);
+  camera->GetWindowCenter(&numbers[11]);
+  numbers[13] = camera->GetViewAngle();
+  numbers[14] = camera->GetUseHorizontalViewAngle();
+  numbers[15] = camera->GetParallelProjection();
+  numbers[16] = camera->GetParallelScale();
+  this->FindController()->Broadcast(numbers.data(), numbers.size(), 0);
+  camera->SetPosition(&numbers[0]);
+  camera->SetFocalPoint(&numbers[3]);
+  // The view of a camera that was turned (Azimuth) has other rounding than one from the same
+  // numbers: all are computed anew, which a change alone does.
+  camera->SetViewUp(-numbers[6], -numbers[7], -numbers[8]);
+  camera->SetViewUp(&numbers[6]);
+  camera->SetClippingRange(&numbers[9]);
+  camera->SetWindowCenter(numbers[11], numbers[12]);
+  camera->SetViewAngle(numbers[13]);
+  camera->SetUseHorizontalViewAngle(static_cast<vtkTypeBool>(numbers[14]));
+  camera->SetParallelProjection(static_cast<vtkTypeBool>(numbers[15]));
+  camera->SetParallelScale(numbers[16]);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+{
+  const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController();
+  const View view = { volume, camera, lights, width, height };
+  this->RenderTime = 0.0;
+  this->CompositeTime = 0.0;
+  this->BytesSent = 0;
+  // Whatever is wrong in a process, it takes part: the others would wait for it for ever.
+  std::string problem = FindProblem(view, output);
+  const std::string disagreement = FindDisagreement(problem.empty() ? &view : nullptr, controller);
+  problem = problem.empty() ? disagreement : problem;
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  if (!this->IsFineEverywhere(problem.empty(), controller))
+  {
+    return false;
+  }
+  const vtkirt::Stopwatch ofPiece;
+  vtkNew<vtkTable> fragments;
+  const bool isRendered = RenderPiece(view, fragments);
+  this->RenderTime = ofPiece.GetSeconds();
+  const vtkirt::Stopwatch ofPicture;
+  if (!this->IsFineEverywhere(isRendered, controller))
+  {
+    return false;
+  }
+  Pixels pixels{ width, 0, height, {}, {} };
+  const int isTranslucent = AreOpaque(fragments) ? 0 : 1;
+  int isAnyTranslucent = 0;
+  controller->AllReduce(&isTranslucent, &isAnyTranslucent, 1, vtkCommunicator::MAX_OP);
+  if (isAnyTranslucent)
+  {
+    this->Composite<SentFragment>(fragments, controller, pixels);
+  }
+  else
+  {
+    this->Composite<OpaquePixel>(fragments, controller, pixels);
+  }
+  if (this->Gather)
+  {
+    this->GatherPixels(height, controller, pixels);
+  }
+  pixels.Write(output);
+  this->CompositeTime = ofPicture.GetSeconds();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// What is wrong with the arguments in this process; empty if nothing is.
+std::string vtkIsosurfaceRayTraceCompositor::FindProblem(const View& view, vtkImageData* output)
+{
+  constexpr vtkTypeInt64 most = VTK_UNSIGNED_INT_MAX;
+  if (!view.Volume || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
+    static_cast<vtkTypeInt64>(view.Width) * view.Height > most)
+  {
+    return "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and no more than 2^32 "
+           "pixels, and an output.";
+  }
+  return DrawsIsosurfaces(view.Volume->GetMapper())
+    ? ""
+    : "The volume needs a vtkIsosurfaceRayTraceMapper or a vtkIsosurfaceRayTraceMeshMapper, with "
+      "the blend mode ISOSURFACE_BLEND: other projections are not composited.";
+}
+
+//------------------------------------------------------------------------------
+/// In what this process differs from process 0; empty if in nothing. Without a view it differs in
+/// nothing, nor do others from it.
+std::string vtkIsosurfaceRayTraceCompositor::FindDisagreement(
+  const View* view, vtkMultiProcessController* controller)
+{
+  std::vector<vtkIsosurfaceRayTraceAgreement::Item> items;
+  std::vector<double> own;
+  if (view)
+  {
+    items = view->Describe();
+  }
+  for (const vtkIsosurfaceRayTraceAgreement::Item& item : items)
+  {
+    own.push_back(static_cast<double>(item.Numbers.size()));
+    own.insert(own.end(), item.Numbers.begin(), item.Numbers.end());
+  }
+  auto size = static_cast<vtkIdType>(own.size());
+  controller->Broadcast(&size, 1, 0);
+  std::vector<double> ofFirst = own;
+  ofFirst.resize(static_cast<std::size_t>(size));
+  controller->Broadcast(ofFirst.data(), size, 0);
+  std::size_t begin = 0;
+  for (const vtkIsosurfaceRayTraceAgreement::Item& item : items)
+  {
+    const std::size_t end = begin + 1 + item.Numbers.size();
+    const bool isSame = end <= ofFirst.size() &&
+      std::equal(own.begin() + static_cast<std::ptrdiff_t>(begin),
+        own.begin() + static_cast<std::ptrdiff_t>(end),
+        ofFirst.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (!isSame && !ofFirst.empty())
+    {
+      return std::string("The ") + item.Name + " of process " +
+        std::to_string(controller->GetLocalProcessId()) +
+        " differ from those of process 0. Give all processes the same.";
+    }
+    begin = end;
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+/// Whether all processes are. If not, process 0 reports which are not.
+bool vtkIsosurfaceRayTraceCompositor::IsFineEverywhere(
+  bool isFine, vtkMultiProcessController* controller)
+{
+  const int own = isFine ? 1 : 0;
+  std::vector<int> all(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(&own, all.data(), 1);
+  std::ostringstream others;
+  for (std::size_t i = 1; i < all.size(); ++i)
+  {
+    others << (all[i] ? "" : " " + std::to_string(i));
+  }
+  if (controller->GetLocalProcessId() == 0 && !others.str().empty())
+  {
+    vtkErrorMacro("There is no picture: see the errors of these processes:" << others.str() << ".");
+  }
+  return std::find(all.begin(), all.end(), 0) == all.end();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, vtkTable* fragments)
+{
+  vtkAbstractVolumeMapper* mapper = view.Volume->GetMapper();
+  return !HasData(mapper) ||
+    Visit(mapper,
+      [&](auto* tracing)
+      {
+        return tracing->RenderToFragments(
+          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments);
+      });
+}
+
+//------------------------------------------------------------------------------
+/// Composites the fragments of all processes, each of which gets some rows.
+template <typename Record>
+void vtkIsosurfaceRayTraceCompositor::Composite(
+  vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels)
+{
+  std::vector<Record> own;
+  if (fragments->GetNumberOfRows() > 0)
+  {
+    own = MakeRecords<Record>(fragments);
+  }
+  vtkIsosurfaceRayTraceBinarySwap<Record> swap(std::move(own), pixels.Width, pixels.EndRow);
+  swap.Run(controller);
+  this->BytesSent += swap.GetBytesSent();
+  pixels.SetRows(swap.GetFirstRow(), swap.GetEndRow());
+  const std::vector<Record>& records = swap.GetRecords();
+  const Record* const end = records.data() + records.size();
+  std::vector<vtkirt::Fragment> fragmentsOfPixel;
+  for (const Record* first = records.data(); first != end;)
+  {
+    const Record* const next = std::find_if(
+      first, end, [first](const Record& record) { return record.Pixel != first->Pixel; });
+    const vtkirt::CompositedPixel made = ToPixel(first, next, fragmentsOfPixel);
+    const std::size_t place = first->Pixel -
+      static_cast<std::size_t>(pixels.FirstRow) * static_cast<std::size_t>(pixels.Width);
+    std::copy_n(made.Rgba, 4, &pixels.Colors[4 * place]);
+    pixels.Depths[place] = std::min(made.Depth, 1.0F);
+    first = next;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Gives all rows to process 0.
+void vtkIsosurfaceRayTraceCompositor::GatherPixels(
+  int height, vtkMultiProcessController* controller, Pixels& pixels)
+{
+  const int processes = controller->GetNumberOfProcesses();
+  const int own[2] = { pixels.FirstRow, pixels.EndRow };
+  std::vector<int> rows(2 * static_cast<std::size_t>(processes));
+  controller->AllGather(own, rows.data(), 2);
+  const auto colors = static_cast<vtkIdType>(pixels.Colors.size());
+  const auto depths = static_cast<vtkIdType>(pixels.Depths.size());
+  if (controller->GetLocalProcessId() > 0)
+  {
+    if (depths > 0)
+    {
+      controller->Send(pixels.Colors.data(), colors, 0, PixelsTag);
+      controller->Send(pixels.Depths.data(), depths, 0, PixelsTag);
+      this->BytesSent += colors + depths * static_cast<vtkIdType>(sizeof(float));
+    }
+    pixels.SetRows(0, 0);
+    return;
+  }
+  Pixels whole{ pixels.Width, 0, 0, {}, {} };
+  whole.SetRows(0, height);
+  for (int process = 0; process < processes; ++process)
+  {
+    const int first = rows[2 * static_cast<std::size_t>(process)];
+    const int count = rows[2 * static_cast<std::size_t>(process) + 1] - first;
+    const auto begin = static_cast<vtkIdType>(first) * pixels.Width;
+    const auto size = static_cast<vtkIdType>(count) * pixels.Width;
+    if (process == 0)
+    {
+      std::copy(pixels.Colors.begin(), pixels.Colors.end(), whole.Colors.begin() + 4 * begin);
+      std::copy(pixels.Depths.begin(), pixels.Depths.end(), whole.Depths.begin() + begin);
+    }
+    else if (size > 0)
+    {
+      controller->Receive(whole.Colors.data() + 4 * begin, 4 * size, process, PixelsTag);
+      controller->Receive(whole.Depths.data() + begin, size, process, PixelsTag);
+    }
+  }
+  pixels = std::move(whole);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceCompositor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "Gather: " << (this->Gather ? "On" : "Off") << "\n";
+  os << indent << "RenderTime: " << this->RenderTime << "\n";
+  os << indent << "CompositeTime: " << this->CompositeTime << "\n";
+  os << indent << "BytesSent: " << this->BytesSent << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,343 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture of many processes is that of one. Run by mpirun; process 0 has the whole data, too, for comparison."""
+
+import itertools
+import unittest
+
+from mpi4py import MPI
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkParallelMPI import vtkMPIController
+from vtkmodules.vtkParallelMPI4Py import vtkMPI4PyCommunicator
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
+
+WORLD = MPI.COMM_WORLD
+RANK, SIZE = WORLD.Get_rank(), WORLD.Get_size()
+CONTROLLER = vtkMPIController()
+CONTROLLER.SetCommunicator(vtkMPI4PyCommunicator.ConvertToVTK(WORLD))
+vtkMultiProcessController.SetGlobalController(CONTROLLER)
+
+WHOLE = (-16, 17, -15, 15, -13, 14)  # points
+CELLS = tuple((WHOLE[2 * axis], WHOLE[2 * axis + 1]) for axis in range(3))
+
+
+def split(box, parts):
+    """So many boxes of cells, [low, high) along each axis, as even as may be."""
+    if parts == 1:
+        return [box]
+    axis = max(range(3), key=lambda k: box[k][1] - box[k][0])
+    low, high = box[axis]
+    middle = low + (high - low) * (parts // 2) // parts
+    sides = []
+    for side, count in (((low, middle), parts // 2), ((middle, high), parts - parts // 2)):
+        sides += split(box[:axis] + (side,) + box[axis + 1:], count)
+    return sides
+
+
+def make_piece(own, ghosts):
+    """The cells of a box, and layers of cells of others around them."""
+    low = [max(CELLS[k][0], own[k][0] - ghosts) for k in range(3)]
+    high = [min(CELLS[k][1], own[k][1] + ghosts) for k in range(3)]
+    source = vtkRTAnalyticSource()
+    source.SetWholeExtent(*WHOLE)
+    source.UpdateExtent([end for pair in zip(low, high) for end in pair])
+    piece = source.GetOutput()
+    flags = vtkUnsignedCharArray()
+    flags.SetName(vtkDataSetAttributes.GhostArrayName())
+    for z, y, x in itertools.product(*[range(low[k], high[k]) for k in (2, 1, 0)]):
+        is_own = all(a <= k < b for (a, b), k in zip(own, (x, y, z)))
+        flags.InsertNextValue(0 if is_own else vtkDataSetAttributes.DUPLICATECELL)
+    piece.GetCellData().AddArray(flags)
+    return piece
+
+
+def with_cell_scalars(piece):
+    ghosts = piece.GetCellData().GetArray(vtkDataSetAttributes.GhostArrayName())
+    piece.GetCellData().RemoveArray(vtkDataSetAttributes.GhostArrayName())
+    average = vtkPointDataToCellData()
+    average.SetInputData(piece)
+    average.Update()
+    cells = average.GetOutput()
+    cells.GetCellData().AddArray(ghosts)
+    return cells
+
+
+def as_mesh(piece):
+    append = vtkAppendFilter()
+    append.AddInputData(piece)
+    append.Update()
+    return append.GetOutput()
+
+
+def make_volume(data, opacities=(1.0,), isovalues=(157.0,), mapper_class=vtkIsosurfaceRayTraceMapper, settings=()):
+    mapper = mapper_class()
+    if data:
+        mapper.SetInputData(data)
+    mapper.SetNumberOfThreads(1)
+    for name, *values in settings:
+        getattr(mapper, name)(*values)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().ShadeOn()
+    for i, (isovalue, opacity) in enumerate(zip(isovalues, opacities)):
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(i, isovalue)
+        volume.GetProperty().GetScalarOpacity().AddPoint(isovalue, opacity)
+    colors = volume.GetProperty().GetRGBTransferFunction()
+    colors.AddRGBPoint(60.0, 0.2, 0.3, 0.9)
+    colors.AddRGBPoint(260.0, 0.9, 0.4, 0.1)
+    return volume
+
+
+def make_camera(is_parallel=False):
+    camera = vtkCamera()
+    camera.SetPosition(41.0, 63.0, 52.0)
+    camera.SetFocalPoint(0.5, 0.0, 0.5)
+    camera.SetViewUp(0.1, 0.0, 1.0)
+    camera.SetClippingRange(30.0, 160.0)
+    camera.SetViewAngle(32.0)
+    camera.SetParallelProjection(is_parallel)
+    camera.SetParallelScale(23.0)
+    return camera
+
+
+def pixels_of(picture):
+    """The colours and the depth of each pixel."""
+    colors = picture.GetPointData().GetArray("Colors")
+    depths = picture.GetPointData().GetArray("Depth")
+    return [(colors.GetTuple(i), depths.GetValue(i)) for i in range(picture.GetNumberOfPoints())]
+
+
+def cut():
+    plane = vtkPlane()
+    plane.SetOrigin(1.3, 0.2, 0.4)
+    plane.SetNormal(-1.0, -0.7, -0.2)
+    return plane
+
+
+MESHES = {"convert": as_mesh, "mapper_class": vtkIsosurfaceRayTraceMeshMapper}
+EXACT = [("SetNormalMode", vtkIsosurfaceRayTraceMapper.INTERPOLANT_GRADIENT)]
+THREE = {"isovalues": (120.0, 157.0, 200.0)}
+SCENES = {
+    "central differences": {},
+    "exact normals, no ghosts": {"ghosts": 0, "settings": EXACT},
+    "cubic": {"ghosts": 2, "settings": [("SetInterpolationMode", vtkIsosurfaceRayTraceMapper.CUBIC)]},
+    "nearest": {"settings": [("SetInterpolationMode", vtkIsosurfaceRayTraceMapper.NEAREST)]},
+    "translucent": {**THREE, "opacities": (0.3, 0.4, 0.5)},
+    "opaque within translucent": {**THREE, "opacities": (0.3, 0.4, 1.0)},
+    "cells": {"ghosts": 2, "convert": with_cell_scalars},
+    "caps": {"settings": [("AddClippingPlane", cut()), ("SetCapClippingPlanes", True)]},
+    "parallel projection": {"camera": make_camera(True), "size": (131, 97)},
+    "mesh": {**MESHES},
+    "translucent mesh": {**MESHES, **THREE, "opacities": (0.3, 0.4, 1.0)},
+}
+
+
+def render(volume, camera, size, lights=None, compositor=None):
+    picture = vtkImageData()
+    compositor = compositor or vtkIsosurfaceRayTraceCompositor()
+    return compositor.RenderToImage(volume, camera, lights, *size, picture), picture
+
+
+def whole_picture(volume, camera, size, lights=None):
+    picture = vtkImageData()
+    assert volume.GetMapper().RenderToImage(volume, camera, lights, *size, picture)
+    return pixels_of(picture)
+
+
+def make_own(ghosts=1, convert=lambda piece: piece, boxes=None):
+    own = (boxes or split(CELLS, SIZE))[RANK]
+    return own and convert(make_piece(own, ghosts))
+
+
+def on_first(check):
+    """What process 0 finds, as an answer for all: none waits for another that has given up."""
+    problem = None
+    if RANK == 0:
+        problem = check()
+    return WORLD.bcast(problem, root=0)
+
+
+class Errors:
+    """The errors of objects, which are not printed."""
+
+    def __init__(self, *objects):
+        self.texts = []
+
+        def keep(caller, event, text):
+            self.texts.append(text)
+
+        keep.CallDataType = "string0"
+        for each in objects:
+            each.AddObserver("ErrorEvent", keep)
+
+
+class TestCompositor(unittest.TestCase):
+    def check_against_whole(self, picture, volume, camera=make_camera(), size=(160, 120), lights=None, name=""):
+        def compare():
+            expected = whole_picture(volume, camera, size, lights)
+            found = pixels_of(picture)
+            covered = sum(color[3] > 0 for color, _ in expected)
+            different = sum(a != b for a, b in zip(found, expected))
+            answer = f"{name or self.id().split('.')[-1]}, {SIZE} processes: {different} of {covered} pixels differ"
+            print(answer)
+            is_fine = len(found) == len(expected) and covered > len(expected) // 8 and different == 0
+            return None if is_fine else answer
+
+        self.assertIsNone(on_first(compare))
+
+    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30)):
+        """No process has a picture; one says why, and process 0 says which one does."""
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        errors = Errors(compositor, volume.GetMapper())
+        is_rendered, _ = render(volume, camera, size, compositor=compositor)
+        self.assertFalse(is_rendered)
+        if RANK == of_process:
+            self.assertRegex(errors.texts[0], pattern)
+        if RANK == 0 and of_process > 0:
+            self.assertRegex(errors.texts[-1], f"see the errors of these processes: {of_process}\\.")
+        if RANK not in (0, of_process):
+            self.assertEqual(errors.texts, [])
+
+    def test_picture_of_many_is_that_of_one(self):
+        for name, scene in SCENES.items():
+            with self.subTest(name):
+                scene = dict(scene)
+                camera, size = scene.pop("camera", make_camera()), scene.pop("size", (160, 120))
+                ghosts, convert = scene.pop("ghosts", 1), scene.pop("convert", lambda piece: piece)
+                is_rendered, picture = render(make_volume(make_own(ghosts, convert), **scene), camera, size)
+                self.assertTrue(is_rendered)
+                if RANK > 0:
+                    self.assertEqual(picture.GetNumberOfPoints(), 0)
+                whole = make_volume(convert(make_piece(CELLS, 0)), **scene) if RANK == 0 else None
+                self.check_against_whole(picture, whole, camera, size, name=name)
+
+    def test_lights_and_matrix(self):
+        lights, light = vtkLightCollection(), vtkLight()
+        light.SetPositional(True)
+        light.SetPosition(30.0, 20.0, 60.0)
+        light.SetFocalPoint(0.0, 0.0, 0.0)
+        light.SetConeAngle(40.0)
+        light.SetDiffuseColor(1.0, 0.8, 0.7)
+        lights.AddItem(light)
+        volumes = [make_volume(make_own()), make_volume(make_piece(CELLS, 0))]
+        for volume in volumes:
+            volume.SetScale(1.0, 1.2, 0.8)
+            volume.RotateX(25.0)
+        _, picture = render(volumes[0], make_camera(), (160, 120), lights)
+        self.check_against_whole(picture, volumes[1], lights=lights)
+
+    def test_rows_of_each_process(self):
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        compositor.GatherOff()
+        size = (160, 121)
+        _, rows = render(make_volume(make_own()), make_camera(), size, compositor=compositor)
+        extent = rows.GetExtent()
+        own = (extent[2], extent[3] + 1, pixels_of(rows)) if rows.GetNumberOfPoints() > 0 else (0, 0, [])
+        parts = sorted(part for part in WORLD.allgather(own) if part[1] > part[0])
+        self.assertEqual([part[0] for part in parts[1:]], [part[1] for part in parts[:-1]])
+        self.assertEqual((parts[0][0], parts[-1][1]), (0, size[1]))
+        self.assertGreaterEqual(2 * len(parts), SIZE)
+        expected = whole_picture(make_volume(make_piece(CELLS, 0)), make_camera(), size)
+        self.assertEqual([pixel for part in parts for pixel in part[2]], expected)
+
+    def test_processes_without_data(self):
+        """Of two processes, one has all; the other has no input, or an empty one."""
+        for nothing in (None, vtkImageData()):
+            own = make_piece(CELLS, 0) if RANK == SIZE - 1 else nothing
+            _, picture = render(make_volume(own), make_camera(), (160, 120))
+            self.check_against_whole(picture, make_volume(make_piece(CELLS, 0)))
+
+    def test_nobody_has_a_surface(self):
+        is_rendered, picture = render(make_volume(make_own(), isovalues=(1e6,)), make_camera(), (40, 30))
+        self.assertTrue(is_rendered)
+        if RANK == 0:
+            self.assertEqual(set(pixels_of(picture)), {((0.0, 0.0, 0.0, 0.0), 1.0)})
+
+    def test_overlapping_pieces(self):
+        """Opaque surfaces that several processes have are those of one."""
+        own = split(CELLS, SIZE)[RANK]
+        larger = tuple((max(a - 3, low), min(b + 3, high)) for (a, b), (low, high) in zip(own, CELLS))
+        _, picture = render(make_volume(make_piece(larger, 1)), make_camera(), (160, 120))
+        self.check_against_whole(picture, make_volume(make_piece(CELLS, 0)))
+
+    def test_piece_of_another_lattice(self):
+        """Each process has an image of its own, which crosses those of others."""
+
+        def moved(process):
+            image = make_piece(CELLS, 0)
+            image.SetOrigin(0.3 * process, -0.7 * process, 0.9 * process)
+            image.SetSpacing(1.0 - 0.01 * process, 1.0, 1.0)
+            return image
+
+        opacities = {**THREE, "opacities": (0.3, 0.4, 0.5)}
+        _, picture = render(make_volume(moved(RANK), **opacities), make_camera(), (160, 120))
+        volume = make_volume(moved(0), **opacities)
+        for process in range(1, SIZE):
+            volume.GetMapper().AddInputDataObject(moved(process))
+        self.check_against_whole(picture, volume)
+
+    def test_camera_of_process_0(self):
+        camera = make_camera(True) if RANK == 0 else vtkCamera()
+        if RANK == 0:
+            camera.SetWindowCenter(0.1, -0.2)
+            camera.Azimuth(30.0)
+            camera.Elevation(20.0)
+        vtkIsosurfaceRayTraceCompositor().BroadcastCamera(camera)
+        matrices = WORLD.allgather([
+            camera.GetCompositeProjectionTransformMatrix(1.5, -1.0, 1.0).GetElement(i, k)
+            for i in range(4) for k in range(4)])
+        self.assertTrue(all(matrix == matrices[0] for matrix in matrices))
+
+    def test_times_and_bytes(self):
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        render(make_volume(make_own()), make_camera(), (160, 120), compositor=compositor)
+        self.assertGreater(compositor.GetRenderTime(), 0.0)
+        self.assertGreater(compositor.GetCompositeTime(), 0.0)
+        sent = sum(WORLD.allgather(compositor.GetBytesSent()))
+        self.assertGreater(sent, 0) if SIZE > 1 else self.assertEqual(sent, 0)
+
+    def test_process_that_cannot_render(self):
+        last = SIZE - 1
+        piece = make_own()
+        if RANK == last:
+            piece.GetPointData().Initialize()
+        self.check_failure(make_volume(piece), "scalars", last)
+
+    def test_bad_arguments_of_a_process(self):
+        last = SIZE - 1
+        size = (0, 30) if RANK == last else (40, 30)
+        self.check_failure(make_volume(make_own()), "size of at least 1 x 1", last, size=size)
+        volume = make_volume(make_own())
+        if RANK == last:
+            volume.GetMapper().SetBlendModeToMaximumIntensity()
+        self.check_failure(volume, "ISOSURFACE_BLEND", last)
+
+    @unittest.skipIf(SIZE == 1, "one process agrees with itself")
+    def test_different_settings(self):
+        last = SIZE - 1
+
+        def check(pattern, change=lambda volume: None, **arguments):
+            volume = make_volume(make_own())
+            if RANK == last:
+                change(volume)
+            self.check_failure(volume, f"{pattern} of process {last} differ from those of process 0", last, **arguments)
+
+        check("isovalues", lambda volume: volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 158.0))
+        check("transfer functions", lambda volume: volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 0.5))
+        check("materials", lambda volume: volume.GetProperty().SetSpecular(0.7))
+        check("settings of the mappers", lambda volume: volume.GetMapper().ShadowsOn())
+        check("clipping planes", lambda volume: volume.GetMapper().AddClippingPlane(cut()))
+        check("matrices of the volumes", lambda volume: volume.SetPosition(1.0, 0.0, 0.0))
+        check("sizes", size=(41, 30) if RANK == last else (40, 30))
+        check("cameras", camera=make_camera(RANK == last))
+
+
+if __name__ == "__main__":
+    unittest.main()
