@@ -217,15 +217,21 @@ double GetSize(const Header& header, const fs::path& file)
 }
 
 //------------------------------------------------------------------------------
+/// The bytes of the lines up to the samples, where they are in the same file.
+std::size_t GetSizeOfText(const Header& header)
+{
+  const double size = GetSize(header, header.FileName);
+  return std::min(static_cast<std::size_t>(size), LongestHeader) - header.Rest.size();
+}
+
+//------------------------------------------------------------------------------
 /// The bytes of samples, compressed or as text if they are.
 double GetSizeOfSamples(const Header& header)
 {
   const std::vector<std::string> files = FindDataFiles(header);
   if (files.empty())
   {
-    const double size = GetSize(header, header.FileName);
-    const auto text = std::min(static_cast<std::size_t>(size), LongestHeader) - header.Rest.size();
-    return size - static_cast<double>(text);
+    return GetSize(header, header.FileName) - static_cast<double>(GetSizeOfText(header));
   }
   // All files have as many samples.
   double smallest = std::numeric_limits<double>::infinity();
@@ -267,6 +273,29 @@ double GetCapacityOfMetaImage(const std::string& fileName)
   }
   // As text, a sample of up to eight bytes is at least a digit and a space.
   return header.IsTrue("BinaryData") ? size : 4.0 * size + 8.0;
+}
+
+//------------------------------------------------------------------------------
+std::optional<RawSamples> FindRawSamples(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  CheckFields(header);
+  const std::vector<std::string> files = FindDataFiles(header);
+  if (files.size() > 1 || header.IsTrue("CompressedData") || !header.IsTrue("BinaryData"))
+  {
+    return {};
+  }
+  RawSamples samples;
+  samples.FileName =
+    files.empty() ? fileName : (fs::path(fileName).parent_path() / files.front()).string();
+  samples.Offset = files.empty() ? static_cast<long>(GetSizeOfText(header)) : 0;
+  if (!header.Get("HeaderSize").empty())
+  {
+    samples.Offset = GetNumbers(header, "HeaderSize")[0];
+  }
+  samples.AreBigEndian =
+    header.IsTrue("BinaryDataByteOrderMSB") || header.IsTrue("ElementByteOrderMSB");
+  return samples;
 }
 
 }

@@ -7,6 +7,7 @@
 #include "NiftiHeader.h"
 #include "ReaderErrors.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
@@ -16,6 +17,7 @@
 #include <vtkImageReader2Factory.h>
 #include <vtkInformation.h>
 #include <vtkMatrix3x3.h>
+#include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
@@ -28,6 +30,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -55,36 +58,50 @@ std::string ToMebibytes(double bytes)
 }
 
 //------------------------------------------------------------------------------
-/// Throws if what the header promises is more than the file has or than is to be in memory.
-void CheckSize(vtkInformation* promise, const std::string& name, double capacity, double maxMemory)
+using Extent = std::array<int, 6>;
+
+/// An extent of samples that a header promises.
+struct Promise
 {
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  promise->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  std::ostringstream size;
-  double bytes = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
+  double Bytes = 1.0;
+  std::string Text;
+
+  Promise(vtkInformation* header, const Extent& extent)
   {
-    const double samples = static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0;
-    bytes *= std::max(samples, 0.0);
-    size << (axis > 0 ? " x " : "its header asks for ") << samples;
+    std::ostringstream size;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double samples = static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0;
+      this->Bytes *= std::max(samples, 0.0);
+      size << (axis > 0 ? " x " : "") << samples;
+    }
+    vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+      header, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+    if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+    {
+      this->Bytes *= vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
+      this->Bytes *= std::max(scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()), 1);
+    }
+    size << " samples, " << ToMebibytes(this->Bytes);
+    this->Text = size.str();
   }
-  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
-    promise, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
-  {
-    bytes *= vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
-    bytes *= std::max(scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()), 1);
-  }
-  size << " samples, " << ToMebibytes(bytes);
-  if (bytes > capacity)
-  {
-    Throw(name, size.str() + "; its file has no more than " + ToMebibytes(capacity));
-  }
-  if (bytes > maxMemory * BytesPerMebibyte)
+};
+
+/// Throws if what the header promises is more than the file has, or what is to be read more than is
+/// to be in memory.
+void CheckSize(const Promise& whole, const Promise& piece, const std::string& name, double capacity,
+  double maxMemory)
+{
+  if (whole.Bytes > capacity)
   {
     Throw(name,
-      size.str() + ", more than " + ToMebibytes(maxMemory * BytesPerMebibyte) +
-        "; --max-memory sets this limit");
+      "its header asks for " + whole.Text + "; its file has no more than " + ToMebibytes(capacity));
+  }
+  if (piece.Bytes > maxMemory * BytesPerMebibyte)
+  {
+    Throw(name,
+      "its header asks for " + piece.Text + ", more than " +
+        ToMebibytes(maxMemory * BytesPerMebibyte) + "; --max-memory sets this limit");
   }
 }
 
@@ -125,10 +142,70 @@ void CheckHeader(vtkNIFTIImageReader* reader, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+/// What is read, and what may be.
+struct Order
+{
+  double Capacity;
+  double MaxMemory;
+  ChooseExtent Choose;
+};
+
+//------------------------------------------------------------------------------
+/// VTK's reader of MetaImage writes beyond its memory where it is to read a part. Samples that are
+/// not compressed are read by another; of others the whole is read.
+vtkSmartPointer<vtkImageData> ReadPartOfMetaImage(vtkMetaImageReader* reader, const Extent& extent)
+{
+  const std::optional<RawSamples> samples = FindRawSamples(reader->GetFileName());
+  if (!samples || samples->Offset < 0)
+  {
+    reader->Update();
+    reader->GetOutput()->Crop(extent.data());
+    return reader->GetOutput();
+  }
+  vtkNew<vtkImageReader2> raw;
+  raw->SetFileName(samples->FileName.c_str());
+  raw->SetHeaderSize(static_cast<unsigned long>(samples->Offset));
+  raw->SetFileDimensionality(3);
+  raw->FileLowerLeftOn();
+  raw->SetDataByteOrder(
+    samples->AreBigEndian ? VTK_FILE_BYTE_ORDER_BIG_ENDIAN : VTK_FILE_BYTE_ORDER_LITTLE_ENDIAN);
+  raw->SetDataExtent(reader->GetDataExtent());
+  raw->SetDataSpacing(reader->GetDataSpacing());
+  raw->SetDataOrigin(reader->GetDataOrigin());
+  raw->SetDataScalarType(reader->GetDataScalarType());
+  raw->SetNumberOfScalarComponents(reader->GetNumberOfScalarComponents());
+  const ReaderErrors errors(raw);
+  raw->UpdateExtent(extent.data());
+  return errors.GetCount() == 0 ? raw->GetOutput() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+template <typename ReaderT>
+vtkSmartPointer<vtkImageData> ReadExtent(ReaderT* reader, const Extent& extent, const Extent& whole)
+{
+  if (extent == whole)
+  {
+    reader->Update();
+    return reader->GetOutput();
+  }
+  if (auto* ofMetaImage = vtkMetaImageReader::SafeDownCast(reader))
+  {
+    return ReadPartOfMetaImage(ofMetaImage, extent);
+  }
+  // The reader of .vti hides it.
+  static_cast<vtkAlgorithm*>(reader)->UpdateExtent(extent.data());
+  return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+Extent ChooseWhole(const Extent& whole)
+{
+  return whole;
+}
+
 /// The name is that of the file or folder that the reader is set to.
 template <typename ReaderT>
-vtkSmartPointer<vtkImageData> Read(
-  ReaderT* reader, const std::string& name, double capacity, double maxMemory)
+vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& name, const Order& order)
 {
   const ReaderErrors errors(reader);
   const std::string tried = std::string(reader->GetClassName()) + " was tried";
@@ -138,29 +215,32 @@ vtkSmartPointer<vtkImageData> Read(
     if (errors.GetCount() == 0)
     {
       CheckHeader(reader, name);
-      CheckSize(reader->GetOutputInformation(0), name, capacity, maxMemory);
-      reader->Update();
+      vtkInformation* header = reader->GetOutputInformation(0);
+      Extent whole = { 0, -1, 0, -1, 0, -1 };
+      header->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+      const Extent extent = order.Choose(whole);
+      CheckSize({ header, whole }, { header, extent }, name, order.Capacity, order.MaxMemory);
+      vtkSmartPointer<vtkImageData> image = ReadExtent(reader, extent, whole);
+      if (errors.GetCount() == 0 && image && image->GetNumberOfPoints() > 0)
+      {
+        CheckGeometry(image, name);
+        return image;
+      }
     }
   }
   catch (const std::bad_alloc&)
   {
     Throw(name, "there is not enough memory (" + tried + ")");
   }
-  if (errors.GetCount() > 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
-  {
-    throw std::runtime_error(name + " cannot be read (" + tried + ")");
-  }
-  CheckGeometry(reader->GetOutput(), name);
-  return reader->GetOutput();
+  throw std::runtime_error(name + " cannot be read (" + tried + ")");
 }
 
 //------------------------------------------------------------------------------
 template <typename ReaderT>
-vtkSmartPointer<vtkImageData> ReadFile(
-  ReaderT* reader, const std::string& name, double capacity, double maxMemory)
+vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name, const Order& order)
 {
   reader->SetFileName(name.c_str());
-  return Read(reader, name, capacity, maxMemory);
+  return Read(reader, name, order);
 }
 
 }
@@ -180,6 +260,13 @@ double GetDefaultMaxMemory()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory)
 {
+  return ReadPiece(fileName, maxMemory, ChooseWhole);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadPiece(
+  const std::string& fileName, double maxMemory, const ChooseExtent& choose)
+{
   if (!SystemTools::FileExists(fileName, true))
   {
     throw std::runtime_error("there is no file " + fileName);
@@ -187,13 +274,14 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
   const double unknown = std::numeric_limits<double>::infinity();
   if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {
-    return ReadFile(vtkNew<vtkXMLImageDataReader>().Get(), fileName, unknown, maxMemory);
+    return ReadFile(
+      vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose });
   }
   // The factory does not have this reader.
   if (IsNifti(fileName))
   {
-    return ReadFile(
-      vtkNew<vtkNIFTIImageReader>().Get(), fileName, GetCapacityOfNifti(fileName), maxMemory);
+    return ReadFile(vtkNew<vtkNIFTIImageReader>().Get(), fileName,
+      { GetCapacityOfNifti(fileName), maxMemory, choose });
   }
   // Before the factory, whose readers look into the file.
   const double capacity = IsMetaImage(fileName) ? GetCapacityOfMetaImage(fileName) : unknown;
@@ -203,7 +291,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
   {
     throw std::runtime_error("VTK has no image reader for " + fileName);
   }
-  return ReadFile(reader.Get(), fileName, capacity, maxMemory);
+  return ReadFile(reader.Get(), fileName, { capacity, maxMemory, choose });
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +299,8 @@ vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMe
 {
   vtkNew<vtkDICOMImageReader> reader;
   reader->SetDirectoryName(folder.c_str());
-  return Read(reader.Get(), folder, std::numeric_limits<double>::infinity(), maxMemory);
+  return Read(
+    reader.Get(), folder, { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole });
 }
 
 }

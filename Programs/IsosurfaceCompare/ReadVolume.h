@@ -8,6 +8,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
+#include <functional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -27,6 +29,14 @@ extern const char* const MaxMemoryHelp;
 /// std::runtime_error if there is no such reader, if it finds no image, or if the header asks for
 /// more samples than there are in the file or than fit into so many MiB.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory);
+
+/// The extent that is to be read of an image with some whole extent.
+using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)>;
+
+/// The same of a part of the image alone, which is all that must fit into the memory. (Some readers
+/// read more than they are asked for.)
+vtkSmartPointer<vtkImageData> ReadPiece(
+  const std::string& fileName, double maxMemory, const ChooseExtent& choose);
 
 /// The image in a folder of DICOM slices; throws as ReadVolume does.
 vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory);

@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A picture of a volume, by one process or by many: see --help.
+
+#include "IsosurfaceCompare/OutputFile.h"
+#include "IsosurfaceCompare/ReadVolume.h"
+#include "Slab.h"
+#include "vtkIsosurfaceRayTraceCompositor.h"
+#include "vtkIsosurfaceRayTraceMapper.h"
+
+#include <vtkCamera.h>
+#include <vtkColorSeries.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkContourValues.h>
+#include <vtkImageData.h>
+#include <vtkMPIController.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkTimerLog.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+#include <vtksys/CommandLineArguments.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+struct Arguments
+{
+  std::string Input;
+  std::string Output;
+  std::vector<double> Isovalues;
+  std::vector<double> Opacities;
+  int Width = 1024;
+  int Height = 1024;
+  double Azimuth = 30.0;
+  double Elevation = 20.0;
+  double MaxMemory = Compare::GetDefaultMaxMemory();
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+/// Stops the parser at an unknown argument.
+int KeepUnknown(const char* argument, void* unknown)
+{
+  *static_cast<std::string*>(unknown) = argument;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+/// Throws std::runtime_error if they are invalid.
+Arguments ParseArguments(int argc, char* argv[], std::string& help)
+{
+  Arguments arguments;
+  using Parser = vtksys::CommandLineArguments;
+  Parser parser;
+  parser.Initialize(argc, argv);
+  std::string unknown;
+  parser.SetClientData(&unknown);
+  parser.SetUnknownArgumentCallback(KeepUnknown);
+  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
+  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &arguments.Isovalues,
+    "One or more isovalues, separated by spaces.");
+  parser.AddArgument("--opacity", Parser::MULTI_ARGUMENT, &arguments.Opacities,
+    "An opacity from 0 to 1 for each isovalue. Default: 1.");
+  parser.AddArgument(
+    "--output", Parser::SPACE_ARGUMENT, &arguments.Output, "The picture, a PNG file.");
+  parser.AddArgument("--width", Parser::SPACE_ARGUMENT, &arguments.Width,
+    "The width of the picture in pixels. Default: 1024.");
+  parser.AddArgument("--height", Parser::SPACE_ARGUMENT, &arguments.Height,
+    "The height of the picture in pixels. Default: 1024.");
+  parser.AddArgument("--azimuth", Parser::SPACE_ARGUMENT, &arguments.Azimuth,
+    "By how many degrees the camera turns around the volume, from the front. Default: 30.");
+  parser.AddArgument("--elevation", Parser::SPACE_ARGUMENT, &arguments.Elevation,
+    "By how many degrees the camera looks down at it, between -90 and 90. Default: 20.");
+  parser.AddArgument(
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
+  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
+  const bool isParsed = parser.Parse() != 0;
+  help = parser.GetHelp();
+  if (arguments.Help)
+  {
+    return arguments;
+  }
+  if (!isParsed)
+  {
+    throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
+                                             : "unknown option " + unknown + "; see --help");
+  }
+  if (arguments.Input.empty() || arguments.Isovalues.empty() || arguments.Output.empty())
+  {
+    throw std::runtime_error("--input, --isovalue and --output are needed; see --help");
+  }
+  if (arguments.Width < 1 || arguments.Height < 1 || arguments.Width > 65536 ||
+    arguments.Height > 65536)
+  {
+    throw std::runtime_error("--width and --height take numbers from 1 to 65536");
+  }
+  if (!(std::abs(arguments.Elevation) < 90.0) || !std::isfinite(arguments.Azimuth))
+  {
+    throw std::runtime_error("--elevation takes a number between -90 and 90");
+  }
+  arguments.Opacities.resize(std::max(arguments.Opacities.size(), arguments.Isovalues.size()), 1.0);
+  return arguments;
+}
+
+//------------------------------------------------------------------------------
+/// The part of a volume that a process has; null if it has none.
+struct Piece
+{
+  vtkSmartPointer<vtkImageData> Image;
+  Render::Extent Whole;
+};
+
+Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller)
+{
+  // For the normals at the border.
+  constexpr int ghosts = 1;
+  Piece piece;
+  Render::Slab slab{};
+  const auto choose = [&](const Render::Extent& whole)
+  {
+    piece.Whole = whole;
+    slab =
+      Render::FindSlab(whole, controller->GetLocalProcessId(), controller->GetNumberOfProcesses());
+    return Render::FindExtent(whole, slab, ghosts);
+  };
+  piece.Image = Compare::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
+  if (piece.Whole[4] == piece.Whole[5])
+  {
+    throw std::runtime_error(
+      arguments.Input + " has a single layer of samples. An isosurface needs two.");
+  }
+  if (slab.IsEmpty())
+  {
+    piece.Image = nullptr;
+  }
+  else if (controller->GetNumberOfProcesses() > 1)
+  {
+    Render::MarkGhosts(slab, piece.Image);
+  }
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+void SetProperty(const Arguments& arguments, vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorSeries> series;
+  series->SetColorScheme(vtkColorSeries::BREWER_QUALITATIVE_PASTEL2);
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  vtkPiecewiseFunction* opacities = property->GetScalarOpacity();
+  colors->RemoveAllPoints();
+  opacities->RemoveAllPoints();
+  for (std::size_t i = 0; i < arguments.Isovalues.size(); ++i)
+  {
+    const double isovalue = arguments.Isovalues[i];
+    const vtkColor3ub color = series->GetColorRepeating(static_cast<int>(i));
+    property->GetIsoSurfaceValues()->SetValue(static_cast<int>(i), isovalue);
+    colors->AddRGBPoint(
+      isovalue, color.GetRed() / 255.0, color.GetGreen() / 255.0, color.GetBlue() / 255.0);
+    opacities->AddPoint(isovalue, arguments.Opacities[i]);
+  }
+  property->ShadeOn();
+}
+
+//------------------------------------------------------------------------------
+/// Shows all of a volume, whose whole extent may be larger than what is there of it.
+void LookAt(const Piece& piece, const Arguments& arguments, vtkCamera* camera)
+{
+  const auto corner = [&piece](int i, int k, int l)
+  {
+    std::array<double, 3> point;
+    piece.Image->TransformIndexToPhysicalPoint(i, k, l, point.data());
+    return point;
+  };
+  const Render::Extent& whole = piece.Whole;
+  const std::array<double, 3> first = corner(whole[0], whole[2], whole[4]);
+  const std::array<double, 3> last = corner(whole[1], whole[3], whole[5]);
+  std::array<double, 3> center;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    center[axis] = 0.5 * (first[axis] + last[axis]);
+  }
+  const double radius = 0.5 * std::sqrt(vtkMath::Distance2BetweenPoints(first.data(), last.data()));
+  const double distance =
+    radius / std::sin(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(center[0], center[1] - distance, center[2]);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->Azimuth(arguments.Azimuth);
+  camera->Elevation(arguments.Elevation);
+  camera->SetClippingRange(distance - radius, distance + radius);
+}
+
+//------------------------------------------------------------------------------
+/// The picture on white: PNG files have colours that are not multiplied by the opacity.
+void Write(vtkImageData* picture, const std::string& fileName)
+{
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  vtkNew<vtkImageData> flat;
+  flat->SetExtent(picture->GetExtent());
+  flat->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* pixel = static_cast<unsigned char*>(flat->GetScalarPointer());
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    const unsigned char* color = colors->GetPointer(4 * i);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      *pixel++ = static_cast<unsigned char>(std::min(255, color[channel] + 255 - color[3]));
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(flat);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  Compare::OutputFile file(fileName);
+  file.Write(writer->GetResult()->GetPointer(0),
+    static_cast<std::size_t>(writer->GetResult()->GetNumberOfValues()));
+  file.Finish();
+}
+
+//------------------------------------------------------------------------------
+/// Whether all processes are. To be called by all.
+bool AreAllFine(bool isFine, vtkMultiProcessController* controller)
+{
+  const int own = isFine ? 1 : 0;
+  int all = 0;
+  controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  return all != 0;
+}
+
+//------------------------------------------------------------------------------
+void PrintTimes(double readTime, vtkIsosurfaceRayTraceCompositor* compositor,
+  vtkMultiProcessController* controller)
+{
+  const double own[4] = { readTime, compositor->GetRenderTime(), compositor->GetCompositeTime(),
+    static_cast<double>(compositor->GetBytesSent()) };
+  std::vector<double> all(4 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(own, all.data(), 4);
+  if (controller->GetLocalProcessId() > 0)
+  {
+    return;
+  }
+  std::printf("process   read, s  render, s  composite, s  sent, MB\n");
+  for (std::size_t i = 0; 4 * i < all.size(); ++i)
+  {
+    const double* times = &all[4 * i];
+    std::printf(
+      "%7zu %9.3f %10.4f %13.4f %9.3f\n", i, times[0], times[1], times[2], 1e-6 * times[3]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Calls a function that may throw. Returns whether it did not; if it did, says why.
+template <typename Function>
+bool Try(vtkMultiProcessController* controller, const Function& function)
+{
+  try
+  {
+    function();
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "error: process %d: %s\n", controller->GetLocalProcessId(), error.what());
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// To be called by all processes. None leaves before all do, so that none waits for it.
+bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
+{
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  const double start = vtkTimerLog::GetUniversalTime();
+  Piece piece;
+  const bool isRead = Try(controller,
+    [&]
+    {
+      if (isFirst)
+      {
+        Compare::CheckOutput(arguments.Output);
+      }
+      piece = ReadSlab(arguments, controller);
+    });
+  const double readTime = vtkTimerLog::GetUniversalTime() - start;
+  if (!AreAllFine(isRead, controller))
+  {
+    return false;
+  }
+  vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
+  mapper->SetInputData(piece.Image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  SetProperty(arguments, volume->GetProperty());
+  vtkNew<vtkCamera> camera;
+  if (isFirst)
+  {
+    LookAt(piece, arguments, camera);
+  }
+  vtkNew<vtkIsosurfaceRayTraceCompositor> compositor;
+  compositor->SetController(controller);
+  compositor->BroadcastCamera(camera);
+  vtkNew<vtkImageData> picture;
+  if (!compositor->RenderToImage(
+        volume, camera, nullptr, arguments.Width, arguments.Height, picture))
+  {
+    return false;
+  }
+  PrintTimes(readTime, compositor, controller);
+  return AreAllFine(
+    !isFirst || Try(controller, [&] { Write(picture, arguments.Output); }), controller);
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  bool isDone = false;
+  try
+  {
+    std::string help;
+    const Arguments arguments = ParseArguments(argc, argv, help);
+    if (arguments.Help && isFirst)
+    {
+      std::printf("Makes a picture of isosurfaces. By many processes, each of which reads its own "
+                  "slab of the volume:\n\n"
+                  "  mpirun -n 4 vtkIsosurfaceRender --input FILE --isovalue VALUE... --output "
+                  "PICTURE.png\n\nor by one, without mpirun.\n%s",
+        help.c_str());
+    }
+    isDone = arguments.Help || Run(arguments, controller);
+    Compare::FlushStandardOutput();
+  }
+  catch (const std::exception& error)
+  {
+    // All processes have the same arguments.
+    if (isFirst)
+    {
+      std::fprintf(stderr, "error: %s\n", error.what());
+    }
+  }
+  controller->Finalize();
+  return isDone ? EXIT_SUCCESS : EXIT_FAILURE;
+}

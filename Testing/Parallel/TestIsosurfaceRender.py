@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program vtkIsosurfaceRender, by one process and by many.
+
+Arguments: the program, mpiexec, its option for the number of processes."""
+
+import array
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+PROGRAM, *MPIEXEC = sys.argv[1:4]
+SIZE = ("--width", "120", "--height", "90")
+
+
+def run(*arguments, processes=None):
+    command = [*MPIEXEC, str(processes), PROGRAM] if processes else [PROGRAM]
+    return subprocess.run([*command, *arguments], capture_output=True, text=True, timeout=120, check=False)
+
+
+def make_image(last=20):
+    source = vtkRTAnalyticSource()
+    source.SetWholeExtent(-20, 20, -20, 20, -20, last)
+    source.Update()
+    return source.GetOutput()
+
+
+def write(image, file_name):
+    writer = vtkXMLImageDataWriter() if file_name.suffix == ".vti" else vtkMetaImageWriter()
+    if file_name.suffix == ".vti":
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()
+        writer.SetCompressorTypeToNone()
+    elif file_name.suffix == ".mhd":
+        writer.SetRAWFileName(str(file_name.with_suffix(".raw")))
+        writer.SetCompression(False)
+    writer.SetInputData(image)
+    writer.SetFileName(str(file_name))
+    writer.Write()
+
+
+class TestIsosurfaceRender(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.picture = self.folder / "picture.png"
+
+    def check_failure(self, result, *patterns):
+        self.assertNotEqual(result.returncode, 0)
+        for pattern in patterns:
+            self.assertRegex(result.stderr, pattern)
+        self.assertFalse(self.picture.exists())
+
+    def render(self, volume, *arguments, processes=None):
+        result = run("--input", str(volume), "--output", str(self.picture), *SIZE, *arguments, processes=processes)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = result.stdout.splitlines()
+        self.assertRegex(lines[0], "process .*read.*render.*composite.*sent")
+        self.assertEqual([line.split()[0] for line in lines[1:]], [str(i) for i in range(processes or 1)])
+        self.assertGreater(float(lines[1].split()[2]), 0.0)
+        png = self.picture.read_bytes()
+        self.picture.unlink()
+        return png
+
+    def count_colored(self, png):
+        reader = vtkPNGReader()
+        file_name = self.folder / "read.png"
+        file_name.write_bytes(png)
+        reader.SetFileName(str(file_name))
+        reader.Update()
+        colors = reader.GetOutput().GetPointData().GetScalars()
+        self.assertEqual(reader.GetOutput().GetDimensions(), (120, 90, 1))
+        return sum(colors.GetTuple(i) != (255.0, 255.0, 255.0) for i in range(colors.GetNumberOfTuples()))
+
+    def test_pictures_are_the_same(self):
+        for name in ("volume.vti", "volume.mhd"):
+            volume = self.folder / name
+            write(make_image(), volume)
+            for arguments in (("--isovalue", "157"), ("--isovalue", "120", "200", "--opacity", "0.3", "1")):
+                alone = self.render(volume, *arguments)
+                self.assertGreater(self.count_colored(alone), 1500)
+                for processes in (1, 2, 3):
+                    with self.subTest(name=name, arguments=arguments, processes=processes):
+                        self.assertEqual(self.render(volume, *arguments, processes=processes), alone)
+
+    def test_other_formats(self):
+        """Big-endian samples in the file of the header; compressed ones, of which each process reads all."""
+        raw = self.folder / "volume.mhd"
+        write(make_image(), raw)
+        alone = self.render(raw, "--isovalue", "157")
+        header = raw.read_text().replace("volume.raw", "LOCAL").replace("MSB = False", "MSB = True")
+        samples = array.array("f", raw.with_suffix(".raw").read_bytes())
+        samples.byteswap()
+        local = self.folder / "local.mha"
+        local.write_bytes(header.encode() + samples.tobytes())
+        compressed = self.folder / "compressed.mha"
+        write(make_image(), compressed)
+        for volume in (local, compressed):
+            for processes in (1, 3):
+                with self.subTest(volume=volume.name, processes=processes):
+                    self.assertEqual(self.render(volume, "--isovalue", "157", processes=processes), alone)
+
+    def test_more_processes_than_layers(self):
+        volume = self.folder / "thin.vti"
+        write(make_image(last=-18), volume)
+        alone = self.render(volume, "--isovalue", "0", "10")
+        self.assertGreater(self.count_colored(alone), 20)
+        self.assertEqual(self.render(volume, "--isovalue", "0", "10", processes=3), alone)
+
+    def test_view(self):
+        volume = self.folder / "volume.vti"
+        write(make_image(), volume)
+        front = self.render(volume, "--isovalue", "157")
+        self.assertNotEqual(self.render(volume, "--isovalue", "157", "--azimuth", "80"), front)
+        self.assertNotEqual(self.render(volume, "--isovalue", "157", "--elevation", "-50"), front)
+
+    def test_process_that_cannot_read(self):
+        """The last slab is missing: its process says so, and all stop."""
+        volume = self.folder / "volume.vti"
+        write(make_image(), volume)
+        content = volume.read_bytes()
+        volume.write_bytes(content[: len(content) * 3 // 4])
+        result = run("--input", str(volume), "--isovalue", "157", "--output", str(self.picture), *SIZE, processes=3)
+        self.check_failure(result, "error: process 2: .*volume.vti cannot be read")
+        self.assertNotIn("error: process 0", result.stderr)
+
+    def test_errors(self):
+        volume = self.folder / "volume.vti"
+        write(make_image(), volume)
+        arguments = ["--input", str(volume), "--isovalue", "157", "--output", str(self.picture)]
+        nowhere = ["--input", "nowhere.vti", *arguments[2:]]
+        self.check_failure(run(*nowhere, processes=2), "process 1: there is no file nowhere.vti")
+        unwritable = [*arguments[:-1], str(self.folder / "no" / "picture.png")]
+        self.check_failure(run(*unwritable, processes=2), "error: process 0: .*picture.png cannot be written")
+        self.check_failure(run(*arguments[:4]), "--output are needed")
+        flat = self.folder / "flat.vti"
+        write(make_image(last=-20), flat)
+        self.check_failure(run("--input", str(flat), *arguments[2:]), "a single layer of samples")
+        self.check_failure(run(*arguments, "--frame"), "unknown option --frame")
+        self.check_failure(run(*arguments, "--width", "0"), "--width and --height take numbers")
+        self.check_failure(run(*arguments, "--elevation", "90"), "--elevation takes")
+        self.check_failure(run(*arguments, "--max-memory", "0.001"), "--max-memory sets this limit")
+
+    def test_help(self):
+        for processes in (None, 2):
+            result = run("--help", processes=processes)
+            self.assertEqual(result.returncode, 0)
+            self.assertEqual(result.stdout.count("--isovalue opt"), 1)
+            self.assertIn("mpirun -n 4 vtkIsosurfaceRender", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
