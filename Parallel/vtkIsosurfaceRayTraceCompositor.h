@@ -21,6 +21,7 @@
  * - Bit for bit, if surfaces are opaque or translucent and pieces have enough layers of ghosts:
  *   none with NormalMode INTERPOLANT_GRADIENT and scalars of points, one with central differences
  *   or cubic interpolation; one more with scalars of cells.
+ *   (Where meshes are of another centre than the whole, the depth may differ in its last bits.)
  * - Shadows and ambient occlusion end at the pieces: a piece casts none on another.
  *
  * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A

@@ -3,115 +3,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of many processes is that of one. Run by mpirun; process 0 has the whole data, too, for comparison."""
 
-import itertools
 import unittest
 
-from mpi4py import MPI
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-from vtkmodules.vtkParallelMPI import vtkMPIController
-from vtkmodules.vtkParallelMPI4Py import vtkMPI4PyCommunicator
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
 
-WORLD = MPI.COMM_WORLD
-RANK, SIZE = WORLD.Get_rank(), WORLD.Get_size()
-CONTROLLER = vtkMPIController()
-CONTROLLER.SetCommunicator(vtkMPI4PyCommunicator.ConvertToVTK(WORLD))
-vtkMultiProcessController.SetGlobalController(CONTROLLER)
-
-WHOLE = (-16, 17, -15, 15, -13, 14)  # points
-CELLS = tuple((WHOLE[2 * axis], WHOLE[2 * axis + 1]) for axis in range(3))
-
-
-def split(box, parts):
-    """So many boxes of cells, [low, high) along each axis, as even as may be."""
-    if parts == 1:
-        return [box]
-    axis = max(range(3), key=lambda k: box[k][1] - box[k][0])
-    low, high = box[axis]
-    middle = low + (high - low) * (parts // 2) // parts
-    sides = []
-    for side, count in (((low, middle), parts // 2), ((middle, high), parts - parts // 2)):
-        sides += split(box[:axis] + (side,) + box[axis + 1:], count)
-    return sides
-
-
-def make_piece(own, ghosts):
-    """The cells of a box, and layers of cells of others around them."""
-    low = [max(CELLS[k][0], own[k][0] - ghosts) for k in range(3)]
-    high = [min(CELLS[k][1], own[k][1] + ghosts) for k in range(3)]
-    source = vtkRTAnalyticSource()
-    source.SetWholeExtent(*WHOLE)
-    source.UpdateExtent([end for pair in zip(low, high) for end in pair])
-    piece = source.GetOutput()
-    flags = vtkUnsignedCharArray()
-    flags.SetName(vtkDataSetAttributes.GhostArrayName())
-    for z, y, x in itertools.product(*[range(low[k], high[k]) for k in (2, 1, 0)]):
-        is_own = all(a <= k < b for (a, b), k in zip(own, (x, y, z)))
-        flags.InsertNextValue(0 if is_own else vtkDataSetAttributes.DUPLICATECELL)
-    piece.GetCellData().AddArray(flags)
-    return piece
-
-
-def with_cell_scalars(piece):
-    ghosts = piece.GetCellData().GetArray(vtkDataSetAttributes.GhostArrayName())
-    piece.GetCellData().RemoveArray(vtkDataSetAttributes.GhostArrayName())
-    average = vtkPointDataToCellData()
-    average.SetInputData(piece)
-    average.Update()
-    cells = average.GetOutput()
-    cells.GetCellData().AddArray(ghosts)
-    return cells
-
-
-def as_mesh(piece):
-    append = vtkAppendFilter()
-    append.AddInputData(piece)
-    append.Update()
-    return append.GetOutput()
-
-
-def make_volume(data, opacities=(1.0,), isovalues=(157.0,), mapper_class=vtkIsosurfaceRayTraceMapper, settings=()):
-    mapper = mapper_class()
-    if data:
-        mapper.SetInputData(data)
-    mapper.SetNumberOfThreads(1)
-    for name, *values in settings:
-        getattr(mapper, name)(*values)
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    volume.GetProperty().ShadeOn()
-    for i, (isovalue, opacity) in enumerate(zip(isovalues, opacities)):
-        volume.GetProperty().GetIsoSurfaceValues().SetValue(i, isovalue)
-        volume.GetProperty().GetScalarOpacity().AddPoint(isovalue, opacity)
-    colors = volume.GetProperty().GetRGBTransferFunction()
-    colors.AddRGBPoint(60.0, 0.2, 0.3, 0.9)
-    colors.AddRGBPoint(260.0, 0.9, 0.4, 0.1)
-    return volume
-
-
-def make_camera(is_parallel=False):
-    camera = vtkCamera()
-    camera.SetPosition(41.0, 63.0, 52.0)
-    camera.SetFocalPoint(0.5, 0.0, 0.5)
-    camera.SetViewUp(0.1, 0.0, 1.0)
-    camera.SetClippingRange(30.0, 160.0)
-    camera.SetViewAngle(32.0)
-    camera.SetParallelProjection(is_parallel)
-    camera.SetParallelScale(23.0)
-    return camera
-
-
-def pixels_of(picture):
-    """The colours and the depth of each pixel."""
-    colors = picture.GetPointData().GetArray("Colors")
-    depths = picture.GetPointData().GetArray("Depth")
-    return [(colors.GetTuple(i), depths.GetValue(i)) for i in range(picture.GetNumberOfPoints())]
+from Pieces import (
+    CELLS,
+    RANK,
+    SIZE,
+    WORLD,
+    as_mesh,
+    make_camera,
+    make_piece,
+    make_volume,
+    pixels_of,
+    render,
+    split,
+    whole_picture,
+    with_cell_scalars,
+)
 
 
 def cut():
@@ -139,21 +52,8 @@ SCENES = {
 }
 
 
-def render(volume, camera, size, lights=None, compositor=None):
-    picture = vtkImageData()
-    compositor = compositor or vtkIsosurfaceRayTraceCompositor()
-    return compositor.RenderToImage(volume, camera, lights, *size, picture), picture
-
-
-def whole_picture(volume, camera, size, lights=None):
-    picture = vtkImageData()
-    assert volume.GetMapper().RenderToImage(volume, camera, lights, *size, picture)
-    return pixels_of(picture)
-
-
-def make_own(ghosts=1, convert=lambda piece: piece, boxes=None):
-    own = (boxes or split(CELLS, SIZE))[RANK]
-    return own and convert(make_piece(own, ghosts))
+def make_own(ghosts=1, convert=lambda piece: piece):
+    return convert(make_piece(split(CELLS, SIZE)[RANK], ghosts))
 
 
 def on_first(check):
