@@ -51,7 +51,8 @@ def make_rules():
     rules["Filters"] = [compat, CORE, "Filters", *mappers]
     rules["Parallel"] = [compat, CORE, "Parallel", *mappers]
     public_headers = find_public_headers()
-    rules["Programs"] = [compat, "Programs", *public_headers, "Parallel/vtkIsosurfaceRayTraceCompositor.h"]
+    public_headers.append("Parallel/vtkIsosurfaceRayTraceCompositor.h")
+    rules["Programs"] = [compat, "Programs", *public_headers]
     rules["Examples"] = ["Examples", *public_headers]
     return rules
 
