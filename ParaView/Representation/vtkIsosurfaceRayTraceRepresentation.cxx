@@ -129,15 +129,23 @@ int vtkIsosurfaceRayTraceRepresentation::RequestData(
     if (bounds.IsValid())
     {
       bounds.GetBounds(this->OwnBounds);
-    }
-    if (this->GetContourArrayName().empty())
-    {
-      vtkErrorMacro(
-        "There is no array to contour. Choose one in \"Contour By\"; data without arrays "
-        "of numbers cannot be shown in this representation.");
+      this->ReportMissingArray();
     }
   }
   return this->Superclass::RequestData(request, in, out);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::ReportMissingArray()
+{
+  const std::string name = this->GetContourArrayName();
+  if (!vtkIsosurfaceRayTracePiece::FindArray(this->Piece, this->GetContourAssociation(), name))
+  {
+    vtkErrorMacro("There is no array \""
+      << name
+      << "\" of points or cells to contour. Choose one in "
+         "\"Contour By\"; data without arrays of numbers cannot be shown by isosurfaces.");
+  }
 }
 
 //------------------------------------------------------------------------------

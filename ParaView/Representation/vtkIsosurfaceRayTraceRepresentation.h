@@ -151,6 +151,7 @@ private:
   vtkIsosurfaceRayTraceRepresentation(const vtkIsosurfaceRayTraceRepresentation&) = delete;
   void operator=(const vtkIsosurfaceRayTraceRepresentation&) = delete;
 
+  void ReportMissingArray();
   int GetNumberOfGhostLevels();
   int GetContourAssociation();
   std::string GetContourArrayName();
