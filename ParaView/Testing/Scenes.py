@@ -6,6 +6,7 @@ The sources are those of ParaView that give every process its piece, so that a s
 """
 
 from paraview.simple import (
+    AMRGaussianPulseSource,
     AppendDatasets,
     Calculator,
     CreateRenderView,
@@ -102,6 +103,14 @@ def blocks(view):
     turned.Transform.Translate = [0.0, 12.0, 0.0]
     voxels = AppendDatasets(Input=turned)
     return show(GroupDatasets(Input=[make_wavelet(), turned, voxels]), view)
+
+
+def amr(view):
+    """Cells of several levels."""
+    source = AMRGaussianPulseSource(XPulseOrigin=-0.75, YPulseOrigin=-0.75, ZPulseOrigin=1.25)
+    view.CameraPosition = [2.0, 2.0, 6.0]
+    view.CameraFocalPoint = [-0.75, -0.75, 1.25]
+    return show(source, view, array=("CELLS", "Gaussian-Pulse"), isovalues=(0.2,))
 
 
 def colored_by_isovalue(view):
