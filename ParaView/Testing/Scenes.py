@@ -22,6 +22,7 @@ from paraview.simple import (
 )
 
 REPRESENTATION = "Isosurface (ray traced)"
+ISOVALUE = 157.0
 POINTS = ("POINTS", "RTData")
 CELLS = ("CELLS", "RTData")
 
@@ -39,7 +40,7 @@ def make_wavelet(cells=24):
     return Wavelet(WholeExtent=[-cells // 2, cells // 2] * 3)
 
 
-def show(source, view, array=POINTS, isovalues=(157.0,), **settings):
+def show(source, view, array=POINTS, isovalues=(ISOVALUE,), **settings):
     display = Show(source, view)
     display.SetRepresentationType(REPRESENTATION)
     display.IsosurfaceArray = list(array)
@@ -128,7 +129,7 @@ def colored_by_array(view):
 
 def translucent(view):
     view.UseFXAA = 0  # on several processes ParaView smooths before it composites
-    return show(make_wavelet(), view, isovalues=(120.0, 157.0, 200.0), Opacity=0.4)
+    return show(make_wavelet(), view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
 
 
 def opacity_function(view):
