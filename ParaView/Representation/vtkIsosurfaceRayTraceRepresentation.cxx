@@ -35,6 +35,25 @@ int GetNumberOfProcesses()
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return controller ? controller->GetNumberOfProcesses() : 1;
 }
+
+//------------------------------------------------------------------------------
+void GetTransformedBounds(const double bounds[6], vtkMatrix4x4* matrix, double transformed[6])
+{
+  const vtkBoundingBox box(bounds);
+  vtkBoundingBox around;
+  for (int i = 0; i < 8 && box.IsValid(); ++i)
+  {
+    double corner[4] = { 0.0, 0.0, 0.0, 1.0 };
+    box.GetCorner(i, corner);
+    matrix->MultiplyPoint(corner, corner);
+    around.AddPoint(corner);
+  }
+  vtkMath::UninitializeBounds(transformed);
+  if (around.IsValid())
+  {
+    around.GetBounds(transformed);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -174,13 +193,17 @@ int vtkIsosurfaceRayTraceRepresentation::ProcessViewRequest(
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkInformation* out)
 {
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Volume->GetMatrix(matrix);
+  double bounds[6];
+  GetTransformedBounds(this->OwnBounds, matrix, bounds);
   vtkPVView::SetPiece(in, this, this->Piece);
-  vtkPVRenderView::SetGeometryBounds(in, this, this->OwnBounds, this->Volume->GetMatrix());
+  vtkPVRenderView::SetGeometryBounds(in, this, bounds);
   vtkPVRenderView::SetRequiresDistributedRendering(in, this, true);
   // Opaque surfaces are composited by depth: exactly, whatever the shape of the pieces.
   out->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->IsOpaque() ? 0 : 1);
   vtkPVRenderView::SetOrderedCompositingConfiguration(
-    in, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->OwnBounds);
+    in, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
 }
 
 //------------------------------------------------------------------------------

@@ -132,6 +132,15 @@ def translucent(view):
     return show(make_wavelet(), view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
 
 
+def moved(view):
+    """Translucent, and elsewhere than the data: by the transformation of the display."""
+    display = translucent(view)
+    display.Position = [2.0, -3.0, 1.0]
+    display.Orientation = [0.0, 0.0, 90.0]
+    display.Scale = [0.8, 1.0, 0.6]
+    return display
+
+
 def opacity_function(view):
     view.UseFXAA = 0  # on several processes ParaView smooths before it composites
     display = show(make_wavelet(), view, isovalues=(120.0, 200.0))

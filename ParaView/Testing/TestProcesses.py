@@ -23,7 +23,7 @@ OPAQUE = (
     "vectors",
 )
 # ParaView composites translucent pictures in 8 bits, from each process to the next.
-TRANSLUCENT = ("beside_glass", "opacity_function", "translucent")
+TRANSLUCENT = ("beside_glass", "moved", "opacity_function", "translucent")
 # A process knows the light that its own piece lets pass, and blends its edges with its own background.
 OF_PIECES = ("occlusion", "shadows", "smooth_edges")
 
