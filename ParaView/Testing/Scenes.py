@@ -146,7 +146,10 @@ def opacity_function(view):
     display = show(make_wavelet(), view, isovalues=(120.0, 200.0))
     table = color_by(display, *POINTS)
     table.RescaleTransferFunction(100.0, 220.0)
-    table.ScalarOpacityFunction.Points = [100.0, 0.2, 0.5, 0.0, 160.0, 0.2, 0.5, 0.0, 161.0, 1.0, 0.5, 0.0, 220.0, 1.0, 0.5, 0.0]
+    # Value, opacity, midpoint, sharpness.
+    below = [100.0, 0.2, 0.5, 0.0, 160.0, 0.2, 0.5, 0.0]
+    above = [161.0, 1.0, 0.5, 0.0, 220.0, 1.0, 0.5, 0.0]
+    table.ScalarOpacityFunction.Points = below + above
     display.IsosurfaceUseOpacityFunction = 1
     return display
 

@@ -37,7 +37,8 @@ def middle(cell):
 
 def is_passed(grid, cell):
     """Whether a cell has values on both sides of the isovalue."""
-    values = [grid.GetPointData().GetArray("RTData").GetValue(cell.GetPointId(i)) for i in range(cell.GetNumberOfPoints())]
+    array = grid.GetPointData().GetArray("RTData")
+    values = [array.GetValue(cell.GetPointId(i)) for i in range(cell.GetNumberOfPoints())]
     return min(values) < Scenes.ISOVALUE <= max(values)
 
 
