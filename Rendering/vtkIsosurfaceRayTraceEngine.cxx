@@ -223,12 +223,13 @@ vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
 {
   const vtkIsosurfaceRayTraceInputs& inputs = this->Uses.GetLastInputs();
   const int connection = std::max(0, inputs.FindConnection(cellId));
-  if (vtkDataSet* block = inputs.Get(connection).FindBlock(cellId, cellInBlock, flatIndex))
-  {
-    return block;
-  }
   cellInBlock = cellId;
   flatIndex = 0;
+  if (const auto* block = inputs.Get(connection).FindBlockOfCell(cellInBlock))
+  {
+    flatIndex = block->FlatIndex;
+    return block->Data;
+  }
   return connection < this->Mapper->GetNumberOfInputConnections(0)
     ? vtkDataSet::SafeDownCast(this->Mapper->GetInputDataObject(0, connection))
     : nullptr;

@@ -122,12 +122,18 @@ public:
     return this->GetPart(hit).FindPoint(hit);
   }
 
-  /// The block of composite data that has a cell, and the number of the cell there; null if the
-  /// input is not composite, or no block has the cell.
-  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
+  ///@{
+  /// The block of composite data that has a point or a cell, whose number becomes that in the
+  /// block; null if the input is not composite, or no block has it.
+  const vtkIsosurfaceRayTraceLeaf* FindBlockOfPoint(vtkIdType& point) const
   {
-    return this->IsComposite ? this->Leaves.FindBlock(cellId, cellInBlock, flatIndex) : nullptr;
+    return this->IsComposite ? this->Leaves.FindLeafOfPoint(point) : nullptr;
   }
+  const vtkIsosurfaceRayTraceLeaf* FindBlockOfCell(vtkIdType& cell) const
+  {
+    return this->IsComposite ? this->Leaves.FindLeafOfCell(cell) : nullptr;
+  }
+  ///@}
   vtkIdType GetNumberOfCells() const { return this->Leaves.GetNumberOfCells(); }
   vtkIdType GetNumberOfPoints() const { return this->Leaves.GetNumberOfPoints(); }
 

@@ -57,6 +57,27 @@ bool HasVolume(vtkDataSet* data)
     : vtkIsosurfaceRayTraceMesh::HasVolume(data);
 }
 
+/// The leaf that has a number, which is then counted from its begin; null if none has it.
+const vtkIsosurfaceRayTraceLeaf* FindLeaf(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+  vtkIdType vtkIsosurfaceRayTraceLeaf::*begin, vtkIdType (vtkDataSet::*count)(), vtkIdType& number)
+{
+  const auto after = std::upper_bound(leaves.begin(), leaves.end(), number,
+    [begin](vtkIdType value, const vtkIsosurfaceRayTraceLeaf& leaf)
+    { return value < leaf.*begin; });
+  if (after == leaves.begin())
+  {
+    return nullptr;
+  }
+  const vtkIsosurfaceRayTraceLeaf& leaf = *(after - 1);
+  const vtkIdType inLeaf = number - leaf.*begin;
+  if (inLeaf >= (leaf.Data->*count)())
+  {
+    return nullptr;
+  }
+  number = inLeaf;
+  return &leaf;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -192,22 +213,16 @@ std::string vtkIsosurfaceRayTraceLeaves::Append(
 }
 
 //------------------------------------------------------------------------------
-vtkDataSet* vtkIsosurfaceRayTraceLeaves::FindBlock(
-  vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const
+const vtkIsosurfaceRayTraceLeaf* vtkIsosurfaceRayTraceLeaves::FindLeafOfPoint(
+  vtkIdType& point) const
 {
-  const auto after = std::upper_bound(this->Leaves.begin(), this->Leaves.end(), cellId,
-    [](vtkIdType cell, const Leaf& leaf) { return cell < leaf.FirstCell; });
-  if (after != this->Leaves.begin())
-  {
-    const Leaf& leaf = *(after - 1);
-    if (cellId < leaf.FirstCell + leaf.Data->GetNumberOfCells())
-    {
-      cellInBlock = cellId - leaf.FirstCell;
-      flatIndex = leaf.FlatIndex;
-      return leaf.Data;
-    }
-  }
-  return nullptr;
+  return FindLeaf(this->Leaves, &Leaf::FirstPoint, &vtkDataSet::GetNumberOfPoints, point);
+}
+
+//------------------------------------------------------------------------------
+const vtkIsosurfaceRayTraceLeaf* vtkIsosurfaceRayTraceLeaves::FindLeafOfCell(vtkIdType& cell) const
+{
+  return FindLeaf(this->Leaves, &Leaf::FirstCell, &vtkDataSet::GetNumberOfCells, cell);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -96,9 +96,12 @@ public:
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 
-  /// The block that has a cell, given its number through all of them, and the number of the cell
-  /// there; null if there is none.
-  vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex) const;
+  ///@{
+  /// The block that has a point or a cell, given its number through all of them, which becomes that
+  /// in the block; null if there is none.
+  const Leaf* FindLeafOfPoint(vtkIdType& point) const;
+  const Leaf* FindLeafOfCell(vtkIdType& cell) const;
+  ///@}
 
 private:
   std::string Append(Leaf leaf, vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName);

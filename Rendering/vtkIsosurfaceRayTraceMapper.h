@@ -104,7 +104,9 @@
  * surfaces may cast shadows (Shadows) and occlude ambient light (AmbientOcclusion).
  *
  * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Points
- * are selected by the rays of the picture, whose number depends on ImageSampleDistance.)
+ * are selected by the rays of the picture, whose number depends on ImageSampleDistance.) Those of a
+ * composite input have the flat index of their block, and are numbered there; those of several
+ * connections are numbered through all.
  *
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering

@@ -5,6 +5,7 @@
 #include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTracePicture.h"
 
+#include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 
 #include <algorithm>
@@ -65,17 +66,20 @@ void vtkIsosurfaceRayTraceSelection::WriteIds(vtkIsosurfaceRayTracePicture& pict
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceSelection::GetId(const vtkirt::Hit& hit) const
 {
-  vtkirt::Vector3 parametric;
   switch (this->Selector->GetCurrentPass())
   {
+    case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+      return this->Selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS
+        ? this->FindPoint(hit).FlatIndex
+        : this->FindCell(hit).FlatIndex;
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return this->Inputs.FindPoint(hit);
+      return this->FindPoint(hit).Id;
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return this->Inputs.FindPoint(hit) >> 24;
+      return this->FindPoint(hit).Id >> 24;
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return this->Inputs.FindCell(hit, parametric);
+      return this->FindCell(hit).Id;
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return this->Inputs.FindCell(hit, parametric) >> 24;
+      return this->FindCell(hit).Id >> 24;
     default:
       break;
   }
@@ -84,6 +88,36 @@ vtkIdType vtkIsosurfaceRayTraceSelection::GetId(const vtkirt::Hit& hit) const
   const auto byte = [color](int channel)
   { return static_cast<vtkIdType>(std::lround(255.0F * color[channel])); };
   return byte(0) | byte(1) << 8 | byte(2) << 16;
+}
+
+//------------------------------------------------------------------------------
+// Flat indices are those of one composite input; through several inputs there are numbers alone.
+vtkIsosurfaceRayTraceSelection::Element vtkIsosurfaceRayTraceSelection::FindPoint(
+  const vtkirt::Hit& hit) const
+{
+  Element element;
+  element.Id = this->Inputs.FindPoint(hit);
+  if (this->Inputs.GetNumber() == 1)
+  {
+    const auto* block = this->Inputs.Get(0).FindBlockOfPoint(element.Id);
+    element.FlatIndex = block ? block->FlatIndex : element.FlatIndex;
+  }
+  return element;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSelection::Element vtkIsosurfaceRayTraceSelection::FindCell(
+  const vtkirt::Hit& hit) const
+{
+  Element element;
+  vtkirt::Vector3 parametric;
+  element.Id = this->Inputs.FindCell(hit, parametric);
+  if (this->Inputs.GetNumber() == 1)
+  {
+    const auto* block = this->Inputs.Get(0).FindBlockOfCell(element.Id);
+    element.FlatIndex = block ? block->FlatIndex : element.FlatIndex;
+  }
+  return element;
 }
 
 VTK_ABI_NAMESPACE_END

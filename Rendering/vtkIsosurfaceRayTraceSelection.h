@@ -32,7 +32,16 @@ public:
   void WriteIds(vtkIsosurfaceRayTracePicture& picture) const;
 
 private:
+  /// How a point or a cell is named.
+  struct Element
+  {
+    unsigned int FlatIndex = 1;
+    vtkIdType Id;
+  };
+
   vtkIdType GetId(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  Element FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  Element FindCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
   vtkHardwareSelector* Selector;
   const vtkIsosurfaceRayTraceInputs& Inputs;

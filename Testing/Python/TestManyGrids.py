@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPartitionedDataSetCollection,
     vtkPlane,
     vtkRectilinearGrid,
+    vtkSelectionNode,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkRenderingCore import (
@@ -245,11 +246,19 @@ class TestManyGrids(unittest.TestCase):
         selector.SetRenderer(renderer)
         selector.SetArea(0, 0, PIXELS - 1, PIXELS - 1)
         selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
-        selected = selector.Select().GetNode(0).GetSelectionList()
-        self.assertEqual({selected.GetValue(i) for i in range(selected.GetNumberOfValues())},
-                         {cells.GetValue(i) for i in range(cells.GetNumberOfValues())} - {-1})
+        selected = set()
+        selection = selector.Select()
+        for node in map(selection.GetNode, range(selection.GetNumberOfNodes())):
+            block = node.GetProperties().Get(vtkSelectionNode.COMPOSITE_INDEX())
+            ids = node.GetSelectionList()
+            selected |= {(block, ids.GetValue(i)) for i in range(ids.GetNumberOfValues())}
         seen = set()
         in_block, flat_index = mutable(0), mutable(0)
+        shown = set()
+        for cell in {cells.GetValue(i) for i in range(cells.GetNumberOfValues())} - {-1}:
+            mapper.FindBlock(int(cell), in_block, flat_index)
+            shown.add((int(flat_index), int(in_block)))
+        self.assertEqual(selected, shown)
         for pixel in range(0, PIXELS**2, 7):
             cell = int(cells.GetValue(pixel))
             x, parametric, normal = [0.0] * 3, [0.0] * 3, [0.0] * 3

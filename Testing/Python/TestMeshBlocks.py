@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
+    vtkSelectionNode,
     vtkPartitionedDataSetCollection,
     vtkPlane,
     vtkPolyData,
@@ -299,27 +300,32 @@ class TestMeshBlocks(unittest.TestCase):
             corners = [cell.GetPointId(i) for i in range(cell.GetNumberOfPoints())]
             self.assertEqual(picker.GetPointId(), min(corners, key=lambda i: math.dist(block.GetPoint(i), point)))
         self.assertGreater(len(picked), 3)
-        shown = {int(picture.GetArray("CellId").GetTuple1(pixel)) for pixel in range(PIXELS**2)} - {-1}
+        shown, block_of = set(), {}
+        in_block, flat_index = mutable(0), mutable(0)
+        for cell in {int(picture.GetArray("CellId").GetTuple1(pixel)) for pixel in range(PIXELS**2)} - {-1}:
+            block = scene.mapper.FindBlock(cell, in_block, flat_index)
+            block_of[int(flat_index)] = block
+            shown.add((int(flat_index), int(in_block)))
         self.assertEqual(self.select(scene, vtkDataObject.FIELD_ASSOCIATION_CELLS), shown)
         points = self.select(scene, vtkDataObject.FIELD_ASSOCIATION_POINTS)
         self.assertGreater(len(points), 30)
-        for point in points:
-            index = 0
-            while point >= blocks[index].GetNumberOfPoints():
-                point -= blocks[index].GetNumberOfPoints()
-                index += 1
-            self.assertLess(abs(ball(blocks[index].GetPoint(point)) - 0.5), 1.0)
+        for index, point in points:
+            self.assertLess(abs(ball(block_of[index].GetPoint(point)) - 0.5), 1.0)
 
     @staticmethod
     def select(scene, association):
-        """The ids that a hardware selector finds in the whole window."""
+        """The flat indices and ids that a hardware selector finds in the whole window."""
         selector = vtkHardwareSelector()
         selector.SetRenderer(scene.renderer)
         selector.SetArea(0, 0, PIXELS - 1, PIXELS - 1)
         selector.SetFieldAssociation(association)
         selection = selector.Select()
-        ids = selection.GetNode(0).GetSelectionList()
-        return {ids.GetValue(i) for i in range(ids.GetNumberOfValues())}
+        found = set()
+        for node in map(selection.GetNode, range(selection.GetNumberOfNodes())):
+            block = node.GetProperties().Get(vtkSelectionNode.COMPOSITE_INDEX())
+            ids = node.GetSelectionList()
+            found |= {(block, ids.GetValue(i)) for i in range(ids.GetNumberOfValues())}
+        return found
 
     def test_blocks_without_a_surface_are_passed_over(self):
         grid = make_grid(VTK_TETRA, ball)

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTracePiece.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vector>
+
+namespace
+{
+//------------------------------------------------------------------------------
+std::vector<vtkDataSet*> GetBlocks(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return vtkCompositeDataSet::GetDataSets(composite);
+  }
+  auto* block = vtkDataSet::SafeDownCast(data);
+  return block ? std::vector<vtkDataSet*>{ block } : std::vector<vtkDataSet*>{};
+}
+
+//------------------------------------------------------------------------------
+bool IsOwn(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+{
+  return (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) == 0;
+}
+
+//------------------------------------------------------------------------------
+// The own cells of a grid are a box: from the first to the last of them. Cropping the grid without
+// its arrays keeps what its class knows of its geometry.
+template <typename Grid>
+vtkBoundingBox GetOwnBoundsOfGrid(Grid* grid, vtkUnsignedCharArray* ghosts)
+{
+  vtkIdType first = 0;
+  vtkIdType last = ghosts->GetNumberOfValues() - 1;
+  for (; first <= last && !IsOwn(ghosts, first); ++first)
+  {
+  }
+  for (; last > first && !IsOwn(ghosts, last); --last)
+  {
+  }
+  if (first > last)
+  {
+    return {};
+  }
+  int* extent = grid->GetExtent();
+  int low[3];
+  int high[3];
+  vtkStructuredData::ComputeCellStructuredCoordsForExtent(first, extent, low);
+  vtkStructuredData::ComputeCellStructuredCoordsForExtent(last, extent, high);
+  const int ownExtent[6] = { low[0], high[0] + 1, low[1], high[1] + 1, low[2], high[2] + 1 };
+  vtkNew<Grid> own;
+  own->CopyStructure(grid);
+  own->Crop(ownExtent);
+  return vtkBoundingBox(own->GetBounds());
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox GetOwnBoundsOfMesh(vtkDataSet* mesh, vtkUnsignedCharArray* ghosts)
+{
+  vtkBoundingBox bounds;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (IsOwn(ghosts, cell))
+    {
+      double cellBounds[6];
+      mesh->GetCellBounds(cell, cellBounds);
+      bounds.AddBounds(cellBounds);
+    }
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox GetOwnBoundsOfBlock(vtkDataSet* block)
+{
+  vtkUnsignedCharArray* ghosts = block->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return vtkBoundingBox(block->GetBounds());
+  }
+  if (auto* image = vtkImageData::SafeDownCast(block))
+  {
+    return GetOwnBoundsOfGrid(image, ghosts);
+  }
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(block))
+  {
+    return GetOwnBoundsOfGrid(grid, ghosts);
+  }
+  return GetOwnBoundsOfMesh(block, ghosts);
+}
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> vtkIsosurfaceRayTracePiece::MakeInput(vtkDataObject* data)
+{
+  auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->ShallowCopy(data);
+  if (copy->IsA("vtkCompositeDataSet") || copy->IsA("vtkImageData") ||
+    copy->IsA("vtkRectilinearGrid"))
+  {
+    return copy;
+  }
+  auto composite = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  composite->SetPartition(0, copy);
+  return composite;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox vtkIsosurfaceRayTracePiece::GetOwnBounds(vtkDataObject* data)
+{
+  vtkBoundingBox bounds;
+  for (vtkDataSet* block : GetBlocks(data))
+  {
+    bounds.AddBox(GetOwnBoundsOfBlock(block));
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkIsosurfaceRayTracePiece::FindArray(
+  vtkDataObject* data, int association, const std::string& name)
+{
+  for (vtkDataSet* block : GetBlocks(data))
+  {
+    vtkDataSetAttributes* attributes = block->GetAttributes(association);
+    vtkDataArray* array = attributes ? attributes->GetArray(name.c_str()) : nullptr;
+    if (array && block->GetNumberOfCells() > 0)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+VTK_ABI_NAMESPACE_END

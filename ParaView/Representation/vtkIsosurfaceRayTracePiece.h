@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a process has of the data that a vtkIsosurfaceRayTraceRepresentation shows.
+
+#ifndef vtkIsosurfaceRayTracePiece_h
+#define vtkIsosurfaceRayTracePiece_h
+
+#include "vtkBoundingBox.h"                // for GetOwnBounds
+#include "vtkDataObject.h"                 // for vtkSmartPointer<vtkDataObject>
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"               // for vtkSmartPointer
+
+#include <string> // for std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkDataArray;
+
+namespace vtkIsosurfaceRayTracePiece
+{
+/// A shallow copy as vtkIsosurfaceRayTraceMapper takes it: a single mesh becomes composite data of
+/// one block.
+vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data);
+
+/// The bounds of what is not a ghost: those of several processes do not overlap if their cells do
+/// not.
+vtkBoundingBox GetOwnBounds(vtkDataObject* data);
+
+/// The array of points or cells of the first block with cells that has it; null if none has it.
+vtkDataArray* FindArray(vtkDataObject* data, int association, const std::string& name);
+}
+
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenes that the tests draw: each function shows something in a view.
+
+The sources are those of ParaView that give every process its piece, so that a scene needs no files.
+"""
+
+from paraview.simple import (
+    AMRGaussianPulseSource,
+    AppendDatasets,
+    Calculator,
+    CreateRenderView,
+    GetColorTransferFunction,
+    GroupDatasets,
+    PointDatatoCellData,
+    ProgrammableFilter,
+    Show,
+    Sphere,
+    Tetrahedralize,
+    Transform,
+    Wavelet,
+)
+
+REPRESENTATION = "Isosurface (ray traced)"
+ISOVALUE = 157.0
+POINTS = ("POINTS", "RTData")
+CELLS = ("CELLS", "RTData")
+
+
+def make_view(size=240):
+    view = CreateRenderView(ViewSize=[size, size], OrientationAxesVisibility=0)
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.2, 0.22, 0.28]
+    view.CameraPosition = [32.0, 24.0, 42.0]
+    view.CameraFocalPoint = [0.0, 0.0, 0.0]
+    return view
+
+
+def make_wavelet(cells=24):
+    return Wavelet(WholeExtent=[-cells // 2, cells // 2] * 3)
+
+
+def show(source, view, array=POINTS, isovalues=(ISOVALUE,), **settings):
+    display = Show(source, view)
+    display.SetRepresentationType(REPRESENTATION)
+    display.IsosurfaceArray = list(array)
+    display.Isovalues = list(isovalues)
+    display.ColorArrayName = ["POINTS", ""]
+    display.DiffuseColor = [0.9, 0.75, 0.55]
+    display.Specular = 0.4
+    display.SpecularPower = 30.0
+    for name, value in settings.items():
+        setattr(display, name, value)
+    return display
+
+
+def color_by(display, association, name):
+    """As ColorBy() of paraview.simple, which asks the user in some cases."""
+    table = GetColorTransferFunction(name)
+    display.ColorArrayName = [association, name]
+    display.LookupTable = table
+    return table
+
+
+def rectilinear(view):
+    """Planes that come nearer to each other along x."""
+    grid = ProgrammableFilter(Input=make_wavelet(), OutputDataSetType="vtkRectilinearGrid")
+    grid.Script = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+image = inputs[0].VTKObject
+output.SetExtent(image.GetExtent())
+for axis, name in enumerate("XYZ"):
+    low, high = image.GetExtent()[2 * axis:2 * axis + 2]
+    steps = numpy.arange(low, high + 1, dtype=float)
+    coordinates = steps - 0.015 * steps ** 2 if axis == 0 else steps
+    getattr(output, f"Set{name}Coordinates")(numpy_to_vtk(coordinates, deep=True))
+output.VTKObject.GetPointData().ShallowCopy(image.GetPointData())
+output.VTKObject.GetCellData().ShallowCopy(image.GetCellData())
+"""
+    return show(grid, view)
+
+
+def curvilinear(view):
+    """A structured grid, as which ParaView passes on an image that is turned."""
+    turned = Transform(Input=make_wavelet())
+    turned.Transform.Rotate = [0.0, 0.0, 30.0]
+    return show(turned, view)
+
+
+def tetrahedra(view):
+    return show(Tetrahedralize(Input=make_wavelet()), view)
+
+
+def hexahedra(view):
+    """An unstructured grid of voxels."""
+    return show(AppendDatasets(Input=make_wavelet()), view)
+
+
+def blocks(view):
+    """An image and two meshes in each other, as blocks of one data set."""
+    turned = Transform(Input=make_wavelet(16))
+    turned.Transform.Rotate = [0.0, 0.0, 30.0]
+    turned.Transform.Translate = [0.0, 12.0, 0.0]
+    voxels = AppendDatasets(Input=turned)
+    return show(GroupDatasets(Input=[make_wavelet(), turned, voxels]), view)
+
+
+def amr(view):
+    """Cells of several levels."""
+    source = AMRGaussianPulseSource(XPulseOrigin=-0.75, YPulseOrigin=-0.75, ZPulseOrigin=1.25)
+    view.CameraPosition = [2.0, 2.0, 6.0]
+    view.CameraFocalPoint = [-0.75, -0.75, 1.25]
+    return show(source, view, array=("CELLS", "Gaussian-Pulse"), isovalues=(0.2,))
+
+
+def colored_by_isovalue(view):
+    display = show(make_wavelet(), view, isovalues=(120.0, 200.0))
+    color_by(display, *POINTS).RescaleTransferFunction(100.0, 220.0)
+    return display
+
+
+def colored_by_array(view):
+    source = Calculator(Input=make_wavelet(), ResultArrayName="height", Function="coordsY")
+    display = show(source, view)
+    color_by(display, "POINTS", "height").RescaleTransferFunction(-12.0, 12.0)
+    return display
+
+
+def translucent(view):
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    return show(make_wavelet(), view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
+
+
+def moved(view):
+    """Translucent, and elsewhere than the data: by the transformation of the display."""
+    display = translucent(view)
+    display.Position = [2.0, -3.0, 1.0]
+    display.Orientation = [0.0, 0.0, 90.0]
+    display.Scale = [0.8, 1.0, 0.6]
+    return display
+
+
+def opacity_function(view):
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    display = show(make_wavelet(), view, isovalues=(120.0, 200.0))
+    table = color_by(display, *POINTS)
+    table.RescaleTransferFunction(100.0, 220.0)
+    # Value, opacity, midpoint, sharpness.
+    below = [100.0, 0.2, 0.5, 0.0, 160.0, 0.2, 0.5, 0.0]
+    above = [161.0, 1.0, 0.5, 0.0, 220.0, 1.0, 0.5, 0.0]
+    table.ScalarOpacityFunction.Points = below + above
+    display.IsosurfaceUseOpacityFunction = 1
+    return display
+
+
+def beside_glass(view):
+    """Opaque surfaces in a translucent sphere of polygons, which ParaView peels."""
+    view.UseFXAA = 0
+    glass = Show(Sphere(Radius=13.0, ThetaResolution=48, PhiResolution=48), view)
+    glass.ColorArrayName = ["POINTS", ""]
+    glass.Opacity = 0.3
+    return show(make_wavelet(), view)
+
+
+def clipped(view):
+    display = show(make_wavelet(), view)
+    color_by(display, *POINTS).RescaleTransferFunction(100.0, 260.0)
+    display.IsosurfaceClippingPlane = "Plane"
+    display.IsosurfaceClippingPlane.Origin = [1.0, 0.0, 2.0]
+    display.IsosurfaceClippingPlane.Normal = [-1.0, 0.0, -1.0]
+    return display
+
+
+def shadows(view):
+    return show(make_wavelet(), view, IsosurfaceShadows=1)
+
+
+def occlusion(view):
+    return show(make_wavelet(), view, IsosurfaceAmbientOcclusion=1, Ambient=0.6, Diffuse=0.4)
+
+
+def trilinear(view):
+    return show(make_wavelet(), view)
+
+
+def exact_normals(view):
+    return show(make_wavelet(), view, IsosurfaceNormals="Exact")
+
+
+def nearest(view):
+    return show(make_wavelet(), view, IsosurfaceInterpolation="Nearest")
+
+
+def cubic(view):
+    return show(make_wavelet(), view, IsosurfaceInterpolation="Cubic")
+
+
+def cells(view):
+    source = PointDatatoCellData(Input=make_wavelet(), ProcessAllArrays=1)
+    return show(source, view, array=CELLS)
+
+
+def smooth_edges(view):
+    return show(make_wavelet(), view, IsosurfaceImageSampleDistance=0.5)
+
+
+def vectors(view):
+    source = Calculator(
+        Input=make_wavelet(), ResultArrayName="RTData", Function="coordsX * iHat + coordsY * jHat + 2 * coordsZ * kHat"
+    )
+    return show(source, view, isovalues=(10.0,), IsosurfaceComponent=3)
+
+
+def few_cells(view):
+    """Two cells: there are processes without any."""
+    view.CameraPosition = [3.0, 2.0, 4.0]
+    return show(Wavelet(WholeExtent=[-1, 1, 0, 1, 0, 1]), view, isovalues=(220.0,))

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Selects in the middle of a scene, and prints where the points and cells are: pvbatch SelectInScene.py SCENE"""
+
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from paraview.simple import (  # noqa: E402
+    AppendDatasets,
+    ExtractSelection,
+    MergeBlocks,
+    Render,
+    SelectSurfaceCells,
+    SelectSurfacePoints,
+)
+from paraview import servermanager  # noqa: E402
+
+import Scenes  # noqa: E402
+
+RECTANGLE = [60, 60, 180, 180]
+
+
+def extract(source):
+    """What is selected, from all processes."""
+    append = AppendDatasets()
+    merged = MergeBlocks(Input=ExtractSelection(Input=source), MergePoints=0)
+    return servermanager.Fetch(merged, append, append)
+
+
+def middle(cell):
+    low_high = cell.GetBounds()
+    return [round(0.5 * (low_high[2 * k] + low_high[2 * k + 1]), 4) for k in range(3)]
+
+
+def is_passed(grid, cell):
+    """Whether a cell has values on both sides of the isovalue."""
+    array = grid.GetPointData().GetArray("RTData")
+    values = [array.GetValue(cell.GetPointId(i)) for i in range(cell.GetNumberOfPoints())]
+    return min(values) < Scenes.ISOVALUE <= max(values)
+
+
+view = Scenes.make_view()
+display = getattr(Scenes, sys.argv[1])(view)
+source = display.Input
+Render(view)
+SelectSurfacePoints(Rectangle=RECTANGLE, View=view)
+points = extract(source)
+SelectSurfaceCells(Rectangle=RECTANGLE, View=view)
+cells = extract(source)
+# Several processes may have a point; a cell is of one.
+places = {tuple(round(x, 4) for x in points.GetPoint(i)) for i in range(points.GetNumberOfPoints())}
+middles = [middle(cells.GetCell(i)) for i in range(cells.GetNumberOfCells())]
+passed = sum(is_passed(cells, cells.GetCell(i)) for i in range(cells.GetNumberOfCells()))
+print(json.dumps({"points": sorted(places), "cells": sorted(middles), "passed": passed}))

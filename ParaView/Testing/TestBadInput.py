@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be shown is said, on one process and on several, and the scene is drawn without it."""
+
+import subprocess
+import unittest
+
+from Support import HERE, PICTURES, SECONDS, on_processes, program, read_picture
+
+MESSAGES = {
+    "no_array": 'There is no array "RTData" of points or cells to contour. Choose one in "Contour By"',
+    "polygons": "vtkPolyData",
+    "missing_color_array": 'There is no array named "absent" in the input to colour by',
+    "outside_range": "",
+}
+
+
+class TestBadInput(unittest.TestCase):
+    def test_messages(self):
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        for kind, message in MESSAGES.items():
+            for processes in (1, 2):
+                with self.subTest(kind=kind, processes=processes):
+                    picture = PICTURES / f"{kind}-{processes}.png"
+                    command = on_processes(processes, program("pvbatch"), HERE / "DrawBadInput.py", kind, picture)
+                    done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
+                    output = done.stdout + done.stderr
+                    self.assertEqual(done.returncode, 0, output)
+                    self.assertIn(message, output)
+                    if not message:
+                        self.assertNotIn("ERR|", output)
+                    self.assertGreater(read_picture(picture).std(), 5, "the other prop is not drawn")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture of several processes is that of one."""
+
+import unittest
+
+from Support import differences, draw
+
+OPAQUE = (
+    "blocks",
+    "cells",
+    "clipped",
+    "colored_by_array",
+    "colored_by_isovalue",
+    "cubic",
+    "curvilinear",
+    "exact_normals",
+    "hexahedra",
+    "nearest",
+    "rectilinear",
+    "trilinear",
+    "vectors",
+)
+# ParaView composites translucent pictures in 8 bits, from each process to the next.
+TRANSLUCENT = ("beside_glass", "moved", "opacity_function", "translucent")
+# A process knows the light that its own piece lets pass, and blends its edges with its own background.
+OF_PIECES = ("occlusion", "shadows", "smooth_edges")
+
+
+class TestProcesses(unittest.TestCase):
+    def test_same_picture(self):
+        scenes = OPAQUE + TRANSLUCENT + OF_PIECES
+        expected = draw(1, scenes)
+        for processes in (2, 4):
+            for name, path in draw(processes, scenes).items():
+                found = differences(path, expected[name])
+                changed, largest = int((found > 0).sum()), int(found.max())
+                print(f"{name}, {processes} processes: {changed} of {found.size} pixels differ, by {largest} at most")
+                with self.subTest(scene=name, processes=processes):
+                    if name in OPAQUE:
+                        self.assertEqual(changed, 0)
+                    elif name in TRANSLUCENT:
+                        self.assertLessEqual(largest, 3)
+                    else:
+                        self.assertGreater(changed, 0, "Documentation/paraview.md says that it differs")
+
+    def test_process_without_data(self):
+        one, two = (draw(processes, ["few_cells"])["few_cells"] for processes in (1, 4))
+        self.assertEqual(int(differences(one, two).max()), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
