@@ -56,6 +56,7 @@ endforeach ()
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
   Rendering/vtkIsosurfacePicker
+  Rendering/vtkIsosurfacePicture
   Rendering/vtkIsosurfaceRayTraceFactory
   Rendering/vtkIsosurfaceRayTraceMapper
   Rendering/vtkIsosurfaceRayTraceMeshMapper

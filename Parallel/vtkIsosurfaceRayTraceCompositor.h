@@ -37,7 +37,9 @@
  * K.-L. Ma, J. S. Painter, C. D. Hansen, M. F. Krogh: Parallel Volume Rendering Using Binary-Swap
  * Compositing. IEEE Computer Graphics and Applications 14(4), 1994.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkMultiProcessController
+ * vtkIsosurfacePicture draws the picture into a window of process 0, among other props.
+ *
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfacePicture vtkMultiProcessController
  */
 
 #ifndef vtkIsosurfaceRayTraceCompositor_h

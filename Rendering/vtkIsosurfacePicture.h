@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIsosurfacePicture
+ * @brief   a picture of isosurfaces, with its depth, among the props of a renderer
+ *
+ * Shows what vtkIsosurfaceRayTraceMapper::RenderToImage or vtkIsosurfaceRayTraceCompositor has made
+ * for the camera of the renderer: other props are before or behind its opaque surfaces by depth. So
+ * a picture of data that lie in many processes is drawn into the window of one of them:
+ *
+ * @code
+ * renderer->ResetCameraClippingRange(bounds); // of the whole data and of the other props
+ * compositor->BroadcastCamera(renderer->GetActiveCamera());
+ * compositor->RenderToImage(volume, renderer->GetActiveCamera(), lights, width, height, image);
+ * picture->SetPicture(image); // in the process of the window
+ * window->Render();
+ * @endcode
+ *
+ * The picture covers the viewport of the renderer: it should have its size, and is stretched
+ * otherwise. It must have been made with the clipping range that the camera has when it is drawn,
+ * which renderers do not change in Render(), but vtkRenderWindowInteractor does after each
+ * interaction: make the picture then (vtkCommand::StartEvent of the window).
+ *
+ * A picture whose pixels are opaque or empty is drawn with the opaque geometry; another one, after
+ * translucent geometry, as volumes are, over everything that is not nearer than its opaque
+ * surfaces. Props between translucent surfaces are not seen through those before them alone: the
+ * picture has one colour for all.
+ *
+ * It has no bounds, and cannot be picked.
+ *
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceCompositor
+ */
+
+#ifndef vtkIsosurfacePicture_h
+#define vtkIsosurfacePicture_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h" // for export macro
+#include "vtkProp.h"
+#include "vtkSmartPointer.h" // for ivars
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkImageData;
+class vtkIsosurfaceRayTraceImageDisplay;
+
+class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfacePicture : public vtkProp
+{
+public:
+  static vtkIsosurfacePicture* New();
+  vtkTypeMacro(vtkIsosurfacePicture, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the picture: an image of one layer with the point data Colors and Depth of
+   * vtkIsosurfaceRayTraceMapper::RenderToImage. Call Modified() of the picture after a change of
+   * its arrays. Nothing is drawn if it is null or empty; that is the default.
+   */
+  void SetPicture(vtkImageData* picture);
+  vtkImageData* GetPicture();
+  ///@}
+
+  /**
+   * Returns the time of the last change of the prop or of its picture.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * Copies another one; the picture is shared.
+   */
+  void ShallowCopy(vtkProp* prop) override;
+
+  ///@{
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Draw the picture, in the one of the two that suits it.
+   */
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkIsosurfacePicture();
+  ~vtkIsosurfacePicture() override;
+
+private:
+  vtkIsosurfacePicture(const vtkIsosurfacePicture&) = delete;
+  void operator=(const vtkIsosurfacePicture&) = delete;
+
+  bool Update();
+  int Draw(vtkViewport* viewport);
+
+  vtkSmartPointer<vtkImageData> Picture;
+  /// What is known of the picture as it was at a time: whether it can be drawn, whether it is
+  /// opaque or empty everywhere, and the depths, where nothing is opaque greater than 1.
+  vtkMTimeType UpdateTime = 0;
+  bool IsComplete = false;
+  bool IsOpaque = false;
+  std::vector<float> Depths;
+  std::unique_ptr<vtkIsosurfaceRayTraceImageDisplay> Display;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

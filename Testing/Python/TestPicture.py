@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkIsosurfacePicture shows what the mapper would draw, among other props."""
+
+import unittest
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
+from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceVolume
+
+from PictureTesting import capture, make_waves
+
+SIZE = (180, 140)
+
+
+def make_volume(opacities):
+    mapper = vtkIsosurfaceRayTraceMapper()
+    mapper.SetInputData(make_waves(12))
+    volume = vtkIsosurfaceVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().ShadeOn()
+    for i, (isovalue, opacity) in enumerate(zip((130.0, 200.0), opacities)):
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(i, isovalue)
+        volume.GetProperty().GetScalarOpacity().AddPoint(isovalue, opacity)
+    colors = volume.GetProperty().GetRGBTransferFunction()
+    colors.AddRGBPoint(130.0, 0.3, 0.5, 0.9)
+    colors.AddRGBPoint(200.0, 0.9, 0.6, 0.3)
+    return volume
+
+
+def make_sphere(center, radius):
+    source = vtkSphereSource()
+    source.SetCenter(center)
+    source.SetRadius(radius)
+    source.SetThetaResolution(32)
+    source.SetPhiResolution(32)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def set_camera(camera):
+    camera.SetPosition(50.0, 35.0, 60.0)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetClippingRange(30.0, 160.0)
+
+
+def make_window(props, viewport=(0.0, 0.0, 1.0, 1.0)):
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.1, 0.2, 0.3)
+    renderer.SetViewport(viewport)
+    set_camera(renderer.GetActiveCamera())
+    for prop in props:
+        renderer.AddViewProp(prop)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE)
+    window.AddRenderer(renderer)
+    return window
+
+
+def draw(*props, **options):
+    window = make_window(props, **options)
+    window.Render()
+    return capture(window)
+
+
+def render(volume, size=SIZE):
+    image = vtkImageData()
+    camera = vtkRenderer().MakeCamera()
+    set_camera(camera)
+    assert volume.GetMapper().RenderToImage(volume, camera, None, *size, image)
+    return image
+
+
+def make_picture(image):
+    picture = vtkIsosurfacePicture()
+    picture.SetPicture(image)
+    return picture
+
+
+class TestPicture(unittest.TestCase):
+    def check(self, opacities, *others, size=SIZE, **options):
+        volume = make_volume(opacities)
+        expected = draw(volume, *others, **options)
+        picture = make_picture(render(volume, size))
+        self.assertNotEqual(expected, draw(*others, **options))
+        self.assertEqual(draw(picture, *others, **options), expected)
+        self.assertEqual(draw(*others, picture, **options), expected)
+
+    def test_opaque_surfaces_and_polygons_hide_each_other(self):
+        """A sphere that the surfaces pass through."""
+        self.check((1.0, 1.0), make_sphere((4.0, 2.0, 5.0), 8.0))
+
+    def test_translucent_polygons_before_opaque_surfaces(self):
+        sphere = make_sphere((10.0, 6.0, 12.0), 6.0)
+        sphere.GetProperty().SetOpacity(0.4)
+        self.check((1.0, 1.0), sphere)
+
+    def test_translucent_surfaces(self):
+        self.check((0.3, 0.5))
+        self.check((0.3, 1.0), make_sphere((-20.0, -14.0, -24.0), 8.0))
+
+    def test_viewport(self):
+        self.check((1.0, 1.0), make_sphere((4.0, 2.0, 5.0), 8.0), size=(90, 140), viewport=(0.5, 0.0, 1.0, 1.0))
+
+    def test_changed_picture(self):
+        picture = make_picture(render(make_volume((1.0, 1.0))))
+        window = make_window([picture])
+        window.Render()
+        first = capture(window)
+        other = make_volume((1.0, 1.0))
+        other.RotateY(40.0)
+        image = render(other)
+        picture.GetPicture().ShallowCopy(image)
+        window.Render()
+        self.assertNotEqual(capture(window), first)
+        self.assertEqual(capture(window), draw(make_picture(image)))
+        copy = vtkIsosurfacePicture()
+        copy.ShallowCopy(picture)
+        self.assertEqual(draw(copy), capture(window))
+
+    def test_what_is_no_picture(self):
+        nothing = draw()
+        self.assertEqual(draw(vtkIsosurfacePicture()), nothing)
+        self.assertEqual(draw(make_picture(vtkImageData())), nothing)
+        without_depth = render(make_volume((1.0, 1.0)))
+        without_depth.GetPointData().RemoveArray("Depth")
+        shorter = render(make_volume((1.0, 1.0)))
+        shorter.GetPointData().GetArray("Colors").Resize(10)
+        for image in (without_depth, shorter, make_waves(4)):
+            picture = make_picture(image)
+            errors = []
+            picture.AddObserver("ErrorEvent", lambda *_, errors=errors: errors.append(1))
+            window = make_window([picture])
+            window.Render()
+            window.Render()
+            self.assertEqual(capture(window), nothing)
+            self.assertEqual(len(errors), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
