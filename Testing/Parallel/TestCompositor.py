@@ -3,11 +3,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of many processes is that of one. Run by mpirun; process 0 has the whole data, too, for comparison."""
 
+import os
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkLight,
+    vtkLightCollection,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
+from vtkIsosurfaceRayTracing import (
+    vtkIsosurfacePicture,
+    vtkIsosurfaceRayTraceMapper,
+    vtkIsosurfaceRayTraceMeshMapper,
+    vtkIsosurfaceVolume,
+)
 from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
 
 from Pieces import (
@@ -54,6 +71,34 @@ SCENES = {
 
 def make_own(ghosts=1, convert=lambda piece: piece):
     return convert(make_piece(split(CELLS, SIZE)[RANK], ghosts))
+
+
+def make_window(size):
+    """A window with a sphere, and its renderer."""
+    source = vtkSphereSource()
+    source.SetRadius(11.0)
+    source.SetThetaResolution(32)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    sphere = vtkActor()
+    sphere.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(sphere)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(size)
+    window.AddRenderer(renderer)
+    return window, renderer
+
+
+def capture(window):
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return bytes(memoryview(grabber.GetOutput().GetPointData().GetScalars()))
 
 
 def on_first(check):
@@ -194,6 +239,35 @@ class TestCompositor(unittest.TestCase):
             camera.GetCompositeProjectionTransformMatrix(1.5, -1.0, 1.0).GetElement(i, k)
             for i in range(4) for k in range(4)])
         self.assertTrue(all(matrix == matrices[0] for matrix in matrices))
+
+    @unittest.skipUnless(os.environ.get("DISPLAY"), "there is no display")
+    def test_window_of_process_0(self):
+        """The surfaces of all, through which a sphere of process 0 passes."""
+        size, window, camera = (160, 120), None, vtkCamera()
+        if RANK == 0:
+            window, renderer = make_window(size)
+            camera = renderer.GetActiveCamera()
+            camera.DeepCopy(make_camera())
+        vtkIsosurfaceRayTraceCompositor().BroadcastCamera(camera)
+        _, image = render(make_volume(make_own()), camera, size)
+
+        def compare():
+            volume = vtkIsosurfaceVolume()
+            whole = make_volume(make_piece(CELLS, 0))
+            volume.SetMapper(whole.GetMapper())
+            volume.SetProperty(whole.GetProperty())
+            picture = vtkIsosurfacePicture()
+            picture.SetPicture(image)
+            captured = []
+            for prop in (volume, picture):
+                renderer.AddViewProp(prop)
+                window.Render()
+                captured.append(capture(window))
+                renderer.RemoveViewProp(prop)
+            window.Render()
+            return captured[0] == captured[1] != capture(window)
+
+        self.assertTrue(on_first(compare))
 
     def test_times_and_bytes(self):
         compositor = vtkIsosurfaceRayTraceCompositor()
