@@ -434,32 +434,33 @@ void CheckPicking(Checks& check)
   check.That(flatIndices.size() > 4, "several blocks are picked");
   check.Near(worst, 0.0, 1e-12, "the worst position of what is picked");
 
-  std::set<vtkIdType> visible;
+  std::set<IdInBlock> visible;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
-    visible.insert(
-      static_cast<vtkIdType>(picture->GetPointData()->GetArray("CellId")->GetComponent(i, 0)));
+    const auto cell =
+      static_cast<vtkIdType>(picture->GetPointData()->GetArray("CellId")->GetComponent(i, 0));
+    vtkIdType inBlock = -1;
+    unsigned int flatIndex = 0;
+    if (cell >= 0)
+    {
+      scene.Mapper->FindBlock(cell, inBlock, flatIndex);
+      visible.emplace(static_cast<int>(flatIndex), inBlock);
+    }
   }
-  visible.erase(-1);
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
-    const std::set<vtkIdType> ids = Select(scene.Renderer, scene.Volume, association);
+    const std::set<IdInBlock> ids = SelectInBlocks(scene.Renderer, scene.Volume, association);
     if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       check.That(ids == visible, "the cells selected are those visible");
       continue;
     }
     int far = 0;
-    for (vtkIdType id : ids)
+    for (const auto& [flatIndex, id] : ids)
     {
-      std::size_t i = 0;
-      while (id >= blocks[i]->GetNumberOfPoints())
-      {
-        id -= blocks[i++]->GetNumberOfPoints();
-      }
       AnalyticFields::Point point;
-      blocks[i]->GetPoint(id, point.data());
+      blocks[static_cast<std::size_t>(flatIndex - 1)]->GetPoint(id, point.data());
       // Three to four units of value for one of length; and half a cell of it.
       for (std::size_t axis = 0; axis < 3; ++axis)
       {

@@ -16,13 +16,17 @@
 #include <vtkSmartPointer.h>
 
 #include <set>
+#include <utility>
 
 namespace MapperTesting
 {
 
+/// The flat index of a block, or -1 where there are no blocks, and an id there.
+using IdInBlock = std::pair<int, vtkIdType>;
+
 /// The ids of a prop that vtkHardwareSelector finds in the whole window: those of cells or points,
 /// by the association (vtkDataObject::FIELD_ASSOCIATION_CELLS).
-inline std::set<vtkIdType> Select(vtkRenderer* renderer, vtkProp* prop, int association)
+inline std::set<IdInBlock> SelectInBlocks(vtkRenderer* renderer, vtkProp* prop, int association)
 {
   const int* size = renderer->GetRenderWindow()->GetSize();
   vtkNew<vtkHardwareSelector> selector;
@@ -31,15 +35,34 @@ inline std::set<vtkIdType> Select(vtkRenderer* renderer, vtkProp* prop, int asso
     0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
   selector->SetFieldAssociation(association);
   const auto selection = vtk::TakeSmartPointer(selector->Select());
-  std::set<vtkIdType> ids;
+  std::set<IdInBlock> ids;
   for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
   {
     vtkSelectionNode* node = selection->GetNode(i);
     auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    if (node->GetProperties()->Get(vtkSelectionNode::PROP()) == prop && list)
+    vtkInformation* properties = node->GetProperties();
+    if (properties->Get(vtkSelectionNode::PROP()) != prop || !list)
     {
-      ids.insert(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+      continue;
     }
+    const int block = properties->Has(vtkSelectionNode::COMPOSITE_INDEX())
+      ? properties->Get(vtkSelectionNode::COMPOSITE_INDEX())
+      : -1;
+    for (vtkIdType k = 0; k < list->GetNumberOfTuples(); ++k)
+    {
+      ids.emplace(block, list->GetValue(k));
+    }
+  }
+  return ids;
+}
+
+/// The same of a prop without blocks.
+inline std::set<vtkIdType> Select(vtkRenderer* renderer, vtkProp* prop, int association)
+{
+  std::set<vtkIdType> ids;
+  for (const IdInBlock& found : SelectInBlocks(renderer, prop, association))
+  {
+    ids.insert(found.second);
   }
   return ids;
 }
