@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a picture by up to thousands of processes would take, as a table in Markdown.
 
-    simulate_processes.py volume.mhd isovalue [boxes [most processes]]
+    simulate_processes.py volume.mhd isovalue [most processes]
 
-Each process has as many boxes of the volume (1), dealt out in turn. Measured here, one after the other, with one
-thread: the time to trace each box, without the time to build its hierarchy, and which pixels it covers. Computed from that: the records that binary swap sends in each
+Each process has a box of the volume. Measured here, one after the other, with one thread: the time to trace each box,
+without the time to build its hierarchy, and which pixels it covers. Computed from that: the records that binary swap sends in each
 step. Assumed: a network with 2 microseconds of latency and 10 GB/s. The time to merge a record is that of
 std::merge on this machine, about 10 nanoseconds. The surface is opaque."""
 
@@ -128,22 +128,16 @@ def main():
     reader.SetFileName(sys.argv[1])
     reader.Update()
     image, isovalue = reader.GetOutput(), float(sys.argv[2])
-    boxes = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-    most = int(sys.argv[4]) if len(sys.argv) > 4 else 4096
+    most = int(sys.argv[3]) if len(sys.argv) > 3 else 4096
     extent = image.GetExtent()
     box = tuple((extent[2 * k], extent[2 * k + 1]) for k in range(3))
     camera = make_camera(image)
     alone = None
-    print("| processes | trace, mean | trace, slowest | swap, ms | gathering, ms | picture, ms | efficiency | sent, at most, MB |")
+    print("| processes | trace, mean, ms | trace, slowest, ms | swap, ms | gathering, ms | picture, ms | efficiency | sent, at most, MB |")
     print("|---|---|---|---|---|---|---|---|")
     processes = 1
     while processes <= most:
-        times, covered = [0.0] * processes, [0] * processes
-        # One process has all in one image.
-        for i, part in enumerate(split(box, processes * boxes if processes > 1 else 1)):
-            seconds, pixels = trace(extract(image, part), isovalue, camera)
-            times[i % processes] += seconds
-            covered[i % processes] |= pixels
+        times, covered = zip(*[trace(extract(image, part), isovalue, camera) for part in split(box, processes)])
         swapping, gathering, sent = swap(covered)
         picture = max(times) + swapping + gathering
         alone = alone or picture
