@@ -11,7 +11,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 HERE = pathlib.Path(__file__).resolve().parent
 PICTURES = pathlib.Path(os.environ["PICTURES_FOLDER"])
-SECONDS = 120
+SECONDS = 600
 
 
 def program(name):
