@@ -3,7 +3,7 @@
 
 #include "ReadMesh.h"
 
-#include "ReaderErrors.h"
+#include "Support/ReaderErrors.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>
@@ -56,7 +56,7 @@ bool IsExodus(const std::string& fileName)
 template <typename ReaderT>
 vtkSmartPointer<vtkDataObject> Read(ReaderT* reader, const std::string& fileName)
 {
-  const ReaderErrors errors(reader);
+  const Programs::ReaderErrors errors(reader);
   const std::string tried = std::string(reader->GetClassName()) + " was tried";
   reader->SetFileName(fileName.c_str());
   try

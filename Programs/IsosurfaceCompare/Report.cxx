@@ -5,8 +5,8 @@
 
 #include "Chart.h"
 #include "Comparison.h"
-#include "OutputFile.h"
 #include "Pictures.h"
+#include "Support/OutputFile.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
 #include <vtkCamera.h>
@@ -489,7 +489,7 @@ void WriteReport(const Comparison& comparison, const std::string& fileName)
   }
   out << "</body>\n</html>\n";
 
-  WriteFile(out.str(), fileName);
+  Programs::WriteFile(out.str(), fileName);
 }
 
 }

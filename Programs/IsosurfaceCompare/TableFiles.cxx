@@ -4,7 +4,7 @@
 #include "TableFiles.h"
 
 #include "Comparison.h"
-#include "OutputFile.h"
+#include "Support/OutputFile.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkDelimitedTextWriter.h>
@@ -63,7 +63,7 @@ void WriteCsv(const Comparison& comparison, const std::string& fileName)
   writer->WriteToOutputStringOn();
   writer->Write();
   const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
-  WriteFile(text.get(), fileName);
+  Programs::WriteFile(text.get(), fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +102,7 @@ void WriteJson(const Comparison& comparison, const std::string& fileName)
       Describe(Judge(crossover.GetFreeTriangles(), crossover.Rays));
     root["crossovers"].append(value);
   }
-  WriteFile(root.toStyledString(), fileName);
+  Programs::WriteFile(root.toStyledString(), fileName);
 }
 
 }

@@ -4,10 +4,11 @@
 // Runs vtkIsosurfaceComparisonFilter from the command line: see --help.
 
 #include "Comparison.h"
-#include "OutputFile.h"
 #include "ReadMesh.h"
-#include "ReadVolume.h"
 #include "Report.h"
+#include "Support/CommandLine.h"
+#include "Support/OutputFile.h"
+#include "Support/ReadVolume.h"
 #include "TableFiles.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
@@ -22,7 +23,6 @@
 #include <vtkTable.h>
 #include <vtkVariant.h>
 #include <vtkVersion.h>
-#include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -73,29 +73,9 @@ struct Arguments
   std::string Json;
   std::string Csv;
   std::string Report;
-  double MaxMemory = GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
-
-//------------------------------------------------------------------------------
-double ToNumber(const std::string& text)
-{
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0')
-  {
-    throw std::runtime_error(text + " is not a number; see --help");
-  }
-  return number;
-}
-
-//------------------------------------------------------------------------------
-/// Stops the parser at an unknown argument.
-int KeepUnknown(const char* argument, void* unknown)
-{
-  *static_cast<std::string*>(unknown) = argument;
-  return 0;
-}
 
 //------------------------------------------------------------------------------
 /// Throws std::runtime_error if they are invalid; prints the help if it is requested.
@@ -111,67 +91,40 @@ Arguments ParseArguments(int argc, char* argv[])
     "images. Default: all that are for the input.";
 
   Arguments arguments;
-  std::vector<std::string> isovalues;
-  std::string repeats;
-  std::string maxMemory;
-  using Parser = vtksys::CommandLineArguments;
-  Parser parser;
-  parser.Initialize(argc, argv);
-  std::string unknown;
-  parser.SetClientData(&unknown);
-  parser.SetUnknownArgumentCallback(KeepUnknown);
-  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
+  Programs::CommandLine commandLine(argc, argv);
+  commandLine.Add("--input", &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads; or a mesh: .vtu, .vts, .vtk, "
-    ".vtm "
-    "or Exodus.");
-  parser.AddArgument("--array", Parser::SPACE_ARGUMENT, &arguments.Array,
+    ".vtm or Exodus.");
+  commandLine.Add("--array", &arguments.Array,
     "The array of a mesh, of points or cells. Default: its active scalars.");
-  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &isovalues,
-    "One or more isovalues, separated by spaces.");
-  parser.AddArgument("--methods", Parser::MULTI_ARGUMENT, &arguments.Methods, methods.c_str());
-  parser.AddArgument("--repeats", Parser::SPACE_ARGUMENT, &repeats,
+  commandLine.Add(
+    "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
+  commandLine.Add("--methods", &arguments.Methods, methods.c_str());
+  commandLine.Add("--repeats", &arguments.Repeats,
     "The number of measurements of each time, 1 to 1000; the median is reported. Default: 3.");
-  parser.AddArgument(
-    "--json", Parser::SPACE_ARGUMENT, &arguments.Json, "Write the table to this file, as JSON.");
-  parser.AddArgument(
-    "--csv", Parser::SPACE_ARGUMENT, &arguments.Csv, "Write the table to this file, as CSV.");
-  parser.AddArgument("--report", Parser::SPACE_ARGUMENT, &arguments.Report,
+  commandLine.Add("--json", &arguments.Json, "Write the table to this file, as JSON.");
+  commandLine.Add("--csv", &arguments.Csv, "Write the table to this file, as CSV.");
+  commandLine.Add("--report", &arguments.Report,
     "Write report.html to this folder: tables, plots and pictures in one file.");
-  parser.AddArgument("--max-memory", Parser::SPACE_ARGUMENT, &maxMemory, MaxMemoryHelp);
-  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
-  const bool isParsed = parser.Parse() != 0;
-  if (arguments.Help)
+  commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
+  if (!commandLine.Parse())
   {
     std::printf("Compares ray traced and extracted isosurfaces: time, memory, accuracy. Usage:\n\n"
                 "  vtkIsosurfaceCompare --input FILE --isovalue VALUE... [options]\n\n"
                 "Times of pictures, and the plots of a report, need a display; xvfb-run provides "
                 "one.\n%s",
-      parser.GetHelp());
+      commandLine.GetHelp().c_str());
+    arguments.Help = true;
     return arguments;
   }
-
-  if (!isParsed)
-  {
-    throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
-                                             : "unknown option " + unknown + "; see --help");
-  }
-  if (arguments.Input.empty() || isovalues.empty())
+  if (arguments.Input.empty() || arguments.Isovalues.empty())
   {
     throw std::runtime_error("--input and --isovalue are needed; see --help");
   }
-  std::transform(
-    isovalues.begin(), isovalues.end(), std::back_inserter(arguments.Isovalues), ToNumber);
-  if (!repeats.empty())
-  {
-    arguments.Repeats = static_cast<int>(ToNumber(repeats));
-  }
   if (arguments.Repeats < 1 || arguments.Repeats > 1000)
   {
-    throw std::runtime_error("--repeats takes a number from 1 to 1000, not " + repeats);
-  }
-  if (!maxMemory.empty())
-  {
-    arguments.MaxMemory = ToNumber(maxMemory);
+    throw std::runtime_error(
+      "--repeats takes a number from 1 to 1000, not " + std::to_string(arguments.Repeats));
   }
   return arguments;
 }
@@ -192,7 +145,7 @@ void PrepareOutputs(Arguments& arguments)
   {
     if (!fileName.empty())
     {
-      CheckOutput(fileName);
+      Programs::CheckOutput(fileName);
     }
   }
 }
@@ -246,7 +199,7 @@ vtkSmartPointer<vtkDataSet> Read(const Arguments& arguments)
   {
     throw std::runtime_error("--array is for meshes; " + arguments.Input + " is none");
   }
-  return ReadVolume(arguments.Input, arguments.MaxMemory);
+  return Programs::ReadVolume(arguments.Input, arguments.MaxMemory);
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +277,7 @@ int main(int argc, char* argv[])
     Arguments arguments = ParseArguments(argc, argv);
     if (arguments.Help)
     {
-      FlushStandardOutput();
+      Programs::FlushStandardOutput();
       return EXIT_SUCCESS;
     }
     PrepareOutputs(arguments);
@@ -343,7 +296,7 @@ int main(int argc, char* argv[])
       WriteReport(comparison, arguments.Report);
       std::printf("%s\n", arguments.Report.c_str());
     }
-    FlushStandardOutput();
+    Programs::FlushStandardOutput();
   }
   catch (const std::exception& error)
   {

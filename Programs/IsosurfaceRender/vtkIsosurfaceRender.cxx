@@ -3,9 +3,10 @@
 
 // A picture of a volume, by one process or by many: see --help.
 
-#include "IsosurfaceCompare/OutputFile.h"
-#include "IsosurfaceCompare/ReadVolume.h"
 #include "Slab.h"
+#include "Support/CommandLine.h"
+#include "Support/OutputFile.h"
+#include "Support/ReadVolume.h"
 #include "vtkIsosurfaceRayTraceCompositor.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
@@ -24,7 +25,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
-#include <vtksys/CommandLineArguments.hxx>
 
 #include <algorithm>
 #include <array>
@@ -50,58 +50,37 @@ struct Arguments
   int Height = 1024;
   double Azimuth = 30.0;
   double Elevation = 20.0;
-  double MaxMemory = Compare::GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
-
-//------------------------------------------------------------------------------
-/// Stops the parser at an unknown argument.
-int KeepUnknown(const char* argument, void* unknown)
-{
-  *static_cast<std::string*>(unknown) = argument;
-  return 0;
-}
 
 //------------------------------------------------------------------------------
 /// Throws std::runtime_error if they are invalid.
 Arguments ParseArguments(int argc, char* argv[], std::string& help)
 {
   Arguments arguments;
-  using Parser = vtksys::CommandLineArguments;
-  Parser parser;
-  parser.Initialize(argc, argv);
-  std::string unknown;
-  parser.SetClientData(&unknown);
-  parser.SetUnknownArgumentCallback(KeepUnknown);
-  parser.AddArgument("--input", Parser::SPACE_ARGUMENT, &arguments.Input,
-    "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
-  parser.AddArgument("--isovalue", Parser::MULTI_ARGUMENT, &arguments.Isovalues,
-    "One or more isovalues, separated by spaces.");
-  parser.AddArgument("--opacity", Parser::MULTI_ARGUMENT, &arguments.Opacities,
-    "An opacity from 0 to 1 for each isovalue. Default: 1.");
-  parser.AddArgument(
-    "--output", Parser::SPACE_ARGUMENT, &arguments.Output, "The picture, a PNG file.");
-  parser.AddArgument("--width", Parser::SPACE_ARGUMENT, &arguments.Width,
-    "The width of the picture in pixels. Default: 1024.");
-  parser.AddArgument("--height", Parser::SPACE_ARGUMENT, &arguments.Height,
-    "The height of the picture in pixels. Default: 1024.");
-  parser.AddArgument("--azimuth", Parser::SPACE_ARGUMENT, &arguments.Azimuth,
+  Programs::CommandLine commandLine(argc, argv);
+  commandLine.Add(
+    "--input", &arguments.Input, "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
+  commandLine.Add(
+    "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
+  commandLine.Add(
+    "--opacity", &arguments.Opacities, "An opacity from 0 to 1 for each isovalue. Default: 1.");
+  commandLine.Add("--output", &arguments.Output, "The picture, a PNG file.");
+  commandLine.Add(
+    "--width", &arguments.Width, "The width of the picture in pixels. Default: 1024.");
+  commandLine.Add(
+    "--height", &arguments.Height, "The height of the picture in pixels. Default: 1024.");
+  commandLine.Add("--azimuth", &arguments.Azimuth,
     "By how many degrees the camera turns around the volume, from the front. Default: 30.");
-  parser.AddArgument("--elevation", Parser::SPACE_ARGUMENT, &arguments.Elevation,
+  commandLine.Add("--elevation", &arguments.Elevation,
     "By how many degrees the camera looks down at it, between -90 and 90. Default: 20.");
-  parser.AddArgument(
-    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
-  parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
-  const bool isParsed = parser.Parse() != 0;
-  help = parser.GetHelp();
+  commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
+  arguments.Help = !commandLine.Parse();
+  help = commandLine.GetHelp();
   if (arguments.Help)
   {
     return arguments;
-  }
-  if (!isParsed)
-  {
-    throw std::runtime_error(unknown.empty() ? "an option lacks its value; see --help"
-                                             : "unknown option " + unknown + "; see --help");
   }
   if (arguments.Input.empty() || arguments.Isovalues.empty() || arguments.Output.empty())
   {
@@ -141,7 +120,7 @@ Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller
       Render::FindSlab(whole, controller->GetLocalProcessId(), controller->GetNumberOfProcesses());
     return Render::FindExtent(whole, slab, ghosts);
   };
-  piece.Image = Compare::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
+  piece.Image = Programs::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
   if (piece.Whole[4] == piece.Whole[5])
   {
     throw std::runtime_error(
@@ -229,7 +208,7 @@ void Write(vtkImageData* picture, const std::string& fileName)
   writer->SetInputData(flat);
   writer->WriteToMemoryOn();
   writer->Write();
-  Compare::OutputFile file(fileName);
+  Programs::OutputFile file(fileName);
   file.Write(writer->GetResult()->GetPointer(0),
     static_cast<std::size_t>(writer->GetResult()->GetNumberOfValues()));
   file.Finish();
@@ -295,7 +274,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
     {
       if (isFirst)
       {
-        Compare::CheckOutput(arguments.Output);
+        Programs::CheckOutput(arguments.Output);
       }
       piece = ReadSlab(arguments, controller);
     });
@@ -350,7 +329,7 @@ int main(int argc, char* argv[])
         help.c_str());
     }
     isDone = arguments.Help || Run(arguments, controller);
-    Compare::FlushStandardOutput();
+    Programs::FlushStandardOutput();
   }
   catch (const std::exception& error)
   {

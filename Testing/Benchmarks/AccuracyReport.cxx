@@ -3,7 +3,7 @@
 
 #include "AccuracyReport.h"
 
-#include "IsosurfaceCompare/OutputFile.h"
+#include "Support/OutputFile.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -81,7 +81,7 @@ void WriteErrorImage(
   writer->SetInputData(image);
   writer->WriteToOutputStringOn();
   writer->Write();
-  Compare::WriteFile(writer->GetOutputString(), fileName);
+  Programs::WriteFile(writer->GetOutputString(), fileName);
 }
 
 }

@@ -3,7 +3,7 @@
 
 #include "Json.h"
 
-#include "IsosurfaceCompare/OutputFile.h"
+#include "Support/OutputFile.h"
 
 #include <cmath>
 #include <sstream>
@@ -36,7 +36,7 @@ void WriteJson(const Json::Value& value, const std::string& fileName)
 {
   std::ostringstream text;
   text << value << "\n";
-  Compare::WriteFile(text.str(), fileName);
+  Programs::WriteFile(text.str(), fileName);
 }
 
 }

@@ -3,7 +3,7 @@
 
 #include "ReadImage.h"
 
-#include "IsosurfaceCompare/ReadVolume.h"
+#include "Support/ReadVolume.h"
 
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -18,8 +18,8 @@ namespace Benchmark
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, double maxMemory)
 {
   const bool isDirectory = vtksys::SystemTools::FileIsDirectory(fileName);
-  vtkSmartPointer<vtkImageData> image = isDirectory ? Compare::ReadSlices(fileName, maxMemory)
-                                                    : Compare::ReadVolume(fileName, maxMemory);
+  vtkSmartPointer<vtkImageData> image = isDirectory ? Programs::ReadSlices(fileName, maxMemory)
+                                                    : Programs::ReadVolume(fileName, maxMemory);
   if (!image->GetPointData()->GetScalars() || image->GetDataDimension() != 3)
   {
     throw std::runtime_error(fileName + " is not a volume with point scalars");

@@ -4,7 +4,7 @@
 #ifndef RunProgram_h
 #define RunProgram_h
 
-#include "IsosurfaceCompare/OutputFile.h"
+#include "Support/OutputFile.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -24,7 +24,7 @@ int RunProgram(int argc, char* argv[], const Parse& parse, const Run& run)
   {
     const bool isParsed = parse(argc, argv, arguments);
     const bool isWell = isParsed ? run(arguments) : arguments.Help;
-    Compare::FlushStandardOutput();
+    Programs::FlushStandardOutput();
     return isWell ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch (const std::exception& error)

@@ -9,13 +9,13 @@
 #include "Environment.h"
 #include "GoalMeasurements.h"
 #include "Growth.h"
-#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PaperTables.h"
 #include "ReadImage.h"
 #include "Report.h"
 #include "RunProgram.h"
 #include "Schedule.h"
+#include "Support/ReadVolume.h"
 
 #include <vtkSMPTools.h>
 #include <vtksys/CommandLineArguments.hxx>
@@ -47,7 +47,7 @@ struct Arguments
   bool Papers = false;
   int Growth = 0;
   std::string Json = "benchmark.json";
-  double MaxMemory = Compare::GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -80,7 +80,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
     "The file for the results. Default: benchmark.json.");
   parser.AddArgument(
-    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Programs::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() == arguments.Isovalues.empty() &&

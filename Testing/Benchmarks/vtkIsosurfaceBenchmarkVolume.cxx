@@ -4,10 +4,10 @@
 // Writes a large volume to measure on, slab by slab: see --help.
 
 #include "AnalyticFieldSource.h"
-#include "IsosurfaceCompare/OutputFile.h"
-#include "IsosurfaceCompare/ReadVolume.h"
 #include "ReadImage.h"
 #include "RunProgram.h"
+#include "Support/OutputFile.h"
+#include "Support/ReadVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -46,7 +46,7 @@ struct Arguments
   std::string Field;
   std::string Dimensions;
   std::string Output;
-  double MaxMemory = Compare::GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -66,7 +66,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--output", Parser::SPACE_ARGUMENT, &arguments.Output,
     "The .mhd file to write; its samples go into a .raw file beside it.");
   parser.AddArgument(
-    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Programs::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() != arguments.Field.empty() &&
@@ -199,7 +199,7 @@ void CheckSpace(const std::string& fileName, std::uintmax_t bytes)
 //------------------------------------------------------------------------------
 // Makes the samples a slab at a time, so that no more is in memory. Returns their range.
 std::array<double, 2> WriteSamples(vtkImageAlgorithm* source, const Dimensions& dimensions,
-  const std::string& rawName, Compare::OutputFile& raw)
+  const std::string& rawName, Programs::OutputFile& raw)
 {
   constexpr int samplesInSlab = 1 << 24;
   const int thickness = std::max(1, samplesInSlab / dimensions[0] / dimensions[1]);
@@ -234,8 +234,8 @@ void WriteVolume(
   vtkImageAlgorithm* source, const Dimensions& dimensions, const std::string& headerName)
 {
   const std::string rawName = headerName.substr(0, headerName.size() - 3) + "raw";
-  Compare::OutputFile header(headerName);
-  Compare::OutputFile raw(rawName);
+  Programs::OutputFile header(headerName);
+  Programs::OutputFile raw(rawName);
   const std::array<double, 2> range = WriteSamples(source, dimensions, rawName, raw);
   const std::string text = MakeHeader(rawName, source, dimensions);
   header.Write(text.data(), text.size());

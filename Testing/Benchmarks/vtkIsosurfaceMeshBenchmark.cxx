@@ -6,7 +6,6 @@
 
 #include "Environment.h"
 #include "IsosurfaceCompare/ReadMesh.h"
-#include "IsosurfaceCompare/ReadVolume.h"
 #include "MeshCase.h"
 #include "MeshPictures.h"
 #include "MeshSource.h"
@@ -15,6 +14,7 @@
 #include "Report.h"
 #include "RunProgram.h"
 #include "Schedule.h"
+#include "Support/ReadVolume.h"
 
 #include <vtkSMPTools.h>
 #include <vtksys/CommandLineArguments.hxx>
@@ -48,7 +48,7 @@ struct Arguments
   int Repeats = 5;
   std::string Threads;
   std::string Json = "meshes.json";
-  double MaxMemory = Compare::GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -83,7 +83,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
   parser.AddArgument("--json", Parser::SPACE_ARGUMENT, &arguments.Json,
     "The file for the results. Default: meshes.json.");
   parser.AddArgument(
-    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Programs::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool complete = arguments.Input.empty() == arguments.Isovalues.empty();

@@ -8,14 +8,14 @@
 #include "BenchmarkInputs.h"
 #include "Environment.h"
 #include "HitAccuracy.h"
-#include "IsosurfaceCompare/OutputFile.h"
-#include "IsosurfaceCompare/ReadVolume.h"
 #include "OffScreenWindow.h"
 #include "PictureMethods.h"
 #include "RayMethods.h"
 #include "RunProgram.h"
 #include "Samples.h"
 #include "Schedule.h"
+#include "Support/OutputFile.h"
+#include "Support/ReadVolume.h"
 
 #include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemTools.hxx>
@@ -48,7 +48,7 @@ struct Arguments
   int Pixels = 256;
   std::string Output = ".";
   bool Quick = false;
-  double MaxMemory = Compare::GetDefaultMaxMemory();
+  double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
 
@@ -74,7 +74,7 @@ bool ParseArguments(int argc, char* argv[], Arguments& arguments)
     "The folder for results.json and the images of errors (.vti). Default: the current one.");
   parser.AddBooleanArgument("--quick", &arguments.Quick, "Small fields, few rays: a test.");
   parser.AddArgument(
-    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Compare::MaxMemoryHelp);
+    "--max-memory", Parser::SPACE_ARGUMENT, &arguments.MaxMemory, Programs::MaxMemoryHelp);
   parser.AddBooleanArgument("--help", &arguments.Help, "Show this text.");
   const bool parsed = parser.Parse() != 0;
   const bool sensible = arguments.Size >= 8 && arguments.Rays >= 8 && arguments.Repeats >= 1 &&
@@ -275,7 +275,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
     throw std::runtime_error("the folder " + arguments.Output + " cannot be created");
   }
   const std::string results = arguments.Output + "/results.json";
-  Compare::CheckOutput(results); // What cannot be written is known now.
+  Programs::CheckOutput(results); // What cannot be written is known now.
   // A display may close itself when it has no window: this one stays.
   const auto window =
     OffScreenWindow::IsPossible() ? std::make_unique<OffScreenWindow>(16) : nullptr;

@@ -18,7 +18,7 @@
 #include <system_error>
 #include <vector>
 
-namespace Compare
+namespace Programs
 {
 namespace
 {

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace Compare
+namespace Programs
 {
 
 /// .nii or .nii.gz

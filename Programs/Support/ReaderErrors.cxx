@@ -8,7 +8,7 @@
 
 #include <cstdio>
 
-namespace Compare
+namespace Programs
 {
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace Compare
+namespace Programs
 {
 namespace
 {

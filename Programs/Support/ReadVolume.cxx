@@ -34,7 +34,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace Compare
+namespace Programs
 {
 namespace
 {

@@ -13,7 +13,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 VTK_ABI_NAMESPACE_END
 
-namespace Compare
+namespace Programs
 {
 
 /// Prints and counts the errors of a reader: many report one and read on, but incomplete data are

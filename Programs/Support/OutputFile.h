@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace Compare
+namespace Programs
 {
 
 /// A file that is whole or absent: it is written under another name beside its own, which it takes

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace Compare
+namespace Programs
 {
 
 /// Of one byte, deflate makes no more than so many.

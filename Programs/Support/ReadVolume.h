@@ -16,7 +16,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 VTK_ABI_NAMESPACE_END
 
-namespace Compare
+namespace Programs
 {
 
 /// The default of the option --max-memory of all programs, in MiB: the memory of the machine, or

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CommandLine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+namespace Programs
+{
+
+namespace
+{
+
+using Parsing = vtksys::CommandLineArguments;
+
+//------------------------------------------------------------------------------
+double ToNumber(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0')
+  {
+    throw std::runtime_error(text + " is not a number; see --help");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+int ToInteger(const std::string& text)
+{
+  const double number = ToNumber(text);
+  if (!(std::abs(number) <= std::numeric_limits<int>::max()) || number != std::floor(number))
+  {
+    throw std::runtime_error(text + " is not an integer; see --help");
+  }
+  return static_cast<int>(number);
+}
+
+}
+
+//------------------------------------------------------------------------------
+CommandLine::CommandLine(int argc, char* argv[])
+{
+  this->Parser.Initialize(argc, argv);
+  this->Parser.SetClientData(&this->Unknown);
+  this->Parser.SetUnknownArgumentCallback(KeepUnknown);
+  this->Parser.AddBooleanArgument("--help", &this->Help, "Show this text.");
+}
+
+//------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, std::string* text, const char* help)
+{
+  this->Parser.AddArgument(option, Parsing::SPACE_ARGUMENT, text, help);
+}
+
+//------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, std::vector<std::string>* texts, const char* help)
+{
+  this->Parser.AddArgument(option, Parsing::MULTI_ARGUMENT, texts, help);
+}
+
+//------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, int* number, const char* help)
+{
+  std::string& text = this->TextOfNumber.emplace_back();
+  this->Add(option, &text, help);
+  this->Conversions.emplace_back(
+    [&text, number] { *number = text.empty() ? *number : ToInteger(text); });
+}
+
+//------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, double* number, const char* help)
+{
+  std::string& text = this->TextOfNumber.emplace_back();
+  this->Add(option, &text, help);
+  this->Conversions.emplace_back(
+    [&text, number] { *number = text.empty() ? *number : ToNumber(text); });
+}
+
+//------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, std::vector<double>* numbers, const char* help)
+{
+  std::vector<std::string>& texts = this->TextsOfNumbers.emplace_back();
+  this->Add(option, &texts, help);
+  this->Conversions.emplace_back([&texts, numbers]
+    { std::transform(texts.begin(), texts.end(), std::back_inserter(*numbers), ToNumber); });
+}
+
+//------------------------------------------------------------------------------
+bool CommandLine::Parse()
+{
+  const bool isParsed = this->Parser.Parse() != 0;
+  if (this->Help)
+  {
+    return false;
+  }
+  if (!isParsed)
+  {
+    throw std::runtime_error(this->Unknown.empty()
+        ? "an option lacks its value; see --help"
+        : "unknown option " + this->Unknown + "; see --help");
+  }
+  for (const std::function<void()>& convert : this->Conversions)
+  {
+    convert();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Stops the parser at an unknown argument.
+int CommandLine::KeepUnknown(const char* argument, void* unknown)
+{
+  *static_cast<std::string*>(unknown) = argument;
+  return 0;
+}
+
+}
