@@ -95,7 +95,13 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   {
     throw std::runtime_error("--elevation takes a number between -90 and 90");
   }
-  arguments.Opacities.resize(std::max(arguments.Opacities.size(), arguments.Isovalues.size()), 1.0);
+  const auto isOpacity = [](double value) { return value >= 0.0 && value <= 1.0; };
+  if (arguments.Opacities.size() > arguments.Isovalues.size() ||
+    !std::all_of(arguments.Opacities.begin(), arguments.Opacities.end(), isOpacity))
+  {
+    throw std::runtime_error("--opacity takes a number from 0 to 1 for each isovalue");
+  }
+  arguments.Opacities.resize(arguments.Isovalues.size(), 1.0);
   return arguments;
 }
 

@@ -147,6 +147,10 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--frame"), "unknown option --frame")
         self.check_failure(run(*arguments, "--width", "0"), "--width and --height take numbers")
         self.check_failure(run(*arguments, "--elevation", "90"), "--elevation takes")
+        self.check_failure(run(*arguments, "--opacity", "1.5"), "--opacity takes")
+        self.check_failure(run(*arguments, "--opacity", "0.5", "0.5"), "--opacity takes")
+        self.check_failure(run(*arguments, "--azimuth", "front"), "front is not a number")
+        self.check_failure(run(*arguments, "--width", "99.5"), "99.5 is not an integer")
         self.check_failure(run(*arguments, "--max-memory", "0.001"), "--max-memory sets this limit")
 
     def test_help(self):
