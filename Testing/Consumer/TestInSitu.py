@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkIOImage import vtkPNGReader
+from PictureTesting import count_colored
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
 
@@ -19,14 +19,6 @@ PROGRAM, *MPIEXEC = sys.argv[1:4]
 def run(processes, *arguments):
     command = [*MPIEXEC, str(processes), PROGRAM, *arguments]
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-
-
-def count_colored(file_name):
-    reader = vtkPNGReader()
-    reader.SetFileName(str(file_name))
-    reader.Update()
-    colors = reader.GetOutput().GetPointData().GetScalars()
-    return sum(colors.GetTuple(i) != (255.0, 255.0, 255.0) for i in range(colors.GetNumberOfTuples()))
 
 
 class TestInSitu(unittest.TestCase):

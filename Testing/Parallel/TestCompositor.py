@@ -16,7 +16,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import (
@@ -27,6 +26,7 @@ from vtkIsosurfaceRayTracing import (
 )
 from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
 
+from PictureTesting import capture
 from Pieces import (
     CELLS,
     RANK,
@@ -90,15 +90,6 @@ def make_window(size):
     window.SetSize(size)
     window.AddRenderer(renderer)
     return window, renderer
-
-
-def capture(window):
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    grabber.ShouldRerenderOff()
-    grabber.Update()
-    return bytes(memoryview(grabber.GetOutput().GetPointData().GetScalars()))
 
 
 def on_first(check):

@@ -6,15 +6,18 @@
 Arguments: the program, mpiexec, its option for the number of processes."""
 
 import array
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
+from vtkmodules.vtkIOImage import vtkMetaImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+from PictureTesting import count_colored
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
 SIZE = ("--width", "120", "--height", "90")
@@ -71,14 +74,10 @@ class TestIsosurfaceRender(unittest.TestCase):
         return png
 
     def count_colored(self, png):
-        reader = vtkPNGReader()
         file_name = self.folder / "read.png"
         file_name.write_bytes(png)
-        reader.SetFileName(str(file_name))
-        reader.Update()
-        colors = reader.GetOutput().GetPointData().GetScalars()
-        self.assertEqual(reader.GetOutput().GetDimensions(), (120, 90, 1))
-        return sum(colors.GetTuple(i) != (255.0, 255.0, 255.0) for i in range(colors.GetNumberOfTuples()))
+        self.assertEqual(struct.unpack(">II", png[16:24]), (120, 90))  # of its header
+        return count_colored(str(file_name))
 
     def test_pictures_are_the_same(self):
         for name in ("volume.vti", "volume.mhd"):

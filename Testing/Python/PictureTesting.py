@@ -65,6 +65,11 @@ def read(file_name):
     return [scalars.GetTuple(i) for i in range(scalars.GetNumberOfTuples())]
 
 
+def count_colored(file_name):
+    """The number of pixels that are not white."""
+    return sum(color != (255.0, 255.0, 255.0) for color in read(file_name))
+
+
 def capture(window):
     """The bytes of the picture in a window as it is."""
     grabber = vtkWindowToImageFilter()
