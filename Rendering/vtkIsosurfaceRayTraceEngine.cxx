@@ -194,10 +194,9 @@ catch (const std::bad_alloc&)
 void vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(vtkCompositeDataSet* data,
   vtkCompositeDataDisplayAttributes* attributes, BlocksOfConnection& last, double bounds[6]) const
 {
-  vtkIsosurfaceRayTraceSnapshot now(
-    data, attributes, this->TheClient.GetSettings().NumberOfThreads);
-  if (!(now == last.Found))
+  if (!last.Found.IsOf(data, attributes, this->TheClient.GetSettings().NumberOfThreads))
   {
+    last.Found = {};
     if (attributes && attributes->HasBlockVisibilities())
     {
       vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, data, last.Bounds.data());
@@ -206,7 +205,7 @@ void vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(vtkCompositeDataSet* data,
     {
       data->GetBounds(last.Bounds.data());
     }
-    last.Found = std::move(now);
+    last.Found = { data, attributes };
   }
   std::copy(last.Bounds.begin(), last.Bounds.end(), bounds);
 }

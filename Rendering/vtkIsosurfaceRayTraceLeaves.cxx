@@ -103,9 +103,8 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
   vtkCompositeDataDisplayAttributes* attributes, int threads)
 {
-  vtkIsosurfaceRayTraceSnapshot now(input, attributes, threads);
   const vtkMTimeType mapperTime = mapper->vtkObject::GetMTime();
-  if (now == this->Collected && mapperTime == this->MapperTime)
+  if (mapperTime == this->MapperTime && this->Collected.IsOf(input, attributes, threads))
   {
     return true;
   }
@@ -140,7 +139,7 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
       this->LeftOut.Add(leaf, problem);
     }
   }
-  this->Collected = std::move(now);
+  this->Collected = { input, attributes };
   this->MapperTime = mapperTime;
   return false;
 }

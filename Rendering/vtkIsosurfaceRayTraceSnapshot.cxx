@@ -5,36 +5,104 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace
+{
+
+vtkMTimeType GetTime(vtkCompositeDataDisplayAttributes* attributes)
+{
+  return attributes ? attributes->GetMTime() : 0;
+}
+
+/// When a tree itself was modified, whatever became of what is in it.
+vtkMTimeType GetOwnTime(vtkDataObject* tree)
+{
+  return tree->vtkObject::GetMTime();
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceSnapshot::vtkIsosurfaceRayTraceSnapshot(
-  vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads)
-  : DisplayTime(attributes ? attributes->GetMTime() : 0)
+  vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes)
+  : DisplayTime(GetTime(attributes))
 {
   const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
+  if (auto* ofTree = vtkDataObjectTreeIterator::SafeDownCast(iterator))
+  {
+    ofTree->VisitOnlyLeavesOff();
+    this->Trees.push_back({ data, 0, GetOwnTime(data) });
+  }
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    this->Blocks.push_back(iterator->GetCurrentDataObject());
-    this->FlatIndices.push_back(iterator->GetCurrentFlatIndex());
+    vtkDataObject* node = iterator->GetCurrentDataObject();
+    const unsigned int index = iterator->GetCurrentFlatIndex();
+    if (vtkDataObjectTree::SafeDownCast(node))
+    {
+      this->Trees.push_back({ node, index, GetOwnTime(node) });
+    }
+    else
+    {
+      this->Blocks.push_back({ node, index, node->GetMTime() });
+    }
   }
-  // There may be thousands of blocks, looked at in every frame: their times are far apart in
-  // memory.
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSnapshot::IsOf(
+  vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads) const
+{
+  return GetTime(attributes) == this->DisplayTime && this->HasBlocksOf(data) &&
+    this->AreBlocksUnmodified(threads);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSnapshot::HasBlocksOf(vtkCompositeDataSet* data) const
+{
+  if (!this->Trees.empty())
+  {
+    return this->Trees.front().Data == data &&
+      std::all_of(this->Trees.begin(), this->Trees.end(),
+        [](const Node& tree) { return GetOwnTime(tree.Data) == tree.Time; });
+  }
+  // AMR data, which have their blocks one after another.
+  const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
+  auto block = this->Blocks.begin();
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (block == this->Blocks.end() || iterator->GetCurrentDataObject() != block->Data ||
+      iterator->GetCurrentFlatIndex() != block->FlatIndex)
+    {
+      return false;
+    }
+    ++block;
+  }
+  return !this->Blocks.empty() && block == this->Blocks.end();
+}
+
+//------------------------------------------------------------------------------
+/// With all threads, since they are far apart in memory.
+bool vtkIsosurfaceRayTraceSnapshot::AreBlocksUnmodified(int threads) const
+{
   constexpr std::int64_t many = 256;
   const auto count = static_cast<std::int64_t>(this->Blocks.size());
-  this->Times.resize(this->Blocks.size());
-#pragma omp parallel for num_threads(threads) if (count > many)
+  bool areUnmodified = true;
+#pragma omp parallel for num_threads(threads) if (count > many) reduction(&& : areUnmodified)
   for (std::int64_t i = 0; i < count; ++i)
   {
-    const auto block = static_cast<std::size_t>(i);
-    this->Times[block] = this->Blocks[block]->GetMTime();
+    const Node& block = this->Blocks[static_cast<std::size_t>(i)];
+    areUnmodified = areUnmodified && block.Data->GetMTime() == block.Time;
   }
+  return areUnmodified;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -26,19 +26,30 @@ public:
 
   /// The attributes that blocks are displayed with may be null.
   vtkIsosurfaceRayTraceSnapshot(
-    vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads);
+    vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes);
 
-  bool operator==(const vtkIsosurfaceRayTraceSnapshot& other) const
-  {
-    return this->DisplayTime == other.DisplayTime && this->Blocks == other.Blocks &&
-      this->Times == other.Times && this->FlatIndices == other.FlatIndices;
-  }
+  /// Whether the data have the same blocks, none of which was modified, and the attributes neither.
+  /// Thousands of blocks may be asked for that several times in a frame.
+  bool IsOf(
+    vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads) const;
 
 private:
+  struct Node
+  {
+    vtkDataObject* Data;
+    unsigned int FlatIndex;
+    vtkMTimeType Time;
+  };
+
+  bool HasBlocksOf(vtkCompositeDataSet* data) const;
+  bool AreBlocksUnmodified(int threads) const;
+
   vtkMTimeType DisplayTime = 0;
-  std::vector<vtkDataObject*> Blocks;
-  std::vector<vtkMTimeType> Times;
-  std::vector<unsigned int> FlatIndices;
+  /// The data, and the trees in them, if they are a tree: whatever adds or removes a block modifies
+  /// the tree that has it. What has another one comes before it, so that no one that is gone is
+  /// asked for its time.
+  std::vector<Node> Trees;
+  std::vector<Node> Blocks;
 };
 
 VTK_ABI_NAMESPACE_END
