@@ -3,9 +3,12 @@
 
 // A set of fields is traced like its fields one by one: the blocks of an image like the image.
 
+#include "Field/BoundsTree.h"
 #include "Field/BuildTimer.h"
 #include "Field/FieldSet.h"
 #include "Image/ImageField.h"
+#include "Kernels/InstructionSets.h"
+#include "Kernels/Kernels.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
 #include "Picture/CastRays.h"
@@ -21,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -552,11 +556,10 @@ TEST(FieldSet, BeamsChangeNoBit)
 }
 
 //------------------------------------------------------------------------------
-/// Boxes are found one by one or all at once.
+/// Boxes are found one by one, or in groups by each of the kernels.
 TEST(LineFrustum, FindsTheBoxesThatRaysMeet)
 {
   RandomNumbers random(5);
-  BoundsList boxes;
   Bounds around = NoBounds();
   std::vector<Bounds> each;
   for (int i = 0; i < 1000; ++i)
@@ -565,10 +568,9 @@ TEST(LineFrustum, FindsTheBoxesThatRaysMeet)
     const Vector3 lower = { pick(), pick(), pick() };
     const Vector3 size = { random.Uniform(0.1, 1.5), 0.3, 0.2 };
     each.push_back({ lower, lower + size });
-    boxes.Add(each.back());
     around = Unite(around, each.back());
   }
-  ASSERT_EQ(boxes.GetSize(), each.size());
+  const BoundsTree tree(each);
   for (const bool isParallel : { false, true })
   {
     RayPacket lines;
@@ -586,16 +588,24 @@ TEST(LineFrustum, FindsTheBoxesThatRaysMeet)
       ++lines.Count;
     }
     const LineFrustum frustum(lines, around);
-    std::vector<bool> isMet(each.size());
-    frustum.ForEachMet(boxes, [&isMet](std::size_t i) { isMet[i] = true; });
-    int met = 0;
-    for (std::size_t i = 0; i < each.size(); ++i)
+    std::vector<std::size_t> isMet(each.size());
+    std::transform(each.begin(), each.end(), isMet.begin(),
+      [&frustum](const Bounds& box) { return frustum.MayMeet(box) ? 1 : 0; });
+    const std::size_t met = std::accumulate(isMet.begin(), isMet.end(), std::size_t{ 0 });
+    EXPECT_GT(met, 5U);
+    EXPECT_LT(met, 100U);
+    std::vector<std::size_t> found(each.size());
+    tree.Find([&frustum](const Bounds& box) { return frustum.MayMeet(box); },
+      [&found](std::size_t number) { ++found[number]; });
+    EXPECT_EQ(found, isMet);
+    for (const Kernels* kernels : GetKernels())
     {
-      EXPECT_EQ(frustum.MayMeet(each[i]), isMet[i]);
-      met += isMet[i] ? 1 : 0;
+      std::fill(found.begin(), found.end(), 0);
+      tree.FindByGroups([&](const BoxGroup& boxes)
+        { return kernels->FindMetBoxes(boxes, frustum.GetSides(), frustum.GetNumberOfSides()); },
+        [&found](std::size_t number, const Bounds&) { ++found[number]; });
+      EXPECT_EQ(found, isMet);
     }
-    EXPECT_GT(met, 5);
-    EXPECT_LT(met, 100);
     // A ray in the middle meets none of the others.
     for (int i = 0; i < 200; ++i)
     {
@@ -617,7 +627,7 @@ TEST(LineFrustum, FindsTheBoxesThatRaysMeet)
         double end = 9.0;
         const bool meets = CutToBox(
           each[k].Lower.data(), each[k].Upper.data(), origin.data(), inverse.data(), begin, end);
-        EXPECT_TRUE(!meets || isMet[k]);
+        EXPECT_TRUE(!meets || isMet[k] == 1);
       }
     }
   }

@@ -41,49 +41,64 @@ BoundsTree::BoundsTree(const std::vector<Bounds>& boxes)
   {
     return;
   }
-  Bounds all = NoBounds();
   for (const Bounds& box : boxes)
   {
-    all = Unite(all, box);
+    this->Box = Unite(this->Box, box);
   }
   std::vector<std::pair<std::uint64_t, std::size_t>> codes;
   codes.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    codes.emplace_back(GetMortonCode(GetCenter(boxes[i]), all), i);
+    codes.emplace_back(GetMortonCode(GetCenter(boxes[i]), this->Box), i);
   }
   std::sort(codes.begin(), codes.end());
-  std::vector<Bounds> level;
+  this->Levels.emplace_back();
   for (const auto& [code, number] : codes)
   {
     this->Order.push_back(number);
-    level.push_back(boxes[number]);
+    this->Levels.back().Add(boxes[number]);
   }
-  this->Levels.push_back(std::move(level));
-  while (this->Levels.back().size() > 1)
+  while (this->Levels.back().Groups.size() > 1)
   {
-    const std::vector<Bounds>& below = this->Levels.back();
-    std::vector<Bounds> above;
-    for (std::size_t first = 0; first < below.size(); first += Width)
+    const Level& below = this->Levels.back();
+    Level above;
+    for (std::size_t group = 0; group < below.Groups.size(); ++group)
     {
-      Bounds box = NoBounds();
-      for (std::size_t i = first; i < std::min(first + Width, below.size()); ++i)
-      {
-        box = Unite(box, below[i]);
-      }
-      above.push_back(box);
+      above.Add(below.GetBoundsOfGroup(group));
     }
     this->Levels.push_back(std::move(above));
   }
 }
 
 //------------------------------------------------------------------------------
+void BoundsTree::Level::Add(const Bounds& box)
+{
+  const std::size_t place = this->Size++ % Width;
+  if (place == 0)
+  {
+    this->Groups.emplace_back();
+  }
+  SetBox(box, place, this->Groups.back());
+}
+
+//------------------------------------------------------------------------------
+Bounds BoundsTree::Level::GetBoundsOfGroup(std::size_t group) const
+{
+  Bounds box = NoBounds();
+  for (std::size_t i = 0; i < this->GetSizeOfGroup(group); ++i)
+  {
+    box = Unite(box, GetBox(this->Groups[group], i));
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
 std::size_t BoundsTree::GetMemory() const
 {
   std::size_t bytes = this->Order.size() * sizeof(this->Order[0]);
-  for (const std::vector<Bounds>& level : this->Levels)
+  for (const Level& level : this->Levels)
   {
-    bytes += level.size() * sizeof(level[0]);
+    bytes += level.Groups.size() * sizeof(BoxGroup);
   }
   return bytes;
 }

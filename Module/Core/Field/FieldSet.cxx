@@ -52,6 +52,21 @@ void Cut(const Kernels* kernels, const RayPacket& packet, const Bounds& box, Ray
   }
 }
 
+/// The boxes of a group that rays between lines may meet: a bit for each.
+unsigned int Meet(const Kernels* kernels, const LineFrustum& frustum, const BoxGroup& boxes)
+{
+  if (kernels)
+  {
+    return kernels->FindMetBoxes(boxes, frustum.GetSides(), frustum.GetNumberOfSides());
+  }
+  unsigned int met = 0;
+  for (std::size_t i = 0; i < BoxGroup::Size; ++i)
+  {
+    met |= (frustum.MayMeet(GetBox(boxes, i)) ? 1U : 0U) << i;
+  }
+  return met;
+}
+
 /// Of rays that are in a box, the least T that one begins at, on the rays as they were given.
 double FindNear(const RayPacket& packet, const RaysInBox& inside)
 {
@@ -111,11 +126,7 @@ Bounds WithMargin(const Bounds& box)
 //------------------------------------------------------------------------------
 struct alignas(64) FieldSet::Member
 {
-  // What is asked of thousands of members comes first, side by side.
   Bounds Box;
-  std::atomic<unsigned int> Selection{ 0 };
-  /// Whether rays may hit anything of it.
-  bool MayHit = true;
   bool IsOnDemand = false;
   bool IsSeamless = false;
 
@@ -168,6 +179,7 @@ struct FieldSet::Candidate
 {
   double Near;
   std::size_t Number;
+  Bounds Box;
   /// Of the packets that are traced, those with such rays: a bit for each.
   unsigned int Packets = 1;
 
@@ -211,7 +223,6 @@ public:
     this->HasLines = true;
     this->Lines = lines;
     this->InBeam.clear();
-    this->Boxes.Clear();
     for (auto& [number, beam] : this->InUse)
     {
       this->Free[beam.Kind].push_back(std::move(beam.Own));
@@ -219,10 +230,10 @@ public:
     this->InUse.clear();
   }
 
-  /// That of a member, begun with the lines.
+  /// That of a member, begun with the lines; null if it does not use any.
   Beam* GetBeam(std::size_t number, const Member& member)
   {
-    if (!this->HasLines)
+    if (!this->HasLines || !member.Field->UsesBeams())
     {
       return nullptr;
     }
@@ -242,10 +253,7 @@ public:
         beam.Own = std::move(free.back());
         free.pop_back();
       }
-      if (beam.Own)
-      {
-        field.Begin(member.MoveLines(this->Lines), beam.Own.get());
-      }
+      field.Begin(member.MoveLines(this->Lines), beam.Own.get());
     }
     return beam.Own.get();
   }
@@ -254,7 +262,7 @@ public:
   RayPacket Lines;
   /// The members that rays between the lines may meet, front to back, and their boxes.
   std::vector<Candidate> InBeam;
-  BoundsList Boxes;
+  std::vector<BoxGroup> Boxes;
   PacketOfSet Packets[PacketsAtOnce];
   int PacketCount = 0;
   /// Of the member that is traced: rays and hits.
@@ -279,6 +287,7 @@ private:
 FieldSet::FieldSet(const std::vector<PlacedField>& fields)
   : NumberOfMembers(fields.size())
   , Members(new Member[fields.size()])
+  , States(new std::atomic<unsigned int>[fields.size()])
   , Tree(
       [&fields]
       {
@@ -295,6 +304,7 @@ FieldSet::FieldSet(const std::vector<PlacedField>& fields)
   for (std::size_t i = 0; i < fields.size(); ++i)
   {
     const PlacedField& placed = fields[i];
+    this->States[i] = 0;
     Member& member = this->Members[i];
     member.Source = placed.Source;
     member.Box = WithMargin(placed.Box);
@@ -332,7 +342,7 @@ void FieldSet::Select(
   this->Selection += isSame ? 0 : 1;
   for (const std::size_t number : this->Eager)
   {
-    this->SelectMember(this->Members[number], execution);
+    this->SelectMember(number, execution);
   }
   this->IsSelectionKnown = true;
 }
@@ -352,13 +362,20 @@ TraceRequest FieldSet::MakeRequest(Member& member) const
 }
 
 //------------------------------------------------------------------------------
-void FieldSet::SelectMember(Member& member, const Execution& execution) const
+void FieldSet::SelectMember(std::size_t number, const Execution& execution) const
 {
-  member.MayHit = this->Request.Visible.HasCaps() || member.Source->MayHit(this->Request);
-  if (!member.MayHit && member.IsOnDemand)
+  const bool mayHit = this->SelectField(this->Members[number], execution);
+  this->States[number].store(2 * this->Selection + (mayHit ? 1 : 0), std::memory_order_release);
+}
+
+//------------------------------------------------------------------------------
+/// Selects the field of a member, if it is needed. Returns whether rays may hit anything of it.
+bool FieldSet::SelectField(Member& member, const Execution& execution) const
+{
+  const bool mayHit = this->Request.Visible.HasCaps() || member.Source->MayHit(this->Request);
+  if (!mayHit && member.IsOnDemand)
   {
-    member.Selection.store(this->Selection, std::memory_order_release);
-    return;
+    return false;
   }
   member.Field = &member.Source->GetField();
   MemoryBudget budget = this->Budget;
@@ -368,37 +385,36 @@ void FieldSet::SelectMember(Member& member, const Execution& execution) const
       static_cast<double>(budget.CacheBytes) * (member.MemoryShare / this->MemoryShares));
   }
   member.Field->Select(this->MakeRequest(member), execution, budget);
-  member.MayHit = member.Field->MayHit();
-  member.Selection.store(this->Selection, std::memory_order_release);
+  return member.Field->MayHit();
 }
 
 //------------------------------------------------------------------------------
-bool FieldSet::IsSelected(const Member& member) const
+bool FieldSet::IsSelected(std::size_t number) const
 {
-  return member.Selection.load(std::memory_order_acquire) == this->Selection;
+  return this->States[number].load(std::memory_order_acquire) / 2 == this->Selection;
 }
 
 //------------------------------------------------------------------------------
-bool FieldSet::IsKnownEmpty(const Member& member) const
+/// Whether rays may hit anything of a member. Before it is selected that is not known.
+bool FieldSet::MayHitMember(std::size_t number) const
 {
-  return this->IsSelected(member) && !member.MayHit;
+  return this->States[number].load(std::memory_order_acquire) != 2 * this->Selection;
 }
 
 //------------------------------------------------------------------------------
 /// Selects a member, unless it is. Returns null if rays hit nothing of it.
 FieldSet::Member* FieldSet::Prepare(std::size_t number) const
 {
-  Member& member = this->Members[number];
-  if (!this->IsSelected(member))
+  if (!this->IsSelected(number))
   {
     const std::lock_guard<std::mutex> lock(this->Mutexes[number % this->Mutexes.size()]);
-    if (!this->IsSelected(member))
+    if (!this->IsSelected(number))
     {
       const BuildTimer timer;
-      this->SelectMember(member, { 1, this->PacketKernels });
+      this->SelectMember(number, { 1, this->PacketKernels });
     }
   }
-  return member.MayHit ? &member : nullptr;
+  return this->MayHitMember(number) ? &this->Members[number] : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -439,18 +455,20 @@ void FieldSet::Begin(const RayPacket& lines, Beam* beam) const
   auto* thread = static_cast<ThreadBeam*>(beam);
   thread->Begin(lines);
   const LineFrustum frustum(lines, this->Box);
-  this->Tree.Find([&frustum](const Bounds& box) { return frustum.MayMeet(box); },
-    [&](std::size_t number)
+  this->Tree.FindByGroups([&](const BoxGroup& boxes)
+    { return Meet(this->PacketKernels, frustum, boxes); },
+    [&](std::size_t number, const Bounds& box)
     {
-      if (!this->IsKnownEmpty(this->Members[number]))
+      if (this->MayHitMember(number))
       {
-        thread->InBeam.push_back({ frustum.FindNear(this->Members[number].Box), number });
+        thread->InBeam.push_back({ frustum.FindNear(box), number, box });
       }
     });
   std::sort(thread->InBeam.begin(), thread->InBeam.end());
-  for (const Candidate& candidate : thread->InBeam)
+  thread->Boxes.resize((thread->InBeam.size() + BoxGroup::Size - 1) / BoxGroup::Size);
+  for (std::size_t i = 0; i < thread->InBeam.size(); ++i)
   {
-    thread->Boxes.Add(this->Members[candidate.Number].Box);
+    SetBox(thread->InBeam[i].Box, i % BoxGroup::Size, thread->Boxes[i / BoxGroup::Size]);
   }
 }
 
@@ -466,19 +484,19 @@ bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
   return std::any_of(thread->InBeam.begin(), thread->InBeam.end(),
     [&](const Candidate& candidate)
     {
-      const Member& member = this->Members[candidate.Number];
-      if (!frustum.MayMeet(member.Box))
+      if (!frustum.MayMeet(candidate.Box))
       {
         return false;
       }
-      if (!this->IsSelected(member))
+      if (!this->IsSelected(candidate.Number))
       {
         return true;
       }
-      if (!member.MayHit)
+      if (!this->MayHitMember(candidate.Number))
       {
         return false;
       }
+      const Member& member = this->Members[candidate.Number];
       RayPacket moved = member.MoveLines(lines);
       return member.Field->MayHitBetween(moved, thread->GetBeam(candidate.Number, member));
     });
@@ -499,9 +517,9 @@ std::vector<FieldSet::Candidate> FieldSet::FindCandidates(const RayPacket& packe
     [&](std::size_t number)
     {
       // The box that was cut to last is that of the member.
-      if (!this->IsKnownEmpty(this->Members[number]))
+      if (this->MayHitMember(number))
       {
-        candidates.push_back({ FindNear(packet, inside), number });
+        candidates.push_back({ FindNear(packet, inside), number, this->Members[number].Box });
       }
     });
   std::sort(candidates.begin(), candidates.end());
@@ -539,9 +557,17 @@ void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
     {
       continue;
     }
-    LineFrustum(packets[i].Corners, this->Box)
-      .ForEachMet(thread->Boxes,
-        [thread, i](std::size_t candidate) { thread->InBeam[candidate].Packets |= 1U << i; });
+    const LineFrustum frustum(packets[i].Corners, this->Box);
+    for (std::size_t first = 0; first < thread->InBeam.size(); first += BoxGroup::Size)
+    {
+      const BoxGroup& boxes = thread->Boxes[first / BoxGroup::Size];
+      const std::size_t size = std::min<std::size_t>(BoxGroup::Size, thread->InBeam.size() - first);
+      unsigned int met = Meet(this->PacketKernels, frustum, boxes) & ((1U << size) - 1);
+      for (; met != 0; met &= met - 1)
+      {
+        thread->InBeam[first + static_cast<std::size_t>(__builtin_ctz(met))].Packets |= 1U << i;
+      }
+    }
   }
   this->TraceMembers(thread->InBeam, *thread);
 }
@@ -583,7 +609,7 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
     {
       continue;
     }
-    Cut(this->PacketKernels, *packet.Rays, this->Members[candidate.Number].Box, beam.Inside);
+    Cut(this->PacketKernels, *packet.Rays, candidate.Box, beam.Inside);
     const int count = CountOf(beam.Inside.Rays);
     member = count > 0 && !member ? this->Prepare(candidate.Number) : member;
     if (count > 0 && !member)

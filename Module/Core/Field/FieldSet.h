@@ -90,6 +90,7 @@ public:
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
   std::unique_ptr<Beam> MakeBeam() const override;
+  bool UsesBeams() const override { return true; }
   void Begin(const RayPacket& lines, Beam* beam) const override;
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
@@ -115,9 +116,10 @@ private:
   struct PacketOfSet;
 
   TraceRequest MakeRequest(Member& member) const;
-  void SelectMember(Member& member, const Execution& execution) const;
-  bool IsSelected(const Member& member) const;
-  bool IsKnownEmpty(const Member& member) const;
+  void SelectMember(std::size_t number, const Execution& execution) const;
+  bool SelectField(Member& member, const Execution& execution) const;
+  bool IsSelected(std::size_t number) const;
+  bool MayHitMember(std::size_t number) const;
   Member* Prepare(std::size_t number) const;
   const Member& GetMember(const Hit& hit) const;
 
@@ -133,6 +135,9 @@ private:
 
   std::size_t NumberOfMembers;
   std::unique_ptr<Member[]> Members;
+  /// Twice the number of the selection that a member has, and 1 if rays may hit anything of it.
+  /// Apart from the members, since thousands of them are asked for it.
+  std::unique_ptr<std::atomic<unsigned int>[]> States;
   /// The numbers of those that are not on demand.
   std::vector<std::size_t> Eager;
   BoundsTree Tree;

@@ -105,8 +105,9 @@ public:
   virtual void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const;
 
-  /// Makes a beam for one thread, to be begun; null if the field has no use for any.
+  /// Makes a beam for one thread, to be begun; null if the field does not use any.
   virtual std::unique_ptr<Beam> MakeBeam() const { return nullptr; }
+  virtual bool UsesBeams() const { return false; }
 
   /// Begins with the rays between four lines that pass through one point, or are parallel: those
   /// whose directions are means of the lines' own. The lines are a packet of which only the origins

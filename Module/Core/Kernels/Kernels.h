@@ -6,6 +6,7 @@
 
 #include "Kernels/BeamPieces.h"
 #include "Kernels/Frustum.h"
+#include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
 #include "Rays/RaysInBox.h"
 
@@ -203,6 +204,10 @@ struct Kernels
   /// Narrows the rays of a packet to a box, as CutToBox does for one.
   void (*CutPacketToBox)(
     const RayPacket& packet, const double lower[3], const double upper[3], RaysInBox& inside);
+
+  /// Finds the boxes of a group that reach above all of some sides, as LineFrustum does; a bit for
+  /// each.
+  unsigned int (*FindMetBoxes)(const BoxGroup& boxes, const FrustumSide* sides, int count);
 
   /// Moves the parts of rays that are in a box to the space of a volume, exactly as ClipToVolume
   /// does after the matrix, which is affine. The moved rays have the places of the rays.

@@ -79,6 +79,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
 #include "Kernels/FindExtents.inl"
+#include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindPassages.inl"
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
@@ -102,8 +103,8 @@ SIMD_INLINE void LoadCorner(
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, MoveRays, Align, FindPassages,   \
-    FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                               \
+  const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, MoveRays, Align,   \
+    FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                 \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \
     BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear }

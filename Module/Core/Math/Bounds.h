@@ -21,33 +21,6 @@ struct Bounds
   Vector3 Upper;
 };
 
-/// Boxes in arrays, for loops over all of them.
-struct BoundsList
-{
-  std::vector<double> Lower[3];
-  std::vector<double> Upper[3];
-
-  std::size_t GetSize() const { return this->Lower[0].size(); }
-
-  void Clear()
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Lower[axis].clear();
-      this->Upper[axis].clear();
-    }
-  }
-
-  void Add(const Bounds& box)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Lower[axis].push_back(box.Lower[axis]);
-      this->Upper[axis].push_back(box.Upper[axis]);
-    }
-  }
-};
-
 /// The bounds of nothing, to which others are added.
 inline Bounds NoBounds()
 {

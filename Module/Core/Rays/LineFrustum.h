@@ -5,6 +5,7 @@
 #define LineFrustum_h
 
 #include "Math/Bounds.h"
+#include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
 
 #include <algorithm>
@@ -40,9 +41,10 @@ public:
     const double* const ends[2] = { box.Lower.data(), box.Upper.data() };
     for (int i = 0; i < this->SideCount; ++i)
     {
-      const Side& side = this->Sides[i];
-      const double highest = side.Normal[0] * ends[side.Farther[0]][0] +
-        side.Normal[1] * ends[side.Farther[1]][1] + side.Normal[2] * ends[side.Farther[2]][2];
+      const FrustumSide& side = this->Sides[i];
+      const double highest = side.Normal[0] * ends[side.IsUpperHigher[0]][0] +
+        side.Normal[1] * ends[side.IsUpperHigher[1]][1] +
+        side.Normal[2] * ends[side.IsUpperHigher[2]][2];
       if (highest + side.Offset < 0.0)
       {
         return false;
@@ -51,29 +53,9 @@ public:
     return true;
   }
 
-  /// Calls visit(number) for those of a list of boxes that a ray may meet, in order.
-  template <typename Visit>
-  void ForEachMet(const BoundsList& boxes, const Visit& visit) const
-  {
-    constexpr std::size_t batch = 64;
-    double least[batch];
-    for (std::size_t first = 0; first < boxes.GetSize(); first += batch)
-    {
-      const std::size_t count = std::min(batch, boxes.GetSize() - first);
-      std::fill_n(least, count, 0.0);
-      for (int i = 0; i < this->SideCount; ++i)
-      {
-        FindLeast(this->Sides[i], boxes, first, count, least);
-      }
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        if (least[i] >= 0.0)
-        {
-          visit(first + i);
-        }
-      }
-    }
-  }
+  /// Its planes: a box is met if it reaches above all.
+  const FrustumSide* GetSides() const { return this->Sides; }
+  int GetNumberOfSides() const { return this->SideCount; }
 
   /// A T that no ray comes to a box before.
   double FindNear(const Bounds& box) const
@@ -100,35 +82,7 @@ private:
   /// By how much the T of rays may differ in a plane.
   static constexpr double DepthTolerance = 1e-6;
 
-  /// A plane through two lines that are neighbours. The others are where the normal points to.
-  struct Side
-  {
-    Vector3 Normal;
-    /// Of a point at the plane, the height is the product with the normal, and this; boxes get more
-    /// than what rounding may take from them.
-    double Offset;
-    /// Along each axis, the end of boxes that is higher: the lower one is 0, the upper one 1.
-    int Farther[3];
-  };
-
-  /// Lowers numbers to the heights that some boxes reach above a side.
-  static void FindLeast(
-    const Side& side, const BoundsList& boxes, std::size_t first, std::size_t count, double* least)
-  {
-    const double* corner[3];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      corner[axis] = (side.Farther[axis] != 0 ? boxes.Upper : boxes.Lower)[axis].data() + first;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double highest = side.Normal[0] * corner[0][i] + side.Normal[1] * corner[1][i] +
-        side.Normal[2] * corner[2][i];
-      least[i] = std::min(least[i], highest + side.Offset);
-    }
-  }
-
-  /// Of lines that coincide there is no plane.
+  /// Adds the plane through two lines that are neighbours. Of lines that coincide there is none.
   void AddSide(const RayPacket& lines, const std::array<int, 4>& side, const Bounds& around)
   {
     const Vector3 origin = lines.GetOrigin(side[0]);
@@ -160,11 +114,12 @@ private:
       return;
     }
     normal = isAbove ? normal : normal * -1.0;
-    Side& added = this->Sides[this->SideCount++];
-    added = { normal, -Dot(normal, origin), {} };
+    FrustumSide& added = this->Sides[this->SideCount++];
+    added.Offset = -Dot(normal, origin);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      added.Farther[axis] = normal[axis] >= 0.0 ? 1 : 0;
+      added.Normal[axis] = normal[axis];
+      added.IsUpperHigher[axis] = normal[axis] >= 0.0;
       added.Offset += Slack * std::abs(normal[axis]) *
         (std::abs(around.Lower[axis] - origin[axis]) + std::abs(around.Upper[axis] - origin[axis]));
     }
@@ -188,7 +143,7 @@ private:
     }
   }
 
-  Side Sides[4];
+  FrustumSide Sides[4];
   int SideCount = 0;
   /// T is the product with a point, and the offset.
   struct
