@@ -8,7 +8,7 @@ import math
 import random
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray
+from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkMath
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_TETRA,
@@ -217,6 +217,38 @@ class TestManyGrids(unittest.TestCase):
         del blocks[1]
         self.assertEqual([hit[0] for hit in cast(mapper, volume, rays)],
                          [hit[0] for hit in expected_hits(blocks, rays)])
+
+    def test_blocks_that_come_and_go(self):
+        """In a tree in the tree, whose own time alone says so."""
+        first, second, *_ = make_blocks()
+        inner = multi_block([first, second])
+        outer = multi_block([inner])
+        mapper, volume = make_volume(outer, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.5)
+        rays = parallel_rays(PIXELS)
+
+        def check(blocks):
+            bounds = mapper.GetBounds()
+            picture = cast(mapper, volume, rays)
+            other, other_volume = make_volume(
+                multi_block(blocks), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.5)
+            self.assertEqual(picture, cast(other, other_volume, rays))
+            self.assertEqual(bounds, other.GetBounds())
+
+        check([first, second])
+        changes = [
+            (lambda: inner.RemoveBlock(1), [first]),
+            (lambda: inner.SetBlock(0, second), [second]),
+            (lambda: inner.ShallowCopy(multi_block([second, first])), [second, first]),
+            (inner.Initialize, []),
+            (lambda: inner.SetBlock(2, first), [first]),
+            (lambda: outer.SetBlock(0, second), [second]),
+        ]
+        for change, blocks in changes:
+            change()
+            if blocks:
+                check(blocks)
+            else:
+                self.assertFalse(vtkMath.AreBoundsInitialized(mapper.GetBounds()))
 
     def test_window_picture_and_selection(self):
         blocks = make_blocks()
