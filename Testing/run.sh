@@ -11,6 +11,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 Utilities/install-dependencies.sh libgtest-dev libgmp-dev libembree-dev clang libomp-dev
 
 # Only Debian's Python has the modules of Debian's VTK; another python3 may come before it in PATH.
-cmake --preset release -DPython3_EXECUTABLE=/usr/bin/python3
-cmake --build --preset release
-Utilities/with-display.sh ctest --preset release --parallel 2 "$@"
+cmake --preset developer -DPython3_EXECUTABLE=/usr/bin/python3
+cmake --build --preset developer
+Utilities/with-display.sh ctest --preset developer --parallel 2 "$@"

@@ -4,7 +4,7 @@
 
 # Runs a command with an X server of its own, whatever other servers come and go meanwhile:
 #
-#   Utilities/with-display.sh ctest --preset release
+#   Utilities/with-display.sh ctest --preset developer
 #
 # xvfb-run looks for a number that is free and then starts the server, so two of them may take the same.
 # Here the server takes the number (-displayfd).

@@ -22,7 +22,7 @@ class TestBlocksBenchmark(ProgramTest):
     def test_documented_command(self):
         """That of Documentation/performance.md, with fewer blocks."""
         page = (SOURCE / "Documentation" / "performance.md").read_text(encoding="utf-8")
-        (command,) = re.findall(r"^    xvfb-run -a build/release/bin/vtkIsosurfaceBlocksBenchmark (.*)$", page, re.M)
+        (command,) = re.findall(r"^    xvfb-run -a build/developer/bin/vtkIsosurfaceBlocksBenchmark (.*)$", page, re.M)
         few = f"--blocks 3 --block-size 9 --size 100 --views 2 --repeats 2 {command}"
         self.run_program(FOLDER, BENCHMARK, few)
         measured = read_json(FOLDER / "blocks.json")
