@@ -46,6 +46,34 @@ bool HasArrays(vtkImageData* picture)
     depths->GetNumberOfComponents() == 1 && depths->GetNumberOfTuples() == pixels;
 }
 
+/// Makes an image of the colours of a picture: convert(color, pixel) writes one of some components.
+template <typename Convert>
+bool ConvertColors(
+  vtkImageData* picture, int components, const Convert& convert, vtkImageData* image)
+{
+  vtkUnsignedCharArray* colors = picture && image ? GetColors(picture) : nullptr;
+  if (!colors || colors->GetNumberOfComponents() != 4 ||
+    colors->GetNumberOfTuples() != picture->GetNumberOfPoints())
+  {
+    vtkGenericWarningMacro(
+      "The picture has no point data Colors (4 components of unsigned char). Give one of "
+      "RenderToImage, and an image for the result.");
+    return false;
+  }
+  vtkNew<vtkUnsignedCharArray> converted;
+  converted->SetName("Colors");
+  converted->SetNumberOfComponents(components);
+  converted->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    convert(colors->GetPointer(4 * i), converted->GetPointer(components * i));
+  }
+  image->Initialize();
+  image->CopyStructure(picture);
+  image->GetPointData()->SetScalars(converted);
+  return true;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -76,6 +104,43 @@ void vtkIsosurfacePicture::SetPicture(vtkImageData* picture)
 vtkImageData* vtkIsosurfacePicture::GetPicture()
 {
   return this->Picture;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfacePicture::UnpremultiplyColors(vtkImageData* picture, vtkImageData* image)
+{
+  return ConvertColors(
+    picture, 4,
+    [](const unsigned char* color, unsigned char* pixel)
+    {
+      const int opacity = color[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        // Rounded to the nearest.
+        const int whole = opacity > 0 ? (2 * 255 * color[i] + opacity) / (2 * opacity) : 0;
+        pixel[i] = static_cast<unsigned char>(std::min(255, whole));
+      }
+      pixel[3] = color[3];
+    },
+    image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfacePicture::FlattenColors(
+  vtkImageData* picture, const double background[3], vtkImageData* image)
+{
+  return ConvertColors(
+    picture, 3,
+    [background](const unsigned char* color, unsigned char* pixel)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        const double behind = (255 - color[3]) * std::clamp(background[i], 0.0, 1.0);
+        pixel[i] =
+          static_cast<unsigned char>(std::min(255, color[i] + static_cast<int>(behind + 0.5)));
+      }
+    },
+    image);
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,15 @@
  *
  * It has no bounds, and cannot be picked.
  *
+ * The colours of these pictures are multiplied by their opacity, which formats of files do not
+ * expect: write what UnpremultiplyColors or FlattenColors makes of a picture.
+ *
+ * @code
+ * mapper->RenderToImage(volume, camera, lights, width, height, image);
+ * vtkIsosurfacePicture::UnpremultiplyColors(image, transparent);
+ * writer->SetInputData(transparent); // a vtkPNGWriter
+ * @endcode
+ *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceCompositor
  */
 
@@ -62,6 +71,18 @@ public:
    */
   void SetPicture(vtkImageData* picture);
   vtkImageData* GetPicture();
+  ///@}
+
+  ///@{
+  /**
+   * Makes an image for a file of a picture that RenderToImage has made: with a transparent
+   * background (red, green, blue and opacity; the colours are not multiplied by it), or with the
+   * picture over a background of one colour (red, green and blue from 0 to 1). The scalars are of
+   * unsigned char. Returns whether there is an image; if not, a warning says what the picture
+   * lacks.
+   */
+  static bool UnpremultiplyColors(vtkImageData* picture, vtkImageData* image);
+  static bool FlattenColors(vtkImageData* picture, const double background[3], vtkImageData* image);
   ///@}
 
   /**

@@ -7,6 +7,7 @@
 #include "Support/CommandLine.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadVolume.h"
+#include "vtkIsosurfacePicture.h"
 #include "vtkIsosurfaceRayTraceCompositor.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
@@ -20,7 +21,6 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPointData.h>
 #include <vtkTimerLog.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
@@ -194,22 +194,11 @@ void LookAt(const Piece& piece, const Arguments& arguments, vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-/// The picture on white: PNG files have colours that are not multiplied by the opacity.
 void Write(vtkImageData* picture, const std::string& fileName)
 {
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const double white[3] = { 1.0, 1.0, 1.0 };
   vtkNew<vtkImageData> flat;
-  flat->SetExtent(picture->GetExtent());
-  flat->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* pixel = static_cast<unsigned char*>(flat->GetScalarPointer());
-  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
-  {
-    const unsigned char* color = colors->GetPointer(4 * i);
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      *pixel++ = static_cast<unsigned char>(std::min(255, color[channel] + 255 - color[3]));
-    }
-  }
+  vtkIsosurfacePicture::FlattenColors(picture, white, flat);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(flat);
   writer->WriteToMemoryOn();

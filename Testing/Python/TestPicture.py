@@ -50,9 +50,9 @@ def set_camera(camera):
     camera.SetClippingRange(30.0, 160.0)
 
 
-def make_window(props, viewport=(0.0, 0.0, 1.0, 1.0)):
+def make_window(props, viewport=(0.0, 0.0, 1.0, 1.0), background=(0.1, 0.2, 0.3)):
     renderer = vtkRenderer()
-    renderer.SetBackground(0.1, 0.2, 0.3)
+    renderer.SetBackground(background)
     renderer.SetViewport(viewport)
     set_camera(renderer.GetActiveCamera())
     for prop in props:
@@ -77,6 +77,15 @@ def render(volume, size=SIZE):
     set_camera(camera)
     assert volume.GetMapper().RenderToImage(volume, camera, None, *size, image)
     return image
+
+
+def scalars(image):
+    return image.GetPointData().GetScalars()
+
+
+def rows(image, components):
+    values = bytes(memoryview(scalars(image)))
+    return [values[i : i + components] for i in range(0, len(values), components)]
 
 
 def make_picture(image):
@@ -125,6 +134,29 @@ class TestPicture(unittest.TestCase):
         copy = vtkIsosurfacePicture()
         copy.ShallowCopy(picture)
         self.assertEqual(draw(copy), capture(window))
+
+    def test_images_for_files(self):
+        """Over a background it is what a window of that background shows; by itself it is divided by the opacity."""
+        volume = make_volume((0.3, 0.5))
+        picture = render(volume)
+        colors = rows(picture, 4)
+        self.assertTrue(any(0 < color[3] < 255 for color in colors))
+        for background in ((1.0, 1.0, 1.0), (0.2, 0.5, 0.0)):
+            flat = vtkImageData()
+            self.assertTrue(vtkIsosurfacePicture.FlattenColors(picture, background, flat))
+            self.assertEqual(flat.GetDimensions(), picture.GetDimensions())
+            shown = draw(volume, background=background)
+            difference = max(abs(a - b) for a, b in zip(bytes(memoryview(scalars(flat))), shown, strict=True))
+            self.assertLessEqual(difference, 1)
+        transparent = vtkImageData()
+        self.assertTrue(vtkIsosurfacePicture.UnpremultiplyColors(picture, transparent))
+        for color, straight in zip(colors, rows(transparent, 4), strict=True):
+            self.assertEqual(straight[3], color[3])
+            for multiplied, channel in zip(color[:3], straight[:3]):
+                self.assertLessEqual(abs(channel * color[3] / 255.0 - multiplied), 0.5)
+        for image in (vtkImageData(), make_waves(4), None):
+            self.assertFalse(vtkIsosurfacePicture.UnpremultiplyColors(image, transparent))
+        self.assertFalse(vtkIsosurfacePicture.FlattenColors(picture, background, None))
 
     def test_what_is_no_picture(self):
         nothing = draw()

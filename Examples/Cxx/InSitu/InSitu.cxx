@@ -10,6 +10,7 @@
 // 261, 1993); pictures show where the concentration of the second is 0.2. The pictures are the same
 // for any number of processes.
 
+#include "vtkIsosurfacePicture.h"
 #include "vtkIsosurfaceRayTraceCompositor.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 
@@ -24,7 +25,6 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -254,22 +254,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Writes a picture on white: its colours are multiplied by the opacity.
 void Write(vtkImageData* picture, const std::string& fileName)
 {
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const double white[3] = { 1.0, 1.0, 1.0 };
   vtkNew<vtkImageData> flat;
-  flat->SetExtent(picture->GetExtent());
-  flat->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* channels = static_cast<unsigned char*>(flat->GetScalarPointer());
-  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
-  {
-    const unsigned char* color = colors->GetPointer(4 * i);
-    for (int k = 0; k < 3; ++k)
-    {
-      channels[3 * i + k] = static_cast<unsigned char>(std::min(255, color[k] + 255 - color[3]));
-    }
-  }
+  vtkIsosurfacePicture::FlattenColors(picture, white, flat);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(flat);
   writer->SetFileName(fileName.c_str());
