@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageReslice, vtkRTAnalyticSource
 from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMapper
 
 from read_volume import read_volume
 from whole_file import write_picture
@@ -37,6 +37,9 @@ class Picture:
         self.surface.ShadeOn()
         self.surface.SetDiffuse(0.9)
         self.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
+        # A new property has functions from black to white.
+        self.surface.GetRGBTransferFunction().RemoveAllPoints()
+        self.surface.GetScalarOpacity().RemoveAllPoints()
         self.add_surface(isovalue, (0.96, 0.90, 0.80), 1.0)
         center, length = image.GetCenter(), image.GetLength()
         self.camera = vtkCamera()
@@ -61,8 +64,10 @@ class Picture:
         output = vtkImageData()
         self.mapper.RenderToImage(
             self.volume, self.camera, self.lights, size, size, output)
+        transparent = vtkImageData()
+        vtkIsosurfacePicture.UnpremultiplyColors(output, transparent)
         writer = vtkPNGWriter()
-        writer.SetInputData(output)
+        writer.SetInputData(transparent)
         write_picture(writer, file_name)
 
 
@@ -139,7 +144,7 @@ def projected(picture, image, isovalue):
     picture.mapper.SetBlendModeToMaximumIntensity()
     low, high = 0.25 * isovalue, image.GetScalarRange()[1]
     function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
-    function.RemoveAllPoints()
+    function.RemoveAllPoints()  # those of the surface
     opacity.RemoveAllPoints()
     function.AddRGBPoint(low, 0.3, 0.2, 0.1)
     function.AddRGBPoint(0.5 * high, 0.9, 0.8, 0.6)
@@ -255,6 +260,8 @@ def registered(picture, image, isovalue):
     skin = volume.GetProperty()
     skin.ShadeOn()
     skin.GetIsoSurfaceValues().SetValue(0, 0.5 * (image.GetScalarRange()[0] + isovalue))
+    skin.GetRGBTransferFunction().RemoveAllPoints()
+    skin.GetScalarOpacity().RemoveAllPoints()
     skin.GetRGBTransferFunction().AddRGBPoint(0.0, 0.45, 0.75, 0.95)
     skin.GetScalarOpacity().AddPoint(0.0, 0.35)
     picture.mapper.SetConnectionVolume(1, volume)

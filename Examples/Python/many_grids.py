@@ -79,8 +79,11 @@ class Sides:
         surface = volume.GetProperty()
         surface.ShadeOn()
         surface.SetDiffuse(0.9)
-        surface.GetRGBTransferFunction().AddRGBPoint(0.0, *color)
-        surface.GetScalarOpacity().AddPoint(0.0, opacity)
+        colors, opacities = surface.GetRGBTransferFunction(), surface.GetScalarOpacity()
+        colors.RemoveAllPoints()  # A new property has functions from black to white.
+        opacities.RemoveAllPoints()
+        colors.AddRGBPoint(0.0, *color)
+        opacities.AddPoint(0.0, opacity)
         return volume
 
     def add_triangles(self, data, isovalue, color, opacity=1.0, array=None):

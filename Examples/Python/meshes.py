@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkStructuredGridReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper
 
 from whole_file import write_picture
 
@@ -51,6 +51,9 @@ class Picture:
         self.surface.SetAmbient(0.2)
         self.surface.SetDiffuse(0.8)
         self.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
+        # A new property has functions from black to white.
+        self.surface.GetRGBTransferFunction().RemoveAllPoints()
+        self.surface.GetScalarOpacity().RemoveAllPoints()
         self.camera = vtkCamera()
         light = vtkLight()
         light.SetLightTypeToCameraLight()
@@ -92,8 +95,10 @@ class Picture:
     def write(self, file_name, size):
         output = vtkImageData()
         self.mapper.RenderToImage(self.volume, self.camera, self.lights, size, size, output)
+        transparent = vtkImageData()
+        vtkIsosurfacePicture.UnpremultiplyColors(output, transparent)
         writer = vtkPNGWriter()
-        writer.SetInputData(output)
+        writer.SetInputData(transparent)
         write_picture(writer, file_name)
 
 

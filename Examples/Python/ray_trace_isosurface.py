@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ray trace an isosurface: ray_trace_isosurface.py VOLUME.mhd ISOVALUE PICTURE.png"""
+"""Ray trace an isosurface: ray_trace_isosurface.py VOLUME ISOVALUE PICTURE.png
+
+VOLUME is a file (.vti, .mhd, .nii.gz, ...) or a folder of DICOM slices."""
 
 import sys
 
@@ -23,8 +25,11 @@ volume = vtkVolume()
 volume.SetMapper(mapper)
 surface = volume.GetProperty()
 surface.GetIsoSurfaceValues().SetValue(0, isovalue)
-surface.GetRGBTransferFunction().AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
-surface.GetScalarOpacity().AddPoint(isovalue, 1.0)
+colors, opacities = surface.GetRGBTransferFunction(), surface.GetScalarOpacity()
+colors.RemoveAllPoints()  # A new property has functions from black to white.
+opacities.RemoveAllPoints()
+colors.AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
+opacities.AddPoint(isovalue, 1.0)
 surface.ShadeOn()
 surface.SetDiffuse(0.9)
 

@@ -8,38 +8,63 @@ import re
 import sys
 
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkIOImage import vtkImageReader2Factory
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkIOImage import vtkDICOMImageReader, vtkImageReader2Factory, vtkNIFTIImageReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 
-def read_volume(file_name):
-    """The volume in a file; the program ends if it cannot be read."""
-    if not os.path.isfile(file_name):
-        sys.exit(f"there is no file {file_name}")
-    reader = vtkImageReader2Factory.CreateImageReader2(file_name)
+def read_volume(name):
+    """The volume in a file (.vti, .mhd, .nii, .nii.gz or what else VTK reads), or in a folder of DICOM slices;
+    the program ends if it cannot be read."""
+    if not os.path.exists(name):
+        sys.exit(f"there is no file {name}")
+    reader = make_reader(name)
     if reader is None:
-        sys.exit(f"VTK has no image reader for {file_name}")
+        sys.exit(f"VTK has no image reader for {name}")
     errors = []
     for source in (reader, reader.GetExecutive()):
         source.AddObserver("ErrorEvent", lambda *_: errors.append(True))
-    reader.SetFileName(file_name)
     reader.UpdateInformation()
     # VTK ends the process if it cannot allocate memory.
     if not errors and get_bytes(reader) > os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"):
-        sys.exit(f"{file_name} asks for more memory than this machine has")
+        sys.exit(f"{name} asks for more memory than this machine has")
     if not errors:
         reader.Update()
     image = reader.GetOutput()
-    if errors or not is_volume(image) or is_cut(file_name, get_bytes(reader)):
-        sys.exit(f"{file_name} is damaged, or not a volume")
+    if errors or not is_volume(image) or is_cut(name, get_bytes(reader)):
+        sys.exit(f"{name} is damaged, or not a volume")
     return image
+
+
+def make_reader(name):
+    """That of VTK for a name; null if there is none."""
+    if os.path.isdir(name):
+        reader = vtkDICOMImageReader()
+        reader.SetDirectoryName(name)
+        return reader
+    if name.endswith(".vti"):
+        reader = vtkXMLImageDataReader()
+    elif name.endswith((".nii", ".nii.gz")):
+        reader = vtkNIFTIImageReader()
+    else:
+        reader = vtkImageReader2Factory.CreateImageReader2(name)
+    if reader is not None:
+        reader.SetFileName(name)
+    return reader
 
 
 def get_bytes(reader):
     """The size of the volume that the header announces."""
-    extent = reader.GetDataExtent()
+    header = reader.GetOutputInformation(0)
+    extent = header.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
+    scalars = vtkDataObject.GetActiveFieldInformation(
+        header, vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes.SCALARS)
     samples = math.prod(extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in range(3))
-    components = reader.GetNumberOfScalarComponents()
-    return samples * components * vtkDataArray.GetDataTypeSize(reader.GetDataScalarType())
+    if scalars is None:
+        return samples
+    size = vtkDataArray.GetDataTypeSize(scalars.Get(vtkDataObject.FIELD_ARRAY_TYPE()))
+    return samples * size * scalars.Get(vtkDataObject.FIELD_NUMBER_OF_COMPONENTS())
 
 
 def is_volume(image):
@@ -49,6 +74,8 @@ def is_volume(image):
 
 def is_cut(file_name, size):
     """Whether a MetaImage has fewer bytes: VTK's reader leaves the other samples undefined."""
+    if not file_name.endswith((".mhd", ".mha")):
+        return False
     with open(file_name, "rb") as stream:
         fields = dict(re.findall(rb"^(\w+) *= *(.*?)\s*$", stream.read(4096), re.MULTILINE))
     if fields.get(b"CompressedData", b"").lower() == b"true":

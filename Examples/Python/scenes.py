@@ -44,8 +44,11 @@ class Scene:
         surface.ShadeOn()
         surface.SetDiffuse(0.9)
         surface.GetIsoSurfaceValues().SetValue(0, isovalue)
-        surface.GetRGBTransferFunction().AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
-        surface.GetScalarOpacity().AddPoint(isovalue, 1.0)
+        colors, opacities = surface.GetRGBTransferFunction(), surface.GetScalarOpacity()
+        colors.RemoveAllPoints()  # A new property has functions from black to white.
+        opacities.RemoveAllPoints()
+        colors.AddRGBPoint(isovalue, 0.96, 0.90, 0.80)
+        opacities.AddPoint(isovalue, 1.0)
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(0.16, 0.18, 0.22)
         self.renderer.AddVolume(self.volume)

@@ -7,6 +7,7 @@ import os
 import plistlib
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tarfile
@@ -14,13 +15,47 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkIOImage import vtkMetaImageReader
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkImagingCore import vtkImageShiftScale
 
-from PictureTesting import EXAMPLES, ISOVALUE, read, write_bad_volumes, write_waves
+from PictureTesting import EXAMPLES, ISOVALUE, difference, make_waves, read, write_bad_volumes, write_waves
 
 METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D", "vtkContourFilter",
            "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
+
+
+def write_dicom_slices(image, folder):
+    """As few fields as vtkDICOMImageReader needs."""
+
+    def field(group, element, kind, value):
+        value += b" " * (len(value) % 2)
+        size = struct.pack("<HI", 0, len(value)) if kind == b"OW" else struct.pack("<H", len(value))
+        return struct.pack("<HH", group, element) + kind + size + value
+
+    (columns, rows, slices), spacing, origin = image.GetDimensions(), image.GetSpacing(), image.GetOrigin()
+    extent = image.GetExtent()
+    scalars = image.GetPointData().GetScalars()
+    samples = [int(scalars.GetTuple1(i)) for i in range(scalars.GetNumberOfTuples())]
+    for k in range(slices):
+        z = origin[2] + spacing[2] * (extent[4] + k)
+        # DICOM has its rows from the top, which VTK turns over.
+        lines = [samples[columns * (rows * k + j) : columns * (rows * k + j + 1)] for j in range(rows)][::-1]
+        syntax = field(0x2, 0x10, b"UI", b"1.2.840.10008.1.2.1\0")
+        content = b"\0" * 128 + b"DICM" + field(0x2, 0x0, b"UL", struct.pack("<I", len(syntax))) + syntax
+        content += field(0x18, 0x50, b"DS", b"%g" % spacing[2])
+        content += field(0x20, 0xE, b"UI", b"1.2\0")  # of the series
+        content += field(0x20, 0x13, b"IS", b"%d" % k)
+        content += field(0x20, 0x32, b"DS", b"%g\\%g\\%g" % (origin[0], origin[1], z))
+        content += field(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0")
+        content += field(0x28, 0x2, b"US", struct.pack("<H", 1))
+        content += field(0x28, 0x10, b"US", struct.pack("<H", rows))
+        content += field(0x28, 0x11, b"US", struct.pack("<H", columns))
+        content += field(0x28, 0x30, b"DS", b"%g\\%g" % (spacing[1], spacing[0]))
+        content += field(0x28, 0x100, b"US", struct.pack("<H", 16))
+        content += field(0x28, 0x103, b"US", struct.pack("<H", 1))
+        content += field(0x7FE0, 0x10, b"OW", b"".join(struct.pack(f"<{columns}h", *line) for line in lines))
+        (folder / f"{k:03}.dcm").write_bytes(content)
 
 
 class TestExamples(unittest.TestCase):
@@ -66,6 +101,36 @@ class TestExamples(unittest.TestCase):
         background, surface = pixels[0], pixels[400 * 800 + 400]
         self.assertEqual(background, (41.0, 46.0, 56.0))
         self.assertGreater(surface[0], 100.0)
+
+    def test_formats_of_volumes(self):
+        """The same volume in each makes the same picture."""
+        volume = vtkImageShiftScale()
+        volume.SetInputData(make_waves())
+        volume.SetOutputScalarTypeToShort()
+        volume.Update()
+        folder = Path(self.folder)
+        slices = folder / "slices"
+        slices.mkdir()
+        write_dicom_slices(volume.GetOutput(), slices)
+        names = [slices]
+        for writer, name in ((vtkMetaImageWriter(), "waves.mhd"), (vtkXMLImageDataWriter(), "waves.vti"),
+                             (vtkNIFTIImageWriter(), "waves.nii"), (vtkNIFTIImageWriter(), "waves.nii.gz")):  # fmt: skip
+            writer.SetInputData(volume.GetOutput())
+            writer.SetFileName(str(folder / name))
+            writer.Write()
+            names.append(folder / name)
+        pictures = []
+        for name in names:
+            picture = str(folder / "picture.png")
+            self.check_script("ray_trace_isosurface.py", str(name), str(ISOVALUE), picture)
+            pictures.append(read(picture))
+        for name, picture in zip(names[1:], pictures[1:]):
+            self.assertLess(difference(picture, pictures[0]), 0.001, name)
+
+    def test_folder_without_slices(self):
+        result = self.run_script("ray_trace_isosurface.py", self.folder, str(ISOVALUE), "picture.png")
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("is damaged, or not a volume", result.stderr)
 
     def test_many_grids(self):
         """Rays and triangles show the same surfaces."""
@@ -136,7 +201,7 @@ class TestExamples(unittest.TestCase):
     def test_usage(self):
         for script, arguments in (
             ("compare_isosurfaces.py", "VOLUME.mhd ISOVALUE"),
-            ("ray_trace_isosurface.py", "VOLUME.mhd ISOVALUE PICTURE.png"),
+            ("ray_trace_isosurface.py", "VOLUME ISOVALUE PICTURE.png"),
             ("many_grids.py", "VOLUME.mhd ISOVALUE FOLDER"),
         ):
             for given in ((), ("absent.mhd", "1", "picture.png")[: len(arguments.split())]):
@@ -146,20 +211,15 @@ class TestExamples(unittest.TestCase):
                 self.assertIn(words, result.stderr)
 
     def test_readme(self):
-        """Its snippet, between a reader and a window."""
+        """Its snippet, as it is but for the names and the isovalue."""
         with open(os.path.join(EXAMPLES, "../../README.md"), encoding="utf-8") as readme:
             (snippet,) = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
-        scene = {"reader": vtkMetaImageReader(), "renderer": vtkRenderer(), "vtkVolume": vtkVolume}
-        scene["reader"].SetFileName(write_waves(self.folder))
-        snippet = snippet.replace("300", str(ISOVALUE))  # an isovalue of the waves instead of a bone's
+        snippet = snippet.replace("volume.mhd", write_waves(self.folder)).replace("300", str(ISOVALUE))
+        scene = {}
         exec(compile(snippet, "README.md", "exec"), scene)
-        window = vtkRenderWindow()
-        window.SetOffScreenRendering(True)
-        window.AddRenderer(scene["renderer"])
-        window.Render()
-        width, height = window.GetSize()
-        red, _, blue = window.GetPixelData(
-            width // 2, height // 2, width // 2, height // 2, 0)[:3]
+        width, height = scene["window"].GetSize()
+        red, _, blue = scene["window"].GetPixelData(
+            width // 2, height // 2, width // 2, height // 2, 0, 0)[:3]
         self.assertGreater(red, blue)  # ivory
 
     def write_project(self, sample_count=24):

@@ -25,6 +25,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
