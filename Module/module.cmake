@@ -86,6 +86,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceGhosts
   Rendering/vtkIsosurfaceRayTraceGridPart
+  Rendering/vtkIsosurfaceRayTraceHints
   Rendering/vtkIsosurfaceRayTraceHits
   Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceEngine.h"
 
+#include "vtkIsosurfaceRayTraceHints.h"
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceHolder.h"
 #include "vtkIsosurfaceRayTraceInputs.h"
@@ -303,7 +304,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   {
     this->HierarchyTime = watch.GetSeconds();
   }
-  this->WarnOnce(leftOut);
+  this->WarnOnce(leftOut, this->LastLeftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
   const double gradients = inputs.GetGradientSeconds();
@@ -367,13 +368,13 @@ bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem)
+void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem, std::string& last)
 {
-  if (!problem.empty() && problem != this->LastWarning)
+  if (!problem.empty() && problem != last)
   {
     vtkWarningWithObjectMacro(this->Mapper, << problem);
   }
-  this->LastWarning = problem;
+  last = problem;
 }
 
 //------------------------------------------------------------------------------
@@ -440,6 +441,8 @@ try
     return 0.0;
   }
 
+  this->WarnOnce(vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
+    this->LastHint);
   const bool isComplete =
     this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderStartEvent, nullptr) &&
     holder.CanDraw() && this->DrawFrame(use, *request, holder);
@@ -604,9 +607,19 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
   vtkVolume* volume, const PictureView& view, vtkImageData* output)
 {
   return this->RenderPicture("RenderToImage", volume, view, &vtkirt::Scene::KeepHits, output,
-    [&view, output](
-      const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture) {
+    [this, &view, output](
+      const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture)
+    {
       vtkIsosurfaceRayTraceOutput::WriteImage(request, picture, view.Width, view.Height, output);
+      std::string hint =
+        vtkIsosurfaceRayTraceHints::FindInRequest(request, this->TheClient.GetSettings());
+      if (hint.empty())
+      {
+        hint = vtkIsosurfaceRayTraceHints::FindInView(request,
+          vtkIsosurfaceRayTraceScene::GetClipFromWorld(
+            view.Camera, static_cast<double>(view.Width) / view.Height));
+      }
+      this->WarnOnce(hint, this->LastHint);
     });
 }
 

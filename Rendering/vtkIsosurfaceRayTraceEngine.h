@@ -137,7 +137,8 @@ private:
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
   /// The same for what is no error.
-  void WarnOnce(const std::string& problem);
+  /// Warns of something, unless that was the last warning of its kind.
+  void WarnOnce(const std::string& problem, std::string& last);
   void ReportBadAlloc() const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
@@ -164,7 +165,8 @@ private:
   vtkIsosurfaceRayTraceFrame Frame;
   std::vector<BlocksOfConnection> Blocks;
   std::string LastProblem;
-  std::string LastWarning;
+  std::string LastLeftOut;
+  std::string LastHint;
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -155,7 +156,9 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   if (!data ||
     (!vtkIsosurfaceRayTraceGridPart::IsGrid(data) && !vtkIsosurfaceRayTraceMesh::IsMesh(data)))
   {
-    return std::string("There is no input. Give a ") + settings.Kinds +
+    return (input ? std::string("The input is a ") + input->GetClassName()
+                  : std::string("There is no input")) +
+      ". Give a " + settings.Kinds +
       " or composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
   }
   this->Leaves.Take(data, this->Mapper, colors);
@@ -399,6 +402,25 @@ void vtkIsosurfaceRayTraceInput::JoinParts()
 vtkirt::Visibility vtkIsosurfaceRayTraceInput::FindVisible() const
 {
   return this->IsLone() ? this->Parts.front()->FindVisible() : vtkirt::Visibility{};
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::FindScalarRange(double range[2]) const
+{
+  range[0] = std::numeric_limits<double>::infinity();
+  range[1] = -range[0];
+  for (const Leaf& leaf : this->Leaves.Get())
+  {
+    if (leaf.Data->HasAnyGhostCells())
+    {
+      return false;
+    }
+    double own[2];
+    leaf.Scalars->GetRange(own, this->Component);
+    range[0] = std::min(range[0], own[0]);
+    range[1] = std::max(range[1], own[1]);
+  }
+  return range[0] <= range[1];
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,8 @@
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
  * (the opacity is that of a surface: ScalarOpacityUnitDistance has no part in it). The nearest
  * opaque surface hides what is behind it; translucent surfaces are composited in the order in
- * which each ray meets them. A property without isovalues draws nothing. Points whose value is
+ * which each ray meets them. A property without isovalues draws nothing; a new one has
+ * one, which is 0. Points whose value is
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
  * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
@@ -53,6 +54,11 @@
  * opacity is NaN, have no surface; a colour that is NaN is black. A clipping plane whose normal is
  * 0 clips nothing. A setting that is a number has a range, to which it is clamped; NaN is an error,
  * and leaves it as it is.
+ *
+ * A warning tells, once, why a picture has no surface where no isovalue is within the scalars, that
+ * shadows or occlusion have no effect without shading, and, of RenderToImage, that the camera sees
+ * nothing of the data. Of data with ghost cells, which are a piece of others, it tells nothing of
+ * isovalues.
  *
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
  * repeat: where they repeat and the values differ, the surface is a wall, as in

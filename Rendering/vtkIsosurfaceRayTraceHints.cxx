@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceHints.h"
+
+#include "vtkIsosurfaceRayTraceInput.h"
+#include "vtkIsosurfaceRayTraceRequest.h"
+#include "vtkIsosurfaceRayTraceSettings.h"
+
+#include "vtkVolumeProperty.h"
+
+#include "Math/Matrix.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Request = vtkIsosurfaceRayTraceRequest;
+
+std::string FindInIsovalues(const Request::Volume& volume)
+{
+  double range[2];
+  if (volume.GetField().MayHit() || !volume.Input->FindScalarRange(range) ||
+    std::any_of(volume.Isovalues.begin(), volume.Isovalues.end(),
+      [&range](double isovalue) { return range[0] < isovalue && isovalue <= range[1]; }))
+  {
+    return "";
+  }
+  std::ostringstream hint;
+  hint << "There is no surface: the scalars of the input are from " << range[0] << " to "
+       << range[1] << ". Set an isovalue between them (vtkVolumeProperty::GetIsoSurfaceValues()).";
+  return hint.str();
+}
+
+/// Whether a box in the object space of a volume is all on one side of what a camera sees.
+bool IsOutside(const vtkirt::Bounds& box, const vtkirt::Matrix4& clipFromObject)
+{
+  bool areBelow[3] = { true, true, true };
+  bool areAbove[3] = { true, true, true };
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = (corner >> axis & 1 ? box.Upper : box.Lower)[axis];
+    }
+    double clip[4];
+    for (std::size_t row = 0; row < 4; ++row)
+    {
+      const double* numbers = &clipFromObject[4 * row];
+      clip[row] = numbers[0] * point[0] + numbers[1] * point[1] + numbers[2] * point[2] +
+        numbers[3] * point[3];
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      areBelow[axis] = areBelow[axis] && clip[axis] < -clip[3];
+      areAbove[axis] = areAbove[axis] && clip[axis] > clip[3];
+    }
+  }
+  const auto isTrue = [](bool value) { return value; };
+  return std::any_of(areBelow, areBelow + 3, isTrue) || std::any_of(areAbove, areAbove + 3, isTrue);
+}
+
+}
+
+namespace vtkIsosurfaceRayTraceHints
+{
+
+//------------------------------------------------------------------------------
+std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
+{
+  if (request.IsProjection() || request.IsNothing())
+  {
+    return "";
+  }
+  const std::string ofFirst = FindInIsovalues(request.Volumes.front());
+  const bool areAllEmpty = !ofFirst.empty() &&
+    std::all_of(request.Volumes.begin(), request.Volumes.end(),
+      [](const Request::Volume& volume) { return !FindInIsovalues(volume).empty(); });
+  if (areAllEmpty)
+  {
+    return ofFirst;
+  }
+  const bool areShaded = std::any_of(request.Volumes.begin(), request.Volumes.end(),
+    [](const Request::Volume& volume) { return volume.Property->GetShade(volume.Component) != 0; });
+  const bool areSecondary = settings.Shadows || settings.NumberOfAmbientOcclusionRays > 0;
+  return areSecondary && !areShaded
+    ? "Shadows and ambient occlusion darken shaded surfaces alone: call ShadeOn() of the property."
+    : "";
+}
+
+//------------------------------------------------------------------------------
+std::string FindInView(const Request& request, const vtkirt::Matrix4& clipFromWorld)
+{
+  const bool areAllOutside = std::all_of(request.Volumes.begin(), request.Volumes.end(),
+    [&clipFromWorld](const Request::Volume& volume)
+    {
+      return IsOutside(
+        volume.GetField().GetBounds(), vtkirt::Multiply(clipFromWorld, volume.WorldFromObject));
+    });
+  return areAllOutside
+    ? "The camera sees nothing of the input, or its clipping range ends before it. Place it with "
+      "vtkRenderer::ResetCamera(bounds), which needs no window, where the bounds are those of the "
+      "volume."
+    : "";
+}
+
+}
+
+VTK_ABI_NAMESPACE_END

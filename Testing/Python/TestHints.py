@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A picture that does not show what was meant comes with one warning that says why; others with none."""
+
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+
+from MeshTesting import ball, errors_of, make_grid, make_volume
+from PictureTesting import make_waves
+
+NO_SURFACE = r"There is no surface: the scalars of the input are from 34\.\d+ to 286\.\d+"
+
+
+def make_scene(data, isovalue, mapper_class=vtkIsosurfaceRayTraceMapper):
+    mapper, volume = make_volume(data, isovalue, mapper_class=mapper_class)
+    renderer = vtkRenderer()
+    renderer.AddVolume(volume)
+    renderer.ResetCamera()
+    return mapper, volume, renderer
+
+
+def warnings_of(mapper, call):
+    return errors_of(mapper, call, vtkCommand.WarningEvent)
+
+
+class TestHints(unittest.TestCase):
+    def draw(self, mapper, volume, renderer):
+        """In a window and without one. Returns the warnings of the first, and checks those of the second."""
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(60, 60)
+        window.AddRenderer(renderer)
+        warnings = warnings_of(mapper, lambda: (window.Render(), window.Render()))
+        image = vtkImageData()
+        self.assertEqual(warnings_of(
+            mapper, lambda: mapper.RenderToImage(volume, renderer.GetActiveCamera(), None, 60, 60, image)), [])
+        window.RemoveRenderer(renderer)
+        return warnings
+
+    def check(self, scene, expected):
+        warnings = self.draw(*scene)
+        self.assertEqual(len(warnings), 1)
+        self.assertRegex(warnings[0], expected)
+
+    def test_isovalue_outside_the_scalars(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_waves())
+        for data in (make_waves(), blocks):
+            for isovalue in (20.0, 300.0):
+                self.check(make_scene(data, isovalue), NO_SURFACE)
+        mesh = make_grid(VTK_TETRA, ball)
+        self.check(make_scene(mesh, 100.0, vtkIsosurfaceRayTraceMeshMapper), "There is no surface")
+
+    def test_it_is_said_again_after_a_surface(self):
+        mapper, volume, renderer = make_scene(make_waves(), 300.0)
+        isovalues = volume.GetProperty().GetIsoSurfaceValues()
+        for isovalue, count in ((300.0, 1), (310.0, 0), (150.0, 0), (320.0, 1)):
+            isovalues.SetValue(0, isovalue)
+            self.assertEqual(len(self.draw(mapper, volume, renderer)), count)
+
+    def test_one_of_two_isovalues_suffices(self):
+        scene = make_scene(make_waves(), 300.0)
+        scene[1].GetProperty().GetIsoSurfaceValues().SetValue(1, 150.0)
+        self.assertEqual(self.draw(*scene), [])
+
+    def test_pieces_of_others_may_have_no_surface(self):
+        image = make_waves()
+        image.AllocateCellGhostArray()
+        image.GetCellGhostArray().SetValue(7, vtkDataSetAttributes.DUPLICATECELL)
+        self.assertEqual(self.draw(*make_scene(image, 300.0)), [])
+
+    def test_nothing_that_was_asked_for(self):
+        mapper, volume, renderer = make_scene(make_waves(), 300.0)
+        volume.GetProperty().GetIsoSurfaceValues().SetNumberOfContours(0)
+        self.assertEqual(self.draw(mapper, volume, renderer), [])
+        mapper.SetBlendModeToMaximumIntensity()
+        self.assertEqual(self.draw(mapper, volume, renderer), [])
+
+    def test_shadows_without_shading(self):
+        for switch in ("ShadowsOn", "AmbientOcclusionOn"):
+            mapper, volume, renderer = make_scene(make_waves(), 150.0)
+            getattr(mapper, switch)()
+            volume.GetProperty().ShadeOff()
+            self.check((mapper, volume, renderer), r"call ShadeOn\(\)")
+            volume.GetProperty().ShadeOn()
+            self.assertEqual(self.draw(mapper, volume, renderer), [])
+
+    def test_camera_that_sees_nothing(self):
+        mapper, volume, renderer = make_scene(make_waves(), 150.0)
+        camera = renderer.GetActiveCamera()
+        position = camera.GetPosition()
+        image = vtkImageData()
+
+        def render():
+            return warnings_of(mapper, lambda: self.assertTrue(mapper.RenderToImage(volume, camera, None, 60, 60, image)))
+
+        self.assertEqual(render(), [])
+        camera.SetClippingRange(0.01, 10.0)
+        self.assertRegex(render()[0], r"vtkRenderer::ResetCamera\(bounds\)")
+        self.assertEqual(render(), [])
+        renderer.ResetCameraClippingRange()
+        self.assertEqual(render(), [])
+        camera.SetFocalPoint([2.0 * x for x in position])
+        self.assertEqual(len(render()), 1)
+        # The remedy, in an application that has no window.
+        vtkRenderer.ResetCamera(renderer, mapper.GetBounds())
+        self.assertEqual(render(), [])
+
+    def test_input_of_another_kind(self):
+        mapper, volume, renderer = make_scene(vtkPolyData(), 150.0)
+        errors = errors_of(mapper, lambda: mapper.RenderToImage(
+            volume, renderer.GetActiveCamera(), None, 60, 60, vtkImageData()))
+        self.assertRegex(errors[0], "The input is a vtkPolyData. Give a")
+
+
+if __name__ == "__main__":
+    unittest.main()
