@@ -150,6 +150,9 @@ public:
   {
     this->Mapper->SetInputDataObject(data);
     this->GetVolume()->SetMapper(this->Mapper);
+    // Notes tell what it would warn of: an isovalue without a surface.
+    vtkNew<vtkCallbackCommand> silence;
+    this->Mapper->AddObserver(vtkCommand::WarningEvent, silence);
   }
 
   const char* GetName() const override { return this->Mapper->GetClassName(); }
