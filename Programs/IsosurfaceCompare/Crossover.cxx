@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace Compare
@@ -35,6 +34,30 @@ vtkSmartPointer<vtkImageData> Resize(vtkImageData* volume, double factor)
   resize->SetMagnificationFactors(factor, factor, factor);
   resize->Update();
   return resize->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+double CountSamples(vtkImageData* volume, double factor)
+{
+  return static_cast<double>(volume->GetNumberOfPoints()) * factor * factor * factor;
+}
+
+//------------------------------------------------------------------------------
+/// Those of the sizes that are measured.
+std::vector<double> FindFactors(vtkImageData* volume)
+{
+  const int* dimensions = volume->GetDimensions();
+  const int smallest = std::min({ dimensions[0], dimensions[1], dimensions[2] });
+  std::vector<double> factors;
+  for (int halfSteps = -6; halfSteps <= 2; ++halfSteps)
+  {
+    const double factor = std::pow(2.0, 0.5 * halfSteps);
+    if (factor == 1.0 || (smallest * factor >= 8.0 && CountSamples(volume, factor) <= 1e8))
+    {
+      factors.push_back(factor);
+    }
+  }
+  return factors;
 }
 
 }
@@ -76,24 +99,26 @@ std::string Describe(const Verdict& verdict)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Crossover> MeasureCrossover(
-  vtkImageData* volume, double isovalue, int repeats, vtkCamera* camera)
+double CountCrossoverSamples(vtkImageData* volume)
 {
-  std::vector<Crossover> crossovers;
-  for (int halfSteps = -6; halfSteps <= 2; ++halfSteps)
+  double samples = 0.0;
+  for (const double factor : FindFactors(volume))
   {
-    const double factor = std::pow(2.0, 0.5 * halfSteps);
-    const int* dimensions = volume->GetDimensions();
-    const int smallest = std::min({ dimensions[0], dimensions[1], dimensions[2] });
-    const double samples =
-      static_cast<double>(volume->GetNumberOfPoints()) * factor * factor * factor;
-    if (factor != 1.0 && (smallest * factor < 8.0 || samples > 1e8))
-    {
-      continue;
-    }
+    samples += CountSamples(volume, factor);
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Crossover> MeasureCrossover(vtkImageData* volume, double isovalue, int repeats,
+  vtkCamera* camera, const std::function<void(double)>& report)
+{
+  const double all = CountCrossoverSamples(volume);
+  double done = 0.0;
+  std::vector<Crossover> crossovers;
+  for (const double factor : FindFactors(volume))
+  {
     const vtkSmartPointer<vtkImageData> image = Resize(volume, factor);
-    const int* size = image->GetDimensions();
-    std::fprintf(stderr, "as %d x %d x %d samples\n", size[0], size[1], size[2]);
     vtkNew<vtkIsosurfaceComparisonFilter> comparison;
     comparison->SetInputData(image);
     comparison->SetValue(0, isovalue);
@@ -117,6 +142,8 @@ std::vector<Crossover> MeasureCrossover(
     crossover.Triangles = getCosts(0);
     crossover.Rays = getCosts(1);
     crossovers.push_back(crossover);
+    done += CountSamples(volume, factor);
+    report(done / all);
   }
   return crossovers;
 }

@@ -8,6 +8,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -64,10 +65,13 @@ struct Crossover
 
 /// Measures vtkFlyingEdges3D and vtkIsosurfaceRayTraceMapper for a volume resampled to an eighth up
 /// to twice its size along each axis, by factors of the square root of 2, the smallest first. Sizes
-/// with fewer than 8 samples along an axis or more than 1e8 in all are left out. Reports progress
-/// on stderr. Needs a display.
-std::vector<Crossover> MeasureCrossover(
-  vtkImageData* volume, double isovalue, int repeats, vtkCamera* camera);
+/// with fewer than 8 samples along an axis or more than 1e8 in all are left out. Needs a display.
+/// Calls report(part) with the part that is done.
+std::vector<Crossover> MeasureCrossover(vtkImageData* volume, double isovalue, int repeats,
+  vtkCamera* camera, const std::function<void(double)>& report);
+
+/// The number of samples of all the sizes.
+double CountCrossoverSamples(vtkImageData* volume);
 
 }
 

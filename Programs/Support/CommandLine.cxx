@@ -92,6 +92,12 @@ void CommandLine::Add(const char* option, std::vector<double>* numbers, const ch
 }
 
 //------------------------------------------------------------------------------
+void CommandLine::Add(const char* option, bool* isGiven, const char* help)
+{
+  this->Parser.AddBooleanArgument(option, isGiven, help);
+}
+
+//------------------------------------------------------------------------------
 bool CommandLine::Parse()
 {
   const bool isParsed = this->Parser.Parse() != 0;

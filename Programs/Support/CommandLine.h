@@ -29,6 +29,8 @@ public:
   void Add(const char* option, double* number, const char* help);
   void Add(const char* option, std::vector<double>* numbers, const char* help);
 
+  void Add(const char* option, bool* isGiven, const char* help);
+
   /// Returns whether the options are to be done, false if only the help is asked for. Throws
   /// std::runtime_error if an option is unknown or lacks its value, or if a number is none.
   bool Parse();

@@ -28,7 +28,7 @@ class TestManyRuns(unittest.TestCase):
             for run in range(RUNS):
                 result = subprocess.run(
                     [PROGRAM, "--input", folder / "ball.vti", "--isovalue", "40", "--repeats", "1",
-                     "--report", folder],
+                     "--thorough", "--report", folder],
                     capture_output=True, text=True, check=False, env=environment)  # fmt: skip
                 self.assertEqual(result.returncode, 0, f"run {run}: {result.stderr}")
 

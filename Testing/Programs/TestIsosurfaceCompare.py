@@ -43,6 +43,7 @@ ALL_METHODS = [
     "vtkSpanSpace",
     "vtkIsosurfaceRayTraceMapper",
 ]
+ESSENTIAL_METHODS = [ALL_METHODS[0], ALL_METHODS[1], ALL_METHODS[-1]]
 
 
 def new_ball(scalars=True):
@@ -166,7 +167,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
 
     def test_files(self):
         result = self.run_program(
-            "--input", self.ball, "--isovalue", 60, 40,
+            "--input", self.ball, "--isovalue", 60, 40, "--thorough",
             "--json", self.folder / "table.json", "--csv", self.folder / "table.csv",
         )  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -184,9 +185,24 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(int(rows[0]["Triangles"]), table["rows"][0]["Triangles"])
         self.assertIn("vtkSpanSpace", result.stdout)
 
+    def test_essentials(self):
+        """Without further options: three methods, no other sizes, and progress that ends at 100 %."""
+        report, table = self.folder / "essentials", self.folder / "essentials.json"
+        for options, methods in (((), ESSENTIAL_METHODS), (("--thorough",), ALL_METHODS)):
+            result = self.run_program(
+                "--input", self.ball, "--isovalue", 60, "--report", report, "--json", table, *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            content = json.loads(table.read_text())
+            self.assertEqual([row["Method"] for row in content["rows"]], methods)
+            self.assertEqual(bool(content.get("crossovers")), bool(options))
+            progress = [int(part) for part in re.findall(r"(\d+) %", result.stderr)]
+            self.assertEqual(progress, sorted(progress))
+            self.assertEqual(progress[-1], 100)
+            self.assertLess(progress[len(progress) // 2], 100)
+
     def test_report(self):
         result = self.run_program(
-            "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges", "ray-tracing",
+            "--input", self.ball, "--isovalue", 60, "--methods", "flying-edges", "ray-tracing", "--thorough",
             "--report", self.folder / "new" / "folder", "--json", self.folder / "report.json",
         )  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -290,7 +306,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
 
     def test_no_surface(self):
         result = self.run_program(
-            "--input", self.ball, "--isovalue", 5000, "--report", self.folder / "nothing"
+            "--input", self.ball, "--isovalue", 5000, "--thorough", "--report", self.folder / "nothing"
         )
         self.assertEqual(result.returncode, 0, result.stderr)
         page = Page(self.folder / "nothing" / "report.html")
@@ -299,7 +315,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
     def test_no_scalars(self):
         path = self.write(new_ball(scalars=False), "empty.vti")
         result = self.run_program(
-            "--input", path, "--isovalue", 1, "--report", self.folder / "none",
+            "--input", path, "--isovalue", 1, "--thorough", "--report", self.folder / "none",
             "--json", self.folder / "none.json",
         )  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stderr)
