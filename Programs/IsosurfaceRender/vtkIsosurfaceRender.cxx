@@ -21,6 +21,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkTimerLog.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
@@ -32,6 +33,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -241,6 +243,45 @@ void PrintTimes(double readTime, vtkIsosurfaceRayTraceCompositor* compositor,
 }
 
 //------------------------------------------------------------------------------
+/// Whether no pixel of the picture of process 0 shows anything. To be called by all.
+bool IsEmpty(vtkImageData* picture, vtkMultiProcessController* controller)
+{
+  int isEmpty = 1;
+  if (controller->GetLocalProcessId() == 0)
+  {
+    auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+    double opacities[2];
+    colors->GetRange(opacities, 3);
+    isEmpty = opacities[1] > 0.0 ? 0 : 1;
+  }
+  controller->Broadcast(&isEmpty, 1, 0);
+  return isEmpty != 0;
+}
+
+//------------------------------------------------------------------------------
+/// Says why there may be no surface. To be called by all.
+void WarnOfNothing(vtkImageData* image, vtkMultiProcessController* controller)
+{
+  double own[2] = { std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  if (image)
+  {
+    image->GetScalarRange(own);
+  }
+  double lowest = 0.0;
+  double highest = 0.0;
+  controller->AllReduce(&own[0], &lowest, 1, vtkCommunicator::MIN_OP);
+  controller->AllReduce(&own[1], &highest, 1, vtkCommunicator::MAX_OP);
+  if (controller->GetLocalProcessId() == 0)
+  {
+    std::fprintf(stderr,
+      "warning: the picture is empty. The scalars of the volume are from %g to %g: give isovalues "
+      "between them.\n",
+      lowest, highest);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Calls a function that may throw. Returns whether it did not; if it did, says why.
 template <typename Function>
 bool Try(vtkMultiProcessController* controller, const Function& function)
@@ -296,6 +337,10 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
         volume, camera, nullptr, arguments.Width, arguments.Height, picture))
   {
     return false;
+  }
+  if (IsEmpty(picture, controller))
+  {
+    WarnOfNothing(piece.Image, controller);
   }
   PrintTimes(readTime, compositor, controller);
   return AreAllFine(

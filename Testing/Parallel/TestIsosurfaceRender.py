@@ -114,6 +114,17 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.assertGreater(self.count_colored(alone), 20)
         self.assertEqual(self.render(volume, "--isovalue", "0", "10", processes=3), alone)
 
+    def test_isovalue_outside_the_scalars(self):
+        volume = self.folder / "volume.vti"
+        write(make_image(), volume)
+        for processes in (None, 3):
+            for isovalue, is_empty in (("1e4", True), ("157", False)):
+                result = run("--input", str(volume), "--isovalue", isovalue, "--output", str(self.picture), *SIZE,
+                             processes=processes)  # fmt: skip
+                self.assertEqual(result.returncode, 0)
+                self.assertEqual(result.stderr.count("warning: the picture is empty. The scalars of the volume are "
+                                                     "from "), int(is_empty))  # fmt: skip
+
     def test_view(self):
         volume = self.folder / "volume.vti"
         write(make_image(), volume)
