@@ -742,6 +742,8 @@ public:
    * and -1. For a projection, Depth and all others are those of the point of the extreme value,
    * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
    * none). Returns whether there is a picture; if not, an error reports why.
+   *
+   * vtkIsosurfacePicture::UnpremultiplyColors or FlattenColors makes an image for a file of it.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);

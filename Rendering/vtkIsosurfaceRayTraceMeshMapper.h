@@ -466,6 +466,8 @@ public:
    * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
    * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
    * and -1. Returns whether there is a picture; if not, an error reports why.
+   *
+   * vtkIsosurfacePicture::UnpremultiplyColors or FlattenColors makes an image for a file of it.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output);

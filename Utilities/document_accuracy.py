@@ -25,7 +25,7 @@ from error_image import write_error_image
 
 # The inputs with details in the page, by the beginnings of their names, and their pictures.
 DETAILED = {
-    "cranium": ("speed-error", "errors", "frame-misjudged", "heat"),
+    "cranium": ("speed-error", "errors", "frame-silhouette", "frame-displaced", "heat"),
     "ch2better": (),
     "gyroid": ("heat",),
     "near tangent": (),
@@ -67,10 +67,10 @@ def price_table(inputs):
 def result_table(kind, columns, results):
     errors = ("medianError", "p99Error", "maximumError")
     return markdown_table(
-        [kind, *columns, "missed", "invented", "wrong", "median error", "p99", "max"],
+        [kind, *columns, "missed", "invented", "displaced", "median error", "p99", "max"],
         [
             [name_of(result), *(format_cell(result[name]) for name in columns.values())]
-            + [str(result.get(name, "")) for name in ("missed", "invented", "wrong")]
+            + [str(result.get(name, "")) for name in ("missed", "invented", "displaced")]
             + [format_number(result.get(name), 2) for name in errors]
             for result in results
             if not re.fullmatch(LEFT_OUT, name_of(result))
@@ -105,22 +105,32 @@ def write_speed_plot(measured, path):
     )
 
 
-def write_misjudged_plot(measured, path):
+def write_share_plot(measured, path, title, names):
+    """How large a share of the rays some counts are together; only of methods that have all of them."""
     # 0.3 rays stand for none, which a logarithmic axis cannot show.
     curves = curves_of(
         measured["pictures"],
         "millisecondsPerFrame",
-        lambda result: max(0.3, result["missed"] + result["invented"] + result.get("wrong", 0))
-        / measured["numberOfRays"],
+        lambda result: max(0.3, sum(result[name] for name in names)) / measured["numberOfRays"]
+        if all(name in result for name in names)
+        else None,
     )
     points = [point for curve in curves.values() for point in curve]
     write_chart(
         path,
-        f"{measured['name']}: rays missed, invented or on a wrong sheet (lowest: none)",
+        f"{measured['name']}: {title} (lowest: none)",
         ("ms per frame, all threads", *decades([x for x, _ in points])),
         ("share of the rays", decades([y for _, y in points])[0], 1.0),
-        curves,
+        {name: curve for name, curve in curves.items() if curve},
     )
+
+
+def write_silhouette_plot(measured, path):
+    write_share_plot(measured, path, "rays missed or invented", ("missed", "invented"))
+
+
+def write_displacement_plot(measured, path):
+    write_share_plot(measured, path, "rays displaced by more than 0.05 cells", ("displaced",))
 
 
 def write_distribution_plot(measured, path):
@@ -145,7 +155,14 @@ def write_distribution_plot(measured, path):
 PICTURES = {
     "speed-error": ("Rays: speed against error", write_speed_plot),
     "errors": ("How many rays have which error", write_distribution_plot),
-    "frame-misjudged": ("Whole frames: speed against rays misjudged", write_misjudged_plot),
+    "frame-silhouette": (
+        "Whole frames: speed against rays missed or invented",
+        write_silhouette_plot,
+    ),
+    "frame-displaced": (
+        "Whole frames: speed against rays displaced along their way",
+        write_displacement_plot,
+    ),
     "heat": (
         "Errors of the pixels",
         lambda measured, path: write_error_image(measured["errorImage"], path),

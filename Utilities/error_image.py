@@ -112,7 +112,7 @@ def add_legend(renderer, colors):
         coordinate.SetValue(*place)
     renderer.AddViewProp(bar)
     add_text(renderer, "error, cells", GAP, 40)
-    add_text(renderer, "misjudged", 1130, 40, MISJUDGED)
+    add_text(renderer, "missed or invented", 1130, 40, MISJUDGED)
     add_text(renderer, "nothing there", 1330, 40, NOTHING)
     add_text(renderer, "seen, distance not known", 1560, 40, UNKNOWN)
 

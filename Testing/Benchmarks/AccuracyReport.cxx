@@ -49,7 +49,7 @@ Json::Value ToJson(const Result& result)
   row["invented"] = accuracy.Invented;
   if (!accuracy.Errors.empty())
   {
-    row["wrong"] = accuracy.Wrong;
+    row["displaced"] = accuracy.Displaced;
     row["medianError"] = accuracy.GetError(0.5);
     row["p99Error"] = accuracy.GetError(0.99);
     row["maximumError"] = accuracy.GetError(1.0);

@@ -70,7 +70,7 @@ double HitAccuracy::GetError(double share) const
 //------------------------------------------------------------------------------
 HitAccuracy MeasureAccuracy(const std::vector<double>& found, const std::vector<double>& reference)
 {
-  constexpr double wrong = 0.05;
+  constexpr double tolerance = 0.05;
   HitAccuracy accuracy;
   accuracy.Rays = static_cast<int>(reference.size());
   for (std::size_t i = 0; i < reference.size(); ++i)
@@ -82,7 +82,7 @@ HitAccuracy MeasureAccuracy(const std::vector<double>& found, const std::vector<
     if (std::isfinite(error) && error != UnknownError)
     {
       accuracy.Errors.push_back(error);
-      accuracy.Wrong += error > wrong ? 1 : 0;
+      accuracy.Displaced += error > tolerance ? 1 : 0;
     }
   }
   std::sort(accuracy.Errors.begin(), accuracy.Errors.end());

@@ -30,8 +30,9 @@ struct HitAccuracy
   /// Rays that hit the surface without the method's finding it, and the other way round.
   int Missed = 0;
   int Invented = 0;
-  /// Rays whose hit is more than a twentieth of a cell off: another sheet, or another root.
-  int Wrong = 0;
+  /// Rays whose hit is more than a twentieth of a cell off: beside the surface, or on another
+  /// sheet.
+  int Displaced = 0;
   /// The distance along the ray to the exact hit, in cells, over the rays hit by both, in ascending
   /// order. Empty where positions are not known.
   std::vector<double> Errors;

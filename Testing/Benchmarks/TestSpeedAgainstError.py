@@ -40,7 +40,7 @@ class TestSpeedAgainstError(ProgramTest):
         return read_json(FOLDER / folder / "results.json")
 
     def check(self, result, rays, percent, error):
-        """At most so many percent of the rays are misjudged, by errors of at most so much; None
+        """At most so many percent of the rays are missed or invented, with errors of at most so much; None
         where distances are not known."""
         name = f"{result['method']} {result['parameter']}"
         self.assertLessEqual(result["missed"] + result["invented"], percent / 100 * rays, name)

@@ -218,7 +218,8 @@ bool KeepsPromises(const Input& input, const std::vector<Result>& results)
   const auto robust = std::find_if(
     results.begin(), results.end(), [](const Result& result) { return result.Family == "Robust"; });
   const HitAccuracy& accuracy = robust->Accuracy;
-  if (accuracy.Missed + accuracy.Invented + accuracy.Wrong > 0 || accuracy.GetError(0.99) > 1e-9)
+  if (accuracy.Missed + accuracy.Invented + accuracy.Displaced > 0 ||
+    accuracy.GetError(0.99) > 1e-9)
   {
     Log("Robust breaks its promises on " + input.Name + ".");
     return false;
