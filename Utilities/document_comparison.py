@@ -23,7 +23,7 @@ from document_parts import (
 # The beginning of the caption in the report, the file, the caption in the page.
 PLOTS = (
     ("The times of the table", "comparison-times.png", "Seconds for a picture"),
-    ("Below a curve rays", "comparison-crossover.png", "Up to how many pictures rays need less time"),
+    ("Above 1, rays", "comparison-crossover.png", "How many times as long triangles take as rays"),
 )
 
 

@@ -303,32 +303,26 @@ std::string DrawCosts(const std::vector<Crossover>& crossovers)
 }
 
 //------------------------------------------------------------------------------
-/// The values that stand for no pictures, and for any number of them, in the plot.
-constexpr double NoPictures = 0.5;
-constexpr double ManyPictures = 1000.0;
-
+/// For numbers of pictures, how many times as long triangles take as rays.
 std::string DrawCrossover(const std::vector<Crossover>& crossovers)
 {
-  Curve measured = { "triangles as drawn here", {} };
-  Curve free = { "triangles, drawing takes no time", {}, true };
-  for (const Crossover& crossover : crossovers)
+  std::vector<Curve> curves;
+  for (const int pictures : { 1, 10, 100 })
   {
-    const auto add = [&crossover](Curve& curve, const Costs& triangles)
+    const std::string name = std::to_string(pictures) + (pictures == 1 ? " picture" : " pictures");
+    Curve drawn = { name, {} };
+    Curve free = { name + ", drawing in no time", {}, true };
+    for (const Crossover& crossover : crossovers)
     {
-      const Verdict verdict = Judge(triangles, crossover.Rays);
-      if (verdict.Kind != Verdict::TrianglesUpTo)
-      {
-        const double pictures = verdict.Kind == Verdict::AlwaysTriangles ? NoPictures
-          : verdict.Kind == Verdict::AlwaysRays                          ? ManyPictures
-                                                : std::min(verdict.Pictures, ManyPictures);
-        curve.Points.push_back({ crossover.Samples, pictures });
-      }
-    };
-    add(measured, crossover.Triangles);
-    add(free, crossover.GetFreeTriangles());
+      const double rays = crossover.Rays.GetTotal(pictures);
+      drawn.Points.push_back({ crossover.Samples, crossover.Triangles.GetTotal(pictures) / rays });
+      free.Points.push_back(
+        { crossover.Samples, crossover.GetFreeTriangles().GetTotal(pictures) / rays });
+    }
+    curves.push_back(drawn);
+    curves.push_back(free);
   }
-  return DrawChart("Pictures of an isovalue up to which rays need less time", "samples", "pictures",
-    { measured, free });
+  return DrawChart("Time of triangles, of that of rays", "samples", "times as long", curves);
 }
 
 //------------------------------------------------------------------------------
@@ -359,9 +353,9 @@ void WriteCrossover(std::ostream& out, const std::vector<Crossover>& crossovers)
        "but not drawing.</p>\n";
   WriteFigure(out, DrawCosts(crossovers), "The times of the table", true);
   WriteFigure(out, DrawCrossover(crossovers),
-    "Below a curve rays need less time, above it triangles do. 0.5: triangles need less time for "
-    "any "
-    "number of pictures; 1000: rays do.",
+    "Above 1, rays need less time for so many pictures of an isovalue. Dashed: if drawing "
+    "triangles "
+    "took no time.",
     true);
 }
 
