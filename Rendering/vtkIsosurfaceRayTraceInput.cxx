@@ -17,6 +17,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkPointSet.h"
 #include "vtkUniformGridAMR.h"
 
@@ -52,6 +53,16 @@ vtkIsosurfaceRayTraceScalars ScalarsOf(const Leaf& leaf, const vtkIsosurfaceRayT
   vtkIsosurfaceRayTraceScalars scalars = chosen;
   scalars.Array = leaf.Scalars;
   return scalars;
+}
+
+/// Whether data are one of several pieces, as the pipeline has asked for them, or by their ghosts.
+bool IsPiece(vtkDataObject* data)
+{
+  const int pieces = data->GetInformation()->Has(vtkDataObject::DATA_NUMBER_OF_PIECES())
+    ? data->GetInformation()->Get(vtkDataObject::DATA_NUMBER_OF_PIECES())
+    : 1;
+  auto* grid = vtkDataSet::SafeDownCast(data);
+  return pieces > 1 || (grid && grid->HasAnyGhostCells());
 }
 
 bool AreSame(const vtkirt::PlacedField& a, const vtkirt::PlacedField& b)
@@ -409,9 +420,13 @@ bool vtkIsosurfaceRayTraceInput::FindScalarRange(double range[2]) const
 {
   range[0] = std::numeric_limits<double>::infinity();
   range[1] = -range[0];
+  if (IsPiece(this->GetData()))
+  {
+    return false;
+  }
   for (const Leaf& leaf : this->Leaves.Get())
   {
-    if (leaf.Data->HasAnyGhostCells())
+    if (IsPiece(leaf.Data))
     {
       return false;
     }

@@ -104,7 +104,7 @@ public:
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
 
   /// The range of the scalars. Returns whether it is that of all: false if the input is a piece of
-  /// others, which has ghosts, or has no finite scalars.
+  /// others, or has no finite scalars.
   bool FindScalarRange(double range[2]) const;
 
   int GetNumberOfParts() const { return static_cast<int>(this->Parts.size()); }

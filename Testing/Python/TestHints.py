@@ -6,7 +6,7 @@
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkCommand
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
@@ -74,6 +74,11 @@ class TestHints(unittest.TestCase):
         image.AllocateCellGhostArray()
         image.GetCellGhostArray().SetValue(7, vtkDataSetAttributes.DUPLICATECELL)
         self.assertEqual(self.draw(*make_scene(image, 300.0)), [])
+        mesh = make_grid(VTK_TETRA, ball)
+        for pieces, count in ((2, 0), (1, 1)):
+            mesh.GetInformation().Set(vtkDataObject.DATA_NUMBER_OF_PIECES(), pieces)
+            scene = make_scene(mesh, 100.0, vtkIsosurfaceRayTraceMeshMapper)
+            self.assertEqual(len(self.draw(*scene)), count)
 
     def test_nothing_that_was_asked_for(self):
         mapper, volume, renderer = make_scene(make_waves(), 300.0)
