@@ -6,12 +6,16 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace
@@ -97,6 +101,37 @@ vtkBoundingBox GetOwnBoundsOfBlock(vtkDataSet* block)
   }
   return GetOwnBoundsOfMesh(block, ghosts);
 }
+
+//------------------------------------------------------------------------------
+bool DoOverlap(const vtkBoundingBox& one, const vtkBoundingBox& other, double tolerance)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double begin = std::max(one.GetBound(2 * axis), other.GetBound(2 * axis));
+    const double end = std::min(one.GetBound(2 * axis + 1), other.GetBound(2 * axis + 1));
+    if (end - begin <= tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool DoAnyOverlap(const std::vector<vtkBoundingBox>& boxes, double tolerance)
+{
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      if (DoOverlap(boxes[i], boxes[k], tolerance))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -125,6 +160,41 @@ vtkBoundingBox vtkIsosurfaceRayTracePiece::GetOwnBounds(vtkDataObject* data)
     bounds.AddBox(GetOwnBoundsOfBlock(block));
   }
   return bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTracePiece::Together vtkIsosurfaceRayTracePiece::Gather(
+  const double bounds[6], int numberOfComponents)
+{
+  constexpr std::size_t count = 7;
+  std::array<double, count> own;
+  std::copy_n(bounds, 6, own.begin());
+  own[6] = numberOfComponents;
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  std::vector<double> all(own.begin(), own.end());
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    all.resize(count * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+    controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(count));
+  }
+  Together together;
+  std::vector<vtkBoundingBox> boxes;
+  for (std::size_t i = 0; i < all.size(); i += count)
+  {
+    together.NumberOfComponents =
+      std::max(together.NumberOfComponents, static_cast<int>(all[i + 6]));
+    if (vtkMath::AreBoundsInitialized(&all[i]))
+    {
+      boxes.emplace_back(&all[i]);
+      together.Bounds.AddBox(boxes.back());
+    }
+  }
+  if (together.Bounds.IsValid())
+  {
+    // Boxes that touch may overlap by the rounding of their corners.
+    together.DoOverlap = DoAnyOverlap(boxes, 1e-6 * together.Bounds.GetDiagonalLength());
+  }
+  return together;
 }
 
 //------------------------------------------------------------------------------

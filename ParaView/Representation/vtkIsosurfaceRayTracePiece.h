@@ -27,6 +27,18 @@ vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data);
 /// not.
 vtkBoundingBox GetOwnBounds(vtkDataObject* data);
 
+/// What is known of the pieces of all processes: the bounds of them together, whether those of two
+/// of them overlap by more than rounding, and the most components that an array has in one.
+struct Together
+{
+  vtkBoundingBox Bounds;
+  bool DoOverlap = false;
+  int NumberOfComponents = 0;
+};
+
+/// Gathers it. To be called by all processes, with what each knows of its own piece.
+Together Gather(const double bounds[6], int numberOfComponents);
+
 /// The array of points or cells of the first block with cells that has it; null if none has it.
 vtkDataArray* FindArray(vtkDataObject* data, int association, const std::string& name);
 }

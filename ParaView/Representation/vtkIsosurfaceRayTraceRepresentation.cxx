@@ -4,9 +4,11 @@
 
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTracePiece.h"
+#include "vtkIsosurfaceRayTraceSharedPicture.h"
 #include "vtkIsosurfaceVolume.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDiscretizableColorTransferFunction.h"
@@ -34,6 +36,20 @@ int GetNumberOfProcesses()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return controller ? controller->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
+bool IsFirstProcess()
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+//------------------------------------------------------------------------------
+bool IsInteractive(vtkPVRenderView* view)
+{
+  // It sets a rate far below 1 for still pictures, on all processes.
+  return view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -95,8 +111,14 @@ bool vtkIsosurfaceRayTraceRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  renderView->GetRenderer()->AddViewProp(this->Volume);
+  vtkRenderer* renderer = renderView->GetRenderer();
+  renderer->AddViewProp(this->Volume);
   renderView->RegisterPropForHardwareSelection(this, this->Volume);
+  renderer->AddViewProp(this->SharedPicture);
+  // All processes that render come there, and before them vtkSynchronizedRenderers, which gives the
+  // server the camera of the client.
+  this->ObserverOfRenderer = renderer->AddObserver(
+    vtkCommand::StartEvent, this, &vtkIsosurfaceRayTraceRepresentation::PrepareToComposite, -1.0F);
   return true;
 }
 
@@ -110,6 +132,8 @@ bool vtkIsosurfaceRayTraceRepresentation::RemoveFromView(vtkView* view)
   }
   renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
   renderView->GetRenderer()->RemoveViewProp(this->Volume);
+  renderView->GetRenderer()->RemoveViewProp(this->SharedPicture);
+  renderView->GetRenderer()->RemoveObserver(this->ObserverOfRenderer);
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -197,6 +221,26 @@ void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkI
   this->Volume->GetMatrix(matrix);
   double bounds[6];
   GetTransformedBounds(this->OwnBounds, matrix, bounds);
+  vtkDataArray* array = vtkIsosurfaceRayTracePiece::FindArray(
+    this->Piece, this->GetContourAssociation(), this->GetContourArrayName());
+  const vtkIsosurfaceRayTracePiece::Together together =
+    vtkIsosurfaceRayTracePiece::Gather(bounds, array ? array->GetNumberOfComponents() : 0);
+  this->NumberOfComponents = together.NumberOfComponents;
+  this->SharedPicture->SetBounds(together.Bounds);
+
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  this->DoPiecesOverlap =
+    together.DoOverlap && !view->InTileDisplayMode() && !view->InCaveDisplayMode();
+  if (this->DoPiecesOverlap)
+  {
+    // There is no order. With all bounds in process 0, which shows the picture, ParaView gives
+    // other geometry to that process, too, if something is composited in order.
+    vtkMath::UninitializeBounds(bounds);
+    if (IsFirstProcess())
+    {
+      together.Bounds.GetBounds(bounds);
+    }
+  }
   vtkPVView::SetPiece(in, this, this->Piece);
   vtkPVRenderView::SetGeometryBounds(in, this, bounds);
   vtkPVRenderView::SetRequiresDistributedRendering(in, this, true);
@@ -210,28 +254,53 @@ void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkI
 void vtkIsosurfaceRayTraceRepresentation::PrepareToRender(vtkInformation* in)
 {
   vtkDataObject* piece = vtkPVView::GetDeliveredPiece(in, this);
-  const bool canRender = piece &&
-    vtkIsosurfaceRayTracePiece::FindArray(
-      piece, this->GetContourAssociation(), this->GetContourArrayName());
-  this->Volume->SetVisibility(canRender && this->GetVisibility());
-  if (!canRender)
+  if (!piece ||
+    !vtkIsosurfaceRayTracePiece::FindArray(
+      piece, this->GetContourAssociation(), this->GetContourArrayName()))
   {
     this->Mapper->RemoveAllInputs();
-    return;
   }
-  if (this->Mapper->GetDataObjectInput() != piece)
+  else if (this->Mapper->GetDataObjectInput() != piece)
   {
     this->Mapper->SetInputDataObject(piece);
   }
+  // All processes have the same settings, with data or without: the compositor insists on it.
   this->UpdateMapper();
   this->UpdateColors();
   this->UpdateClippingPlane();
   this->WarnOfSecondaryRays();
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (!this->IsOpaque())
   {
     // ParaView peels volumes together with translucent polygons; isosurfaces cannot be peeled.
-    auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
     view->GetRenderer()->UseDepthPeelingForVolumesOff();
+  }
+  this->IsComposited = this->DoPiecesOverlap && view->GetUseOrderedCompositing();
+  this->ShowVolume(true);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::ShowVolume(bool isShown)
+{
+  this->Volume->SetVisibility(
+    isShown && this->GetVisibility() && this->Mapper->GetNumberOfInputConnections(0) > 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::PrepareToComposite()
+{
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkRenderer* renderer = view->GetRenderer();
+  // What is selected is found by the ids that the volume of each process draws.
+  const bool isComposited = this->IsComposited && this->GetVisibility() && !renderer->GetSelector();
+  this->SharedPicture->SetVisibility(isComposited && IsFirstProcess());
+  this->ShowVolume(!isComposited);
+  if (isComposited)
+  {
+    const int reduction = IsInteractive(view) ? view->GetInteractiveRenderImageReductionFactor()
+                                              : view->GetStillRenderImageReductionFactor();
+    this->SharedPicture->Make(this->Volume, renderer, reduction,
+      static_cast<double>(this->Mapper->GetImageSampleDistance()));
   }
 }
 
@@ -245,16 +314,12 @@ void vtkIsosurfaceRayTraceRepresentation::UpdateMapper()
     areCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   this->Mapper->SelectScalarArray(name.c_str());
 
-  vtkDataArray* array =
-    vtkIsosurfaceRayTracePiece::FindArray(this->Mapper->GetDataObjectInput(), association, name);
-  const bool isMagnitude = this->Component >= array->GetNumberOfComponents();
+  const bool isMagnitude = this->Component >= this->NumberOfComponents;
   this->Mapper->SetVectorMode(
     isMagnitude ? vtkIsosurfaceRayTraceMapper::MAGNITUDE : vtkIsosurfaceRayTraceMapper::COMPONENT);
   this->Mapper->SetVectorComponent(this->Component);
 
-  // vtkPVRenderView sets a rate far below 1 for still pictures, on all processes.
-  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  const bool isInteractive = view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
+  const bool isInteractive = IsInteractive(vtkPVRenderView::SafeDownCast(this->GetView()));
   this->Mapper->SetImageSampleDistance(static_cast<float>(
     isInteractive ? this->InteractiveImageSampleDistance : this->ImageSampleDistance));
 }
@@ -295,7 +360,7 @@ void vtkIsosurfaceRayTraceRepresentation::WarnOfSecondaryRays()
   if (areSecondary && GetNumberOfProcesses() > 1 && !this->HasWarnedOfSecondaryRays)
   {
     this->HasWarnedOfSecondaryRays = true;
-    if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
+    if (IsFirstProcess())
     {
       vtkWarningMacro(
         "On several processes, shadows and ambient occlusion end at the pieces of the "

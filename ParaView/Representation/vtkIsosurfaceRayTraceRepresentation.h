@@ -12,8 +12,9 @@
  * samples further away are needed: tricubic interpolation, scalars of cells), so that surfaces and
  * normals go on from piece to piece. Pictures of opaque surfaces are composited by depth, whatever
  * the shape of the pieces; translucent ones in the order of the bounds of the pieces, without
- * ghosts. Rays of shadows and of ambient occlusion know the piece of their process alone, which one
- * warning says.
+ * ghosts. Where such bounds overlap there is no order: then vtkIsosurfaceRayTraceCompositor makes
+ * one picture, pixel by pixel, which process 0 shows. Rays of shadows and of ambient occlusion know
+ * the piece of their process alone, which one warning says.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceVolume
  */
@@ -34,6 +35,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkColorTransferFunction;
 class vtkDataObject;
 class vtkIsosurfaceRayTraceMapper;
+class vtkIsosurfaceRayTraceSharedPicture;
 class vtkIsosurfaceVolume;
 class vtkPVPlane;
 class vtkPiecewiseFunction;
@@ -159,6 +161,8 @@ private:
   bool IsOpaque();
   void DescribePiece(vtkInformation* in, vtkInformation* out);
   void PrepareToRender(vtkInformation* in);
+  void PrepareToComposite();
+  void ShowVolume(bool isShown);
   void UpdateMapper();
   void UpdateColors();
   void UpdateClippingPlane();
@@ -168,6 +172,11 @@ private:
   vtkNew<vtkIsosurfaceVolume> Volume;
   vtkSmartPointer<vtkDataObject> Piece;
   double OwnBounds[6];
+  vtkNew<vtkIsosurfaceRayTraceSharedPicture> SharedPicture;
+  unsigned long ObserverOfRenderer = 0;
+  bool DoPiecesOverlap = false;
+  bool IsComposited = false;
+  int NumberOfComponents = 0; // of the array, in whichever process has it
   int Component = 0;
   int ColorAssociation = -1;
   std::string ColorArrayName;

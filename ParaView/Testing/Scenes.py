@@ -14,6 +14,7 @@ from paraview.simple import (
     GroupDatasets,
     PointDatatoCellData,
     ProgrammableFilter,
+    ProgrammableSource,
     Show,
     Sphere,
     Tetrahedralize,
@@ -60,6 +61,12 @@ def color_by(display, association, name):
     display.ColorArrayName = [association, name]
     display.LookupTable = table
     return table
+
+
+def show_ball(view, opacity, **settings):
+    ball = Show(Sphere(ThetaResolution=48, PhiResolution=48, **settings), view)
+    ball.ColorArrayName = ["POINTS", ""]
+    ball.Opacity = opacity
 
 
 def rectilinear(view):
@@ -132,6 +139,69 @@ def translucent(view):
     return show(make_wavelet(), view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
 
 
+def unordered_grid(view):
+    """Translucent, of a structured grid: the bounds of its pieces overlap, so they have no order."""
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    turned = Transform(Input=make_wavelet())
+    turned.Transform.Rotate = [30.0, 20.0, 30.0]
+    return show(turned, view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
+
+
+def unordered_mesh(view):
+    """Translucent, of a mesh whose processes have cubes of cells between those of the others."""
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    mesh = ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
+    mesh.Script = """
+import numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+wavelet = vtkRTAnalyticSource()
+wavelet.SetWholeExtent(-12, 12, -12, 12, -12, 12)
+controller = vtkMultiProcessController.GetGlobalController()
+z, y, x = numpy.meshgrid(*[numpy.arange(24) // 6] * 3, indexing="ij")
+is_own = (x + y + z).ravel() % controller.GetNumberOfProcesses() == controller.GetLocalProcessId()
+ids = vtkIdList()
+for cell in numpy.flatnonzero(is_own):
+    ids.InsertNextId(cell)
+cells = vtkExtractCells()
+cells.SetInputConnection(wavelet.GetOutputPort())
+cells.SetCellList(ids)
+cells.Update()
+self.GetUnstructuredGridOutput().ShallowCopy(cells.GetOutput())
+"""
+    # There are no ghost cells, which smooth normals need.
+    return show(mesh, view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4, IsosurfaceNormals="Exact")
+
+
+def unordered_in_glass(view):
+    """Opaque surfaces, in a sphere for which ParaView composites all in order."""
+    display = unordered_grid(view)
+    display.Isovalues = [ISOVALUE]
+    display.Opacity = 1.0
+    show_ball(view, 0.3, Radius=13.0)
+    return display
+
+
+def unordered_around_glass(view):
+    show_ball(view, 0.3, Radius=13.0)
+    return unordered_grid(view)
+
+
+def unordered_around_ball(view):
+    show_ball(view, 1.0, Radius=6.0, Center=[0.0, 0.0, 10.0])
+    return unordered_grid(view)
+
+
+def unordered_interactive(view):
+    """As while the view is moved: with fewer rays, and on several processes fewer pixels."""
+    display = unordered_grid(view)
+    view.SMProxy.InteractiveRender()
+    view.UseInteractiveRenderingForScreenshots = 1
+    return display
+
+
 def moved(view):
     """Translucent, and elsewhere than the data: by the transformation of the display."""
     display = translucent(view)
@@ -157,9 +227,7 @@ def opacity_function(view):
 def beside_glass(view):
     """Opaque surfaces in a translucent sphere of polygons, which ParaView peels."""
     view.UseFXAA = 0
-    glass = Show(Sphere(Radius=13.0, ThetaResolution=48, PhiResolution=48), view)
-    glass.ColorArrayName = ["POINTS", ""]
-    glass.Opacity = 0.3
+    show_ball(view, 0.3, Radius=13.0)
     return show(make_wavelet(), view)
 
 
