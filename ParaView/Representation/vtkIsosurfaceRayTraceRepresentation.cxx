@@ -172,8 +172,8 @@ int vtkIsosurfaceRayTraceRepresentation::RequestData(
     if (bounds.IsValid())
     {
       bounds.GetBounds(this->OwnBounds);
-      this->ReportMissingArray();
     }
+    this->IsPieceNew = true;
   }
   return this->Superclass::RequestData(request, in, out);
 }
@@ -181,11 +181,11 @@ int vtkIsosurfaceRayTraceRepresentation::RequestData(
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceRepresentation::ReportMissingArray()
 {
-  const std::string name = this->GetContourArrayName();
-  if (!vtkIsosurfaceRayTracePiece::FindArray(this->Piece, this->GetContourAssociation(), name))
+  // Not all processes need have it.
+  if (this->NumberOfComponents == 0 && IsFirstProcess())
   {
     vtkErrorMacro("There is no array \""
-      << name
+      << this->GetContourArrayName()
       << "\" of points or cells to contour. Choose one in "
          "\"Contour By\"; data without arrays of numbers cannot be shown by isosurfaces.");
   }
@@ -226,6 +226,11 @@ void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkI
   const vtkIsosurfaceRayTracePiece::Together together =
     vtkIsosurfaceRayTracePiece::Gather(bounds, array ? array->GetNumberOfComponents() : 0);
   this->NumberOfComponents = together.NumberOfComponents;
+  if (this->IsPieceNew && together.Bounds.IsValid())
+  {
+    this->ReportMissingArray();
+  }
+  this->IsPieceNew = false;
   this->SharedPicture->SetBounds(together.Bounds);
 
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());

@@ -171,6 +171,7 @@ private:
   vtkNew<vtkIsosurfaceRayTraceMapper> Mapper;
   vtkNew<vtkIsosurfaceVolume> Volume;
   vtkSmartPointer<vtkDataObject> Piece;
+  bool IsPieceNew = false;
   double OwnBounds[6];
   vtkNew<vtkIsosurfaceRayTraceSharedPicture> SharedPicture;
   unsigned long ObserverOfRenderer = 0;

@@ -113,12 +113,35 @@ def blocks(view):
     return show(GroupDatasets(Input=[make_wavelet(), turned, voxels]), view)
 
 
-def amr(view):
-    """Cells of several levels."""
-    source = AMRGaussianPulseSource(XPulseOrigin=-0.75, YPulseOrigin=-0.75, ZPulseOrigin=1.25)
+def show_amr(source, view):
     view.CameraPosition = [2.0, 2.0, 6.0]
     view.CameraFocalPoint = [-0.75, -0.75, 1.25]
     return show(source, view, array=("CELLS", "Gaussian-Pulse"), isovalues=(0.2,))
+
+
+def make_pulse():
+    return AMRGaussianPulseSource(XPulseOrigin=-0.75, YPulseOrigin=-0.75, ZPulseOrigin=1.25)
+
+
+def amr(view):
+    """Cells of several levels."""
+    return show_amr(make_pulse(), view)
+
+
+def shared_out_amr(view):
+    """Each process has some of the blocks (the source gives all to all), without ghost cells, as readers of AMR do."""
+    blocks = ProgrammableFilter(Input=make_pulse())
+    blocks.Script = """
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+whole, own = self.GetInputDataObject(0, 0), self.GetOutputDataObject(0)
+own.CopyStructure(whole)
+for level in range(whole.GetNumberOfLevels()):
+    for block in range(whole.GetNumberOfDataSets(level)):
+        if (level + block) % controller.GetNumberOfProcesses() == controller.GetLocalProcessId():
+            own.SetDataSet(level, block, whole.GetDataSet(level, block))
+"""
+    return show_amr(blocks, view)
 
 
 def colored_by_isovalue(view):

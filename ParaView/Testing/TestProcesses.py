@@ -9,6 +9,7 @@ from Support import differences, draw
 
 # Opaque, or composited from what all processes have along each ray.
 EXACT = (
+    "amr",
     "blocks",
     "cells",
     "clipped",
@@ -28,8 +29,9 @@ EXACT = (
 )
 # ParaView composites translucent pictures in 8 bits, from each process to the next.
 TRANSLUCENT = ("beside_glass", "moved", "opacity_function", "translucent", "unordered_around_glass")
-# A process knows the light that its own piece lets pass, and blends its edges with its own background. Where pieces have no order, surfaces are drawn over polygons.
-OF_PIECES = ("occlusion", "shadows", "smooth_edges", "unordered_around_ball")
+# A process knows the light that its own piece lets pass, and blends its edges with its own background. AMR has
+# no ghost cells. Where pieces have no order, surfaces are drawn over polygons.
+OF_PIECES = ("occlusion", "shadows", "shared_out_amr", "smooth_edges", "unordered_around_ball")
 
 
 class TestProcesses(unittest.TestCase):
