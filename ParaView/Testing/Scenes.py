@@ -113,6 +113,14 @@ def blocks(view):
     return show(GroupDatasets(Input=[make_wavelet(), turned, voxels]), view)
 
 
+def cell_blocks(view):
+    """Blocks of arrays of cells: ParaView gives blocks a layer of ghost cells anyway; these need another one."""
+    cells = PointDatatoCellData(Input=make_wavelet(), ProcessAllArrays=1)
+    above = Transform(Input=cells)
+    above.Transform.Translate = [0.0, 12.0, 0.0]
+    return show(GroupDatasets(Input=[cells, above]), view, array=CELLS)
+
+
 def show_amr(source, view):
     view.CameraPosition = [2.0, 2.0, 6.0]
     view.CameraFocalPoint = [-0.75, -0.75, 1.25]

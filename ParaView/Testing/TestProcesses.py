@@ -11,6 +11,7 @@ from Support import differences, draw
 EXACT = (
     "amr",
     "blocks",
+    "cell_blocks",
     "cells",
     "clipped",
     "colored_by_array",
@@ -32,14 +33,15 @@ TRANSLUCENT = ("beside_glass", "moved", "opacity_function", "translucent", "unor
 # A process knows the light that its own piece lets pass, and blends its edges with its own background. AMR has
 # no ghost cells. Where pieces have no order, surfaces are drawn over polygons.
 OF_PIECES = ("occlusion", "shadows", "shared_out_amr", "smooth_edges", "unordered_around_ball")
+OF_EIGHT = ("cell_blocks", "curvilinear", "trilinear", "unordered_mesh")
 
 
 class TestProcesses(unittest.TestCase):
     def test_same_picture(self):
         scenes = EXACT + TRANSLUCENT + OF_PIECES
         expected = draw(1, scenes)
-        for processes in (2, 4):
-            for name, path in draw(processes, scenes).items():
+        for processes, names in ((2, scenes), (3, scenes), (4, scenes), (8, OF_EIGHT)):
+            for name, path in draw(processes, names).items():
                 found = differences(path, expected[name])
                 changed, largest = int((found > 0).sum()), int(found.max())
                 print(f"{name}, {processes} processes: {changed} of {found.size} pixels differ, by {largest} at most")
