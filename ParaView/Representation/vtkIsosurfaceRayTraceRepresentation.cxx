@@ -7,11 +7,13 @@
 #include "vtkIsosurfaceRayTraceSharedPicture.h"
 #include "vtkIsosurfaceVolume.h"
 
+#include "vtkCameraPass.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDiscretizableColorTransferFunction.h"
+#include "vtkIceTCompositePass.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -50,6 +52,19 @@ bool IsInteractive(vtkPVRenderView* view)
 {
   // It sets a rate far below 1 for still pictures, on all processes.
   return view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
+}
+
+//------------------------------------------------------------------------------
+// Has the nearest of all processes win in this frame, and not the first in the order of processes.
+void CompositeByDepth(vtkRenderer* renderer)
+{
+  auto* cameraPass = vtkCameraPass::SafeDownCast(renderer->GetPass());
+  auto* pass =
+    cameraPass ? vtkIceTCompositePass::SafeDownCast(cameraPass->GetDelegatePass()) : nullptr;
+  if (pass)
+  {
+    pass->UseOrderedCompositingOff(); // vtkPVRenderView sets it for each frame that is no selection
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -300,6 +315,10 @@ void vtkIsosurfaceRayTraceRepresentation::PrepareToComposite()
   const bool isComposited = this->IsComposited && this->GetVisibility() && !renderer->GetSelector();
   this->SharedPicture->SetVisibility(isComposited && IsFirstProcess());
   this->ShowVolume(!isComposited);
+  if (this->IsComposited && renderer->GetSelector())
+  {
+    CompositeByDepth(renderer);
+  }
   if (isComposited)
   {
     const int reduction = IsInteractive(view) ? view->GetInteractiveRenderImageReductionFactor()
