@@ -11,6 +11,7 @@ from paraview.simple import (  # noqa: E402
     CompositeKeyFrame,
     GetAnimationScene,
     GetAnimationTrack,
+    HideUnusedScalarBars,
     ProgrammableSource,
     Render,
     SaveScreenshot,
@@ -114,6 +115,15 @@ def refinement():
     write_picture("refined", view)
 
 
+def scalar_bar():
+    view = Scenes.make_view()
+    display = Scenes.colored_by_isovalue(view)
+    write_picture("without_bar", view)
+    display.SetScalarBarVisibility(view, True)
+    HideUnusedScalarBars(view)
+    write_picture("with_bar", view)
+
+
 # The state files have what there is then.
 states_and_sizes()
 first_apply()
@@ -121,3 +131,4 @@ trace()
 animation()
 time_series()
 refinement()
+scalar_bar()

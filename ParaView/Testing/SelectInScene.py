@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Selects in the middle of a scene, and prints where the points and cells are: pvbatch SelectInScene.py SCENE"""
+"""Selects in the middle of a scene, and prints where the points and cells are, and what is told of the point and
+of the cell under the mouse there: pvbatch SelectInScene.py SCENE"""
 
 import json
 import os
@@ -17,6 +18,9 @@ from paraview.simple import (  # noqa: E402
     SelectSurfacePoints,
 )
 from paraview import servermanager  # noqa: E402
+from paraview.modules.vtkRemotingMisc import vtkSMTooltipSelectionPipeline  # noqa: E402
+from vtkmodules.vtkCommonCore import reference, vtkCollection  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkDataObject  # noqa: E402
 
 import Scenes  # noqa: E402
 
@@ -42,6 +46,17 @@ def is_passed(grid, cell):
     return min(values) < Scenes.ISOVALUE <= max(values)
 
 
+def hover(select, association, view):
+    """The tooltip that ParaView shows of what is under the mouse."""
+    displays, selections, text = vtkCollection(), vtkCollection(), reference("")
+    select([120, 120, 120, 120], displays, selections, 0)
+    tooltips = vtkSMTooltipSelectionPipeline.GetInstance()
+    tooltips.Show(displays.GetItemAsObject(0), selections.GetItemAsObject(0), view.SMProxy)
+    tooltips.GetTooltipInfo(association, text)
+    tooltips.Hide(view.SMProxy)
+    return str(text)
+
+
 view = Scenes.make_view()
 display = getattr(Scenes, sys.argv[1])(view)
 source = display.Input
@@ -54,4 +69,10 @@ cells = extract(source)
 places = {tuple(round(x, 4) for x in points.GetPoint(i)) for i in range(points.GetNumberOfPoints())}
 middles = [middle(cells.GetCell(i)) for i in range(cells.GetNumberOfCells())]
 passed = sum(is_passed(cells, cells.GetCell(i)) for i in range(cells.GetNumberOfCells()))
-print(json.dumps({"points": sorted(places), "cells": sorted(middles), "passed": passed}))
+point = hover(view.SMProxy.SelectSurfacePoints, vtkDataObject.FIELD_ASSOCIATION_POINTS, view)
+cell = hover(view.SMProxy.SelectSurfaceCells, vtkDataObject.FIELD_ASSOCIATION_CELLS, view)
+print(
+    json.dumps(
+        {"points": sorted(places), "cells": sorted(middles), "passed": passed, "point": point, "cell": cell}
+    )
+)

@@ -7,6 +7,7 @@ What the filter Extract Selection makes of a selection is compared, which is wha
 """
 
 import json
+import re
 import unittest
 
 from Support import run_pvbatch
@@ -15,6 +16,10 @@ from Support import run_pvbatch
 def select(processes, scene):
     output = run_pvbatch(processes, "SelectInScene.py", scene)
     return json.loads(output[output.index("{") : output.rindex("}") + 1])
+
+
+def place_and_value(tooltip):
+    return re.search(r"Coords: (.*)\nRTData: (.*?)[\n<]", tooltip).groups()
 
 
 class TestSelection(unittest.TestCase):
@@ -34,6 +39,14 @@ class TestSelection(unittest.TestCase):
         self.assertGreater(len(one["points"]), 1000)
         self.assertEqual(one["points"], two["points"])
         self.assertEqual(one["cells"], two["cells"])
+
+    def test_hover(self):
+        one, two = (select(processes, "blocks") for processes in (1, 2))
+        print(one["point"], one["cell"], sep="\n")
+        self.assertIn("Block: Wavelet", one["point"])
+        self.assertEqual(place_and_value(one["point"]), place_and_value(two["point"]))
+        for tooltip in (one["cell"], two["cell"]):
+            self.assertIn("Type: Voxel", tooltip)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What users do with a representation: state files, trace, animation, time, screenshots of other sizes."""
+"""What users do with a representation: state files, trace, animation, time, undo, screenshots of other sizes."""
 
 import unittest
 
@@ -13,6 +13,7 @@ class TestSession(unittest.TestCase):
     def setUpClass(cls):
         PICTURES.mkdir(parents=True, exist_ok=True)
         run_pvbatch(1, "DrawSession.py", PICTURES)
+        run_pvbatch(1, "DrawUndo.py", PICTURES)
 
     def assert_same(self, name, other):
         self.assertGreater(read_picture(PICTURES / f"{name}.png").std(), 5, "the picture is empty")
@@ -51,6 +52,14 @@ class TestSession(unittest.TestCase):
 
     def test_progressive_refinement(self):
         self.assert_different("refined", "unrefined")
+
+    def test_undo_and_redo(self):
+        self.assert_different("edited", "before_edit")
+        self.assert_same("undone", "before_edit")
+        self.assert_same("redone", "edited")
+
+    def test_scalar_bar(self):
+        self.assert_different("with_bar", "without_bar")
 
 
 if __name__ == "__main__":
