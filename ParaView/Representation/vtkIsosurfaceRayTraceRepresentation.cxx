@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTracePiece.h"
+#include "vtkIsosurfaceRayTraceRefinement.h"
 #include "vtkIsosurfaceRayTraceSharedPicture.h"
 #include "vtkIsosurfaceVolume.h"
 
@@ -132,8 +133,10 @@ bool vtkIsosurfaceRayTraceRepresentation::AddToView(vtkView* view)
   renderer->AddViewProp(this->SharedPicture);
   // All processes that render come there, and before them vtkSynchronizedRenderers, which gives the
   // server the camera of the client.
-  this->ObserverOfRenderer = renderer->AddObserver(
+  this->ObserverOfStart = renderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkIsosurfaceRayTraceRepresentation::PrepareToComposite, -1.0F);
+  this->ObserverOfEnd = renderer->AddObserver(
+    vtkCommand::EndEvent, this, &vtkIsosurfaceRayTraceRepresentation::ContinueRefinement);
   return true;
 }
 
@@ -148,7 +151,9 @@ bool vtkIsosurfaceRayTraceRepresentation::RemoveFromView(vtkView* view)
   renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
   renderView->GetRenderer()->RemoveViewProp(this->Volume);
   renderView->GetRenderer()->RemoveViewProp(this->SharedPicture);
-  renderView->GetRenderer()->RemoveObserver(this->ObserverOfRenderer);
+  renderView->GetRenderer()->RemoveObserver(this->ObserverOfStart);
+  renderView->GetRenderer()->RemoveObserver(this->ObserverOfEnd);
+  this->Refinement->Stop();
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -325,6 +330,17 @@ void vtkIsosurfaceRayTraceRepresentation::PrepareToComposite()
                                               : view->GetStillRenderImageReductionFactor();
     this->SharedPicture->Make(this->Volume, renderer, reduction,
       static_cast<double>(this->Mapper->GetImageSampleDistance()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::ContinueRefinement()
+{
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (this->Mapper->GetProgressiveAccumulation() && this->GetVisibility() && !IsInteractive(view) &&
+    !view->GetRenderer()->GetSelector())
+  {
+    this->Refinement->Continue(view, this->Mapper->GetMaximumNumberOfAccumulatedFrames());
   }
 }
 

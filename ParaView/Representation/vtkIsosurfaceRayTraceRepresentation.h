@@ -35,6 +35,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkColorTransferFunction;
 class vtkDataObject;
 class vtkIsosurfaceRayTraceMapper;
+class vtkIsosurfaceRayTraceRefinement;
 class vtkIsosurfaceRayTraceSharedPicture;
 class vtkIsosurfaceVolume;
 class vtkPVPlane;
@@ -162,6 +163,7 @@ private:
   void DescribePiece(vtkInformation* in, vtkInformation* out);
   void PrepareToRender(vtkInformation* in);
   void PrepareToComposite();
+  void ContinueRefinement();
   void ShowVolume(bool isShown);
   void UpdateMapper();
   void UpdateColors();
@@ -174,7 +176,9 @@ private:
   bool IsPieceNew = false;
   double OwnBounds[6];
   vtkNew<vtkIsosurfaceRayTraceSharedPicture> SharedPicture;
-  unsigned long ObserverOfRenderer = 0;
+  vtkNew<vtkIsosurfaceRayTraceRefinement> Refinement;
+  unsigned long ObserverOfStart = 0;
+  unsigned long ObserverOfEnd = 0;
   bool DoPiecesOverlap = false;
   bool IsComposited = false;
   int NumberOfComponents = 0; // of the array, in whichever process has it

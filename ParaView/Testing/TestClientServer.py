@@ -78,6 +78,12 @@ class TestClientServer(unittest.TestCase):
                     print(f"{name}, server of {processes}: {changed} pixels differ")
                     self.assertEqual(changed, 0)
 
+    def test_window_of_client_refines_itself(self):
+        folder = make_folder("waiting-client")
+        with run_server(2) as (_, port):
+            script = [str(HERE / "DrawWaiting.py"), str(folder / "waited.png")]
+            self.assertIn("16 frames", run([program("pvpython"), *script], SERVER_PORT=port))
+
     def test_server_ends_when_its_client_is_killed(self):
         for processes in (1, 2):
             with self.subTest(processes=processes):

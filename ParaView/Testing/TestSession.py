@@ -5,7 +5,7 @@
 
 import unittest
 
-from Support import PICTURES, differences, read_picture, run_pvbatch
+from Support import HERE, PICTURES, differences, program, read_picture, run, run_pvbatch
 
 
 class TestSession(unittest.TestCase):
@@ -52,6 +52,11 @@ class TestSession(unittest.TestCase):
 
     def test_progressive_refinement(self):
         self.assert_different("refined", "unrefined")
+
+    def test_window_refines_itself(self):
+        printed = run([program("pvpython"), str(HERE / "DrawWaiting.py"), str(PICTURES / "waited.png")])
+        self.assertIn("16 frames", printed)
+        self.assert_same("waited", "refined")
 
     def test_undo_and_redo(self):
         self.assert_different("edited", "before_edit")
