@@ -178,11 +178,10 @@ def unordered_grid(view):
     return show(turned, view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4)
 
 
-def unordered_mesh(view):
-    """Translucent, of a mesh whose processes have cubes of cells between those of the others."""
-    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+def make_cubes(first=0):
+    """A mesh of which each process, from one on if there are more, has cubes of cells between those of the others."""
     mesh = ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
-    mesh.Script = """
+    mesh.Script = f"""
 import numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkFiltersCore import vtkExtractCells
@@ -191,19 +190,42 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 wavelet = vtkRTAnalyticSource()
 wavelet.SetWholeExtent(-12, 12, -12, 12, -12, 12)
 controller = vtkMultiProcessController.GetGlobalController()
+first = {first} if controller.GetNumberOfProcesses() > {first} else 0
 z, y, x = numpy.meshgrid(*[numpy.arange(24) // 6] * 3, indexing="ij")
-is_own = (x + y + z).ravel() % controller.GetNumberOfProcesses() == controller.GetLocalProcessId()
+owners = (x + y + z).ravel() % (controller.GetNumberOfProcesses() - first) + first
 ids = vtkIdList()
-for cell in numpy.flatnonzero(is_own):
+for cell in numpy.flatnonzero(owners == controller.GetLocalProcessId()):
     ids.InsertNextId(cell)
-cells = vtkExtractCells()
-cells.SetInputConnection(wavelet.GetOutputPort())
-cells.SetCellList(ids)
-cells.Update()
-self.GetUnstructuredGridOutput().ShallowCopy(cells.GetOutput())
+if ids.GetNumberOfIds() > 0:
+    cells = vtkExtractCells()
+    cells.SetInputConnection(wavelet.GetOutputPort())
+    cells.SetCellList(ids)
+    cells.Update()
+    self.GetUnstructuredGridOutput().ShallowCopy(cells.GetOutput())
 """
+    return mesh
+
+
+def unordered_mesh(view):
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
     # There are no ghost cells, which smooth normals need.
-    return show(mesh, view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4, IsosurfaceNormals="Exact")
+    return show(make_cubes(), view, isovalues=(120.0, ISOVALUE, 200.0), Opacity=0.4, IsosurfaceNormals="Exact")
+
+
+def unordered_vectors(view):
+    """The magnitude of vectors, cut and capped; the process that shows the picture has no data."""
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    vectors = Calculator(
+        Input=make_cubes(first=1), ResultArrayName="vectors", Function="coordsX * iHat + coordsY * jHat + coordsZ * kHat"
+    )
+    display = show(
+        vectors, view, array=("POINTS", "vectors"), isovalues=(8.0, 12.0), Opacity=0.5, IsosurfaceNormals="Exact"
+    )
+    display.IsosurfaceComponent = 3
+    display.IsosurfaceClippingPlane = "Plane"
+    display.IsosurfaceClippingPlane.Origin = [1.0, 0.0, 2.0]
+    display.IsosurfaceClippingPlane.Normal = [-1.0, 0.0, -1.0]
+    return display
 
 
 def unordered_in_glass(view):

@@ -26,6 +26,7 @@ EXACT = (
     "unordered_grid",
     "unordered_in_glass",
     "unordered_mesh",
+    "unordered_vectors",
     "vectors",
 )
 # ParaView composites translucent pictures in 8 bits, from each process to the next.
