@@ -14,7 +14,6 @@
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDiscretizableColorTransferFunction.h"
-#include "vtkIceTCompositePass.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -29,6 +28,13 @@
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
+
+#if __has_include("vtkIceTCompositePass.h")
+#define HAS_ICET 1 // not without MPI
+#include "vtkIceTCompositePass.h"
+#else
+#define HAS_ICET 0
+#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -59,6 +65,7 @@ bool IsInteractive(vtkPVRenderView* view)
 // Has the nearest of all processes win in this frame, and not the first in the order of processes.
 void CompositeByDepth(vtkRenderer* renderer)
 {
+#if HAS_ICET
   auto* cameraPass = vtkCameraPass::SafeDownCast(renderer->GetPass());
   auto* pass =
     cameraPass ? vtkIceTCompositePass::SafeDownCast(cameraPass->GetDelegatePass()) : nullptr;
@@ -66,6 +73,9 @@ void CompositeByDepth(vtkRenderer* renderer)
   {
     pass->UseOrderedCompositingOff(); // vtkPVRenderView sets it for each frame that is no selection
   }
+#else
+  (void)renderer;
+#endif
 }
 
 //------------------------------------------------------------------------------
