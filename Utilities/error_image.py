@@ -113,8 +113,8 @@ def add_legend(renderer, colors):
     renderer.AddViewProp(bar)
     add_text(renderer, "error, cells", GAP, 40)
     add_text(renderer, "missed or invented", 1130, 40, MISJUDGED)
-    add_text(renderer, "nothing there", 1330, 40, NOTHING)
-    add_text(renderer, "seen, distance not known", 1560, 40, UNKNOWN)
+    add_text(renderer, "nothing there", 1380, 40, NOTHING)
+    add_text(renderer, "seen, distance not known", 1580, 40, UNKNOWN)
 
 
 def write_error_image(vti, path):
