@@ -322,7 +322,7 @@ std::string DrawCrossover(const std::vector<Crossover>& crossovers)
     curves.push_back(drawn);
     curves.push_back(free);
   }
-  return DrawChart("Time of triangles, of that of rays", "samples", "times as long", curves);
+  return DrawChart("Time of triangles divided by that of rays", "samples", "ratio", curves);
 }
 
 //------------------------------------------------------------------------------
