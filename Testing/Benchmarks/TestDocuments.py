@@ -74,7 +74,7 @@ class TestDocuments(unittest.TestCase):
         self.assertEqual(len(prices), 2 + 6)
         self.assertTrue(all(re.match(r"\d", cell) for row in prices[2:] for cell in row[1:]))
         pictures = re.findall(r"\(images/(accuracy-.*\.png)\)", text)
-        self.assertEqual(len(pictures), 5)
+        self.assertEqual(len(pictures), 6)
         for picture in pictures:
             self.check_picture(picture)
 

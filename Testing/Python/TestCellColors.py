@@ -7,7 +7,7 @@ import unittest
 
 from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkImageData, vtkOverlappingAMR
-from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 from MeshTesting import ball, errors_of, make_grid, make_structured_grid, make_volume
@@ -134,9 +134,11 @@ class TestCellColors(unittest.TestCase):
         blocks[1].GetPointData().AddArray(other)
         mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
         mapper.SetColorArrayName("paint")
+        renderer = vtkRenderer()
+        renderer.ResetCamera(mapper.GetBounds())
         messages = errors_of(mapper, lambda: mapper.RenderToImage(
-            volume, vtkCamera(), None, 20, 20, vtkImageData()), vtkCommand.WarningEvent)
-        self.assertEqual(len(messages), 1)
+            volume, renderer.GetActiveCamera(), None, 20, 20, vtkImageData()), vtkCommand.WarningEvent)
+        self.assertEqual(len(messages), 1, messages)
         self.assertIn("is one of points, those of others are of cells", messages[0])
 
     def test_an_observer_shortens_the_array(self):

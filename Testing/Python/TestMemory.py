@@ -160,8 +160,10 @@ class ChangingScene:
 
     def render_to_image(self):
         volume, output = self.get_volume(), vtkImageData()
+        renderer = vtkRenderer()  # The camera of the window may see nothing of this volume, which is a warning.
+        renderer.ResetCamera(volume.GetBounds())
         assert volume.GetMapper().RenderToImage(
-            volume, self.renderer.GetActiveCamera(), None, self.draw.randint(20, 60), 40, output)
+            volume, renderer.GetActiveCamera(), None, self.draw.randint(20, 60), 40, output)
 
     def cast_rays(self):
         volume, origins, directions = self.get_volume(), vtkPoints(), vtkFloatArray()
