@@ -23,12 +23,14 @@ set(core_sources
   Mesh/BeamFrame.cxx
   Mesh/BeamTracer.cxx
   Mesh/CellHits.cxx
+  Mesh/CellSubdivision.cxx
   Mesh/CellTree.cxx
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
   Mesh/MeshBeam.cxx
   Mesh/MeshCaps.cxx
   Mesh/MeshCells.cxx
+  Mesh/MeshCloud.cxx
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
   Mesh/PointGradients.cxx
@@ -37,6 +39,8 @@ set(core_sources
   Mesh/SurfacePieces.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx
+  Picture/CloudTileRenderer.cxx
+  Picture/CloudTransfer.cxx
   Picture/PixelBlockRenderer.cxx
   Picture/RenderTiles.cxx
   Picture/SecondaryRays.cxx

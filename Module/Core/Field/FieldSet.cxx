@@ -816,6 +816,22 @@ void FieldSet::FindTransmittance(
 }
 
 //------------------------------------------------------------------------------
+void FieldSet::AddClouds(
+  const Camera& view, const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
+{
+  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  {
+    if (const Member* member = this->Prepare(i))
+    {
+      const Camera own(Multiply(view.GetClipFromObject(), member->SetFromOwn),
+        Multiply(member->OwnFromSet, view.GetObjectFromClip()),
+        Multiply(view.GetWorldFromObject(), member->SetFromOwn), view.GetWidth(), view.GetHeight());
+      member->Field->AddClouds(own, kernels, clouds);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 Vector3 FieldSet::GetPoint(const Hit& hit) const
 {
   const Member& member = this->GetMember(hit);

@@ -4,6 +4,7 @@
 #ifndef TracedField_h
 #define TracedField_h
 
+#include "Field/CloudSource.h"
 #include "Field/Departure.h"
 #include "Field/Execution.h"
 #include "Math/Bounds.h"
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -135,6 +137,14 @@ public:
   /// used up.
   virtual void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance);
+
+  /// Appends what a thread finds the cells with that are drawn as a cloud, given the camera in the
+  /// object space of the field. A field that cannot be drawn so appends nothing. The kernels may be
+  /// null.
+  virtual void AddClouds(
+    const Camera& /*view*/, const Kernels* /*kernels*/, std::vector<ViewedCloud>& /*clouds*/) const
+  {
+  }
 
   /// The point of a hit.
   virtual Vector3 GetPoint(const Hit& hit) const = 0;

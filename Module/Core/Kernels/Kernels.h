@@ -5,6 +5,7 @@
 #define Kernels_h
 
 #include "Kernels/BeamPieces.h"
+#include "Kernels/CloudTile.h"
 #include "Kernels/Frustum.h"
 #include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
@@ -296,6 +297,20 @@ struct Kernels
 
   /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
   void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
+
+  /// Projects tetrahedra to a tile, given their corners: coordinates and value. There may be up to
+  /// ProjectedTetrahedra::Capacity.
+  void (*ProjectTetrahedra)(const CloudTile& tile, const double (*corners)[4][4], int count,
+    ProjectedTetrahedra& projected);
+
+  /// Appends the segments of the rays of a tile in projected tetrahedra, from one on, until there
+  /// is a batch. Returns the number of the first tetrahedron that is left.
+  int (*FindSegments)(const CloudTile& tile, const ProjectedTetrahedra& projected, int first,
+    CloudSegments& segments);
+
+  /// Finds the light of segments.
+  void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
+    const CloudSegments& segments, SegmentLight* lights);
 };
 
 extern const Kernels BaselineKernels;

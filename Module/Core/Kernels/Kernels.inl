@@ -11,6 +11,7 @@
 #include "Kernels/Vectors.h"
 #include "Math/BernsteinCubic.h"
 #include "Math/ByteColor.h"
+#include "Math/EmissionAbsorption.h"
 #include "Math/MonotonePieces.h"
 #include "Math/PhongReflection.h"
 #include "Math/TrilinearCell.h"
@@ -81,13 +82,16 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindPassages.inl"
+#include "Kernels/FindSegments.inl"
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
+#include "Kernels/IntegrateSegments.inl"
 #include "Kernels/InterpolateGradients.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
 #include "Kernels/PackPolygons.inl"
+#include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
 #include "Kernels/SolveTetrahedra.inl"
@@ -107,4 +111,5 @@ SIMD_INLINE void LoadCorner(
     FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                 \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \
-    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear }
+    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \
+    ProjectTetrahedra, FindSegments, IntegrateSegments }

@@ -12,6 +12,7 @@
 #include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshCaps.h"
+#include "Mesh/MeshCloud.h"
 #include "Mesh/MeshRay.h"
 #include "Mesh/ShapeFunctions.h"
 #include "Rays/AppendBoxedRay.h"
@@ -179,7 +180,7 @@ bool MeshField::MayHit() const
              return this->Tree.GetLow() < surface.Isovalue &&
                surface.Isovalue <= this->Tree.GetHigh();
            }) ||
-    this->Selection.Request.Visible.HasCaps();
+    this->Selection.Request.Visible.HasCaps() || this->Selection.Request.HasCloud;
 }
 
 //------------------------------------------------------------------------------
@@ -317,6 +318,14 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     }
     hits.EndRay();
   }
+}
+
+//------------------------------------------------------------------------------
+void MeshField::AddClouds(
+  const Camera& view, const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
+{
+  clouds.push_back(
+    { std::make_unique<MeshCloud>(this->Selection, kernels ? *kernels : BaselineKernels), view });
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ namespace vtkIsosurfaceRayTracing
 
 //------------------------------------------------------------------------------
 PixelBlockRenderer::PixelBlockRenderer(
-  const Scene& scene, const std::vector<Shader>& shaders, Frame& frame)
+  const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame)
   : TheScene(scene)
   , Shaders(shaders)
   , Picture(frame)
@@ -21,6 +21,10 @@ PixelBlockRenderer::PixelBlockRenderer(
   for (const SceneField& field : scene.Fields)
   {
     this->Beams.push_back(field.Field->MakeBeam());
+  }
+  if (CloudTileRenderer::IsNeeded(scene))
+  {
+    this->Clouds = std::make_unique<CloudTileRenderer>(scene, kernels);
   }
 }
 
@@ -38,6 +42,11 @@ int PixelBlockRenderer::GetBlocksAtOnce(const Scene& scene)
 //------------------------------------------------------------------------------
 void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
 {
+  this->Tile = tile;
+  if (this->Clouds)
+  {
+    this->Clouds->Begin(tile);
+  }
   for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
     const SceneField& field = this->TheScene.Fields[i];
@@ -47,6 +56,15 @@ void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
       this->FindCorners(field.View, tile, corners);
       field.Field->Begin(corners, this->Beams[i].get());
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PixelBlockRenderer::EndTile()
+{
+  if (this->Clouds)
+  {
+    this->Clouds->Render(this->Picture);
   }
 }
 
@@ -143,7 +161,9 @@ bool PixelBlockRenderer::MakeRays(std::size_t number, int block)
 bool PixelBlockRenderer::MayHit(const SceneField& field, TracedField::Beam* beam,
   const PixelRectangle& block, RayPacket& corners) const
 {
-  if (!Overlap(field.Pixels, this->InViewport(block)))
+  const TraceRequest& request = field.Field->GetRequest();
+  const bool isCloudAlone = request.Surfaces.empty() && !request.Projection;
+  if (isCloudAlone || !Overlap(field.Pixels, this->InViewport(block)))
   {
     return false;
   }
@@ -196,7 +216,8 @@ void PixelBlockRenderer::ShadeBlock()
     this->WriteBackground();
     return;
   }
-  if (fields == 1 && this->Shaders.front().CanMakePixels() && !this->TheScene.KeepFragments)
+  if (fields == 1 && this->Shaders.front().CanMakePixels() && !this->TheScene.KeepFragments &&
+    !this->Clouds)
   {
     this->WriteOpaque();
   }
@@ -282,6 +303,12 @@ void PixelBlockRenderer::WriteFragments()
     {
       const Fragment* first = fragments.List.data() + fragments.First[ray];
       const std::size_t count = fragments.First[ray + 1] - fragments.First[ray];
+      if (this->Clouds)
+      {
+        this->Clouds->SetFragments(
+          block.X + x - this->Tile.X, block.Y + y - this->Tile.Y, first, count);
+        continue;
+      }
       const CompositedPixel made =
         isLoneValue && count == 1 ? ToPixel(*first) : Composite(first, count);
       const std::size_t pixel = this->GetOffset(x, y);

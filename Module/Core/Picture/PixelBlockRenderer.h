@@ -4,6 +4,7 @@
 #ifndef PixelBlockRenderer_h
 #define PixelBlockRenderer_h
 
+#include "Picture/CloudTileRenderer.h"
 #include "Picture/Compositor.h"
 #include "Picture/OpaqueEnds.h"
 #include "Picture/RenderTiles.h"
@@ -22,7 +23,8 @@ class PixelBlockRenderer
 {
 public:
   /// There is a shader for each field of the scene. All must outlive the renderer.
-  PixelBlockRenderer(const Scene& scene, const std::vector<Shader>& shaders, Frame& frame);
+  PixelBlockRenderer(
+    const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame);
 
   static constexpr int MaximumBlocks = 8;
 
@@ -36,8 +38,11 @@ public:
   /// as many as are best traced together.
   void Trace(const PixelRectangle* blocks, int count);
 
-  /// Writes the pixels of the blocks that were traced last.
+  /// Writes the pixels of the blocks that were traced last; if there are clouds, EndTile does so.
   void Shade();
+
+  /// To be called when all blocks of the tile have been shaded.
+  void EndTile();
 
   /// The fragments of all blocks so far, if the scene keeps them.
   const std::vector<FragmentOfPixel>& GetKept() const { return this->Kept; }
@@ -83,6 +88,9 @@ private:
   OpaqueEnds Ends[MaximumBlocks];
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
+  /// Null without clouds.
+  std::unique_ptr<CloudTileRenderer> Clouds;
+  PixelRectangle Tile;
   std::vector<FragmentOfPixel> Kept;
 };
 

@@ -7,11 +7,13 @@
 #include "Field/FirstException.h"
 #include "Picture/PixelBlockRenderer.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -134,7 +136,9 @@ public:
     , Times(times)
     , Shaders(MakeShaders(scene, execution.PacketKernels))
     , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
+    , HasClouds(CloudTileRenderer::IsNeeded(scene))
     , Tiles(MakeTiles(scene))
+    , Renderers(static_cast<std::size_t>(execution.Threads))
   {
   }
 
@@ -148,13 +152,11 @@ public:
   /// Renders tiles until the progress is to be reported, or all are done.
   void TakeStep();
 
+  /// To be called when all tiles are done.
+  void CollectFragments();
+
 private:
   void Render(Tile& tile, PixelBlockRenderer& renderer);
-  void Append(const std::vector<FragmentOfPixel>& kept)
-  {
-    std::vector<FragmentOfPixel>& all = this->Picture.Fragments;
-    all.insert(all.end(), kept.begin(), kept.end());
-  }
 
   const Scene& TheScene;
   const Execution& TheExecution;
@@ -162,8 +164,12 @@ private:
   FrameTimes& Times;
   std::vector<Shader> Shaders;
   int BlocksAtOnce;
+  /// Then tiles are drawn as a whole.
+  bool HasClouds;
   /// Those that are not done.
   std::vector<Tile> Tiles;
+  /// Of each thread.
+  std::vector<std::unique_ptr<PixelBlockRenderer>> Renderers;
   std::atomic<std::size_t> PixelsDone{ 0 };
   Clock::time_point StepStart;
   std::atomic<bool> IsStepOver{ false };
@@ -185,17 +191,21 @@ void FrameRenderer::TakeStep()
   FirstException exception;
 #pragma omp parallel num_threads(this->TheExecution.Threads)
   {
-    std::optional<PixelBlockRenderer> renderer;
-    exception.Guard([&] { renderer.emplace(this->TheScene, this->Shaders, this->Picture); });
+    std::unique_ptr<PixelBlockRenderer>& renderer =
+      this->Renderers[static_cast<std::size_t>(omp_get_thread_num())];
+    exception.Guard(
+      [&]
+      {
+        if (!renderer)
+        {
+          renderer = std::make_unique<PixelBlockRenderer>(
+            this->TheScene, this->Shaders, this->TheExecution.PacketKernels, this->Picture);
+        }
+      });
 #pragma omp for schedule(dynamic)
     for (std::int64_t i = 0; i < tiles; ++i)
     {
       exception.Guard([&] { this->Render(this->Tiles[static_cast<std::size_t>(i)], *renderer); });
-    }
-    if (this->TheScene.KeepFragments)
-    {
-#pragma omp critical
-      exception.Guard([&] { this->Append(renderer->GetKept()); });
     }
   }
   exception.Rethrow();
@@ -212,6 +222,19 @@ void FrameRenderer::TakeStep()
   this->Times.Bricks += share * buildSeconds;
   this->Times.Trace += share * (traceSeconds - buildSeconds);
   this->Times.Shade += share * shadeSeconds;
+}
+
+//------------------------------------------------------------------------------
+void FrameRenderer::CollectFragments()
+{
+  std::vector<FragmentOfPixel>& all = this->Picture.Fragments;
+  for (const std::unique_ptr<PixelBlockRenderer>& renderer : this->Renderers)
+  {
+    if (renderer)
+    {
+      all.insert(all.end(), renderer->GetKept().begin(), renderer->GetKept().end());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -233,7 +256,8 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
       {
         return true;
       }
-      if (this->IsStepOver.load(std::memory_order_relaxed))
+      if (this->IsStepOver.load(std::memory_order_relaxed) &&
+        (tile.GroupsDone == 0 || !this->HasClouds))
       {
         tile.IsDone = false;
         return false;
@@ -256,6 +280,12 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
       }
       return true;
     });
+  if (tile.IsDone)
+  {
+    const Clock::time_point begin = Clock::now();
+    renderer.EndTile();
+    traceTime += Clock::now() - begin;
+  }
   this->PixelsDone.fetch_add(pixels, std::memory_order_relaxed);
   this->TraceNanoseconds.fetch_add(Nanoseconds(traceTime), std::memory_order_relaxed);
   this->ShadeNanoseconds.fetch_add(Nanoseconds(shadeTime), std::memory_order_relaxed);
@@ -280,6 +310,7 @@ bool RenderTiles(const Scene& scene, const Execution& execution, Frame& frame, F
       return false;
     }
   }
+  renderer.CollectFragments();
   return keepGoing(1.0);
 }
 

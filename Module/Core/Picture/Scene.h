@@ -59,6 +59,8 @@ public:
   virtual std::array<double, 4> Get(double value) const = 0;
 };
 
+class CloudTransfer;
+
 /// A field as part of a scene.
 struct SceneField
 {
@@ -78,6 +80,10 @@ struct SceneField
   /// For a projection, which is not lit; and for caps, which have the colours of the values there.
   const ValueColors* ColorsOfValues = nullptr;
   Material Surface;
+  /// If not null, the field is drawn as a cloud, too, with these transfer functions.
+  const CloudTransfer* Cloud = nullptr;
+  /// Whether a cloud shows its largest value along each ray, by ColorsOfValues, and not its light.
+  bool IsMaximum = false;
 };
 
 /// Everything that a frame is made from. It does not change while rays are traced, so all threads

@@ -82,6 +82,8 @@ struct TraceRequest
   /// If there is one, no surfaces are traced: a ray has one hit, the first of the points where the
   /// interpolant has its extreme value along all that is visible of the ray.
   std::optional<Extremum> Projection;
+  /// Whether the field is drawn as a cloud, too: see TracedField::AddClouds.
+  bool HasCloud = false;
   /// What of the field is visible at all.
   Visibility Visible;
   /// The gradients that hits are shaded by.
@@ -91,11 +93,11 @@ struct TraceRequest
   {
     return this->Surfaces == other.Surfaces && this->Interpolation == other.Interpolation &&
       this->Solver == other.Solver && this->Interpolations == other.Interpolations &&
-      this->Projection == other.Projection && this->Visible == other.Visible &&
-      this->Normals == other.Normals;
+      this->Projection == other.Projection && this->HasCloud == other.HasCloud &&
+      this->Visible == other.Visible && this->Normals == other.Normals;
   }
 
-  bool IsNothing() const { return this->Surfaces.empty() && !this->Projection; }
+  bool IsNothing() const { return this->Surfaces.empty() && !this->Projection && !this->HasCloud; }
 
   /// How much of the light a hit with a surface stops, and shows.
   double GetOpacity(const Hit& hit) const

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CloudTile_h
+#define CloudTile_h
+
+#include <cstdint>
+
+// Cell projection: tetrahedra are projected to the pixels of a tile, and become segments of their
+// rays. Plain structures only; see Kernels.h.
+//
+// A pixel of a tile has a label: its column and row, counted from the middle pixel. A point has the
+// homogeneous coordinates X, Y and W, so that the ray with the label (X / W, Y / W) passes through
+// it, and a depth: the distance from the near plane, in units of the clip coordinates. All four are
+// linear functions of the point. The ray of a pixel (i, j) sees a point at (X - i W, Y - j W).
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A tile and the parts of its rays that are drawn. Depths are the same for all fields.
+struct CloudTile
+{
+  /// The number of pixels along an edge, at most. (In larger tiles cells are read less often, and
+  /// the segments of a tile do not fit into the cache.)
+  static constexpr int Edge = 16;
+  static constexpr int Capacity = Edge * Edge;
+  /// The pixel that labels are counted from.
+  static constexpr int Middle = Edge / 2;
+
+  int Columns;
+  int Rows;
+  /// X, Y, W and the depth of a point of a field: each the product of a row with (x, y, z, 1).
+  double FromPoint[4][4];
+
+  // The pixels in rows of Edge.
+  /// The bits of the columns whose rays are not opaque yet.
+  std::uint32_t Open[Edge];
+  /// The depths that rays begin and end at.
+  double Begin[Capacity];
+  double End[Capacity];
+  /// The depth at T = 1 of each ray, and its length in the world for one unit of the depth.
+  double DepthOfT[Capacity];
+  double Length[Capacity];
+};
+
+/// Tetrahedra as a tile sees them.
+struct ProjectedTetrahedra
+{
+  static constexpr int Capacity = 64;
+
+  /// The edges between the corners 01, 02, 03, 12, 13, 23.
+  static constexpr int Edges = 6;
+
+  int Count;
+  // The corners are in the order of their places: by x, then by y, then by z.
+  alignas(64) double X[4][Capacity];
+  double Y[4][Capacity];
+  double W[4][Capacity];
+  double Depth[4][Capacity];
+  double Value[4][Capacity];
+
+  /// The area that the ray (i, j) and an edge span is A i + B j + C, up to less than Rounding.
+  double A[Edges][Capacity];
+  double B[Edges][Capacity];
+  double C[Edges][Capacity];
+  double Rounding[Edges][Capacity];
+
+  /// Of the faces 012, 013, 023 and 123, whether they are seen from one side or the other: 1 or -1;
+  /// 0 where that is not sure.
+  double Side[4][Capacity];
+
+  /// The pixels that may be covered, from first to last; none if the last comes before the first.
+  int FirstColumn[Capacity];
+  int LastColumn[Capacity];
+  int FirstRow[Capacity];
+  int LastRow[Capacity];
+};
+
+/// The largest magnitude of values; those beyond are taken for it.
+constexpr double LargestCloudValue = 1e300;
+
+/// Segments of rays in tetrahedra, in which the values are linear.
+struct CloudSegments
+{
+  /// A tetrahedron may cover all pixels, and vectors are stored as a whole.
+  static constexpr int Batch = 3072;
+  static constexpr int Capacity = Batch + CloudTile::Capacity + 16;
+
+  int Count;
+  alignas(64) int Pixel[Capacity];
+  /// The depths and the values at both ends.
+  double Depth[2][Capacity];
+  double Value[2][Capacity];
+};
+
+/// What segments add to their rays: red, green and blue, and the part of the light that passes.
+struct SegmentLight
+{
+  float Color[3];
+  float Transmittance;
+};
+
+/// A piece of transfer functions, in which they are linear: from a value Low to High. The functions
+/// are the attenuation for a unit of length in the world, red, green and blue.
+struct alignas(32) TransferPiece
+{
+  double Low;
+  double High;
+  /// A value, and the functions there.
+  double Anchor;
+  double Unused;
+  double AtAnchor[4];
+  double Slope[4];
+};
+
+/// Transfer functions of all values.
+struct TransferPieces
+{
+  /// In order; the first begins at minus infinity, the last ends at infinity.
+  const TransferPiece* Pieces;
+  /// For each of some intervals of values, beginning with First, the first piece that is in it.
+  const int* FirstInBin;
+  int Bins;
+  double First;
+  double BinsPerUnit;
+};
+
+}
+
+#endif

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Segments of rays in projected tetrahedra. Included by Kernels.inl only.
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+/// The edges that bound a tetrahedron as a tile sees it, in single precision: half planes of
+/// labels, moved out by what rounding may be.
+struct Outline
+{
+  int Count = 0;
+  float A[4];
+  float B[4];
+  float C[4];
+
+  SIMD_INLINE Outline(const ProjectedTetrahedra& projected, int number)
+  {
+    const double side012 = projected.Side[0][number];
+    const double side013 = projected.Side[1][number];
+    const double side023 = projected.Side[2][number];
+    const double side123 = projected.Side[3][number];
+    // Both faces of a bounding edge are on one side of it, as seen from the eye.
+    this->Add(projected, number, 0, side012, side013);
+    this->Add(projected, number, 1, -side012, side023);
+    this->Add(projected, number, 2, -side013, -side023);
+    this->Add(projected, number, 3, side012, side123);
+    this->Add(projected, number, 4, side013, -side123);
+    this->Add(projected, number, 5, side023, side123);
+  }
+
+  /// The columns of a row that may be covered, from a column on; a bit for each lane.
+  SIMD_INLINE unsigned int FindColumns(int row, Floats columns) const
+  {
+    Floats least = 0.0F;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Floats ofRow = this->B[i] * static_cast<float>(row) + this->C[i];
+      least = Min(least, MultiplyAdd(columns, this->A[i], ofRow));
+    }
+    return ((1U << FloatWidth) - 1U) & ~ToBits(least < 0.0F);
+  }
+
+private:
+  SIMD_INLINE void Add(
+    const ProjectedTetrahedra& projected, int number, int edge, double one, double other)
+  {
+    if (one * other <= 0.0)
+    {
+      return;
+    }
+    const double a = one * projected.A[edge][number];
+    const double b = one * projected.B[edge][number];
+    const double c = one * projected.C[edge][number];
+    const double across = __builtin_fabs(a) + __builtin_fabs(b);
+    const double margin = 0x1p-20 * (__builtin_fabs(c) + CloudTile::Middle * across);
+    // Single precision has no room for every scale.
+    const double scale = 1.0 / (margin + 0x1p-1000);
+    this->A[this->Count] = static_cast<float>(a * scale);
+    this->B[this->Count] = static_cast<float>(b * scale);
+    this->C[this->Count] = static_cast<float>(c * scale) + 1.0F;
+    ++this->Count;
+  }
+};
+
+/// Finds the pixels whose rays may pass a tetrahedron, of those that are open.
+SIMD_INLINE int FindCovered(
+  const CloudTile& tile, const ProjectedTetrahedra& projected, int number, int* columns, int* rows)
+{
+  const Outline outline(projected, number);
+  float lanes[FloatWidth];
+  for (int i = 0; i < FloatWidth; ++i)
+  {
+    lanes[i] = static_cast<float>(i - CloudTile::Middle);
+  }
+  const int firstColumn = projected.FirstColumn[number];
+  const int lastColumn = projected.LastColumn[number];
+  const std::uint32_t inRange = (~0U << firstColumn) & (~0U >> (31 - lastColumn));
+  int count = 0;
+  for (int row = projected.FirstRow[number]; row <= projected.LastRow[number]; ++row)
+  {
+    std::uint32_t open = tile.Open[row] & inRange;
+    for (int first = firstColumn; open != 0 && first <= lastColumn; first += FloatWidth)
+    {
+      const Floats labels = LoadFloats(lanes) + static_cast<float>(first);
+      const unsigned int covered =
+        (open >> first) & outline.FindColumns(row - CloudTile::Middle, labels);
+      for (int half = 0; half < FloatWidth; half += DoubleWidth)
+      {
+        const unsigned int some = (covered >> half) & ((1U << DoubleWidth) - 1U);
+        const int added = AppendLanes(first + half, some, columns + count);
+        for (int i = 0; i < added; ++i)
+        {
+          rows[count + i] = row;
+        }
+        count += added;
+      }
+    }
+  }
+  return count;
+}
+
+/// The crossings of a face by a vector of rays.
+struct FaceCrossings
+{
+  Doubles Depth;
+  Doubles Value;
+
+  /// Given the corners and the areas opposite to them: a function of face and ray alone, which does
+  /// not depend on the side that the face is seen from. Both are between those of the corners.
+  SIMD_INLINE FaceCrossings(
+    const Doubles areas[3], const Doubles depths[3], const Doubles values[3])
+  {
+    const Doubles sum = areas[0] + areas[1] + areas[2];
+    // All have one sign, but for rounding.
+    const Doubles sign = CopySign(Doubles(1.0), sum);
+    const Doubles weights[3] = { Max(areas[0] * sign, Doubles(0.0)),
+      Max(areas[1] * sign, Doubles(0.0)), Max(areas[2] * sign, Doubles(0.0)) };
+    const Doubles total = weights[0] + weights[1] + weights[2];
+    const Mask hasArea = 0x1p-900 < total;
+    const Doubles inverse = 1.0 / total;
+    const Doubles second = Select(hasArea, weights[1] * inverse, Doubles(1.0 / 3.0));
+    const Doubles third = Select(hasArea, weights[2] * inverse, Doubles(1.0 / 3.0));
+    this->Depth = depths[0] + (second * (depths[1] - depths[0]) + third * (depths[2] - depths[0]));
+    this->Value = values[0] + (second * (values[1] - values[0]) + third * (values[2] - values[0]));
+  }
+};
+
+/// A vector of rays and one tetrahedron.
+class RaysInTetrahedron
+{
+public:
+  SIMD_INLINE RaysInTetrahedron(
+    const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row)
+  {
+    Mask isUnsure = Doubles(1.0) < Doubles(0.0);
+    for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
+    {
+      this->Area[i] =
+        column * projected.A[i][number] + (row * projected.B[i][number] + projected.C[i][number]);
+      this->IsLeft[i] = 0.0 < this->Area[i];
+      isUnsure = isUnsure | (Abs(this->Area[i]) <= projected.Rounding[i][number]);
+    }
+    if (Any(isUnsure))
+    {
+      this->DecideExactly(projected, number, column, row, isUnsure);
+    }
+  }
+
+  /// Finds the two faces that are crossed. Returns which rays pass the tetrahedron.
+  SIMD_INLINE Mask Find(
+    const ProjectedTetrahedra& projected, int number, Doubles depth[2], Doubles value[2]) const
+  {
+    const Mask crosses012 = this->Crosses(0, 3, 1);
+    const Mask crosses013 = this->Crosses(0, 4, 2);
+    const Mask crosses023 = this->Crosses(1, 5, 2);
+    const Mask crosses123 = this->Crosses(3, 5, 4);
+    // Of the crossed faces, in this order, the first one has corner 0 and the last one corner 3.
+    const Mask is023 = AndNot(AndNot(crosses023, crosses013), crosses012);
+    const Mask is013 = AndNot(AndNot(crosses013, crosses023), crosses123);
+    const FaceCrossings one = this->MakeOne(projected, number, crosses012, is023);
+    const FaceCrossings other = this->MakeOther(projected, number, is013, crosses123);
+    const Mask isOneFirst = one.Depth < other.Depth;
+    depth[0] = Select(isOneFirst, one.Depth, other.Depth);
+    depth[1] = Select(isOneFirst, other.Depth, one.Depth);
+    value[0] = Select(isOneFirst, one.Value, other.Value);
+    value[1] = Select(isOneFirst, other.Value, one.Value);
+    return (crosses012 | crosses013 | crosses023) & (depth[0] < depth[1]);
+  }
+
+private:
+  /// Where rounding might decide, the signs are exact, see FrameEdge, and the areas are exact but
+  /// for their last digit: the crossings of faces that are seen edge-on are in order, too.
+  void DecideExactly(
+    const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row, Mask isUnsure)
+  {
+    FramePointOf<Doubles> points[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      points[i].X = projected.X[i][number] - column * projected.W[i][number];
+      points[i].Y = projected.Y[i][number] - row * projected.W[i][number];
+      points[i].T = 0.0;
+    }
+    int edge = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = i + 1; k < 4; ++k, ++edge)
+      {
+        const FramePointOf<Doubles>& a = points[i];
+        const FramePointOf<Doubles>& b = points[k];
+        const Mask isLeft = FrameEdge<Doubles>(a, b).IsLeft;
+        this->IsLeft[edge] = (isUnsure & isLeft) | AndNot(this->IsLeft[edge], isUnsure);
+        const Doubles one = a.X * b.Y;
+        const Doubles other = b.X * a.Y;
+        const Doubles rest =
+          FusedMultiplyAdd(a.X, b.Y, 0.0 - one) - FusedMultiplyAdd(b.X, a.Y, 0.0 - other);
+        this->Area[edge] = Select(isUnsure, (one - other) + rest, this->Area[edge]);
+      }
+    }
+  }
+
+  /// Whether rays cross the face with the edges ab, bc and ac.
+  SIMD_INLINE Mask Crosses(int ab, int bc, int ac) const
+  {
+    return AndNot(this->IsLeft[ab] ^ this->IsLeft[ac], this->IsLeft[ab] ^ this->IsLeft[bc]);
+  }
+
+  /// The face of the corners 0, 1 or 2, and 2 or 3.
+  SIMD_INLINE FaceCrossings MakeOne(
+    const ProjectedTetrahedra& projected, int number, Mask is012, Mask is023) const
+  {
+    const Doubles areas[3] = {
+      Select(is012, this->Area[3], Select(is023, this->Area[5], this->Area[4])),
+      0.0 - Select(is012, this->Area[1], this->Area[2]), Select(is023, this->Area[1], this->Area[0])
+    };
+    const auto take = [&](const double(*of)[ProjectedTetrahedra::Capacity], Doubles numbers[3])
+    {
+      numbers[0] = of[0][number];
+      numbers[1] = Select(is023, Doubles(of[2][number]), Doubles(of[1][number]));
+      numbers[2] = Select(is012, Doubles(of[2][number]), Doubles(of[3][number]));
+    };
+    Doubles depths[3];
+    Doubles values[3];
+    take(projected.Depth, depths);
+    take(projected.Value, values);
+    return { areas, depths, values };
+  }
+
+  /// The face of the corners 0 or 1, 1 or 2, and 3.
+  SIMD_INLINE FaceCrossings MakeOther(
+    const ProjectedTetrahedra& projected, int number, Mask is013, Mask is123) const
+  {
+    const Doubles areas[3] = { Select(is013, this->Area[4], this->Area[5]),
+      0.0 - Select(is123, this->Area[4], this->Area[2]),
+      Select(is013, this->Area[0], Select(is123, this->Area[3], this->Area[1])) };
+    const auto take = [&](const double(*of)[ProjectedTetrahedra::Capacity], Doubles numbers[3])
+    {
+      numbers[0] = Select(is123, Doubles(of[1][number]), Doubles(of[0][number]));
+      numbers[1] = Select(is013, Doubles(of[1][number]), Doubles(of[2][number]));
+      numbers[2] = of[3][number];
+    };
+    Doubles depths[3];
+    Doubles values[3];
+    take(projected.Depth, depths);
+    take(projected.Value, values);
+    return { areas, depths, values };
+  }
+
+  Doubles Area[ProjectedTetrahedra::Edges];
+  Mask IsLeft[ProjectedTetrahedra::Edges];
+};
+
+/// Moves an end of segments to a depth, where that is inside.
+SIMD_INLINE void CutSegments(Mask isCut, Doubles at, int end, Doubles depth[2], Doubles value[2])
+{
+  const Doubles fraction = (at - depth[0]) / (depth[1] - depth[0]);
+  const Doubles there = Lerp(value[0], value[1], fraction);
+  depth[end] = Select(isCut, at, depth[end]);
+  value[end] = Select(isCut, there, value[end]);
+}
+
+int FindSegments(
+  const CloudTile& tile, const ProjectedTetrahedra& projected, int number, CloudSegments& segments)
+{
+  int columns[CloudTile::Capacity + DoubleWidth];
+  int rows[CloudTile::Capacity + DoubleWidth];
+  for (; number < projected.Count && segments.Count < CloudSegments::Batch; ++number)
+  {
+    if (projected.LastColumn[number] < projected.FirstColumn[number] ||
+      projected.LastRow[number] < projected.FirstRow[number])
+    {
+      continue;
+    }
+    const int count = FindCovered(tile, projected, number, columns, rows);
+    for (int i = count; i < count + DoubleWidth; ++i)
+    {
+      columns[i] = 0;
+      rows[i] = 0;
+    }
+    for (int first = 0; first < count; first += DoubleWidth)
+    {
+      const Doubles column = LoadIntegers(columns + first);
+      const Doubles row = LoadIntegers(rows + first);
+      const Doubles middle = CloudTile::Middle;
+      const RaysInTetrahedron rays(projected, number, column - middle, row - middle);
+      Doubles depth[2];
+      Doubles value[2];
+      Mask isPassed = rays.Find(projected, number, depth, value);
+      int* pixels = segments.Pixel + segments.Count;
+      StoreTruncated(row * CloudTile::Edge + column, pixels);
+      const Doubles begin = Gather(tile.Begin, pixels);
+      const Doubles end = Gather(tile.End, pixels);
+      isPassed = isPassed & (begin < depth[1]) & (depth[0] < end);
+      const Mask isBegun = depth[0] < begin;
+      const Mask isEnded = end < depth[1];
+      if (Any(isPassed & (isBegun | isEnded)))
+      {
+        const Doubles last = depth[1];
+        const Doubles atLast = value[1];
+        CutSegments(isEnded, end, 1, depth, value);
+        Doubles whole[2] = { depth[0], last };
+        Doubles wholeValue[2] = { value[0], atLast };
+        CutSegments(isBegun, begin, 0, whole, wholeValue);
+        depth[0] = whole[0];
+        value[0] = wholeValue[0];
+      }
+      for (int k = 0; k < 2; ++k)
+      {
+        Store(depth[k], &segments.Depth[k][segments.Count]);
+        Store(value[k], &segments.Value[k][segments.Count]);
+      }
+      const unsigned int lanes =
+        ToBits(isPassed) & ((1U << SmallerOf(count - first, DoubleWidth)) - 1U);
+      int kept[DoubleWidth];
+      const int passed = AppendLanes(segments.Count, lanes, kept);
+      for (int i = 0; i < passed; ++i)
+      {
+        const int from = kept[i];
+        const int to = segments.Count + i;
+        segments.Pixel[to] = segments.Pixel[from];
+        for (int k = 0; k < 2; ++k)
+        {
+          segments.Depth[k][to] = segments.Depth[k][from];
+          segments.Value[k][to] = segments.Value[k][from];
+        }
+      }
+      segments.Count += passed;
+    }
+  }
+  return number;
+}
+
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellSubdivision_h
+#define CellSubdivision_h
+
+#include "Mesh/MeshCell.h"
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The largest number of tetrahedra that a cell is subdivided into.
+constexpr int MaximumTetrahedra = 6;
+
+/// Subdivides a cell into tetrahedra, given by their corners: coordinates and value. All contain
+/// the first corner of the cell (by x, then by y, then by z); opposite to it are the faces without
+/// it, of which quadrangles are cut in two from their own first corner. So cells that share a
+/// quadrangle cut it along the same diagonal, whatever their shapes and the numbers of their points
+/// are. Returns the number of tetrahedra.
+int SubdivideCell(const MeshCell& cell, double (*corners)[4][4]);
+
+}
+
+#endif

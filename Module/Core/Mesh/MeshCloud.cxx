@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/MeshCloud.h"
+
+#include "Math/Matrix.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// The largest product of a row with the points (x, y, z, 1) of a child of a node.
+double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)
+{
+  double sum = row[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double lower = row[axis] * static_cast<double>(node.Lower[axis][child]);
+    const double upper = row[axis] * static_cast<double>(node.Upper[axis][child]);
+    sum += std::max(lower, upper);
+  }
+  return sum;
+}
+
+}
+
+//------------------------------------------------------------------------------
+MeshCloud::MeshCloud(const MeshSelection& selection, const Kernels& kernels)
+  : Selection(selection)
+  , TheKernels(kernels)
+  , AreTetrahedra(selection.Tree->AreAllFinite() && !selection.Request.Visible.HiddenCells)
+{
+}
+
+//------------------------------------------------------------------------------
+void MeshCloud::Begin(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile)
+{
+  this->Blocks.clear();
+  this->NextBlock = 0;
+  this->Loaded = 0;
+  this->Projected.Count = 0;
+  this->Searched = 0;
+  this->Tile.Columns = tile.Columns;
+  this->Tile.Rows = tile.Rows;
+  this->FindCoordinates(view, pixels);
+  this->FindSides();
+  const CellTree& tree = *this->Selection.Tree;
+  if (tree.GetNumberOfBlocks() == 0 || !this->IsSeen(tree.GetBounds()))
+  {
+    return;
+  }
+  this->CutRays(view, pixels, tile);
+  this->FindBlocks(tree.GetNumberOfLevels() - 1, 0);
+  std::sort(this->Blocks.begin(), this->Blocks.end(),
+    [](const Block& a, const Block& b)
+    { return a.Depth < b.Depth || (a.Depth == b.Depth && a.Number < b.Number); });
+}
+
+//------------------------------------------------------------------------------
+/// Labels count pixels from the middle of the tile: X is that of the clip coordinates, without the
+/// part that the middle has, in pixels.
+void MeshCloud::FindCoordinates(const Camera& view, const PixelRectangle& pixels)
+{
+  const Matrix4& clip = view.GetClipFromObject();
+  const double middleX = (pixels.X + CloudTile::Middle + 0.5) * (2.0 / view.GetWidth()) - 1.0;
+  const double middleY = (pixels.Y + CloudTile::Middle + 0.5) * (2.0 / view.GetHeight()) - 1.0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const double w = clip[12 + i];
+    this->Tile.FromPoint[0][i] = (clip[i] - middleX * w) * (0.5 * view.GetWidth());
+    this->Tile.FromPoint[1][i] = (clip[4 + i] - middleY * w) * (0.5 * view.GetHeight());
+    this->Tile.FromPoint[2][i] = w;
+    this->Tile.FromPoint[3][i] = clip[8 + i] + w;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The planes through the pixels at the edges of the tile, and the near plane.
+void MeshCloud::FindSides()
+{
+  const auto& from = this->Tile.FromPoint;
+  const double margin = 1.0; // more than rounding
+  const double low = -CloudTile::Middle - margin;
+  const double right = this->Tile.Columns - CloudTile::Middle + margin;
+  const double top = this->Tile.Rows - CloudTile::Middle + margin;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    this->Sides[0][i] = from[0][i] - low * from[2][i];
+    this->Sides[1][i] = right * from[2][i] - from[0][i];
+    this->Sides[2][i] = from[1][i] - low * from[2][i];
+    this->Sides[3][i] = top * from[2][i] - from[1][i];
+    this->Sides[4][i] = from[3][i];
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Takes the rays of a tile, cut to the half-spaces.
+void MeshCloud::CutRays(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile)
+{
+  std::copy(std::begin(tile.Begin), std::end(tile.Begin), this->Tile.Begin);
+  std::copy(std::begin(tile.End), std::end(tile.End), this->Tile.End);
+  for (int y = 0; y < pixels.Height && !this->Selection.HalfSpaces.empty(); ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      this->CutRay(view.GetRay(pixels.X + x, pixels.Y + y, 1.0), tile, y * CloudTile::Edge + x);
+    }
+  }
+  this->LastEnd = -Infinity;
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    const double* row = this->Tile.End + y * CloudTile::Edge;
+    this->LastEnd = std::max(this->LastEnd, *std::max_element(row, row + pixels.Width));
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshCloud::CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel)
+{
+  double& begin = this->Tile.Begin[pixel];
+  double& end = this->Tile.End[pixel];
+  for (const HalfSpace& half : this->Selection.HalfSpaces)
+  {
+    const PlaneCrossing crossing = FindCrossing(half, ray.Origin, ray.Direction);
+    const double depth = crossing.T * tile.DepthOfT[pixel];
+    begin = crossing.Slope > 0.0 ? std::max(begin, depth) : begin;
+    end = crossing.Slope < 0.0 ? std::min(end, depth) : end;
+    end = crossing.Slope == 0.0 && crossing.Height < 0.0 ? begin : end;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether a box may be seen by the tile.
+bool MeshCloud::IsSeen(const Bounds& box) const
+{
+  return std::all_of(std::begin(this->Sides), std::end(this->Sides),
+    [&box](const auto& side)
+    {
+      double sum = side[3];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        sum += std::max(side[axis] * box.Lower[axis], side[axis] * box.Upper[axis]);
+      }
+      return sum >= 0.0;
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Finds the blocks below a node that the tile may see.
+void MeshCloud::FindBlocks(int level, std::size_t node)
+{
+  const CellTree& tree = *this->Selection.Tree;
+  const CellTreeNode& parent = tree.GetNode(level, node);
+  for (int child = 0; child < CellTree::Width; ++child)
+  {
+    if (parent.Low[child] > parent.High[child])
+    {
+      continue;
+    }
+    const bool isSeen = std::all_of(std::begin(this->Sides), std::end(this->Sides),
+      [&](const auto& side) { return FindLargest(side, parent, child) >= 0.0; });
+    if (!isSeen)
+    {
+      continue;
+    }
+    const std::size_t number = node * CellTree::Width + static_cast<std::size_t>(child);
+    if (level > 0)
+    {
+      this->FindBlocks(level - 1, number);
+      continue;
+    }
+    const auto& row = this->Tile.FromPoint[3];
+    const double opposite[4] = { -row[0], -row[1], -row[2], -row[3] };
+    const double depth = -FindLargest(opposite, parent, child);
+    if (depth <= this->LastEnd)
+    {
+      this->Blocks.push_back({ depth, number });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double MeshCloud::GetNextDepth() const
+{
+  if (this->Searched < this->Projected.Count)
+  {
+    return this->DepthOfProjected;
+  }
+  if (this->Loaded > 0)
+  {
+    return this->DepthOfLast;
+  }
+  return this->NextBlock < this->Blocks.size() ? this->Blocks[this->NextBlock].Depth : Infinity;
+}
+
+//------------------------------------------------------------------------------
+void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
+{
+  std::copy(std::begin(open), std::end(open), this->Tile.Open);
+  while (segments.Count < CloudSegments::Batch)
+  {
+    if (this->Searched == this->Projected.Count)
+    {
+      this->LoadCells();
+      if (this->Projected.Count == 0)
+      {
+        return;
+      }
+    }
+    this->Searched =
+      this->TheKernels.FindSegments(this->Tile, this->Projected, this->Searched, segments);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Loads cells of the next blocks and projects them.
+void MeshCloud::LoadCells()
+{
+  this->DepthOfProjected = this->GetNextDepth();
+  while (this->Loaded < ProjectedTetrahedra::Capacity && this->NextBlock < this->Blocks.size())
+  {
+    const Block& block = this->Blocks[this->NextBlock++];
+    this->DepthOfLast = block.Depth;
+    this->Loaded += this->LoadBlock(block.Number);
+  }
+  const int count = std::min(this->Loaded, ProjectedTetrahedra::Capacity);
+  this->TheKernels.ProjectTetrahedra(this->Tile, this->Corners, count, this->Projected);
+  this->Searched = 0;
+  this->Loaded -= count;
+  std::copy_n(&this->Corners[count][0][0], 16 * this->Loaded, &this->Corners[0][0][0]);
+}
+
+//------------------------------------------------------------------------------
+/// Loads the tetrahedra of a block behind those that are loaded. Returns how many there are.
+int MeshCloud::LoadBlock(std::size_t block)
+{
+  const MeshCells& cells = *this->Selection.Cells;
+  std::uint32_t numbers[CellTree::Width];
+  const int count = this->Selection.Tree->GetCells(block, numbers);
+  const bool areTetrahedra = this->AreTetrahedra &&
+    std::all_of(numbers, numbers + count,
+      [&](std::uint32_t number) { return cells.GetShape(number) == CellShape::Tetrahedron; });
+  if (areTetrahedra)
+  {
+    cells.LoadTetrahedra(numbers, count, this->Corners + this->Loaded);
+    return count;
+  }
+  int added = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    MeshCell cell;
+    if (!this->Selection.Request.Visible.IsHidden(numbers[i]) && cells.Load(numbers[i], cell))
+    {
+      added += SubdivideCell(cell, this->Corners + this->Loaded + added);
+    }
+  }
+  return added;
+}
+
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef MeshCloud_h
+#define MeshCloud_h
+
+#include "Field/CloudSource.h"
+#include "Kernels/Kernels.h"
+#include "Mesh/CellSubdivision.h"
+#include "Mesh/MeshSelection.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The cells of a mesh, projected to tiles. Cells that are no tetrahedra are subdivided: see
+/// CellSubdivision.h.
+///
+/// The blocks of cells that a tile may see are found by the tree, and put in order by the depths
+/// that they begin at.
+class MeshCloud final : public CloudSource
+{
+public:
+  /// The selection must outlive the source.
+  MeshCloud(const MeshSelection& selection, const Kernels& kernels);
+
+  void Begin(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile) override;
+  double GetNextDepth() const override;
+  void FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments) override;
+
+private:
+  /// A block of cells and a depth that it does not begin before.
+  struct Block
+  {
+    double Depth;
+    std::size_t Number;
+  };
+
+  void FindCoordinates(const Camera& view, const PixelRectangle& pixels);
+  void FindSides();
+  void CutRays(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile);
+  void CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel);
+  bool IsSeen(const Bounds& box) const;
+  void FindBlocks(int level, std::size_t node);
+  void LoadCells();
+  int LoadBlock(std::size_t block);
+
+  const MeshSelection& Selection;
+  const Kernels& TheKernels;
+  bool AreTetrahedra;
+
+  CloudTile Tile;
+  /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.
+  double Sides[5][4];
+  /// The depth that the last ray ends at.
+  double LastEnd = 0.0;
+  std::vector<Block> Blocks;
+  std::size_t NextBlock = 0;
+
+  ProjectedTetrahedra Projected;
+  /// How many of them have been searched.
+  int Searched = 0;
+  /// Those that are loaded and not projected yet: what is left of the last block.
+  double Corners[ProjectedTetrahedra::Capacity + MaximumTetrahedra * CellTree::Width][4][4];
+  int Loaded = 0;
+  /// What tetrahedra do not begin before: those that are projected, and those of the last block.
+  double DepthOfProjected = 0.0;
+  double DepthOfLast = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CloudTileRenderer_h
+#define CloudTileRenderer_h
+
+#include "Picture/Compositor.h"
+#include "Picture/Scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+struct Frame;
+
+/// Draws the clouds of a scene, and the surfaces in them, tile by tile, for one thread.
+///
+/// The segments of all rays of the tile are found front to back, cell by cell, their light is
+/// integrated, and they are put in order by depth as far as no further cell may come before. What
+/// is kept of a ray is its colour so far, its transmittance, and the few segments whose turn has
+/// not come. So the order of the cells, of threads and of processes changes no bit. (K.-L. Ma, T.
+/// W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
+/// Three-Dimensional Unstructured Data, 1997.)
+class CloudTileRenderer
+{
+public:
+  CloudTileRenderer(const Scene& scene, const Kernels* kernels);
+
+  /// Whether the scene has clouds.
+  static bool IsNeeded(const Scene& scene);
+
+  /// Begins with a tile, counted from the rectangle drawn.
+  void Begin(const PixelRectangle& tile);
+
+  /// Sets the fragments of the pixel (x, y) of the tile, front to back.
+  void SetFragments(int x, int y, const Fragment* fragments, std::size_t count);
+
+  /// Draws the clouds and the fragments.
+  void Render(Frame& frame);
+
+  /// What was drawn at the pixel (x, y) of the tile, unrounded: red, green and blue, multiplied by
+  /// the opacity, and the opacity.
+  std::array<double, 4> GetLight(int x, int y) const
+  {
+    const RayLight& ray = this->Rays[static_cast<std::size_t>(y * CloudTile::Edge + x)];
+    return { ray.Color[0], ray.Color[1], ray.Color[2], 1.0 - ray.Transmittance };
+  }
+
+private:
+  /// A cloud and its transfer functions.
+  struct Cloud
+  {
+    ViewedCloud Viewed;
+    const SceneField* Field;
+  };
+
+  /// A segment whose turn has not come.
+  struct PendingSegment
+  {
+    double Depth;
+    int Pixel;
+    /// The number of its light.
+    std::uint32_t Light;
+  };
+
+  /// What is seen of a ray so far.
+  struct RayLight
+  {
+    double Color[3];
+    double Transmittance;
+    float Depth;
+    /// The largest value of a cloud that shows it, and the cloud.
+    double Maximum;
+    const SceneField* MaximumOf;
+    /// The first fragment that is not drawn yet, and the one behind the last.
+    std::size_t Fragment;
+    std::size_t End;
+  };
+
+  void BeginRays();
+  void BeginRay(const Camera& view, int column, int row, double depth, int pixel);
+  Cloud* FindNearest();
+  void Add(Cloud& cloud);
+  void FindMaxima(const Cloud& cloud);
+  void DrawMaximum(RayLight& ray) const;
+  void IntegrateParts(const Cloud& cloud);
+  void AddPart(const Cloud& cloud, int pixel, const std::array<double, 2>& depths,
+    const std::array<double, 2>& values);
+  void Integrate(const Cloud& cloud, const CloudSegments& segments);
+  void DrawBefore(double depth);
+  void SortByPixel();
+  static void SortByDepth(PendingSegment* first, PendingSegment* last);
+  bool DrawSegments(int pixel, const PendingSegment* first, const PendingSegment* last);
+  void DrawFragments(int pixel, double depth);
+  void Close(int pixel);
+  bool IsOpen(int pixel) const
+  {
+    return (this->Open[pixel / CloudTile::Edge] >> (pixel % CloudTile::Edge) & 1U) != 0;
+  }
+  double GetDepth(const Fragment& fragment, int pixel) const
+  {
+    return fragment.T * this->RaysOfTile.DepthOfT[pixel];
+  }
+  void Write(Frame& frame) const;
+
+  const Scene& TheScene;
+  const Kernels& TheKernels;
+  std::vector<Cloud> Clouds;
+  PixelRectangle Tile;
+  CloudTile RaysOfTile;
+  /// The bits of the columns whose rays are not opaque yet.
+  std::uint32_t Open[CloudTile::Edge];
+  std::unique_ptr<RayLight[]> Rays;
+  std::vector<Fragment> Surfaces;
+  std::unique_ptr<CloudSegments> Segments;
+  std::unique_ptr<CloudSegments> Parts;
+  std::vector<PendingSegment> Pending;
+  std::vector<SegmentLight> Lights;
+  std::vector<SegmentLight> LaterLights;
+  /// Those of each pixel, from First[pixel] on.
+  std::vector<PendingSegment> Sorted;
+  std::vector<std::uint32_t> First;
+};
+
+}
+
+#endif

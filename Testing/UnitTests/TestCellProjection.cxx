@@ -1,0 +1,798 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Clouds by cell projection: segments that join exactly, their light against integrals that are
+// found in another way, and pictures against rays that are intersected with every tetrahedron in
+// extended precision.
+
+#include "AllKernels.h"
+#include "Math/Matrix.h"
+#include "Matrices.h"
+#include "Mesh/CellSubdivision.h"
+#include "Mesh/MeshCells.h"
+#include "Mesh/MeshField.h"
+#include "Picture/CloudTileRenderer.h"
+#include "Picture/CloudTransfer.h"
+#include "Picture/RenderTiles.h"
+#include "RandomNumbers.h"
+#include "TestMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+using Extended = long double;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr Index3 Cubes = { 5, 4, 6 };
+
+//------------------------------------------------------------------------------
+// The light of a segment by quadrature: transmittances are exact, since the attenuation is linear
+// between nodes, and colours are integrated by Gauss and Legendre in small steps.
+
+struct ReferenceLight
+{
+  Extended Color[3] = { 0, 0, 0 };
+  Extended Transmittance = 1;
+};
+
+/// The transfer functions between two neighbouring nodes.
+struct Interval
+{
+  CloudNode Low;
+  CloudNode High;
+
+  Extended Get(int function, Extended value) const
+  {
+    const auto get = [function](const CloudNode& node) -> Extended {
+      return function == 0 ? node.Attenuation : node.Color[static_cast<std::size_t>(function - 1)];
+    };
+    const Extended width = static_cast<Extended>(this->High.Value) - this->Low.Value;
+    const Extended fraction =
+      width > 0 && std::isfinite(width) ? (value - this->Low.Value) / width : 0;
+    return get(this->Low) + fraction * (get(this->High) - get(this->Low));
+  }
+};
+
+/// Goes on with a part of a segment in which the functions are linear.
+void AddPart(
+  const Interval& interval, Extended length, Extended from, Extended to, ReferenceLight& light)
+{
+  const Extended first = interval.Get(0, from) * length;
+  const Extended last = interval.Get(0, to) * length;
+  const auto depth = [&](Extended x) { return first * x + (last - first) * x * x / 2; };
+  constexpr Extended places[4] = { 0.069431844202973712388L, 0.33000947820757186760L,
+    0.66999052179242813240L, 0.93056815579702628761L };
+  constexpr Extended weights[4] = { 0.17392742256872692869L, 0.32607257743127307131L,
+    0.32607257743127307131L, 0.17392742256872692869L };
+  // As far as anything is seen.
+  Extended end = 1;
+  while (depth(end / 2) > 50)
+  {
+    end /= 2;
+  }
+  const int steps = 8 + static_cast<int>(8 * depth(end));
+  for (int step = 0; step < steps; ++step)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Extended x = end * (step + places[k]) / steps;
+      const Extended seen = light.Transmittance * std::exp(-depth(x)) *
+        (first + (last - first) * x) * weights[k] * end / steps;
+      for (int i = 0; i < 3; ++i)
+      {
+        light.Color[i] += seen * interval.Get(1 + i, from + (to - from) * x);
+      }
+    }
+  }
+  light.Transmittance *= std::exp(-depth(1));
+}
+
+void AddSegment(const std::vector<CloudNode>& nodes, Extended length, Extended from, Extended to,
+  ReferenceLight& light)
+{
+  std::vector<Interval> intervals = { { nodes.front(), nodes.front() } };
+  intervals.front().Low.Value = -Infinity;
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    intervals.push_back({ nodes[i - 1], nodes[i] });
+  }
+  intervals.push_back({ nodes.back(), nodes.back() });
+  intervals.back().High.Value = Infinity;
+  if (to < from)
+  {
+    std::reverse(intervals.begin(), intervals.end());
+  }
+  for (const Interval& interval : intervals)
+  {
+    const auto clamp = [&](Extended value)
+    { return std::clamp<Extended>(value, interval.Low.Value, interval.High.Value); };
+    if (from == to && (interval.Low.Value < from && from <= interval.High.Value))
+    {
+      AddPart(interval, length, from, to, light);
+    }
+    else if (clamp(from) != clamp(to))
+    {
+      AddPart(
+        interval, length * (clamp(to) - clamp(from)) / (to - from), clamp(from), clamp(to), light);
+    }
+  }
+}
+
+/// Transfer functions with some nodes in [-1, 1], jumps among them.
+std::vector<CloudNode> MakeNodes(RandomNumbers& random, double largest)
+{
+  std::vector<double> values;
+  for (int i = 0; i < 12; ++i)
+  {
+    values.push_back(random.Uniform(-1.0, 1.0));
+  }
+  std::sort(values.begin(), values.end());
+  values[5] = values[4];
+  std::vector<CloudNode> nodes;
+  for (const double value : values)
+  {
+    const double attenuation = random.Integer(0, 3) == 0 ? 0.0 : random.Uniform(0.0, largest);
+    nodes.push_back({ value, attenuation, random.PointInBox({ 0, 0, 0 }, { 1, 1, 1 }) });
+  }
+  return nodes;
+}
+
+//------------------------------------------------------------------------------
+/// A mesh of cubes whose points are moved, but for those on its border: it is convex.
+TestMesh MakeConvexMesh(RandomNumbers& random, Cutting cutting, double jitter)
+{
+  TestMesh mesh =
+    MakeMesh(random, Cubes, cutting, jitter, [&](const Index3&) { return random.Uniform(-1, 1); });
+  for (std::size_t i = 0; i < mesh.Values.size(); ++i)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double& coordinate = mesh.Points[3 * i + axis];
+      const double end = Cubes[axis];
+      const bool isApex = cutting == Cutting::Pyramids || cutting == Cutting::Mixed;
+      if (isApex && i >= static_cast<std::size_t>((Cubes[0] + 1) * (Cubes[1] + 1) * (Cubes[2] + 1)))
+      {
+        continue;
+      }
+      coordinate = coordinate < 0.45 ? 0.0 : (coordinate > end - 0.45 ? end : coordinate);
+    }
+  }
+  return mesh;
+}
+
+/// All tetrahedra of a mesh: corners and values.
+using Tetrahedron = std::array<std::array<double, 4>, 4>;
+std::vector<Tetrahedron> Subdivide(const TestMesh& mesh)
+{
+  const MeshCells cells(mesh.View());
+  std::vector<Tetrahedron> all;
+  for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
+  {
+    MeshCell cell;
+    EXPECT_TRUE(cells.Load(i, cell));
+    double corners[MaximumTetrahedra][4][4];
+    const int count = SubdivideCell(cell, corners);
+    for (int k = 0; k < count; ++k)
+    {
+      Tetrahedron tetrahedron;
+      for (std::size_t corner = 0; corner < 4; ++corner)
+      {
+        std::copy_n(corners[k][corner], 4, tetrahedron[corner].begin());
+      }
+      all.push_back(tetrahedron);
+    }
+  }
+  return all;
+}
+
+Extended Determinant(const Extended (&a)[3], const Extended (&b)[3], const Extended (&c)[3])
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The segment of a ray in a tetrahedron, by its barycentric coordinates, which are linear in t.
+struct ReferenceSegment
+{
+  Extended T[2];
+  Extended Value[2];
+};
+
+bool Intersect(
+  const Tetrahedron& tetrahedron, const Camera::PixelRay& ray, ReferenceSegment& segment)
+{
+  Extended edges[3][3];
+  Extended origin[3];
+  Extended direction[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      edges[i][axis] = static_cast<Extended>(tetrahedron[i + 1][axis]) - tetrahedron[0][axis];
+    }
+    origin[axis] = static_cast<Extended>(ray.Origin[axis]) - tetrahedron[0][axis];
+    direction[axis] = ray.Direction[axis];
+  }
+  const Extended volume = Determinant(edges[0], edges[1], edges[2]);
+  if (volume == 0)
+  {
+    return false;
+  }
+  const auto solve = [&](const Extended(&point)[3], Extended(&weights)[4], bool isPoint)
+  {
+    weights[1] = Determinant(point, edges[1], edges[2]) / volume;
+    weights[2] = Determinant(edges[0], point, edges[2]) / volume;
+    weights[3] = Determinant(edges[0], edges[1], point) / volume;
+    weights[0] = (isPoint ? 1 : 0) - weights[1] - weights[2] - weights[3];
+  };
+  Extended at[4];
+  Extended slope[4];
+  solve(origin, at, true);
+  solve(direction, slope, false);
+  segment.T[0] = 0;
+  segment.T[1] = ray.End;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Extended t = -at[i] / slope[i];
+    segment.T[0] = slope[i] > 0 ? std::max(segment.T[0], t) : segment.T[0];
+    segment.T[1] = slope[i] < 0 ? std::min(segment.T[1], t) : segment.T[1];
+    segment.T[1] = slope[i] == 0 && at[i] < 0 ? -1 : segment.T[1];
+  }
+  for (int end = 0; end < 2; ++end)
+  {
+    segment.Value[end] = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      segment.Value[end] += (at[i] + slope[i] * segment.T[end]) * tetrahedron[i][3];
+    }
+  }
+  return segment.T[0] < segment.T[1];
+}
+
+//------------------------------------------------------------------------------
+constexpr int Width = 43;
+constexpr int Height = 37;
+
+/// A camera that sees the mesh, and one within it.
+Camera MakeCamera(bool isInside)
+{
+  const Matrix4 worldFromObject = Multiply(Rotation(0.3, 0.5), Scaling({ 1.0, 1.2, 0.9 }));
+  const Vector3 center = TransformPoint(worldFromObject, { 2.5, 2.0, 3.0 });
+  const Vector3 eye = center + Vector3{ 0.3, 0.2, isInside ? 0.5 : 9.0 };
+  const Matrix4 clipFromObject =
+    Multiply(Perspective(isInside ? 0.1 : 1.0, 30.0, isInside ? 1.2 : 0.5),
+      Multiply(Invert(Translation(eye)), worldFromObject));
+  return { clipFromObject, Invert(clipFromObject), worldFromObject, Width, Height };
+}
+
+/// Parallel rays along z, half a unit apart, from (0, 0) on: through points and edges of cubes.
+Camera MakeParallelCamera()
+{
+  Matrix4 clip = {};
+  clip[0] = 4.0 / Width;
+  clip[3] = 1.0 / Width - 1.0;
+  clip[5] = 4.0 / Height;
+  clip[7] = 1.0 / Height - 1.0;
+  clip[10] = 0.1;
+  clip[11] = -0.5;
+  clip[15] = 1.0;
+  return { clip, Invert(clip), Scaling({ 1.0, 1.0, 1.0 }), Width, Height };
+}
+
+/// A scene with a cloud alone.
+struct CloudScene
+{
+  CloudScene(const TestMesh& mesh, const std::vector<CloudNode>& nodes, const Camera& view)
+    : Field(mesh.View(), 1)
+    , Transfer(nodes)
+  {
+    this->Request.HasCloud = true;
+    SceneField field;
+    field.Field = &this->Field;
+    field.View = view;
+    field.Cloud = &this->Transfer;
+    this->Shown.Fields = { field };
+    this->Shown.Pixels = { 0, 0, Width, Height };
+    this->Shown.TileWidth = CloudTile::Edge;
+    this->Shown.TileHeight = CloudTile::Edge;
+  }
+
+  /// The light of all pixels, unrounded.
+  std::vector<std::array<double, 4>> Render(const Kernels& kernels)
+  {
+    this->Field.Select(this->Request, { 1, &kernels });
+    Frame frame;
+    frame.Colors.resize(std::size_t{ 4 } * Width * Height);
+    frame.Depths.resize(std::size_t{ Width } * Height);
+    std::vector<std::array<double, 4>> lights(std::size_t{ Width } * Height);
+    CloudTileRenderer renderer(this->Shown, &kernels);
+    for (int y = 0; y < Height; y += CloudTile::Edge)
+    {
+      for (int x = 0; x < Width; x += CloudTile::Edge)
+      {
+        const PixelRectangle tile = { x, y, std::min(CloudTile::Edge, Width - x),
+          std::min(CloudTile::Edge, Height - y) };
+        renderer.Begin(tile);
+        renderer.Render(frame);
+        for (int j = 0; j < tile.Height; ++j)
+        {
+          for (int i = 0; i < tile.Width; ++i)
+          {
+            lights[static_cast<std::size_t>((y + j) * Width + x + i)] = renderer.GetLight(i, j);
+          }
+        }
+      }
+    }
+    return lights;
+  }
+
+  TraceRequest Request;
+  MeshField Field;
+  CloudTransfer Transfer;
+  Scene Shown;
+};
+
+/// The light of a pixel, by rays that are intersected with every tetrahedron.
+ReferenceLight FindLight(const std::vector<Tetrahedron>& tetrahedra, const CloudScene& scene,
+  const std::vector<CloudNode>& nodes, int x, int y)
+{
+  const Camera& view = scene.Shown.Fields.front().View;
+  const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+  std::vector<ReferenceSegment> segments;
+  for (const Tetrahedron& tetrahedron : tetrahedra)
+  {
+    ReferenceSegment segment;
+    if (Intersect(tetrahedron, ray, segment))
+    {
+      segments.push_back(segment);
+    }
+  }
+  std::sort(segments.begin(), segments.end(),
+    [](const ReferenceSegment& a, const ReferenceSegment& b) { return a.T[0] < b.T[0]; });
+  const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
+  ReferenceLight light;
+  for (const ReferenceSegment& segment : segments)
+  {
+    AddSegment(
+      nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
+  }
+  return light;
+}
+
+/// The largest difference of colours and opacities.
+double FindError(const std::array<double, 4>& light, const ReferenceLight& reference)
+{
+  Extended error = std::abs(light[3] - (1 - reference.Transmittance));
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    error = std::max(error, std::abs(light[i] - reference.Color[i]));
+  }
+  return static_cast<double>(error);
+}
+
+//------------------------------------------------------------------------------
+/// The segments of all rays of a tile, by pixel.
+struct FoundSegment
+{
+  double Depth[2];
+  double Value[2];
+};
+
+std::map<int, std::vector<FoundSegment>> FindSegments(
+  const MeshField& field, const Camera& view, const PixelRectangle& pixels, const Kernels& kernels)
+{
+  auto tile = std::make_unique<CloudTile>();
+  tile->Columns = pixels.Width;
+  tile->Rows = pixels.Height;
+  std::fill(std::begin(tile->Begin), std::end(tile->Begin), 0.0);
+  std::fill(std::begin(tile->End), std::end(tile->End), Infinity);
+  std::uint32_t open[CloudTile::Edge];
+  std::fill(std::begin(open), std::end(open), ~0U);
+  std::vector<ViewedCloud> clouds;
+  field.AddClouds(view, &kernels, clouds);
+  CloudSource& source = *clouds.front().Source;
+  source.Begin(view, pixels, *tile);
+  std::map<int, std::vector<FoundSegment>> found;
+  auto segments = std::make_unique<CloudSegments>();
+  while (source.GetNextDepth() < Infinity)
+  {
+    const double least = source.GetNextDepth();
+    segments->Count = 0;
+    source.FindMore(open, *segments);
+    for (int i = 0; i < segments->Count; ++i)
+    {
+      EXPECT_GE(segments->Depth[0][i], least - 1e-9);
+      found[segments->Pixel[i]].push_back({ { segments->Depth[0][i], segments->Depth[1][i] },
+        { segments->Value[0][i], segments->Value[1][i] } });
+    }
+  }
+  return found;
+}
+
+class CellProjection : public WithKernels
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(All, CellProjection, AllKernels(), NameOfKernels);
+
+//------------------------------------------------------------------------------
+TEST(CellSubdivision, CutsCellsWithoutRest)
+{
+  RandomNumbers random(1);
+  for (const Cutting cutting : AllCuttings)
+  {
+    const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
+    Extended volume = 0;
+    for (const Tetrahedron& tetrahedron : Subdivide(mesh))
+    {
+      Extended edges[3][3];
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          edges[i][axis] = static_cast<Extended>(tetrahedron[i + 1][axis]) - tetrahedron[0][axis];
+        }
+      }
+      volume += std::abs(Determinant(edges[0], edges[1], edges[2])) / 6;
+    }
+    EXPECT_NEAR(static_cast<double>(volume), Cubes[0] * Cubes[1] * Cubes[2], 1e-9);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(CellSubdivision, CutsSharedFacesAlike)
+{
+  RandomNumbers random(2);
+  for (const Cutting cutting : AllCuttings)
+  {
+    const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
+    std::map<std::array<std::array<double, 4>, 3>, int> faces;
+    for (Tetrahedron tetrahedron : Subdivide(mesh))
+    {
+      std::sort(tetrahedron.begin(), tetrahedron.end());
+      for (std::size_t without = 0; without < 4; ++without)
+      {
+        std::array<std::array<double, 4>, 3> face;
+        for (std::size_t i = 0, k = 0; i < 4; ++i)
+        {
+          if (i != without)
+          {
+            face[k++] = tetrahedron[i];
+          }
+        }
+        ++faces[face];
+      }
+    }
+    const auto isOnBorder = [](const auto& face)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        for (const double side : { 0.0, static_cast<double>(Cubes[axis]) })
+        {
+          if (std::all_of(
+                face.begin(), face.end(), [&](const auto& corner) { return corner[axis] == side; }))
+          {
+            return true;
+          }
+        }
+      }
+      return false;
+    };
+    for (const auto& [face, count] : faces)
+    {
+      EXPECT_EQ(count, isOnBorder(face) ? 1 : 2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// No gaps, no overlaps: the segments of a ray in a convex mesh join to the last bit.
+TEST_P(CellProjection, JoinsSegmentsExactly)
+{
+  RandomNumbers random(3);
+  std::size_t joined = 0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    for (const double jitter : { 0.0, 0.2 })
+    {
+      const TestMesh mesh = MakeConvexMesh(random, cutting, jitter);
+      MeshField field(mesh.View(), 1);
+      TraceRequest request;
+      request.HasCloud = true;
+      field.Select(request, {});
+      const Camera views[] = { MakeCamera(false), MakeCamera(true), MakeParallelCamera() };
+      for (const Camera& view : views)
+      {
+        const bool isThroughPoints = &view == &views[2];
+        for (const Index3& corner : { Index3{ 0, 0, 0 }, Index3{ 14, 11, 0 }, Index3{ 27, 21, 0 } })
+        {
+          const PixelRectangle pixels = { corner[0], corner[1], CloudTile::Edge, CloudTile::Edge };
+          for (auto& [pixel, found] : FindSegments(field, view, pixels, this->TheKernels))
+          {
+            std::sort(found.begin(), found.end(),
+              [](const FoundSegment& a, const FoundSegment& b)
+              { return std::tie(a.Depth[0], a.Depth[1]) < std::tie(b.Depth[0], b.Depth[1]); });
+            for (std::size_t i = 0; i < found.size(); ++i)
+            {
+              ASSERT_LT(found[i].Depth[0], found[i].Depth[1]);
+              if (i > 0)
+              {
+                const FoundSegment& before = found[i - 1];
+                if (isThroughPoints)
+                {
+                  // Where faces meet in a point of the ray they have one depth, but for rounding.
+                  ASSERT_NEAR(before.Depth[1], found[i].Depth[0], 1e-15);
+                }
+                else
+                {
+                  ASSERT_EQ(before.Depth[1], found[i].Depth[0]);
+                  // There may be a cell without length between them.
+                  ASSERT_NEAR(before.Value[1], found[i].Value[0], 1e-12);
+                }
+                ++joined;
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(joined, 100000U);
+}
+
+//------------------------------------------------------------------------------
+/// Rays along edges and through points of a mesh go through all of it.
+TEST_P(CellProjection, FillsTheMesh)
+{
+  RandomNumbers random(4);
+  for (const Cutting cutting : AllCuttings)
+  {
+    const TestMesh mesh = MakeConvexMesh(random, cutting, 0.0);
+    MeshField field(mesh.View(), 1);
+    TraceRequest request;
+    request.HasCloud = true;
+    field.Select(request, {});
+    const auto found =
+      FindSegments(field, MakeParallelCamera(), { 0, 0, 16, 16 }, this->TheKernels);
+    // Those on the border of the mesh count as beside it or within it.
+    for (int y = 1; y < 2 * Cubes[1]; ++y)
+    {
+      for (int x = 1; x < 2 * Cubes[0]; ++x)
+      {
+        ASSERT_EQ(found.count(y * CloudTile::Edge + x), 1U) << x << " " << y;
+        double sum = 0.0;
+        for (const FoundSegment& segment : found.at(y * CloudTile::Edge + x))
+        {
+          sum += segment.Depth[1] - segment.Depth[0];
+        }
+        EXPECT_NEAR(sum, 0.1 * Cubes[2], 1e-12);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(CellProjection, IntegratesSegments)
+{
+  RandomNumbers random(5);
+  auto tile = std::make_unique<CloudTile>();
+  auto segments = std::make_unique<CloudSegments>();
+  std::vector<SegmentLight> lights(CloudSegments::Capacity);
+  double worst = 0.0;
+  for (const double largest : { 0.1, 3.0, 1e3, 1e9 })
+  {
+    const std::vector<CloudNode> nodes = MakeNodes(random, largest);
+    const CloudTransfer transfer(nodes);
+    segments->Count = 301;
+    for (int i = 0; i < segments->Count; ++i)
+    {
+      const int pixel = random.Integer(0, CloudTile::Capacity - 1);
+      const double value = random.Uniform(-1.5, 1.5);
+      const double changes[3] = { 0.0, random.Uniform(-1e-3, 1e-3), random.Uniform(-3.0, 3.0) };
+      segments->Pixel[i] = pixel;
+      tile->Length[pixel] = random.Uniform(0.1, 2.0);
+      segments->Depth[0][i] = random.Uniform(0.0, 10.0);
+      segments->Depth[1][i] = segments->Depth[0][i] + random.Uniform(0.0, 1.0);
+      segments->Value[0][i] = i % 7 == 0 ? nodes[4].Value : value;
+      segments->Value[1][i] = segments->Value[0][i] + changes[i % 3];
+    }
+    this->TheKernels.IntegrateSegments(*tile, transfer.GetPieces(), *segments, lights.data());
+    for (int i = 0; i < segments->Count; ++i)
+    {
+      const SegmentLight& light = lights[static_cast<std::size_t>(i)];
+      ReferenceLight reference;
+      AddSegment(nodes,
+        static_cast<Extended>(tile->Length[segments->Pixel[i]]) *
+          (static_cast<Extended>(segments->Depth[1][i]) - segments->Depth[0][i]),
+        segments->Value[0][i], segments->Value[1][i], reference);
+      const double error = FindError(
+        { light.Color[0], light.Color[1], light.Color[2], 1.0 - light.Transmittance }, reference);
+      EXPECT_LT(error, 3e-6) << largest << " " << segments->Value[0][i];
+      worst = std::max(worst, error);
+    }
+  }
+  this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// Whole pictures, to less than a 10 000th.
+TEST_P(CellProjection, DrawsWhatIntegralsSay)
+{
+  RandomNumbers random(6);
+  double worst = 0.0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
+    const std::vector<Tetrahedron> tetrahedra = Subdivide(mesh);
+    const std::vector<CloudNode> nodes = MakeNodes(random, 0.8);
+    for (const bool isInside : { false, true })
+    {
+      CloudScene scene(mesh, nodes, MakeCamera(isInside));
+      const auto lights = scene.Render(this->TheKernels);
+      double brightest = 0.0;
+      for (int y = 1; y < Height; y += 5)
+      {
+        for (int x = 2; x < Width; x += 7)
+        {
+          const ReferenceLight reference = FindLight(tetrahedra, scene, nodes, x, y);
+          const std::array<double, 4>& light = lights[static_cast<std::size_t>(y * Width + x)];
+          worst = std::max(worst, FindError(light, reference));
+          brightest = std::max(brightest, light[3]);
+        }
+      }
+      EXPECT_GT(brightest, 0.5);
+    }
+  }
+  EXPECT_LT(worst, 4e-5);
+  this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+TEST(CellProjection, HasTheSameBitsWithAllKernels)
+{
+  RandomNumbers random(7);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
+  CloudScene scene(mesh, MakeNodes(random, 2.0), MakeCamera(false));
+  const auto expected = scene.Render(*GetKernels().front());
+  for (const Kernels* kernels : GetKernels())
+  {
+    EXPECT_TRUE(expected == scene.Render(*kernels));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(CellProjection, HasTheSameBitsWithAnyThreads)
+{
+  RandomNumbers random(8);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
+  CloudScene scene(mesh, MakeNodes(random, 2.0), MakeCamera(false));
+  scene.Field.Select(scene.Request, {});
+  const auto render = [&scene](int threads)
+  {
+    Frame frame;
+    FrameTimes times;
+    EXPECT_TRUE(RenderTiles(scene.Shown, { threads }, frame, times, [](double) { return true; }));
+    return frame.Colors;
+  };
+  const std::vector<std::uint8_t> expected = render(1);
+  EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 100);
+  EXPECT_EQ(expected, render(2));
+  EXPECT_EQ(expected, render(7));
+}
+
+//------------------------------------------------------------------------------
+/// A cloud that is cut by a plane, and the other side of it: light passes both, one after the
+/// other.
+TEST_P(CellProjection, IsCutByHalfSpaces)
+{
+  RandomNumbers random(9);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
+  CloudScene scene(mesh, MakeNodes(random, 0.5), MakeCamera(false));
+  const auto whole = scene.Render(this->TheKernels);
+  const Vector3 normal = { 0.3, -0.2, 0.9 };
+  scene.Request.Visible.HalfSpaces = { { normal, -2.4 } };
+  const auto one = scene.Render(this->TheKernels);
+  scene.Request.Visible.HalfSpaces = { { normal * -1.0, 2.4 } };
+  const auto other = scene.Render(this->TheKernels);
+  std::size_t both = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    const double transmittance = (1.0 - one[i][3]) * (1.0 - other[i][3]);
+    EXPECT_NEAR(1.0 - whole[i][3], transmittance, 1e-4);
+    both += one[i][3] > 0.0 && other[i][3] > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(both, 200U);
+}
+
+//------------------------------------------------------------------------------
+/// Surfaces in a cloud: what lies before them and behind them is drawn in this order.
+TEST_P(CellProjection, DrawsFragmentsInTheCloud)
+{
+  RandomNumbers random(10);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
+  const std::vector<CloudNode> nodes = MakeNodes(random, 0.5);
+  const std::vector<Tetrahedron> tetrahedra = Subdivide(mesh);
+  CloudScene scene(mesh, nodes, MakeCamera(false));
+  scene.Field.Select(scene.Request, { 1, &this->TheKernels });
+  CloudTileRenderer renderer(scene.Shown, &this->TheKernels);
+  renderer.Begin({ 16, 16, 16, 16 });
+  const Camera& view = scene.Shown.Fields.front().View;
+  // Two translucent ones and an opaque one, at random places of each ray.
+  std::map<int, std::vector<Fragment>> fragments;
+  for (int pixel = 0; pixel < 256; ++pixel)
+  {
+    const double end = view.GetRay(16 + pixel % 16, 16 + pixel / 16, 1.0).End;
+    std::vector<Fragment>& some = fragments[pixel];
+    for (const double opacity : { 0.3, 0.6, 1.0 })
+    {
+      const Vector3 color = random.PointInBox({ 0, 0, 0 }, { 1, 1, 1 });
+      some.push_back({ random.Uniform(0.2, 0.5) * end, color * opacity, opacity, 0.5F });
+    }
+    std::sort(
+      some.begin(), some.end(), [](const Fragment& a, const Fragment& b) { return a.T < b.T; });
+    const auto opaque = std::find_if(
+      some.begin(), some.end(), [](const Fragment& fragment) { return fragment.Opacity >= 1.0; });
+    some.erase(opaque + 1, some.end());
+    renderer.SetFragments(pixel % 16, pixel / 16, some.data(), some.size());
+  }
+  Frame frame;
+  frame.Colors.resize(std::size_t{ 4 } * Width * Height);
+  frame.Depths.resize(std::size_t{ Width } * Height);
+  renderer.Render(frame);
+  for (int pixel = 0; pixel < 256; pixel += 3)
+  {
+    const int x = 16 + pixel % 16;
+    const int y = 16 + pixel / 16;
+    const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+    const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
+    ReferenceLight light;
+    double from = 0.0;
+    for (const Fragment& fragment : fragments[pixel])
+    {
+      std::vector<ReferenceSegment> segments;
+      for (const Tetrahedron& tetrahedron : tetrahedra)
+      {
+        ReferenceSegment segment;
+        Camera::PixelRay part = ray;
+        part.Origin = ray.Origin + ray.Direction * from;
+        part.End = fragment.T - from;
+        if (Intersect(tetrahedron, part, segment))
+        {
+          segments.push_back(segment);
+        }
+      }
+      std::sort(segments.begin(), segments.end(),
+        [](const ReferenceSegment& a, const ReferenceSegment& b) { return a.T[0] < b.T[0]; });
+      for (const ReferenceSegment& segment : segments)
+      {
+        AddSegment(
+          nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
+      }
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        light.Color[i] += light.Transmittance * fragment.Color[i];
+      }
+      light.Transmittance *= 1 - fragment.Opacity;
+      from = fragment.T;
+    }
+    EXPECT_LT(FindError(renderer.GetLight(pixel % 16, pixel / 16), light), 4e-5) << pixel;
+    EXPECT_EQ(frame.Depths[static_cast<std::size_t>(y * Width + x)], 0.5F);
+  }
+}
+
+}
+}
