@@ -59,6 +59,7 @@ endforeach ()
 
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
+  Rendering/vtkCellProjectionMapper
   Rendering/vtkIsosurfacePicker
   Rendering/vtkIsosurfacePicture
   Rendering/vtkIsosurfaceRayTraceFactory
@@ -82,6 +83,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceBlockDisplay
   Rendering/vtkIsosurfaceRayTraceBlockJoin
   Rendering/vtkIsosurfaceRayTraceBlocks
+  Rendering/vtkIsosurfaceRayTraceClouds
   Rendering/vtkIsosurfaceRayTraceColors
   Rendering/vtkIsosurfaceRayTraceCropping
   Rendering/vtkIsosurfaceRayTraceEngine

@@ -382,7 +382,8 @@ bool vtkIsosurfaceRayTraceEngine::HasOnlyOpaqueSurfaces(vtkVolume* volume)
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  if (!use.IsAllowed() || !volume || this->TheClient.GetSettings().Projection)
+  const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+  if (!use.IsAllowed() || !volume || settings.Projection || settings.HasCloud)
   {
     return false;
   }
@@ -627,6 +628,12 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
 bool vtkIsosurfaceRayTraceEngine::RenderToFragments(
   vtkVolume* volume, const PictureView& view, vtkTable* output)
 {
+  if (this->TheClient.GetSettings().HasCloud)
+  {
+    vtkErrorWithObjectMacro(this->Mapper,
+      "A cloud has no fragments: it fills the space between surfaces. Call RenderToImage.");
+    return false;
+  }
   return this->RenderPicture("RenderToFragments", volume, view, &vtkirt::Scene::KeepFragments,
     output,
     [&view, output](

@@ -75,7 +75,7 @@ namespace vtkIsosurfaceRayTraceHints
 //------------------------------------------------------------------------------
 std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
 {
-  if (request.IsProjection() || request.IsNothing())
+  if (request.IsProjection() || request.IsNothing() || settings.HasCloud)
   {
     return "";
   }

@@ -526,6 +526,9 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  /// What is drawn, and how.
+  virtual vtkIsosurfaceRayTraceSettings GetSettings() const;
+
 private:
   vtkIsosurfaceRayTraceMeshMapper(const vtkIsosurfaceRayTraceMeshMapper&) = delete;
   void operator=(const vtkIsosurfaceRayTraceMeshMapper&) = delete;
@@ -533,7 +536,6 @@ private:
   friend class vtkIsosurfaceRayTraceEngine;
   friend struct vtkIsosurfaceRayTraceSharedSettings;
 
-  vtkIsosurfaceRayTraceSettings GetSettings() const;
   vtkIsosurfaceRayTraceInputSettings GetInputSettings() const;
 
   int NormalMode = CENTRAL_DIFFERENCES;

@@ -111,9 +111,12 @@ public:
     output->GetPointData()->SetActiveScalars("Colors");
   }
 
-  void Set(vtkIdType pixel, const unsigned char* color, float depth, const Description& hit)
+  void SetColor(vtkIdType pixel, const unsigned char* color)
   {
     this->Colors->SetTypedTuple(pixel, color);
+  }
+  void Set(vtkIdType pixel, float depth, const Description& hit)
+  {
     this->Depths->SetValue(pixel, depth);
     this->Normals->SetTypedTuple(pixel, hit.Normal.data());
     this->Positions->SetTypedTuple(pixel, hit.Position.data());
@@ -205,19 +208,21 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
     for (int x = 0; x < pixels.Width; ++x)
     {
       const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
+      const auto to = static_cast<vtkIdType>(
+        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
+      // A cloud has a colour where there is no hit.
+      arrays.SetColor(to, &picture.Frame.Colors[4 * from]);
       const vtkirt::Hit& hit = picture.Frame.Hits[from];
       if (hit.Surface == vtkirt::Hit::NoSurface)
       {
         continue;
       }
-      const auto to = static_cast<vtkIdType>(
-        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
       const Description description = traced.Describe(hit);
       // A projection hides nothing in a window, and so has no depth there; but each value has a
       // position.
       const float depth =
         isProjection ? picture.GetDepth(hit) : std::min(picture.Frame.Depths[from], 1.0F);
-      arrays.Set(to, &picture.Frame.Colors[4 * from], depth, description);
+      arrays.Set(to, depth, description);
       if (isProjection)
       {
         arrays.SetValue(to, description.Value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTracePicture.h"
 
+#include "vtkIsosurfaceRayTraceClouds.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -32,6 +33,7 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
     const vtkIsosurfaceRayTraceRequest::Volume& volume = request.Volumes[i];
     vtkirt::SceneField shown;
     SetColors(volume, this->Colors[i], shown);
+    shown.IsMaximum = settings.IsMaximum;
     shown.Surface = vtkIsosurfaceRayTraceScene::GetMaterial(volume.Property, volume.Component);
     shown.View = vtkIsosurfaceRayTraceScene::MakeCamera(
       view.ClipFromWorld, volume.WorldFromObject, view.Width, view.Height);
@@ -47,6 +49,11 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
     shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
     scene.Pixels = i > 0 ? vtkirt::Unite(scene.Pixels, shown.Pixels) : shown.Pixels;
     scene.Fields.push_back(shown);
+  }
+  if (settings.HasCloud)
+  {
+    scene.TileWidth = vtkirt::CloudTile::Edge;
+    scene.TileHeight = vtkirt::CloudTile::Edge;
   }
   this->Scene = std::move(scene);
 }
@@ -67,6 +74,13 @@ void vtkIsosurfaceRayTracePicture::SetColors(const vtkIsosurfaceRayTraceRequest:
   }
   colors.OfHits = volume.Input->MakeColors(*colors.OfValues);
   shown.ColorsOfHits = colors.OfHits.get();
+  colors.OfCloud.reset();
+  if (volume.GetField().GetRequest().HasCloud)
+  {
+    colors.OfCloud = vtkIsosurfaceRayTraceClouds::MakeTransfer(
+      *colors.OfValues, volume.Property->GetScalarOpacityUnitDistance(volume.Component));
+  }
+  shown.Cloud = colors.OfCloud.get();
 }
 
 //------------------------------------------------------------------------------

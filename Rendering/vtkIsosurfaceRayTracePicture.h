@@ -10,6 +10,7 @@
 #include "vtkIsosurfaceRayTraceValueColors.h" // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
 
+#include "Picture/CloudTransfer.h"
 #include "Picture/RenderTiles.h"
 
 #include <cstddef>    // for std::size_t
@@ -65,6 +66,8 @@ private:
   {
     std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> OfHits;
     std::unique_ptr<vtkIsosurfaceRayTraceValueColors> OfValues;
+    /// Null without a cloud.
+    std::unique_ptr<vtkIsosurfaceRayTracing::CloudTransfer> OfCloud;
   };
 
   static void SetColors(const vtkIsosurfaceRayTraceRequest::Volume& volume, ColorsOfField& colors,

@@ -115,7 +115,8 @@ void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& s
 {
   vtkirt::TraceRequest request;
   request.Projection = settings.Projection;
-  if (!settings.Projection)
+  request.HasCloud = settings.HasCloud;
+  if (!settings.Projection && settings.HasSurfaces)
   {
     request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(volume.Property, volume.Component);
   }

@@ -25,6 +25,11 @@ struct vtkIsosurfaceRayTraceSettings
   int BlendMode = vtkVolumeMapper::ISOSURFACE_BLEND;
   /// What the blend mode stands for. None: surfaces are drawn.
   std::optional<vtkIsosurfaceRayTracing::Extremum> Projection;
+  /// Whether a cloud is drawn, and the isosurfaces in it.
+  bool HasCloud = false;
+  bool HasSurfaces = true;
+  /// Whether the largest values of the cloud are drawn.
+  bool IsMaximum = false;
   vtkIsosurfaceRayTracing::Interpolant InterpolationMode =
     vtkIsosurfaceRayTracing::Interpolant::Trilinear;
   vtkIsosurfaceRayTracing::RootSolver RootSolver = vtkIsosurfaceRayTracing::RootSolver::Robust;

@@ -97,4 +97,31 @@ std::array<double, 4> vtkIsosurfaceRayTraceValueColors::Get(double value) const
   return { color[0], color[1], color[2], std::clamp(opacity, 0.0, 1.0) };
 }
 
+//------------------------------------------------------------------------------
+std::vector<double> vtkIsosurfaceRayTraceValueColors::FindNodes() const
+{
+  std::vector<double> nodes;
+  const auto add = [&nodes](auto* function)
+  {
+    double node[6];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      nodes.push_back(node[0]);
+    }
+  };
+  if (this->Gray)
+  {
+    add(this->Gray.Get());
+  }
+  else
+  {
+    add(this->Color.Get());
+  }
+  add(this->Opacity.Get());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 VTK_ABI_NAMESPACE_END

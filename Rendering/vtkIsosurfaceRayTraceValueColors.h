@@ -14,7 +14,8 @@
 
 #include "Picture/Scene.h"
 
-#include <array> // for std::array
+#include <array>  // for std::array
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -34,6 +35,9 @@ public:
   /// The colour of a value, without its opacity.
   vtkIsosurfaceRayTracing::Vector3 GetColor(double value) const;
   std::array<double, 4> Get(double value) const override;
+
+  /// The values at the nodes of the functions, in order, each once.
+  std::vector<double> FindNodes() const;
 
 private:
   /// To compare with, not to use.

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkCellProjectionMapper.h"
+
+#include "vtkIsosurfaceRayTraceSettings.h"
+
+#include "vtkObjectFactory.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkStandardNewMacro(vtkCellProjectionMapper);
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSettings vtkCellProjectionMapper::GetSettings() const
+{
+  vtkIsosurfaceRayTraceSettings settings = this->Superclass::GetSettings();
+  settings.HasCloud = true;
+  settings.HasSurfaces = this->DrawIsosurfaces;
+  settings.IsMaximum = this->BlendMode == MAXIMUM_INTENSITY_BLEND;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkCellProjectionMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkCellProjectionMapper::SafeDownCast(mapper))
+  {
+    this->SetDrawIsosurfaces(other->GetDrawIsosurfaces());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkCellProjectionMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DrawIsosurfaces: " << (this->DrawIsosurfaces ? "on" : "off") << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCellProjectionMapper
+ * @brief   volume rendering of meshes by cell projection, on the CPU
+ *
+ * Draws a mesh as a cloud: each point glows and absorbs light by the colour and opacity transfer
+ * functions of the property. Isosurfaces may be in the cloud, opaque or translucent
+ * (DrawIsosurfaces).
+ *
+ * Every cell is projected to the pixels that it covers. In a tetrahedron the values are linear
+ * along a ray, and so are the transfer functions between two of their nodes: the light of each such
+ * step is integrated to about 1e-6, whatever the size of the cells is; there are no samples, and so
+ * no sample distance. Functions that are not linear between their nodes (midpoint, sharpness,
+ * colour spaces other than RGB) are approximated by nodes of their own, to 1e-4. A ray ends where
+ * less than 1 / 32768 of the light behind is seen. Hexahedra, voxels, wedges and pyramids are
+ * subdivided into tetrahedra: each face with four corners is cut along the diagonal from the first
+ * of them (by x, then y, then z), whatever cell it is of, so that cells meet without gaps. (The
+ * isosurfaces are those of the cells as vtkIsosurfaceRayTraceMeshMapper has them, unless
+ * Tetrahedralize is on.)
+ *
+ * Where a ray crosses a face is a function of the two alone: segments of neighbouring cells join
+ * without gaps and without overlaps, and the picture is the same, bit for bit, for any number of
+ * threads. Cells may overlap or have gaps between them.
+ *
+ * With the blend mode MAXIMUM_INTENSITY_BLEND a ray shows the colour and the opacity of the largest
+ * value along it, before the isosurfaces.
+ *
+ * As in the other mappers for unstructured grids, the opacity function is the attenuation for one
+ * ScalarOpacityUnitDistance, which is a length in the world: through a thickness d of the opacity a
+ * the transmittance is exp(-a d / unit). The cloud is not shaded.
+ *
+ * All else is that of vtkIsosurfaceRayTraceMeshMapper, with the same settings: inputs (also
+ * composite ones and several connections), arrays, hidden cells, clipping planes, opaque geometry
+ * in the cloud, ImageSampleDistance, RenderToImage, threads, errors and events. Picking, CastRays
+ * and selections find the isosurfaces.
+ *
+ * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
+ * IEEE Computer Graphics and Applications 21(4), 2001.
+ * K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
+ * Three-Dimensional Unstructured Data. IEEE Parallel Rendering Symposium, 1997.
+ *
+ * @sa vtkIsosurfaceRayTraceMeshMapper vtkUnstructuredGridVolumeRayCastMapper vtkProjectedTetrahedra
+ */
+
+#ifndef vtkCellProjectionMapper_h
+#define vtkCellProjectionMapper_h
+
+#include "vtkIsosurfaceRayTraceMeshMapper.h"
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTracingModule.h" // for export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKISOSURFACERAYTRACING_EXPORT vtkCellProjectionMapper
+  : public vtkIsosurfaceRayTraceMeshMapper
+{
+public:
+  static vtkCellProjectionMapper* New();
+  vtkTypeMacro(vtkCellProjectionMapper, vtkIsosurfaceRayTraceMeshMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get whether the isosurfaces of the property (vtkVolumeProperty::GetIsoSurfaceValues) are
+   * drawn in the cloud. Their colours and opacities are those of vtkIsosurfaceRayTraceMeshMapper:
+   * the transfer functions at the isovalue. Default: off.
+   */
+  vtkSetMacro(DrawIsosurfaces, bool);
+  vtkGetMacro(DrawIsosurfaces, bool);
+  vtkBooleanMacro(DrawIsosurfaces, bool);
+  ///@}
+
+  /**
+   * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.
+   */
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+protected:
+  vtkCellProjectionMapper() = default;
+  ~vtkCellProjectionMapper() override = default;
+
+  vtkIsosurfaceRayTraceSettings GetSettings() const override;
+
+private:
+  vtkCellProjectionMapper(const vtkCellProjectionMapper&) = delete;
+  void operator=(const vtkCellProjectionMapper&) = delete;
+
+  bool DrawIsosurfaces = false;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif

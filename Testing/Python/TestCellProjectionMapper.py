@@ -1,0 +1,443 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds of meshes: against closed forms, against VTK's ray caster, and in every kind of scene."""
+
+import math
+import unittest
+
+import numpy as np
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_PYRAMID,
+    VTK_TETRA,
+    VTK_WEDGE,
+    vtkDataSetAttributes,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPiecewiseFunction,
+    vtkPlane,
+    vtkTable,
+)
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkColorTransferFunction,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkVolume,
+)
+from vtkmodules.vtkRenderingVolume import (
+    vtkUnstructuredGridLinearRayIntegrator,
+    vtkUnstructuredGridVolumeRayCastMapper,
+)
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (vtkRayCastImageDisplayHelper)
+from vtkIsosurfaceRayTracing import (
+    vtkCellProjectionMapper, vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper)
+
+from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid
+from PictureTesting import capture
+
+PIXELS = 90
+CENTER = 3 * (SIZE / 2,)
+
+
+def fill_property(volume_property, low=-2.0, high=2.0, opacity=0.4, unit=1.0):
+    """Blue to red, and more and more opaque."""
+    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    colors.AddRGBPoint(low, 0.1, 0.2, 1.0)
+    colors.AddRGBPoint(0.3 * low + 0.7 * high, 1.0, 0.9, 0.2)
+    colors.AddRGBPoint(high, 1.0, 0.1, 0.0)
+    opacities.AddPoint(low, 0.0)
+    opacities.AddPoint(high, opacity)
+    volume_property.SetColor(colors)
+    volume_property.SetScalarOpacity(opacities)
+    volume_property.SetScalarOpacityUnitDistance(unit)
+
+
+def make_cloud(grid, mapper_class=vtkCellProjectionMapper, **transfer):
+    mapper = mapper_class()
+    mapper.AutoAdjustSampleDistancesOff()
+    if grid:
+        mapper.SetInputDataObject(grid)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    fill_property(volume.GetProperty(), **transfer)
+    return mapper, volume
+
+
+def make_camera():
+    camera = vtkCamera()
+    camera.SetFocalPoint(CENTER)
+    camera.SetPosition(CENTER[0] + 6.0, CENTER[1] - 14.0, CENTER[2] + 9.0)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    camera.SetClippingRange(1.0, 60.0)
+    return camera
+
+
+def make_camera_along_y(scale=2.0):
+    """Parallel rays through the whole of the box."""
+    camera = make_camera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(scale)
+    camera.SetPosition(CENTER[0], CENTER[1] - 14.0, CENTER[2])
+    return camera
+
+
+def render_to_image(mapper, volume, camera=None, size=PIXELS):
+    """Red, green, blue and opacity in [0, 1]: an array of size x size x 4."""
+    image = vtkImageData()
+    assert mapper.RenderToImage(volume, camera or make_camera(), None, size, size, image)
+    colors = vtk_to_numpy(image.GetPointData().GetArray("Colors"))
+    return colors.reshape(size, size, 4) / 255.0
+
+
+def make_window(*props, size=PIXELS):
+    renderer = vtkRenderer()
+    for prop in props:
+        renderer.AddViewProp(prop)
+    renderer.SetActiveCamera(make_camera())
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(size, size)
+    window.AddRenderer(renderer)
+    return window
+
+
+def draw(*props, size=PIXELS):
+    """Red, green and blue from 0 to 255: an array of size x size x 3."""
+    return draw_in(make_window(*props, size=size))
+
+
+def draw_in(window):
+    window.Render()
+    size = window.GetSize()[0]
+    return np.frombuffer(capture(window), dtype=np.uint8).reshape(size, size, 3).astype(int)
+
+
+def make_sphere(radius):
+    source = vtkSphereSource()
+    source.SetCenter(CENTER)
+    source.SetRadius(radius)
+    source.SetThetaResolution(64)
+    source.SetPhiResolution(64)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(0.0, 1.0, 0.0)
+    return actor
+
+
+class TestClosedForms(unittest.TestCase):
+    SHAPES = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)
+
+    def test_a_box_of_one_value(self):
+        """Each ray has the opacity that its length in the box says, whatever the cells are."""
+        camera = make_camera_along_y()
+        for shape in self.SHAPES:
+            for unit in (0.5, 3.0, 40.0):
+                with self.subTest(shape=shape, unit=unit):
+                    mapper, volume = make_cloud(make_grid(shape, lambda p: 0.0), unit=unit)
+                    picture = render_to_image(mapper, volume, camera)
+                    expected = 1.0 - math.exp(-0.2 * SIZE / unit)
+                    self.assertLess(np.abs(picture[..., 3] - expected).max(), 0.51 / 255)
+
+    def test_scales_are_those_of_the_world(self):
+        mapper, volume = make_cloud(make_grid(VTK_HEXAHEDRON, lambda p: 0.0), unit=4.0)
+        volume.SetOrigin(CENTER)
+        volume.SetScale(1.0, 2.0, 1.0)
+        camera = make_camera_along_y()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        self.assertLess(np.abs(opacity - (1.0 - math.exp(-0.2 * 2 * SIZE / 4.0))).max(), 0.51 / 255)
+
+    def test_steps_in_the_transfer_functions(self):
+        """A slab of one value in a linear field, between two steps of the opacity."""
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: p[1]))
+        opacities = vtkPiecewiseFunction()
+        for value, opacity in ((0.0, 0.0), (2.0, 0.0), (2.0 + 1e-9, 0.7), (3.5, 0.7), (3.5 + 1e-9, 0.0)):
+            opacities.AddPoint(value, opacity)
+        volume.GetProperty().SetScalarOpacity(opacities)
+        camera = make_camera_along_y()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        self.assertLess(np.abs(opacity - (1.0 - math.exp(-0.7 * 1.5))).max(), 0.51 / 255)
+
+    def test_functions_that_are_not_linear(self):
+        """They are those that VTK evaluates, not the lines between their nodes."""
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
+        opacities = vtkPiecewiseFunction()
+        opacities.AddPoint(-2.0, 0.0, 0.3, 0.6)
+        opacities.AddPoint(2.0, 0.5)
+        colors = vtkColorTransferFunction()
+        colors.SetColorSpaceToHSV()
+        colors.AddRGBPoint(-2.0, 1.0, 0.0, 0.0)
+        colors.AddRGBPoint(2.0, 0.0, 0.0, 1.0)
+        volume.GetProperty().SetScalarOpacity(opacities)
+        volume.GetProperty().SetColor(colors)
+        picture = render_to_image(mapper, volume)
+        sampled, sampled_opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+        for value in np.linspace(-2.0, 2.0, 2001):
+            sampled.AddRGBPoint(value, *colors.GetColor(value))
+            sampled_opacities.AddPoint(value, opacities.GetValue(value))
+        volume.GetProperty().SetScalarOpacity(sampled_opacities)
+        volume.GetProperty().SetColor(sampled)
+        self.assertLess(np.abs(picture - render_to_image(mapper, volume)).max(), 1.01 / 255)
+
+    def test_functions_that_are_not_clamped(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: 5.0))
+        self.assertGreater(render_to_image(mapper, volume)[..., 3].max(), 0.5)
+        volume.GetProperty().GetScalarOpacity().ClampingOff()
+        self.assertEqual(render_to_image(mapper, volume)[..., 3].max(), 0.0)
+
+
+class TestAgainstVtk(unittest.TestCase):
+    def test_ray_caster(self):
+        """The colours of VTK's ray caster with its most accurate integrator. It loses rays now and
+        then, and its rays go through other points of the pixels: in large pictures, that is little."""
+        grid = make_grid(VTK_TETRA, ball)
+        _, volume = make_cloud(grid)
+        other, other_volume = make_cloud(grid, vtkUnstructuredGridVolumeRayCastMapper)
+        other.SetRayIntegrator(vtkUnstructuredGridLinearRayIntegrator())
+        difference = np.abs(draw(volume, size=480) - draw(other_volume, size=480)).max(axis=-1)
+        self.assertLess(np.mean(difference), 1.0)
+        self.assertLess(np.mean(difference > 3), 0.02)
+
+    def test_hexahedra_are_their_tetrahedra(self):
+        """A linear field has one picture, however its cells are cut."""
+        pictures = []
+        for shape in TestClosedForms.SHAPES:
+            mapper, volume = make_cloud(make_grid(shape, lambda p: p[0] + 0.5 * p[1] - p[2]))
+            pictures.append(render_to_image(mapper, volume))
+        self.assertGreater(pictures[0][..., 3].max(), 0.3)
+        for picture in pictures[1:]:
+            self.assertLess(np.abs(picture - pictures[0]).max(), 1.01 / 255)
+
+
+class TestScenes(unittest.TestCase):
+    def test_window_and_image_are_alike(self):
+        mapper, volume = make_cloud(make_structured_grid(ball))
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, make_camera(), None, PIXELS, PIXELS, image))
+        flat = vtkImageData()
+        vtkIsosurfacePicture.FlattenColors(image, (0.0, 0.0, 0.0), flat)
+        picture = vtk_to_numpy(flat.GetPointData().GetScalars()).reshape(PIXELS, PIXELS, -1)[..., :3]
+        self.assertLessEqual(np.abs(draw(volume) - picture.astype(int)).max(), 1)
+
+    def test_threads_do_not_matter(self):
+        mapper, volume = make_cloud(make_structured_grid(ball))
+        mapper.SetNumberOfThreads(1)
+        expected = render_to_image(mapper, volume)
+        for threads in (2, 5):
+            mapper.SetNumberOfThreads(threads)
+            self.assertTrue(np.array_equal(render_to_image(mapper, volume), expected))
+
+    def test_geometry_in_the_cloud(self):
+        """An opaque sphere ends the rays: what is before it is seen, and nothing behind it."""
+        mapper, volume = make_cloud(make_grid(VTK_HEXAHEDRON, lambda p: 0.0))
+        picture = draw(volume, make_sphere(1.5))
+        middle = picture[PIXELS // 2, PIXELS // 2]
+        # Through half of the box, less the radius.
+        camera = make_camera()
+        away = np.array(camera.GetPosition()) - CENTER
+        away /= np.linalg.norm(away)
+        length = (SIZE / 2) / np.abs(away).max() - 1.5
+        transmittance = math.exp(-0.2 * length)
+        color = np.array(volume.GetProperty().GetRGBTransferFunction().GetColor(0.0))
+        expected = (1.0 - transmittance) * color + transmittance * np.array((0.0, 1.0, 0.0))
+        self.assertLess(np.abs(middle / 255 - expected).max(), 0.02)
+        self.assertLess(np.abs(draw(volume) - picture).max(axis=-1)[2, 2], 1)
+
+    def test_isosurfaces_in_the_cloud(self):
+        """Before an opaque isosurface there is the cloud of what is outside; by itself it is the
+        one that the mapper of meshes draws."""
+        grid = make_grid(VTK_TETRA, ball)
+        mapper, volume = make_cloud(grid, opacity=1.0)
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 2.5)
+        without = render_to_image(mapper, volume)
+        mapper.DrawIsosurfacesOn()
+        self.assertTrue(np.array_equal(render_to_image(mapper, volume), without))  # beyond the data
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 1.0)
+        volume.GetProperty().GetScalarOpacity().AddPoint(0.99, 0.3)
+        volume.GetProperty().GetScalarOpacity().AddPoint(1.0, 1.0)
+        with_surface = render_to_image(mapper, volume)
+        self.assertEqual(with_surface[PIXELS // 2, PIXELS // 2, 3], 1.0)
+        # A cloud that has no opacity where it is seen leaves the surface as it is.
+        opacities = vtkPiecewiseFunction()
+        opacities.AddPoint(1.0 - 1e-9, 0.0)
+        opacities.AddPoint(1.0, 1.0)
+        volume.GetProperty().SetScalarOpacity(opacities)
+        surface, surface_volume = make_cloud(grid, vtkIsosurfaceRayTraceMeshMapper)
+        surface_volume.SetProperty(volume.GetProperty())
+        self.assertLess(
+            np.abs(render_to_image(mapper, volume) - render_to_image(surface, surface_volume)).max(),
+            1.01 / 255)
+
+    def test_translucent_isosurfaces(self):
+        """Two halves of a linear field: a plane between them transmits one minus its opacity."""
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: p[1]), unit=8.0)
+        volume.GetProperty().ShadeOff()
+        opacities = vtkPiecewiseFunction()
+        opacities.AddPoint(0.0, 0.25)
+        opacities.AddPoint(6.0, 0.25)
+        volume.GetProperty().SetScalarOpacity(opacities)
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 3.1)
+        camera = make_camera_along_y()
+        mapper.DrawIsosurfacesOn()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        expected = 1.0 - 0.75 * math.exp(-0.25 * SIZE / 8.0)
+        self.assertLess(np.abs(opacity - expected).max(), 0.51 / 255)
+
+    def test_maximum_intensity(self):
+        """Of a linear field: the value where the ray leaves the box, or enters it."""
+        mapper, volume = make_cloud(make_grid(VTK_WEDGE, lambda p: p[2]))
+        mapper.SetBlendModeToMaximumIntensity()
+        colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+        colors.AddRGBPoint(0.0, 0.0, 0.0, 0.0)
+        colors.AddRGBPoint(SIZE, 1.0, 1.0, 1.0)
+        opacities.AddPoint(0.0, 1.0)
+        volume.GetProperty().SetColor(colors)
+        volume.GetProperty().SetScalarOpacity(opacities)
+        camera = make_camera_along_y(SIZE / 2)
+        picture = render_to_image(mapper, volume, camera, 60)
+        expected = (np.arange(60) + 0.5) / 60
+        self.assertLess(np.abs(picture[:, 30, 0] - expected).max(), 1.01 / 255)
+
+    def test_clipping_planes(self):
+        mapper, volume = make_cloud(make_grid(VTK_HEXAHEDRON, lambda p: 0.0), unit=4.0)
+        plane = vtkPlane()
+        plane.SetNormal(0.0, 1.0, 0.0)
+        plane.SetOrigin(0.0, 4.0, 0.0)
+        mapper.AddClippingPlane(plane)
+        camera = make_camera_along_y()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        self.assertLess(np.abs(opacity - (1.0 - math.exp(-0.2 * 2.0 / 4.0))).max(), 0.51 / 255)
+
+    def test_blocks_are_one_cloud(self):
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        _, volume = make_cloud(grid)
+        mapper, _ = make_cloud(grid)
+        expected = render_to_image(mapper, volume)
+        centers = np.array([np.mean([grid.GetPoint(grid.GetCell(i).GetPointId(k)) for k in range(8)], axis=0)
+                            for i in range(grid.GetNumberOfCells())])
+        halves = numpy_to_vtk((centers[:, 0] + centers[:, 1] > SIZE).astype(np.uint8))
+        halves.SetName("half")
+        grid.GetCellData().AddArray(halves)
+        blocks = vtkMultiBlockDataSet()
+        for half in range(2):
+            threshold = vtkThreshold()
+            threshold.SetInputData(grid)
+            threshold.SetInputArrayToProcess(0, 0, 0, 1, "half")
+            threshold.SetLowerThreshold(half)
+            threshold.SetUpperThreshold(half)
+            threshold.Update()
+            blocks.SetBlock(half, threshold.GetOutput())
+        mapper.SetInputDataObject(blocks)
+        self.assertLess(np.abs(render_to_image(mapper, volume) - expected).max(), 1.01 / 255)
+
+    def test_several_connections(self):
+        """Two clouds in each other: attenuations add up."""
+        mapper, volume = make_cloud(make_grid(VTK_HEXAHEDRON, lambda p: 0.0), unit=4.0)
+        own = vtkVolume()
+        fill_property(own.GetProperty(), unit=2.0)
+        producer = vtkTrivialProducer()
+        producer.SetOutput(make_grid(VTK_WEDGE, lambda p: 0.0))
+        mapper.AddInputConnection(producer.GetOutputPort())
+        mapper.SetConnectionVolume(1, own)
+        camera = make_camera_along_y()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        expected = 1.0 - math.exp(-0.2 * SIZE * (1 / 4.0 + 1 / 2.0))
+        self.assertLess(np.abs(opacity - expected).max(), 1.01 / 255)
+
+    def test_hidden_cells(self):
+        grid = make_grid(VTK_HEXAHEDRON, lambda p: 0.0)
+        ghosts = vtkUnsignedCharArray()
+        ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+        for i in range(grid.GetNumberOfCells()):
+            ghosts.InsertNextValue(vtkDataSetAttributes.HIDDENCELL if i // SIZE % SIZE < 2 else 0)
+        grid.GetCellData().AddArray(ghosts)
+        mapper, volume = make_cloud(grid, unit=4.0)
+        camera = make_camera_along_y()
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        self.assertLess(np.abs(opacity - (1.0 - math.exp(-0.2 * (SIZE - 2) / 4.0))).max(), 0.51 / 255)
+
+    def test_smooth_edges_and_coarse_pictures(self):
+        mapper, volume = make_cloud(make_structured_grid(ball))
+        expected = render_to_image(mapper, volume)
+        window = make_window(volume)
+        for distance in (0.5, 3.0):
+            mapper.SetImageSampleDistance(distance)
+            picture = draw_in(window)
+            self.assertLess(abs(picture.mean() / 255 - expected[..., :3].mean()), 0.02)
+
+    def test_from_within(self):
+        """The eye is in the cloud: what is behind it is not drawn."""
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: 0.0), unit=2.0)
+        camera = make_camera()
+        camera.SetPosition(CENTER)
+        camera.SetFocalPoint(CENTER[0], CENTER[1] + 1.0, CENTER[2])
+        camera.SetViewAngle(10.0)
+        camera.SetClippingRange(1e-3, 60.0)
+        opacity = render_to_image(mapper, volume, camera)[..., 3]
+        self.assertLess(abs(opacity[PIXELS // 2, PIXELS // 2] - (1.0 - math.exp(-0.2 * 3.0 / 2.0))), 1.01 / 255)
+
+
+class TestUse(unittest.TestCase):
+    def test_fragments_are_refused(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
+        errors = errors_of(
+            mapper, lambda: mapper.RenderToFragments(volume, make_camera(), None, 20, 20, vtkTable()))
+        self.assertIn("RenderToImage", "".join(errors))
+
+    def test_it_is_never_opaque(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
+        mapper.DrawIsosurfacesOn()
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 1.0)
+        volume.GetProperty().GetScalarOpacity().AddPoint(1.0, 1.0)
+        self.assertFalse(mapper.HasOnlyOpaqueSurfaces(volume))
+
+    def test_copies(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
+        mapper.DrawIsosurfacesOn()
+        mapper.SetNumberOfThreads(3)
+        other = vtkCellProjectionMapper()
+        other.ShallowCopy(mapper)
+        self.assertTrue(other.GetDrawIsosurfaces())
+        self.assertEqual(other.GetNumberOfThreads(), 3)
+        self.assertIn("DrawIsosurfaces: on", str(other))
+
+    def test_picking_finds_the_isosurface(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 0.5)
+        window = make_window(volume)
+        x, pcoords, normal = [0.0] * 3, [0.0] * 3, [0.0] * 3
+        renderer = window.GetRenderers().GetFirstRenderer()
+        for is_drawn in (False, True):
+            mapper.SetDrawIsosurfaces(is_drawn)
+            window.Render()
+            found = mapper.PickPixel(
+                renderer, volume, PIXELS // 2, PIXELS // 2, x, pcoords, reference(0), reference(0.0), normal)
+            self.assertEqual(bool(found), is_drawn)
+
+    def test_unit_distance_of_almost_nothing(self):
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: 0.0), unit=1e-300)
+        opacity = render_to_image(mapper, volume)[..., 3]
+        self.assertEqual(opacity[PIXELS // 2, PIXELS // 2], 1.0)
+
+    def test_no_input(self):
+        mapper, volume = make_cloud(None)
+        errors = errors_of(
+            mapper, lambda: mapper.RenderToImage(volume, make_camera(), None, 20, 20, vtkImageData()))
+        self.assertIn("vtkUnstructuredGrid", "".join(errors))
+
+
+if __name__ == "__main__":
+    unittest.main()
