@@ -23,6 +23,7 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -77,6 +78,33 @@ void Transform(vtkMatrix4x4* matrix, double bounds[6])
   if (moved.IsValid())
   {
     moved.GetBounds(bounds);
+  }
+}
+
+/// A square of rays through each face of a box, from outside.
+void MakeRaysThroughFaces(const double box[6], vtkPoints* origins, vtkDataArray* directions)
+{
+  constexpr int count = 64;
+  origins->SetDataTypeToDouble();
+  directions->SetNumberOfComponents(3);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int second = (axis + 1) % 3;
+    const int third = (axis + 2) % 3;
+    const auto at = [box](int side, double part)
+    { return box[2 * side] + part * (box[2 * side + 1] - box[2 * side]); };
+    for (int i = 0; i < 2 * count * count; ++i)
+    {
+      const bool isLower = i < count * count;
+      double origin[3];
+      origin[axis] = at(axis, isLower ? -1.0 : 2.0);
+      origin[second] = at(second, (i % count + 0.5) / count);
+      origin[third] = at(third, (i / count % count + 0.5) / count);
+      double direction[3] = { 0.0, 0.0, 0.0 };
+      direction[axis] = isLower ? 1.0 : -1.0;
+      origins->InsertNextPoint(origin);
+      directions->InsertNextTuple(direction);
+    }
   }
 }
 
@@ -553,6 +581,25 @@ catch (const std::bad_alloc&)
 {
   this->ReportBadAlloc();
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::FindSurfaceBounds(vtkVolume* volume, double bounds[6])
+{
+  vtkNew<vtkPoints> origins;
+  vtkNew<vtkDoubleArray> directions;
+  vtkNew<vtkPolyData> hits;
+  const double* box = volume ? volume->GetBounds() : nullptr;
+  if (box)
+  {
+    MakeRaysThroughFaces(box, origins, directions);
+  }
+  if (!this->CastRays(volume, origins, directions, hits) || hits->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  hits->GetBounds(bounds);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,7 @@ public:
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
   bool CastRays(
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
+  bool FindSurfaceBounds(vtkVolume* volume, double bounds[6]);
   int PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column, int row, double x[3],
     double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
   bool RenderToImage(vtkVolume* volume, const PictureView& view, vtkImageData* output);

@@ -191,6 +191,12 @@ bool vtkIsosurfaceRayTraceMapper::CastRays(
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMapper::FindSurfaceBounds(vtkVolume* volume, double bounds[6])
+{
+  return this->Engine->FindSurfaceBounds(volume, bounds);
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
   int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
 {

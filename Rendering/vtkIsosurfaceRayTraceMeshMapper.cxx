@@ -238,6 +238,12 @@ bool vtkIsosurfaceRayTraceMeshMapper::CastRays(
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceMeshMapper::FindSurfaceBounds(vtkVolume* volume, double bounds[6])
+{
+  return this->Engine->FindSurfaceBounds(volume, bounds);
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceMeshMapper::PickPixel(vtkRenderer* renderer, vtkVolume* volume, int column,
   int row, double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3])
 {

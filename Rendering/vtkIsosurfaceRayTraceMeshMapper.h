@@ -442,6 +442,17 @@ public:
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
 
   /**
+   * Finds the bounds of what the picture of a volume shows, in world coordinates: smaller than
+   * those of the volume where its surfaces, or what clipping leaves of them, are. By 64 x 64 rays
+   * through each face of the bounds of the volume, so parts that are thinner than a 64th of it may
+   * stick out. Needs neither a window nor OpenGL. Returns whether there is a surface; otherwise
+   * changes nothing.
+   *
+   * vtkRenderer::ResetCamera(bounds) places a camera by it.
+   */
+  bool FindSurfaceBounds(vtkVolume* volume, double bounds[6]);
+
+  /**
    * Finds what the picture of a renderer shows of the volume at a pixel of the window, counted from
    * the lower left: the nearest isosurface, bit for bit as it is drawn (in stereo, as a window
    * without stereo would show it, as for all pickers of VTK). Other props are ignored. The window

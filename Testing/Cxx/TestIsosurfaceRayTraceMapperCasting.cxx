@@ -11,6 +11,7 @@
 
 #include <vtkIdTypeArray.h>
 #include <vtkMath.h>
+#include <vtkPlane.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -187,6 +188,31 @@ void CheckLines(Checks& check)
     0, "the hit of a line that ends before the ball");
 }
 
+/// The bounds of a ball are smaller than those of its image, those of half a ball are half as long.
+void CheckSurfaceBounds(Checks& check)
+{
+  Bench bench(NewBall(33, 0.5));
+  bench.Volume->SetPosition(10.0, 20.0, 30.0);
+  double bounds[6];
+  check.That(bench.Mapper->FindSurfaceBounds(bench.Volume, bounds), "there are bounds");
+  for (int side = 0; side < 6; ++side)
+  {
+    check.Near(bounds[side], 10.0 * (side / 2 + 1) + (side % 2 == 0 ? -0.5 : 0.5), 5e-3,
+      "the bounds of a ball");
+  }
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(10.0, 20.0, 30.0);
+  plane->SetNormal(0.0, -1.0, 0.0);
+  bench.Mapper->AddClippingPlane(plane);
+  check.That(bench.Mapper->FindSurfaceBounds(bench.Volume, bounds), "half a ball has bounds");
+  check.Near(bounds[2], 19.5, 5e-3, "the lower end of half a ball");
+  check.Near(bounds[3], 20.0, 2.0 / 64.0, "the upper end of half a ball");
+  bench.SetSurfaces({ { 5.0, 1.0 } });
+  bounds[0] = 7.0;
+  check.That(!bench.Mapper->FindSurfaceBounds(bench.Volume, bounds), "nothing has no bounds");
+  check.Equal(bounds[0], 7.0, "a bound that is left as it is");
+}
+
 /// What the rays of a camera hit is what the window shows.
 void CheckAgainstWindow(Checks& check)
 {
@@ -255,6 +281,9 @@ void CheckErrors(Checks& check)
   check.That(!bench.Mapper->CastRays(bench.Volume, origins, directions, hits),
     "rays at nothing are not cast");
   check.Equal(errors->Count, 2, "the number of errors without an input");
+  double bounds[6];
+  check.That(!bench.Mapper->FindSurfaceBounds(nullptr, bounds), "no volume has no bounds");
+  check.Equal(errors->Count, 3, "the number of errors without a volume");
 }
 
 }
@@ -265,6 +294,7 @@ int TestIsosurfaceRayTraceMapperCasting(int, char*[])
   CheckPlane(check);
   CheckOrder(check);
   CheckLines(check);
+  CheckSurfaceBounds(check);
   CheckAgainstWindow(check);
   CheckErrors(check);
   return check.Result();
