@@ -726,10 +726,14 @@ try
   vtkIsosurfaceRayTraceScene::AddLights(
     view.Lights ? view.Lights : headlight, view.Camera, true, picture.Scene);
   picture.Scene.*keep = true;
-  const bool isComplete = picture.Trace(request->Execution,
-    [this, &use, &request](double fraction) {
-      return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
-    });
+  const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+  const auto keepGoing = [this, &use, &request](double fraction) {
+    return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
+  };
+  const bool isMean = settings.ProgressiveAccumulation && picture.Scene.KeepHits;
+  const bool isComplete = isMean
+    ? picture.TraceMean(settings.MaximumNumberOfAccumulatedFrames, request->Execution, keepGoing)
+    : picture.Trace(request->Execution, keepGoing);
   this->Times = picture.Times;
   if (!isComplete)
   {

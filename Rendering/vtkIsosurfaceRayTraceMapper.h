@@ -593,9 +593,9 @@ public:
    * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
    *
    * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
-   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage do not use the mean, and leave it
-   * as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is
-   * read. Default: off, which costs nothing.
+   * vtkSSAOPass, hardware selections and PickPixel do not use the mean, and leave it as it is.
+   * RenderToImage makes all frames of a mean of its own at once. It takes 12 bytes for every pixel
+   * that the volume covers, and 4 more where depth is read. Default: off, which costs nothing.
    */
   vtkSetMacro(ProgressiveAccumulation, bool);
   vtkGetMacro(ProgressiveAccumulation, bool);
@@ -753,6 +753,9 @@ public:
    * and -1. For a projection, Depth and all others are those of the point of the extreme value,
    * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
    * none). Returns whether there is a picture; if not, an error reports why.
+   *
+   * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
+   * as of a window that rests: edges are smooth. Everything else is that of the first of them.
    *
    * vtkIsosurfacePicture::UnpremultiplyColors or FlattenColors makes an image for a file of it.
    */

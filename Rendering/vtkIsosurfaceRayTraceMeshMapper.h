@@ -341,9 +341,9 @@ public:
    * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.
    *
    * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
-   * vtkSSAOPass, hardware selections, PickPixel and RenderToImage do not use the mean, and leave it
-   * as it is. It takes 12 bytes for every pixel that the volume covers, and 4 more where depth is
-   * read. Default: off, which costs nothing.
+   * vtkSSAOPass, hardware selections and PickPixel do not use the mean, and leave it as it is.
+   * RenderToImage makes all frames of a mean of its own at once. It takes 12 bytes for every pixel
+   * that the volume covers, and 4 more where depth is read. Default: off, which costs nothing.
    */
   vtkSetMacro(ProgressiveAccumulation, bool);
   vtkGetMacro(ProgressiveAccumulation, bool);
@@ -477,6 +477,9 @@ public:
    * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
    * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
    * and -1. Returns whether there is a picture; if not, an error reports why.
+   *
+   * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
+   * as of a window that rests: edges are smooth. Everything else is that of the first of them.
    *
    * vtkIsosurfacePicture::UnpremultiplyColors or FlattenColors makes an image for a file of it.
    */

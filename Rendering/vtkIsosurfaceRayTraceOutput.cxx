@@ -210,7 +210,7 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
       const auto to = static_cast<vtkIdType>(
         vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
-      // A cloud has a colour where there is no hit.
+      // A cloud, or the mean of several frames, has a colour where the first frame has no hit.
       arrays.SetColor(to, &picture.Frame.Colors[4 * from]);
       const vtkirt::Hit& hit = picture.Frame.Hits[from];
       if (hit.Surface == vtkirt::Hit::NoSurface)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTracePicture.h"
 
+#include "vtkIsosurfaceRayTraceAccumulation.h"
 #include "vtkIsosurfaceRayTraceClouds.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
@@ -96,6 +97,39 @@ bool vtkIsosurfaceRayTracePicture::Trace(
   const vtkirt::Execution& execution, const std::function<bool(double)>& keepGoing)
 {
   return vtkirt::RenderTiles(this->Scene, execution, this->Frame, this->Times, keepGoing);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTracePicture::TraceMean(
+  int frames, const vtkirt::Execution& execution, const std::function<bool(double)>& keepGoing)
+{
+  const vtkirt::Scene first = this->Scene;
+  vtkIsosurfaceRayTraceAccumulation accumulation;
+  std::vector<vtkirt::Hit> hits;
+  vtkirt::FrameTimes times;
+  bool isComplete = true;
+  for (int frame = 0; frame < frames && isComplete; ++frame)
+  {
+    this->Scene = first;
+    this->Scene.KeepHits = first.KeepHits && frame == 0;
+    vtkIsosurfaceRayTraceAccumulation::SetFrame(frame, this->Scene);
+    isComplete = this->Trace(execution,
+      [&keepGoing, frame, frames](double fraction)
+      { return keepGoing((frame + fraction) / frames); });
+    accumulation.Add({}, this->Frame);
+    if (frame == 0)
+    {
+      hits = std::move(this->Frame.Hits);
+    }
+    times.Bricks += this->Times.Bricks;
+    times.Trace += this->Times.Trace;
+    times.Shade += this->Times.Shade;
+  }
+  accumulation.GetMean(this->Frame);
+  this->Frame.Hits = std::move(hits);
+  this->Scene = first;
+  this->Times = times;
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------

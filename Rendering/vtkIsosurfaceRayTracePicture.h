@@ -45,6 +45,11 @@ public:
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution,
     const std::function<bool(double)>& keepGoing);
 
+  /// The same for the mean of so many frames, in each of which the rays go through other points of
+  /// the pixels. Depths and hits are those of the first.
+  bool TraceMean(int frames, const vtkIsosurfaceRayTracing::Execution& execution,
+    const std::function<bool(double)>& keepGoing);
+
   /// Whether the picture, which must have kept its hits, shows anything at a pixel. A value of a
   /// projection may have no opacity.
   bool IsVisible(std::size_t pixel) const;

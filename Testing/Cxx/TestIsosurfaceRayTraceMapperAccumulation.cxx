@@ -22,6 +22,7 @@
 #include <vtkSelection.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <cstring>
 #include <functional>
 
 using namespace MapperTesting;
@@ -361,6 +362,46 @@ void CheckIntact(Checks& check, vtkImageData* image)
   }
 }
 
+/// A picture without a window is the mean that a window comes to, at once; the rest is as without.
+void CheckWithoutWindow(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  scene.Mapper->AmbientOcclusionOn();
+  scene.Mapper->SetNumberOfAmbientOcclusionRays(2);
+  scene.Property()->SetAmbient(0.5);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  vtkNew<vtkImageData> plain;
+  scene.Mapper->RenderToImage(scene.Volume, camera, nullptr, 160, 160, plain);
+  scene.Mapper->ProgressiveAccumulationOn();
+  vtkNew<vtkImageData> mean;
+  scene.Mapper->RenderToImage(scene.Volume, camera, nullptr, 160, 160, mean);
+  RenderTimes(scene.Window, 16);
+  const Picture shown = Capture(scene.Window);
+  int different = 0;
+  int smooth = 0;
+  for (vtkIdType pixel = 0; pixel < mean->GetNumberOfPoints(); ++pixel)
+  {
+    double color[4];
+    mean->GetPointData()->GetScalars()->GetTuple(pixel, color);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      different += color[channel] != shown[static_cast<std::size_t>(3 * pixel + channel)] ? 1 : 0;
+    }
+    smooth += color[3] > 0.0 && color[3] < 255.0 ? 1 : 0;
+  }
+  check.Equal(different, 0, "the number of colours that a window shows otherwise");
+  check.That(smooth > 100, "edges are smooth without a window");
+  for (const char* name : { "Depth", "Normals", "Position", "CellId", "IsovalueId" })
+  {
+    vtkDataArray* before = plain->GetPointData()->GetArray(name);
+    vtkDataArray* after = mean->GetPointData()->GetArray(name);
+    check.Equal(std::memcmp(before->GetVoidPointer(0), after->GetVoidPointer(0),
+                  static_cast<std::size_t>(before->GetDataSize() * before->GetDataTypeSize())),
+      0, std::string("the difference of ") + name);
+  }
+}
+
 /// Coarse pictures are chosen by the time of those that were traced.
 void CheckHurry(Checks& check, vtkImageData* image)
 {
@@ -475,6 +516,7 @@ int TestIsosurfaceRayTraceMapperAccumulation(int argc, char* argv[])
   CheckIntact(check, image);
   CheckHurry(check, image);
   CheckScreenshot(check, image);
+  CheckWithoutWindow(check, image);
   CheckStereo(check, image);
   CheckThreads(check, image);
   CheckGrain(check, argc, argv);
