@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isosurfaces of volumes and meshes, ray traced on the CPU.
+
+>>> from vtkIsosurfaceRayTracing import render
+>>> render("head.vti", 300).save("skull.png")
+
+``render`` makes a picture, without a display and without OpenGL; ``isosurface`` makes a ``vtkVolume`` for any renderer
+of VTK or plotter of PyVista; ``cast_rays`` finds where rays meet surfaces; ``read`` reads a file or a folder of DICOM
+slices. The classes of VTK are here too; they do without numpy, which the functions need.
+"""
+
+import importlib
+import typing
+
+from ._version import __version__
+from .vtkIsosurfaceRayTracing import *
+
+if typing.TYPE_CHECKING:
+    from ._files import read
+    from ._picture import Picture
+    from ._rays import Hits, cast_rays
+    from ._render import render
+    from ._surface import isosurface
+
+_MODULES = {
+    "Hits": "_rays",
+    "Picture": "_picture",
+    "cast_rays": "_rays",
+    "isosurface": "_surface",
+    "read": "_files",
+    "render": "_render",
+}
+
+
+def __getattr__(name):
+    """The functions are imported when they are first used: with them come numpy and VTK's readers."""
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f".{_MODULES[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *_MODULES})

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures without a window."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Sequence
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLightCollection
+
+from ._camera import VIEW, make_camera, set_clipping_range
+from ._errors import call
+from ._lights import make_lights
+from ._picture import Picture
+from ._scene import to_volume
+
+
+def render(
+    surfaces: Any,
+    isovalues: float | Sequence[float] | str = "auto",
+    *,
+    size: tuple[int, int] = (800, 800),
+    view: str | Sequence[float] = VIEW,
+    up: str | Sequence[float] | None = None,
+    zoom: float = 1.0,
+    camera: vtkCamera | None = None,
+    background: str | Sequence[float] | None = None,
+    **options: Any,
+) -> Picture:
+    """A picture of isosurfaces, without a display and without OpenGL.
+
+    Parameters
+    ----------
+    surfaces : data, vtkVolume or list of vtkVolume
+        What ``isosurface`` takes, or what it returns: several of these are drawn together.
+    isovalues, **options
+        Of data, as for ``isosurface``.
+    size : (int, int)
+        Width and height, in pixels.
+    view, up : axis or vector
+        The side from which the surfaces are seen, and what is above in the picture: "x", "-x", ... "-z", or vectors.
+        Without ``up`` that is "z".
+    zoom : float
+        Above 1, the surfaces are larger than the picture.
+    camera : vtkCamera, optional
+        Instead of these three. Its clipping range is not used: all is seen.
+    background : colour, optional
+        Without it, the background is transparent.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    TypeError, ValueError
+        Something cannot be drawn; the message says what to give instead.
+
+    Examples
+    --------
+    >>> render("ct.nii.gz", [-300, 300], color=["peachpuff", "ivory"], background="white").save("head.png")
+    """
+    volume = to_volume(surfaces, isovalues, options)
+    width, height = check_size(size)
+    seen = make_camera(volume, (width, height), view, up, zoom) if camera is None else _copy(camera, volume)
+    lights = vtkLightCollection()
+    for light in make_lights():
+        lights.AddItem(light)
+    image = vtkImageData()
+    call(volume.GetMapper(), "RenderToImage", volume, seen, lights, width, height, image)
+    return Picture(image, background)
+
+
+def check_size(size):
+    try:
+        width, height = map(operator.index, size)
+    except (TypeError, ValueError):
+        raise ValueError(f"size is {size!r}; give width and height, in pixels") from None
+    if min(width, height) < 1:
+        raise ValueError(f"size is {size!r}; give at least one pixel each")
+    return width, height
+
+
+def _copy(camera, volume):
+    copy = vtkCamera()
+    copy.DeepCopy(camera)
+    set_clipping_range(copy, volume)
+    return copy

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The array whose isosurfaces are drawn, and its values."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes
+
+from ._data import grids_of
+
+
+class Scalars:
+    """The arrays of one name in all grids of the data; those that are active if the name is None."""
+
+    def __init__(self, data, name):
+        if name is not None and not isinstance(name, str):
+            raise TypeError(f"scalars is {name!r}; give the name of an array")
+        self.grids = grids_of(data)
+        self.name = name or self._only_name()
+        found = [self._find(grid) for grid in self.grids]
+        self.arrays = [array for array, _ in found if array is not None]
+        self.of_points = any(is_of_points for array, is_of_points in found if array is not None)
+        if not self.arrays:
+            raise ValueError(f"the data have no array {name!r}: {self._describe()}" if name else
+                             f"the data have no active scalars: {self._describe()}")
+
+    def select(self, mapper, data):
+        """Have a mapper trace these. Returns the data, or a shallow copy in which they are active.
+
+        So surfaces of arrays with several names can be in one picture: a mapper knows one name.
+        """
+        if any(array.GetNumberOfComponents() > 1 for array in self.arrays):
+            mapper.SetVectorModeToMagnitude()
+        if not self.name:
+            return data
+        if not isinstance(data, vtkDataSet):
+            mapper.SelectScalarArray(self.name)
+            (mapper.SetScalarModeToUsePointFieldData if self.of_points
+             else mapper.SetScalarModeToUseCellFieldData)()
+            return data
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        if not self.of_points:
+            copy.GetPointData().SetActiveAttribute(-1, vtkDataSetAttributes.SCALARS)
+        (copy.GetPointData() if self.of_points else copy.GetCellData()).SetActiveScalars(self.name)
+        return copy
+
+    def values(self):
+        """Of many values a million, evenly, as a histogram needs them: finite ones, and the lengths of vectors."""
+        step = max(1, sum(array.GetNumberOfTuples() for array in self.arrays) // 1_000_000)
+        values = [vtk_to_numpy(array)[::step].astype(float) for array in self.arrays]
+        values = np.concatenate([each if each.ndim == 1 else np.linalg.norm(each, axis=1) for each in values])
+        return values[np.isfinite(values)]
+
+    def high_value(self, low):
+        """What 99 of 100 of the values from a low one on do not exceed: the rest is metal and noise."""
+        values = self.values()
+        values = values[values >= low]
+        return max(float(np.percentile(values, 99.0)) if values.size else low, np.nextafter(low, np.inf))
+
+    def range(self):
+        """The least and the largest of these; None if there is none."""
+        ranges = []
+        for array in self.arrays:
+            ranges.append(array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0))
+        ranges = [each for each in ranges if each[0] <= each[1]]
+        return (min(low for low, _ in ranges), max(high for _, high in ranges)) if ranges else None
+
+    def _find(self, grid):
+        """The array of a grid, and whether it is of points."""
+        for attributes, is_of_points in ((grid.GetPointData(), True), (grid.GetCellData(), False)):
+            array = attributes.GetArray(self.name) if self.name else attributes.GetScalars()
+            if array is not None:
+                return array, is_of_points
+        return None, False
+
+    def _only_name(self):
+        """The name of the only array where none is active; else None."""
+        is_active = any(grid.GetPointData().GetScalars() or grid.GetCellData().GetScalars() for grid in self.grids)
+        names = self._names()
+        return names[0] if not is_active and len(names) == 1 else None
+
+    def _names(self):
+        names = {attributes.GetArrayName(i) for grid in self.grids
+                 for attributes in (grid.GetPointData(), grid.GetCellData())
+                 for i in range(attributes.GetNumberOfArrays())}
+        return sorted(name for name in names if name)
+
+    def _describe(self):
+        names = self._names()
+        return f"give scalars=, one of {', '.join(map(repr, names))}" if names else "they have no arrays"

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isosurfaces as a prop of VTK."""
+
+from __future__ import annotations
+
+import numbers
+from typing import Any, Sequence
+
+import numpy as np
+
+from ._clipping import to_planes
+from ._coloring import color_by as apply_color_by
+from ._data import MESHES, to_data
+from ._isovalues import choose_isovalues
+from ._property import color_slices, make_property
+from ._scalars import Scalars
+from .vtkIsosurfaceRayTracing import (
+    vtkIsosurfaceRayTraceMapper,
+    vtkIsosurfaceRayTraceMeshMapper,
+    vtkIsosurfaceVolume,
+)
+
+INTERPOLATIONS = {
+    "linear": vtkIsosurfaceRayTraceMapper.TRILINEAR,
+    "nearest": vtkIsosurfaceRayTraceMapper.NEAREST,
+    "cubic": vtkIsosurfaceRayTraceMapper.CUBIC,
+}
+
+
+def isosurface(
+    data: Any,
+    isovalues: float | Sequence[float] | str = "auto",
+    *,
+    scalars: str | None = None,
+    color: Any = None,
+    opacity: float | Sequence[float] | None = None,
+    color_by: Any = None,
+    cmap: Any = "viridis",
+    clim: tuple[float, float] | None = None,
+    clip: Any = None,
+    caps: Any = "gray",
+    shadows: bool = False,
+    occlusion: bool = False,
+    interpolation: str = "linear",
+    samples: int = 8,
+    spacing: Any = None,
+    origin: Any = None,
+    direction: Any = None,
+) -> vtkIsosurfaceVolume:
+    """Isosurfaces, for a renderer of VTK, a plotter of PyVista, or ``render`` and ``show``.
+
+    Parameters
+    ----------
+    data : numpy.ndarray, vtkDataObject, str or os.PathLike
+        The samples: an array with the axes x, y and z (give ``array.T`` if they are z, y and x), a vtkImageData, a
+        vtkRectilinearGrid, a vtkStructuredGrid, a vtkUnstructuredGrid, composite data of these, which PyVista's are
+        too; or what ``read`` reads. Arrays are not copied where VTK can read them as they are: after a change, make
+        the isosurfaces again.
+    isovalues : float, sequence of float or "auto"
+        "auto" is the threshold between the two classes of values that differ most (Otsu's).
+    scalars : str, optional
+        The name of the array, of points or of cells. Without it, the active one. Of vectors the length counts.
+    color : colour or list of colours, optional
+        A name of CSS, "#rrggbb", or red, green and blue from 0 to 1: one for all isovalues or one for each.
+    opacity : float or sequence of float, optional
+        From 0 to 1, one for all isovalues or one for each. Without it, the surface of the largest isovalue is opaque,
+        and the others are translucent.
+    color_by : str, numpy.ndarray or vtkImageData, optional
+        What colours the surfaces instead: another array of the data by its name, one with a value for each sample, or
+        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours.
+    cmap : str, list of colours or callable
+        The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name,
+        or colours between which is interpolated.
+    clim : pair of float, optional
+        The values of the ends of ``cmap``. Without them, the range of the array.
+    clip : normal, (point, normal), vtkPlane, or list of these, optional
+        Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
+        without a point the plane is through the centre of the data.
+    caps : bool or colour map
+        Whether cuts are closed, and the colours of the data on them; True is that of the surface.
+    shadows, occlusion : bool
+        Whether the surfaces cast shadows on each other, and hide ambient light from each other. Each takes more time.
+    interpolation : {"linear", "cubic", "nearest"}
+        Between samples. Meshes have their own.
+    samples : int
+        How many rays a pixel has in a still picture, from 1 to 256: they smooth edges.
+    spacing, origin, direction : array_like, optional
+        Of a numpy array: the distances of samples, the place of the first one, and the axes as the columns of a matrix.
+
+    Returns
+    -------
+    vtkIsosurfaceVolume
+        A vtkVolume, whose property and mapper have everything else.
+
+    Raises
+    ------
+    TypeError, ValueError
+        Something cannot be drawn; the message says what to give instead.
+
+    Examples
+    --------
+    >>> plotter = pyvista.Plotter()
+    >>> plotter.add_actor(isosurface(grid, [0.2, 0.8]))
+    """
+    data = to_data(data, spacing, origin, direction)
+    of_data = Scalars(data, scalars)
+    chosen = choose_isovalues(isovalues, of_data)
+    surface = make_property(chosen, color, opacity, shadows, occlusion)
+    mapper = _make_mapper(data, interpolation)
+    data = of_data.select(mapper, data)
+    planes = to_planes(clip, _center_of(data))
+    for plane in planes:
+        mapper.AddClippingPlane(plane)
+    mapper.SetCapClippingPlanes(bool(planes) and caps is not False)
+    if color_by is not None:
+        data = apply_color_by(mapper, surface, data, color_by, cmap, clim)
+    elif planes and not isinstance(caps, bool):
+        color_slices(surface, caps, of_data.high_value(min(chosen)))
+    mapper.SetInputDataObject(data)
+    _set_light(mapper, shadows, occlusion, 0.25 * _length_of(data))
+    _set_sampling(mapper, samples)
+    volume = vtkIsosurfaceVolume()
+    volume.SetMapper(mapper)
+    volume.SetProperty(surface)
+    return volume
+
+
+def _make_mapper(data, interpolation):
+    if not isinstance(interpolation, str) or interpolation not in INTERPOLATIONS:
+        raise ValueError(f"interpolation is {interpolation!r}; give one of {', '.join(map(repr, INTERPOLATIONS))}")
+    if not isinstance(data, MESHES):
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.SetInterpolationMode(INTERPOLATIONS[interpolation])
+        return mapper
+    if interpolation != "linear":
+        raise ValueError("in meshes, values are interpolated by their cells; leave interpolation out")
+    return vtkIsosurfaceRayTraceMeshMapper()
+
+
+def _set_light(mapper, shadows, occlusion, radius):
+    mapper.SetShadows(bool(shadows))
+    mapper.SetAmbientOcclusion(bool(occlusion))
+    mapper.SetNumberOfAmbientOcclusionRays(4)  # of each ray of a pixel
+    mapper.SetAmbientOcclusionRadius(radius)
+
+
+def _set_sampling(mapper, samples):
+    """Many rays for a pixel where the picture rests, and four in each frame of a window if there is the time."""
+    if not isinstance(samples, numbers.Integral) or not 1 <= samples <= 256:
+        raise ValueError(f"samples is {samples!r}; give a whole number from 1 to 256")
+    mapper.SetProgressiveAccumulation(samples > 1)
+    mapper.SetMaximumNumberOfAccumulatedFrames(samples)
+    mapper.SetMinimumImageSampleDistance(0.5 if samples > 1 else 1.0)
+
+
+def _bounds_of(data):
+    bounds = [0.0] * 6
+    data.GetBounds(bounds)
+    return np.reshape(bounds, (3, 2))
+
+
+def _center_of(data):
+    return _bounds_of(data).mean(axis=1)
+
+
+def _length_of(data):
+    return float(np.linalg.norm(np.ptp(_bounds_of(data), axis=1)))
