@@ -5,9 +5,10 @@
 >>> from vtkIsosurfaceRayTracing import render
 >>> render("head.vti", 300).save("skull.png")
 
-``render`` makes a picture, without a display and without OpenGL; ``isosurface`` makes a ``vtkVolume`` for any renderer
-of VTK or plotter of PyVista; ``cast_rays`` finds where rays meet surfaces; ``read`` reads a file or a folder of DICOM
-slices. The classes of VTK are here too; they do without numpy, which the functions need.
+``render`` makes a picture, without a display and without OpenGL; ``show`` opens a window; ``isosurface`` makes a
+``vtkVolume`` for any renderer of VTK or plotter of PyVista; ``cast_rays`` finds where rays meet surfaces; ``read``
+reads a file or a folder of DICOM slices. The classes of VTK are here too; they do without numpy, which the functions
+need.
 """
 
 import importlib
@@ -21,6 +22,7 @@ if typing.TYPE_CHECKING:
     from ._picture import Picture
     from ._rays import Hits, cast_rays
     from ._render import render
+    from ._show import show
     from ._surface import isosurface
 
 _MODULES = {
@@ -30,6 +32,7 @@ _MODULES = {
     "isosurface": "_surface",
     "read": "_files",
     "render": "_render",
+    "show": "_show",
 }
 
 

@@ -304,7 +304,7 @@ class ImageDataOfPyVista(vtkImageData):
 
 
 class PlotterOfPyVista:
-    """Does with an actor what PyVista's does: its renderer is VTK's, and asks for the bounds of what it shows."""
+    """Calls of an actor what add_actor of PyVista's plotter calls, as its source says."""
 
     def __init__(self):
         self.renderer = vtkRenderer()
@@ -314,8 +314,11 @@ class PlotterOfPyVista:
         self.window.AddRenderer(self.renderer)
 
     def add_actor(self, actor):
+        actor.name = f"{type(actor).__name__}({actor.GetAddressAsString('')})"
+        actor.SetPickable(True)
+        actor.SetScale(np.array(actor.GetScale()) * np.array((1.0, 1.0, 1.0)))
         self.renderer.AddActor(actor)
-        self.renderer.ResetCamera(actor.GetBounds())
+        self.renderer.ResetCamera(*actor.GetBounds())
         return actor, actor.GetProperty()
 
 
@@ -407,7 +410,7 @@ class TestBadInput(unittest.TestCase):
 
 class TestPackage(unittest.TestCase):
     def test_names(self):
-        for name in ("Hits", "Picture", "cast_rays", "isosurface", "read", "render", "vtkIsosurfacePicker"):
+        for name in ("Hits", "Picture", "cast_rays", "isosurface", "read", "render", "show", "vtkIsosurfacePicker"):
             self.assertIn(name, dir(vtkIsosurfaceRayTracing))
             self.assertTrue(getattr(vtkIsosurfaceRayTracing, name).__doc__, name)
         self.assertRegex(vtkIsosurfaceRayTracing.__version__, r"^\d+\.\d+\.\d+$")

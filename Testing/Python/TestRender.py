@@ -324,14 +324,19 @@ class TestWithoutDisplay(unittest.TestCase):
     def test_nothing_of_opengl_is_needed(self):
         code = """
 import sys, numpy as np
-from vtkIsosurfaceRayTracing import render
+from vtkIsosurfaceRayTracing import render, show
 picture = render(np.indices((9, 9, 9)).sum(axis=0), 11.0)
 assert picture.rgba.any()
 assert "vtkmodules.vtkRenderingOpenGL2" not in sys.modules
+try:
+    show(np.indices((9, 9, 9)).sum(axis=0), 11.0)
+except RuntimeError as error:
+    print(error)
 """
         result = self.run_python(code)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
+        self.assertIn("there is no display", result.stdout)
 
     def test_classes_need_no_numpy(self):
         code = """
