@@ -213,7 +213,7 @@ class TestExamples(unittest.TestCase):
     def test_readme(self):
         """Its snippet, as it is but for the names and the isovalue."""
         with open(os.path.join(EXAMPLES, "../../README.md"), encoding="utf-8") as readme:
-            (snippet,) = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
+            _, snippet = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
         snippet = snippet.replace("volume.mhd", write_waves(self.folder)).replace("300", str(ISOVALUE))
         scene = {}
         exec(compile(snippet, "README.md", "exec"), scene)
