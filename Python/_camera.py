@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from ._directions import to_direction
 from ._errors import call
 
-VIEW = (-0.45, 1.0, 0.3)  # sees faces in images of VTK's readers of DICOM and NIfTI
+VIEW = (-0.45, 1.0, 0.3)  # sees faces where y is to the front of a patient, as in NIfTI
 MARGIN = 0.06  # of the picture, around the surface
 COARSE = 192**2  # the pixels of a picture that finds the surface
 FEW = 50  # of them do not

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
+from ._patient import place
 
 READERS = {
     ".nhdr": "vtkIOImage.vtkNrrdReader",
@@ -41,7 +42,8 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Returns
     -------
     vtkDataObject
-        What the file holds, for example a vtkImageData.
+        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI have their axes in the patient: x to
+        the right, y to the front, z to the head.
 
     Raises
     ------
@@ -102,7 +104,11 @@ def _read_whole(reader, path):
     if _is_cut(path, size):
         return None
     reader.Update()
-    return None if errors else reader.GetOutputDataObject(0)
+    data = reader.GetOutputDataObject(0)
+    if errors or data is None:
+        return None
+    place(data, reader)
+    return data
 
 
 def _count_bytes(reader):

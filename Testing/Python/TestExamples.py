@@ -25,8 +25,9 @@ METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D",
            "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
 
 
-def write_dicom_slices(image, folder):
-    """As few fields as vtkDICOMImageReader needs."""
+def write_dicom_slices(image, folder, orientation=(-1, 0, 0, 0, 1, 0)):
+    """As few fields as vtkDICOMImageReader needs. In DICOM x is to the left and y to the back of a patient: with this
+    orientation of rows and columns, x of the image is to the right, y to the front and z to the head."""
 
     def field(group, element, kind, value):
         value += b" " * (len(value) % 2)
@@ -37,6 +38,8 @@ def write_dicom_slices(image, folder):
     extent = image.GetExtent()
     scalars = image.GetPointData().GetScalars()
     samples = [int(scalars.GetTuple1(i)) for i in range(scalars.GetNumberOfTuples())]
+    (a, b, c), (d, e, f) = orientation[:3], orientation[3:]
+    normal = (b * f - c * e, c * d - a * f, a * e - b * d)  # the slices are one behind the other
     for k in range(slices):
         z = origin[2] + spacing[2] * (extent[4] + k)
         # DICOM has its rows from the top, which VTK turns over.
@@ -46,8 +49,8 @@ def write_dicom_slices(image, folder):
         content += field(0x18, 0x50, b"DS", b"%g" % spacing[2])
         content += field(0x20, 0xE, b"UI", b"1.2\0")  # of the series
         content += field(0x20, 0x13, b"IS", b"%d" % k)
-        content += field(0x20, 0x32, b"DS", b"%g\\%g\\%g" % (origin[0], origin[1], z))
-        content += field(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0")
+        content += field(0x20, 0x32, b"DS", b"%g\\%g\\%g" % tuple(z * abs(each) for each in normal))
+        content += field(0x20, 0x37, b"DS", b"\\".join(b"%g" % each for each in orientation))
         content += field(0x28, 0x2, b"US", struct.pack("<H", 1))
         content += field(0x28, 0x10, b"US", struct.pack("<H", rows))
         content += field(0x28, 0x11, b"US", struct.pack("<H", columns))
