@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = ("Examples", "Filters", "Module", "ParaView", "Parallel", "Programs", "Rendering", "Testing")
+FOLDERS = ("Examples", "Filters", "IO", "Module", "ParaView", "Parallel", "Programs", "Rendering", "Testing")
 
 # A declaration or a definition, at the beginning of a line, as clang-format leaves it.
 DECLARATION = re.compile(r"(?:class|struct) (?:\w+_EXPORT )?(vtk\w+)\b(?!::)")

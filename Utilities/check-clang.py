@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = tuple(f"{ROOT}/{name}/" for name in ("Module", "Rendering", "Filters", "Parallel", "Programs"))
+FOLDERS = tuple(f"{ROOT}/{name}/" for name in ("Module", "Rendering", "Filters", "IO", "Parallel", "Programs"))
 
 
 def make_commands(build, clang):

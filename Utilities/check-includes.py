@@ -29,7 +29,7 @@ CORE_FOLDERS = [f"{CORE}/{folder}" for folder in (
 )]
 
 # Where includes are looked for, after the folder of the file.
-INCLUDE_FOLDERS = (CORE, "Module", "Rendering", "Filters", "Parallel", "Programs")
+INCLUDE_FOLDERS = (CORE, "Module", "Rendering", "Filters", "IO", "Parallel", "Programs")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
@@ -52,7 +52,9 @@ def make_rules():
     rules["Parallel"] = [compat, CORE, "Parallel", *mappers]
     public_headers = find_public_headers()
     public_headers.append("Parallel/vtkIsosurfaceRayTraceCompositor.h")
-    rules["Programs"] = [compat, "Programs", *public_headers]
+    rules["IO"] = [compat, "IO"]
+    headers_of_files = [f"IO/{name}.h" for name in ("MetaImageHeader", "NiftiHeader", "RawSamples")]
+    rules["Programs"] = [compat, "Programs", *headers_of_files, *public_headers]
     rules["Examples"] = ["Examples", *public_headers]
     return rules
 
@@ -89,7 +91,7 @@ def check_file(path, rules):
 
 def main():
     rules = make_rules()
-    files = sorted(path for folder in (CORE, "Rendering", "Filters", "Parallel", "Programs", "Examples")
+    files = sorted(path for folder in (CORE, "Rendering", "Filters", "IO", "Parallel", "Programs", "Examples")
                    for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".inl", ".cxx"))
     violations = [violation for path in files for violation in check_file(path, rules)]
     for violation in violations:

@@ -15,5 +15,5 @@ case "$*" in
     ;;
 esac
 
-find Examples Filters Module ParaView Parallel Programs Rendering Testing \( -name '*.h' -o -name '*.inl' -o -name '*.cxx' \) -print0 |
+find Examples Filters IO Module ParaView Parallel Programs Rendering Testing \( -name '*.h' -o -name '*.inl' -o -name '*.cxx' \) -print0 |
   xargs -0 clang-format-14 "${mode[@]}"

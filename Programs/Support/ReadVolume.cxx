@@ -155,7 +155,8 @@ struct Order
 /// not compressed are read by another; of others the whole is read.
 vtkSmartPointer<vtkImageData> ReadPartOfMetaImage(vtkMetaImageReader* reader, const Extent& extent)
 {
-  const std::optional<RawSamples> samples = FindRawSamples(reader->GetFileName());
+  const std::optional<ImageFiles::RawSamples> samples =
+    ImageFiles::FindRawSamples(reader->GetFileName());
   if (!samples || samples->Offset < 0)
   {
     reader->Update();
@@ -278,13 +279,14 @@ vtkSmartPointer<vtkImageData> ReadPiece(
       vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose });
   }
   // The factory does not have this reader.
-  if (IsNifti(fileName))
+  if (ImageFiles::IsNifti(fileName))
   {
     return ReadFile(vtkNew<vtkNIFTIImageReader>().Get(), fileName,
-      { GetCapacityOfNifti(fileName), maxMemory, choose });
+      { ImageFiles::GetCapacityOfNifti(fileName), maxMemory, choose });
   }
   // Before the factory, whose readers look into the file.
-  const double capacity = IsMetaImage(fileName) ? GetCapacityOfMetaImage(fileName) : unknown;
+  const double capacity =
+    ImageFiles::IsMetaImage(fileName) ? ImageFiles::GetCapacityOfMetaImage(fileName) : unknown;
   const auto reader =
     vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
   if (!reader)

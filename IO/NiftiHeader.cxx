@@ -15,7 +15,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace Programs
+namespace ImageFiles
 {
 namespace
 {

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace Programs
+namespace ImageFiles
 {
 
 /// .nii or .nii.gz

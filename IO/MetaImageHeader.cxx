@@ -18,7 +18,7 @@
 #include <system_error>
 #include <vector>
 
-namespace Programs
+namespace ImageFiles
 {
 namespace
 {
@@ -288,7 +288,7 @@ std::optional<RawSamples> FindRawSamples(const std::string& fileName)
   RawSamples samples;
   samples.FileName =
     files.empty() ? fileName : (fs::path(fileName).parent_path() / files.front()).string();
-  samples.Offset = files.empty() ? static_cast<long>(GetSizeOfText(header)) : 0;
+  samples.Offset = files.empty() ? static_cast<std::int64_t>(GetSizeOfText(header)) : 0;
   if (!header.Get("HeaderSize").empty())
   {
     samples.Offset = GetNumbers(header, "HeaderSize")[0];

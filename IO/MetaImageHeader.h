@@ -7,10 +7,12 @@
 #ifndef MetaImageHeader_h
 #define MetaImageHeader_h
 
+#include "RawSamples.h"
+
 #include <optional>
 #include <string>
 
-namespace Programs
+namespace ImageFiles
 {
 
 /// Of one byte, deflate makes no more than so many.
@@ -22,15 +24,6 @@ bool IsMetaImage(const std::string& fileName);
 /// where that is not known (text, a list of files). Throws std::runtime_error if the header is
 /// damaged.
 double GetCapacityOfMetaImage(const std::string& fileName);
-
-/// Where a MetaImage has its samples one after the other, as they are in memory.
-struct RawSamples
-{
-  std::string FileName;
-  /// The number of bytes before them; if negative, they are at the end of the file.
-  long Offset;
-  bool AreBigEndian;
-};
 
 /// None if the samples are compressed, text, or in several files. Throws std::runtime_error if the
 /// header is damaged.
