@@ -63,6 +63,9 @@ struct Header
     const std::string value = this->Get(name);
     return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
   }
+
+  /// Not text. A header that does not say has an image in binary form.
+  bool IsBinary() const { return this->Get("BinaryData").empty() || this->IsTrue("BinaryData"); }
 };
 
 //------------------------------------------------------------------------------
@@ -272,7 +275,7 @@ double GetCapacityOfMetaImage(const std::string& fileName)
     return size * MostInflated;
   }
   // As text, a sample of up to eight bytes is at least a digit and a space.
-  return header.IsTrue("BinaryData") ? size : 4.0 * size + 8.0;
+  return header.IsBinary() ? size : 4.0 * size + 8.0;
 }
 
 //------------------------------------------------------------------------------
@@ -281,7 +284,9 @@ std::optional<RawSamples> FindRawSamples(const std::string& fileName)
   const Header header = ReadHeader(fileName);
   CheckFields(header);
   const std::vector<std::string> files = FindDataFiles(header);
-  if (files.size() > 1 || header.IsTrue("CompressedData") || !header.IsTrue("BinaryData"))
+  const bool isOneFile =
+    files.empty() || files == std::vector<std::string>{ header.Get("ElementDataFile") };
+  if (!isOneFile || header.IsTrue("CompressedData") || !header.IsBinary())
   {
     return {};
   }
@@ -289,9 +294,11 @@ std::optional<RawSamples> FindRawSamples(const std::string& fileName)
   samples.FileName =
     files.empty() ? fileName : (fs::path(fileName).parent_path() / files.front()).string();
   samples.Offset = files.empty() ? static_cast<std::int64_t>(GetSizeOfText(header)) : 0;
-  if (!header.Get("HeaderSize").empty())
+  // As VTK's reader: 0 stands for no header but that with the text.
+  const int skipped = header.Get("HeaderSize").empty() ? 0 : GetNumbers(header, "HeaderSize")[0];
+  if (skipped > 0 || skipped == -1)
   {
-    samples.Offset = GetNumbers(header, "HeaderSize")[0];
+    samples.Offset = skipped;
   }
   samples.AreBigEndian =
     header.IsTrue("BinaryDataByteOrderMSB") || header.IsTrue("ElementByteOrderMSB");

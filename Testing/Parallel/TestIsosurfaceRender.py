@@ -91,11 +91,13 @@ class TestIsosurfaceRender(unittest.TestCase):
                         self.assertEqual(self.render(volume, *arguments, processes=processes), alone)
 
     def test_other_formats(self):
-        """Big-endian samples in the file of the header; compressed ones, of which each process reads all."""
+        """Big-endian samples after a header that has a HeaderSize of 0; compressed ones, of which each process reads
+        all."""
         raw = self.folder / "volume.mhd"
         write(make_image(), raw)
         alone = self.render(raw, "--isovalue", "157")
         header = raw.read_text().replace("volume.raw", "LOCAL").replace("MSB = False", "MSB = True")
+        header = header.replace("ElementDataFile", "HeaderSize = 0\nElementDataFile")
         samples = array.array("f", raw.with_suffix(".raw").read_bytes())
         samples.byteswap()
         local = self.folder / "local.mha"
