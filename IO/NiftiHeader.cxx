@@ -72,6 +72,13 @@ bool IsNifti(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+bool IsCompressedNifti(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  return file.get() == 0x1f && file.get() == 0x8b;
+}
+
+//------------------------------------------------------------------------------
 double GetCapacityOfNifti(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);
@@ -84,10 +91,8 @@ double GetCapacityOfNifti(const std::string& fileName)
     throw std::runtime_error(fileName + " cannot be read: its header has the type of data " +
       std::to_string(type) + ", which VTK does not know");
   }
-  std::ifstream file(fileName, std::ios::binary);
-  const bool isCompressed = file.get() == 0x1f && file.get() == 0x8b;
   const auto size = static_cast<double>(SystemTools::FileLength(fileName));
-  return isCompressed ? size * MostInflated : size;
+  return IsCompressedNifti(fileName) ? size * MostInflated : size;
 }
 
 }

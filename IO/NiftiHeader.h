@@ -15,6 +15,9 @@ namespace ImageFiles
 /// .nii or .nii.gz
 bool IsNifti(const std::string& fileName);
 
+/// Whether the file is compressed, whatever its name is.
+bool IsCompressedNifti(const std::string& fileName);
+
 /// The most bytes of samples that can be in the file. Throws std::runtime_error if VTK does not
 /// know their type.
 double GetCapacityOfNifti(const std::string& fileName);

@@ -59,6 +59,7 @@ endforeach ()
 
 set(classes
   Filters/vtkIsosurfaceComparisonFilter
+  IO/vtkMappedImageReader
   Rendering/vtkCellProjectionMapper
   Rendering/vtkIsosurfacePicker
   Rendering/vtkIsosurfacePicture
@@ -173,7 +174,7 @@ set_target_properties(vtkIsosurfaceRayTracingCore
 # name no folder.
 set(header_destination "${_vtk_build_HEADERS_DESTINATION}/vtkIsosurfaceRayTracing")
 set(include_folders "$<INSTALL_INTERFACE:${header_destination}>")
-foreach (folder IN ITEMS Filters Module Rendering)
+foreach (folder IN ITEMS Filters IO Module Rendering)
   list(APPEND include_folders
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>"
     "$<INSTALL_INTERFACE:${header_destination}/${folder}>")
@@ -188,7 +189,14 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
   NOWRAP_HEADERS
     Module/vtkIsosurfaceRayTracingCompat.h
     Rendering/vtkIsosurfaceRayTraceSetMacros.h
-  SOURCES         Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
+  SOURCES         IO/AppendedSamples.cxx
+                  IO/FileMapping.cxx
+                  IO/ImageFormats.cxx
+                  IO/MappableImage.cxx
+                  IO/MetaImageHeader.cxx
+                  IO/NiftiHeader.cxx
+                  IO/NrrdHeader.cxx
+                  Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
                   $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
 if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)

@@ -77,7 +77,9 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
     "By how many degrees the camera turns around the volume, from the front. Default: 30.");
   commandLine.Add("--elevation", &arguments.Elevation,
     "By how many degrees the camera looks down at it, between -90 and 90. Default: 20.");
-  commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
+  const std::string maxMemoryHelp =
+    std::string(Programs::MaxMemoryHelp) + " Raw samples stay in their file and take none.";
+  commandLine.Add("--max-memory", &arguments.MaxMemory, maxMemoryHelp.c_str());
   arguments.Help = !commandLine.Parse();
   help = commandLine.GetHelp();
   if (arguments.Help)

@@ -6,6 +6,7 @@
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
 #include "ReaderErrors.h"
+#include "vtkMappedImageReader.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDICOMImageReader.h>
@@ -244,28 +245,8 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
   return Read(reader, name, order);
 }
 
-}
-
 //------------------------------------------------------------------------------
-const char* const MaxMemoryHelp =
-  "The most memory that the volume may take, in MiB. Default: the memory of this machine.";
-
-//------------------------------------------------------------------------------
-double GetDefaultMaxMemory()
-{
-  vtksys::SystemInformation system;
-  constexpr double kibibytesPerMebibyte = 1024.0;
-  return static_cast<double>(system.GetProcMemoryAvailable()) / kibibytesPerMebibyte;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory)
-{
-  return ReadPiece(fileName, maxMemory, ChooseWhole);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadPiece(
+vtkSmartPointer<vtkImageData> ReadIntoMemory(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose)
 {
   if (!SystemTools::FileExists(fileName, true))
@@ -294,6 +275,39 @@ vtkSmartPointer<vtkImageData> ReadPiece(
     throw std::runtime_error("VTK has no image reader for " + fileName);
   }
   return ReadFile(reader.Get(), fileName, { capacity, maxMemory, choose });
+}
+
+}
+
+//------------------------------------------------------------------------------
+const char* const MaxMemoryHelp =
+  "The most memory that the volume may take, in MiB. Default: the memory of this machine.";
+
+//------------------------------------------------------------------------------
+double GetDefaultMaxMemory()
+{
+  vtksys::SystemInformation system;
+  constexpr double kibibytesPerMebibyte = 1024.0;
+  return static_cast<double>(system.GetProcMemoryAvailable()) / kibibytesPerMebibyte;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory)
+{
+  return ReadIntoMemory(fileName, maxMemory, ChooseWhole);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadPiece(
+  const std::string& fileName, double maxMemory, const ChooseExtent& choose)
+{
+  vtkNew<vtkMappedImageReader> mapped;
+  if (mapped->CanReadFile(fileName.c_str()))
+  {
+    const double unlimited = std::numeric_limits<double>::infinity();
+    return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose });
+  }
+  return ReadIntoMemory(fileName, maxMemory, choose);
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,8 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
 using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)>;
 
 /// The same of a part of the image alone, which is all that must fit into the memory. (Some readers
-/// read more than they are asked for.)
+/// read more than they are asked for.) Where the samples can be used in the file (see
+/// vtkMappedImageReader), nothing is read, and the part may have any size.
 vtkSmartPointer<vtkImageData> ReadPiece(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose);
 

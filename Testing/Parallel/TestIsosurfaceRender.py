@@ -109,6 +109,19 @@ class TestIsosurfaceRender(unittest.TestCase):
                 with self.subTest(volume=volume.name, processes=processes):
                     self.assertEqual(self.render(volume, "--isovalue", "157", processes=processes), alone)
 
+    def test_memory(self):
+        """A volume that may take none, because it stays in its file; one that is compressed may not be read."""
+        memory = ("--isovalue", "157", "--max-memory", "0.001")
+        volume = self.folder / "volume.mhd"
+        write(make_image(), volume)
+        alone = self.render(volume, *memory)
+        self.assertEqual(self.render(volume, "--isovalue", "157"), alone)
+        self.assertEqual(self.render(volume, *memory, processes=2), alone)
+        compressed = self.folder / "compressed.mha"
+        write(make_image(), compressed)
+        result = run("--input", str(compressed), "--output", str(self.picture), *memory)
+        self.check_failure(result, "compressed.mha.*--max-memory sets this limit")
+
     def test_more_processes_than_layers(self):
         volume = self.folder / "thin.vti"
         write(make_image(last=-18), volume)

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef FileMapping_h
+#define FileMapping_h
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace ImageFiles
+{
+
+/// The size of a file in bytes. Throws std::runtime_error if there is no file of this name.
+std::int64_t GetSizeOfFile(const std::string& fileName);
+
+/// Bytes of a file as memory: the system reads a page of them when it is first looked at, and may
+/// drop it again. They are private: what is written to them does not go to the file.
+class FileMapping
+{
+public:
+  /// Throws std::runtime_error if the file ends before so many bytes, since looking at those beyond
+  /// the end kills the process, or if the system does not map them.
+  FileMapping(const std::string& fileName, std::int64_t offset, std::size_t size);
+  ~FileMapping();
+  FileMapping(const FileMapping&) = delete;
+  FileMapping& operator=(const FileMapping&) = delete;
+
+  void* GetBytes() const { return this->Bytes; }
+
+private:
+  /// Pages, of which the bytes begin in the first.
+  void* Pages = nullptr;
+  std::size_t SizeOfPages = 0;
+  void* Bytes = nullptr;
+};
+
+}
+
+#endif

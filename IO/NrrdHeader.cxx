@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NrrdHeader.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace ImageFiles
+{
+namespace
+{
+
+using vtksys::SystemTools;
+
+// A header has about a dozen short lines.
+constexpr std::size_t LongestHeader = 1 << 16;
+// The format's own limit.
+constexpr std::size_t MostDimensions = 16;
+
+//------------------------------------------------------------------------------
+/// The lines "name: value", and the number of bytes up to the samples if they follow.
+struct Header
+{
+  std::string FileName;
+  std::map<std::string, std::string> Fields;
+  std::int64_t Size = 0;
+
+  [[noreturn]] void Throw(const std::string& problem) const
+  {
+    throw std::runtime_error(this->FileName + " cannot be read: its header " + problem);
+  }
+
+  /// Two names of a field: the format knows some with a space and without. Empty if it is not
+  /// there.
+  std::string Get(const std::string& name, const std::string& otherName = {}) const
+  {
+    auto found = this->Fields.find(name);
+    found = found == this->Fields.end() ? this->Fields.find(otherName) : found;
+    return found == this->Fields.end() ? "" : found->second;
+  }
+};
+
+//------------------------------------------------------------------------------
+std::string Trim(const std::string& text)
+{
+  const char* const spaces = " \t\r";
+  const std::size_t first = text.find_first_not_of(spaces);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
+}
+
+//------------------------------------------------------------------------------
+Header ReadHeader(const std::string& fileName)
+{
+  Header header{ fileName, {} };
+  std::string text(LongestHeader, '\0');
+  std::ifstream file(fileName, std::ios::binary);
+  file.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::istringstream lines(text);
+  std::string line;
+  if (!std::getline(lines, line) || line.compare(0, 4, "NRRD") != 0)
+  {
+    header.Throw("does not begin with NRRD");
+  }
+  // Up to an empty line, or the end of a file of its own.
+  while (std::getline(lines, line) && !Trim(line).empty())
+  {
+    const std::size_t separator = line.find(": ");
+    if (line[0] == '#' || separator == std::string::npos)
+    {
+      continue;
+    }
+    const std::string name = line.substr(0, separator);
+    if (!header.Fields.emplace(name, Trim(line.substr(separator + 2))).second)
+    {
+      header.Throw("has " + name + " twice");
+    }
+  }
+  const std::streamoff end = lines.tellg();
+  header.Size = end < 0 ? static_cast<std::int64_t>(text.size()) : std::int64_t{ end };
+  return header;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> GetNumbers(const Header& header, const std::string& name)
+{
+  std::istringstream words(header.Get(name));
+  std::vector<double> numbers;
+  double number;
+  while (words >> number)
+  {
+    numbers.push_back(number);
+  }
+  if (!words.eof() || numbers.empty())
+  {
+    header.Throw("has " + name + ": " + header.Get(name));
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+/// How many samples there are.
+double GetCount(const Header& header)
+{
+  const std::vector<double> dimension = GetNumbers(header, "dimension");
+  const std::vector<double> sizes = GetNumbers(header, "sizes");
+  const auto isSize = [](double size)
+  { return size >= 1.0 && size < std::numeric_limits<int>::max() && size == std::int64_t(size); };
+  if (dimension.size() != 1 || sizes.size() > MostDimensions ||
+    dimension[0] != static_cast<double>(sizes.size()) ||
+    !std::all_of(sizes.begin(), sizes.end(), isSize))
+  {
+    header.Throw(
+      "has dimension: " + header.Get("dimension") + " and sizes: " + header.Get("sizes"));
+  }
+  double count = 1.0;
+  for (const double size : sizes)
+  {
+    count *= size;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool IsZero(const std::string& number)
+{
+  return number.empty() || number == "0";
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool IsNrrd(const std::string& fileName)
+{
+  const std::string name = SystemTools::LowerCase(fileName);
+  return SystemTools::StringEndsWith(name, ".nrrd") || SystemTools::StringEndsWith(name, ".nhdr");
+}
+
+//------------------------------------------------------------------------------
+std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  const std::string dataFile = header.Get("data file", "datafile");
+  const bool isOneFile = SystemTools::SplitString(dataFile, ' ').size() < 4 &&
+    !SystemTools::StringStartsWith(dataFile, "LIST");
+  if (SystemTools::LowerCase(header.Get("encoding")) != "raw" || !isOneFile ||
+    !IsZero(header.Get("byte skip", "byteskip")) || !IsZero(header.Get("line skip", "lineskip")))
+  {
+    return {};
+  }
+  NrrdSamples samples;
+  samples.Count = GetCount(header);
+  samples.AreBigEndian = header.Get("endian") == "big";
+  samples.FileName = fileName;
+  samples.Offset = header.Size;
+  if (!dataFile.empty())
+  {
+    namespace fs = std::filesystem;
+    samples.FileName = (fs::path(fileName).parent_path() / dataFile).string();
+    // As VTK's reader, which takes what there is before them for a header.
+    samples.Offset = -1;
+  }
+  return samples;
+}
+
+}

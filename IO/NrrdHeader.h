@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Looks at a NRRD (.nrrd, .nhdr) before VTK's reader does, which trusts its header.
+
+#ifndef NrrdHeader_h
+#define NrrdHeader_h
+
+#include "RawSamples.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace ImageFiles
+{
+
+bool IsNrrd(const std::string& fileName);
+
+/// The samples of a NRRD, and how many the header says that there are.
+struct NrrdSamples : RawSamples
+{
+  double Count;
+};
+
+/// None if the samples are compressed, text, in several files, or after bytes or lines to be
+/// skipped. Throws std::runtime_error if the header is damaged.
+std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName);
+
+}
+
+#endif
