@@ -42,6 +42,12 @@ public:
     return bytes;
   }
 
+  static bool Has(void* bytes)
+  {
+    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
+    return GetAll().OfAddress.count(bytes) > 0;
+  }
+
   static void GiveBack(void* bytes)
   {
     const std::lock_guard<std::mutex> lock(GetAll().Mutex);
@@ -89,6 +95,13 @@ int vtkMappedImageReader::CanReadFile(const char* fileName)
     // It is to be read in another way, which tells what is wrong.
   }
   return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMappedImageReader::IsMapped(vtkDataArray* array)
+{
+  return array && array->HasStandardMemoryLayout() && array->GetNumberOfValues() > 0 &&
+    MappingsInUse::Has(array->GetVoidPointer(0));
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,7 @@ struct MappableImage;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkMappedImageReader : public vtkImageReader2
 {
@@ -67,6 +68,11 @@ public:
    * of files without a header.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName) override;
+
+  /**
+   * Returns whether the values of an array are in a file that a reader of this class has mapped.
+   */
+  static bool IsMapped(vtkDataArray* array);
 
   const char* GetFileExtensions() override { return ".mhd .mha .nhdr .nrrd .nii .vti .raw"; }
   const char* GetDescriptiveName() override { return "Mapped image"; }

@@ -14,6 +14,7 @@ set(core_sources
   Image/Cells/TricubicRoots.cxx
   Image/Cells/TrilinearRoots.cxx
   Image/ImageField.cxx
+  Image/Samples/FilePages.cxx
   Image/Tracers/RootTracing.cxx
   Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/Caps.cxx

@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
+#include "vtkMappedImageReader.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -116,6 +117,7 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   view.Samples = samples.Values;
   view.Stride = samples.Stride;
   view.Dimensions = key.Dimensions;
+  view.AreInFile = !this->PlainScalars && vtkMappedImageReader::IsMapped(key.Array);
   this->Field = vtkirt::ImageField::New(view, settings, threads);
   this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);

@@ -416,6 +416,31 @@ class TestMappedImageReader(unittest.TestCase):
         self.assertGreater(max(pictures[0]), 0)
         self.assertEqual(*pictures)
 
+    def test_pages_that_are_read(self):
+        """Those next to the surface, and not what is around them: the system is told when macrocells are there."""
+        image = self.map(self.write_volume())
+        self.assertTrue(vtkMappedImageReader.IsMapped(image.GetPointData().GetScalars()))
+        self.assertNotIn("rr", self.read_flags())
+        render(image)
+        self.assertIn("rr", self.read_flags())
+
+    def read_flags(self):
+        """Those of the mapping, as Linux has them."""
+        with open("/proc/self/smaps", encoding="utf-8") as maps:
+            lines = iter(maps)
+            for line in lines:
+                if str(self.folder) in line:
+                    return next(line for line in lines if line.startswith("VmFlags:")).split()[1:]
+        return []
+
+    def test_arrays_in_memory(self):
+        scalars = make_image().GetPointData().GetScalars()
+        self.assertFalse(vtkMappedImageReader.IsMapped(scalars))
+        self.assertFalse(vtkMappedImageReader.IsMapped(None))
+        copy = scalars.NewInstance()
+        copy.DeepCopy(self.map(self.write_volume()).GetPointData().GetScalars())
+        self.assertFalse(vtkMappedImageReader.IsMapped(copy))
+
     def refuse(self, path, *words, reader=None):
         """One error, with all words; and the file is left to others."""
         reader = reader or vtkMappedImageReader()

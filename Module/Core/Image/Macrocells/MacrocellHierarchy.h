@@ -5,6 +5,7 @@
 #define MacrocellHierarchy_h
 
 #include "Image/Macrocells/ActiveMacrocells.h"
+#include "Image/Samples/FilePages.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
@@ -112,6 +113,7 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
   std::vector<std::vector<T>> lows(static_cast<std::size_t>(threads), std::vector<T>(length));
   std::vector<std::vector<T>> highs = lows;
 
+  ExpectReading(Reading::InOrder, samples);
 #pragma omp parallel num_threads(threads)
   {
     std::vector<T>& low = lows[static_cast<std::size_t>(omp_get_thread_num())];
@@ -155,6 +157,8 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
       }
     }
   }
+  // From here on, what is next to surfaces.
+  ExpectReading(Reading::Scattered, samples);
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,8 @@ struct VolumeView
   Index3 Dimensions = { 0, 0, 0 };
   /// The distance between neighbours along x, in samples (the number of interleaved components).
   std::ptrdiff_t Stride = 1;
+  /// Whether the memory is that of a file, which is mapped.
+  bool AreInFile = false;
 };
 
 /// The view with its type known to the compiler.
@@ -37,12 +39,15 @@ public:
     , Dimensions(view.Dimensions)
     , Strides{ view.Stride, view.Stride * view.Dimensions[0],
       view.Stride * view.Dimensions[0] * view.Dimensions[1] }
+    , IsFile(view.AreInFile)
   {
   }
 
   const Index3& GetDimensions() const { return this->Dimensions; }
   std::ptrdiff_t GetStride(int axis) const { return this->Strides[static_cast<std::size_t>(axis)]; }
   const std::ptrdiff_t* GetStrides() const { return this->Strides.data(); }
+
+  bool AreInFile() const { return this->IsFile; }
 
   const T* At(const Index3& i) const
   {
@@ -54,6 +59,7 @@ private:
   const T* First;
   Index3 Dimensions;
   std::array<std::ptrdiff_t, 3> Strides;
+  bool IsFile;
 };
 
 /// Calls a generic function with the Samples of the type the view names.

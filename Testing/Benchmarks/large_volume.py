@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A volume that is larger than the memory: the first picture and some that follow, as a table in Markdown.
+
+    large_volume.py volume.mhd ISOVALUE MEBIBYTES [BRICK_MEBIBYTES]
+
+The processes that are measured may have so much memory; bricks and masks a part of it (a quarter unless it is given).
+The file is one that vtkMappedImageReader maps. Before a run with a cold cache its pages are dropped, which the system
+does unless another process uses the file."""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "Support"))
+from LimitedMemory import LimitedMemory  # noqa: E402
+
+SIZE = 512
+PICTURES = 3  # ten degrees apart
+
+
+def read_memory():
+    """Of this process, in MiB: its own, and pages of files."""
+    fields = dict(line.split(":") for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines())
+    return [int(fields[name].split()[0]) >> 10 for name in ("RssAnon", "RssFile")]
+
+
+def drop_pages(file_name):
+    descriptor = os.open(file_name, os.O_RDONLY)
+    os.posix_fadvise(descriptor, 0, 0, os.POSIX_FADV_DONTNEED)
+    os.close(descriptor)
+
+
+def find_samples(file_name):
+    """The file of the samples of a MetaImage."""
+    (name,) = (line.split(" = ")[1] for line in Path(file_name).read_text(encoding="ascii").splitlines()
+               if line.startswith("ElementDataFile"))
+    return str(Path(file_name).parent / name)
+
+
+def new_reader(way, file_name):
+    from vtkIsosurfaceRayTracing import vtkMappedImageReader
+    from vtkmodules.vtkIOImage import vtkMetaImageReader
+    reader = vtkMetaImageReader() if way == "read" else vtkMappedImageReader()
+    reader.SetFileName(file_name)
+    return reader
+
+
+def draw(reader, isovalue, brick_memory):
+    """The times of pictures, and the memory after each."""
+    from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
+    start = time.perf_counter()
+    reader.Update()
+    opened = time.perf_counter() - start
+    mapper, volume, renderer, picture = vtkIsosurfaceRayTraceMapper(), vtkVolume(), vtkRenderer(), vtkImageData()
+    mapper.SetInputConnection(reader.GetOutputPort())
+    mapper.SetMaximumBrickMemory(brick_memory)
+    volume.SetMapper(mapper)
+    volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue)
+    volume.GetProperty().ShadeOn()
+    renderer.ResetCamera(reader.GetOutput().GetBounds())
+    camera = renderer.GetActiveCamera()
+    times, memory = [], []
+    for _ in range(PICTURES):
+        start = time.perf_counter()
+        assert mapper.RenderToImage(volume, camera, None, SIZE, SIZE, picture)
+        times.append(time.perf_counter() - start)
+        memory.append(read_memory())
+        camera.Azimuth(10)
+    return {"opened": opened, "times": times, "memory": memory,
+            "told": (mapper.GetMacrocellMemory() + mapper.GetBrickMemory()) >> 20}
+
+
+def extract(reader, isovalue):
+    """The time of the triangles, without a picture."""
+    from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+    edges = vtkFlyingEdges3D()
+    edges.SetInputConnection(reader.GetOutputPort())
+    edges.SetValue(0, isovalue)
+    edges.ComputeNormalsOff()
+    start = time.perf_counter()
+    edges.Update()
+    return {"opened": 0.0, "times": [time.perf_counter() - start], "memory": [read_memory()], "told": 0}
+
+
+def measure(way, file_name, isovalue, brick_memory):
+    reader = new_reader(way, file_name)
+    result = extract(reader, isovalue) if way == "triangles" else draw(reader, isovalue, brick_memory)
+    print(json.dumps(result))
+
+
+def run(limited, arguments, way, is_cold):
+    """None if the system has killed the process."""
+    if is_cold:
+        drop_pages(find_samples(arguments[0]))
+    result = subprocess.run([*limited.prefix, sys.executable, __file__, *arguments, way],
+                            stdout=subprocess.PIPE, text=True, check=False)
+    if result.returncode not in (0, -9, 137):
+        sys.exit(f"{way} failed with {result.returncode}")
+    return json.loads(result.stdout) if result.returncode == 0 else None
+
+
+def make_row(name, cache, result):
+    if result is None:
+        return f"| {name} | {cache} | killed | - | - | - | - | - |"
+    first, *others = result["times"]
+    own, files = zip(*result["memory"])
+    following = f"{statistics.median(others):.2f}" if others else "-"
+    told = result["told"] or "-"
+    return (f"| {name} | {cache} | {result['opened']:.3f} | {first:.2f} | {following} | {told} | {max(own)} | "
+            f"{max(files)} |")
+
+
+def main():
+    file_name, isovalue, limit = sys.argv[1:4]
+    brick_memory = sys.argv[4] if len(sys.argv) > 4 else str(int(limit) // 4)
+    arguments = [file_name, isovalue, limit, brick_memory]
+    with LimitedMemory(int(limit) << 20) as limited:
+        if not limited.is_possible:
+            sys.exit("This system has no control groups for memory that this user may make.")
+        print("| samples | pages of the file before | open, s | first picture, s | next, s | "
+              "macrocells, bricks, masks, MiB | memory of the process, MiB | pages of files, MiB |\n|---|---|---|---|---|---|---|---|")
+        mapped = [run(limited, arguments, "mapped", is_cold) for is_cold in (True, False)]
+        print(make_row("mapped", "none", mapped[0]), flush=True)
+        print(make_row("mapped", "those that were left", mapped[1]))
+        print(make_row("read into memory", "-", run(limited, arguments, "read", False)))
+        print(make_row("mapped, flying edges", "-", run(limited, arguments, "triangles", False)))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 6:
+        measure(sys.argv[5], sys.argv[1], float(sys.argv[2]), int(sys.argv[4]))
+    elif len(sys.argv) in (4, 5):
+        main()
+    else:
+        sys.exit(__doc__)
