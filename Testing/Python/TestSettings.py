@@ -12,13 +12,14 @@ from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper, vtkV
 import vtkmodules.vtkRenderingVolumeOpenGL2  # what vtkFixedPointVolumeRayCastMapper needs
 from vtkIsosurfaceRayTracing import (
     vtkIsosurfacePicker,
+    vtkCellProjectionMapper,
     vtkIsosurfaceRayTraceMapper,
     vtkIsosurfaceRayTraceMeshMapper,
     vtkIsosurfaceVolume,
 )
 
 LEVELS = 8
-MAPPERS = (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper)
+MAPPERS = (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkCellProjectionMapper)
 
 
 def find_settings(mapper):
@@ -102,7 +103,7 @@ class TestSettings(unittest.TestCase):
                     self.assertEqual(get(copy, name), value)
 
     def test_shared_settings_are_alike(self):
-        images, meshes = (kind() for kind in MAPPERS)
+        images, meshes = vtkIsosurfaceRayTraceMapper(), vtkIsosurfaceRayTraceMeshMapper()
         own = {"BlendMode", "TileSize"}  # Meshes gain from larger tiles.
         shared = set(find_settings(images)) & set(find_settings(meshes)) - own
         self.assertGreater(len(shared), 15)
