@@ -390,6 +390,55 @@ class TestScenes(unittest.TestCase):
         self.assertLess(abs(opacity[PIXELS // 2, PIXELS // 2] - (1.0 - math.exp(-0.2 * 3.0 / 2.0))), 1.01 / 255)
 
 
+class TestDamage(unittest.TestCase):
+    """What is not finite is left out; the rest is drawn as it is."""
+
+    def setUp(self):
+        self.expected = render_to_image(*make_cloud(make_grid(VTK_HEXAHEDRON, ball)))
+
+    def test_values_that_are_not_finite(self):
+        for value in (math.nan, math.inf, -math.inf):
+            with self.subTest(value):
+                grid = make_grid(VTK_HEXAHEDRON, ball)
+                grid.GetPointData().GetScalars().SetValue(0, value)
+                picture = render_to_image(*make_cloud(grid))
+                self.assertLess(np.mean(np.abs(picture - self.expected).max(axis=-1) > 1.01 / 255), 0.1)
+
+    def test_points_that_are_not_finite(self):
+        for value in (math.nan, math.inf):
+            with self.subTest(value):
+                grid = make_grid(VTK_HEXAHEDRON, ball)
+                grid.GetPoints().SetPoint(0, value, 0.0, 0.0)
+                picture = render_to_image(*make_cloud(grid))
+                self.assertLess(np.mean(np.abs(picture - self.expected).max(axis=-1) > 1.01 / 255), 0.1)
+
+    def test_extreme_values(self):
+        picture = render_to_image(*make_cloud(make_grid(VTK_WEDGE, lambda p: 1e305 * (p[0] + 1.0))))
+        highest = render_to_image(*make_cloud(make_grid(VTK_WEDGE, lambda p: 2.0)))
+        self.assertTrue(np.array_equal(picture, highest))
+
+    def test_sizes_and_places(self):
+        """Pictures of what is far away and large or small are the same."""
+        expected = render_to_image(*make_cloud(make_grid(VTK_TETRA, ball)))
+        for scale, offset in ((1e-9, 0.0), (1e6, 0.0), (1.0, 1e7)):
+            with self.subTest(scale=scale, offset=offset):
+                grid, camera = make_grid(VTK_TETRA, ball), make_camera()
+                for i in range(grid.GetNumberOfPoints()):
+                    grid.GetPoints().SetPoint(i, *(scale * x + offset for x in grid.GetPoint(i)))
+                camera.SetFocalPoint(*(scale * x + offset for x in camera.GetFocalPoint()))
+                camera.SetPosition(*(scale * x + offset for x in camera.GetPosition()))
+                camera.SetClippingRange(scale, 60.0 * scale)
+                picture = render_to_image(*make_cloud(grid, unit=scale), camera)
+                self.assertLess(np.abs(picture - expected).max(), 1.01 / 255)
+
+    def test_cells_without_volume(self):
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        for i in range(grid.GetNumberOfPoints()):
+            x, y, _ = grid.GetPoint(i)
+            grid.GetPoints().SetPoint(i, x, y, 3.0)
+        self.assertEqual(render_to_image(*make_cloud(grid)).max(), 0.0)
+
+
 class TestUse(unittest.TestCase):
     def test_fragments_are_refused(self):
         mapper, volume = make_cloud(make_grid(VTK_TETRA, ball))
