@@ -19,7 +19,9 @@ HEADER = "from typing import Any, MutableSequence, Sequence, Tuple, overload\n"
 
 
 def make_stub(module):
-    classes = [value for _, value in sorted(inspect.getmembers(module, inspect.isclass))]
+    # A class follows those that it inherits from.
+    classes = sorted((value for _, value in inspect.getmembers(module, inspect.isclass)),
+                     key=lambda each: (len(each.__mro__), each.__name__))
     text = "\n\n".join(make_class(each, module.__name__) for each in classes)
     imports = sorted(set(re.findall(r"(vtkmodules\.\w+)\.", text)))
     return HEADER + "".join(f"import {name}\n" for name in imports) + "\n\n" + text
@@ -27,7 +29,9 @@ def make_stub(module):
 
 def make_class(of, module):
     members = sorted((name, value) for name, value in vars(of).items() if not name.startswith("_"))
-    lines = [f"class {of.__name__}({of.__base__.__module__}.{of.__base__.__name__}):".replace("builtins.", "")]
+    owner = of.__base__.__module__
+    prefix = "" if owner in ("builtins", module) else f"{owner}."
+    lines = [f"class {of.__name__}({prefix}{of.__base__.__name__}):"]
     lines += [f"    {line}" for name, value in members for line in make_member(name, value, module)]
     return "\n".join(lines if len(lines) > 1 else [lines[0] + " ..."]) + "\n"
 

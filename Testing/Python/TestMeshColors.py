@@ -128,6 +128,7 @@ class TestMeshColors(unittest.TestCase):
         window.Render()
         self.assertEqual(mapper.GetTreeBuildTime(), 0.0)
         self.assertEqual(mapper.GetNumberOfAccumulatedFrames(), 1)
+        mapper.ProgressiveAccumulationOff()
         for color, _ in take_picture(scene):
             for channel, expected in zip(color, BLUE):
                 self.assertAlmostEqual(channel, 255.0 * expected, delta=0.6)
