@@ -3,6 +3,8 @@
 
 #include "MetaImageHeader.h"
 
+#include "HeaderText.h"
+
 #include <vtksys/RegularExpression.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -10,7 +12,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -26,17 +27,7 @@ namespace
 namespace fs = std::filesystem;
 using vtksys::SystemTools;
 
-// A header has about a dozen short lines.
-constexpr std::size_t LongestHeader = 1 << 16;
 constexpr int MostFiles = 1 << 16;
-
-std::string Trim(const std::string& text)
-{
-  const char* const spaces = " \t\r";
-  const std::size_t first = text.find_first_not_of(spaces);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
-}
 
 //------------------------------------------------------------------------------
 /// The lines "name = value" up to ElementDataFile, and what follows them.
@@ -72,10 +63,7 @@ struct Header
 Header ReadHeader(const std::string& fileName)
 {
   Header header{ fileName, {}, {} };
-  std::string text(LongestHeader, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(&text[0], static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string text = ReadBeginning(fileName);
   std::istringstream lines(text);
   std::string line;
   while (std::getline(lines, line))
@@ -102,14 +90,8 @@ Header ReadHeader(const std::string& fileName)
 /// Whole numbers, separated by spaces; throws if there is anything else.
 std::vector<int> GetNumbers(const Header& header, const std::string& name)
 {
-  std::istringstream words(header.Get(name));
-  std::vector<int> numbers;
-  int number;
-  while (words >> number)
-  {
-    numbers.push_back(number);
-  }
-  if (!words.eof() || numbers.empty())
+  const std::vector<int> numbers = ParseNumbers<int>(header.Get(name));
+  if (numbers.empty())
   {
     header.Throw("its header has " + name + " = " + header.Get(name));
   }

@@ -3,11 +3,12 @@
 
 #include "NrrdHeader.h"
 
+#include "HeaderText.h"
+
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -21,8 +22,6 @@ namespace
 
 using vtksys::SystemTools;
 
-// A header has about a dozen short lines.
-constexpr std::size_t LongestHeader = 1 << 16;
 // The format's own limit.
 constexpr std::size_t MostDimensions = 16;
 
@@ -50,22 +49,10 @@ struct Header
 };
 
 //------------------------------------------------------------------------------
-std::string Trim(const std::string& text)
-{
-  const char* const spaces = " \t\r";
-  const std::size_t first = text.find_first_not_of(spaces);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
-}
-
-//------------------------------------------------------------------------------
 Header ReadHeader(const std::string& fileName)
 {
   Header header{ fileName, {} };
-  std::string text(LongestHeader, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(&text[0], static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string text = ReadBeginning(fileName);
   std::istringstream lines(text);
   std::string line;
   if (!std::getline(lines, line) || line.compare(0, 4, "NRRD") != 0)
@@ -94,14 +81,8 @@ Header ReadHeader(const std::string& fileName)
 //------------------------------------------------------------------------------
 std::vector<double> GetNumbers(const Header& header, const std::string& name)
 {
-  std::istringstream words(header.Get(name));
-  std::vector<double> numbers;
-  double number;
-  while (words >> number)
-  {
-    numbers.push_back(number);
-  }
-  if (!words.eof() || numbers.empty())
+  const std::vector<double> numbers = ParseNumbers<double>(header.Get(name));
+  if (numbers.empty())
   {
     header.Throw("has " + name + ": " + header.Get(name));
   }

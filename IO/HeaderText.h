@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What headers that are text have in common.
+
+#ifndef HeaderText_h
+#define HeaderText_h
+
+#include <cstddef>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ImageFiles
+{
+
+// A header has about a dozen short lines.
+constexpr std::size_t LongestHeader = 1 << 16;
+
+/// As much of a file as a header may have.
+inline std::string ReadBeginning(const std::string& fileName)
+{
+  std::string text(LongestHeader, '\0');
+  std::ifstream file(fileName, std::ios::binary);
+  file.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+inline std::string Trim(const std::string& text)
+{
+  const char* const spaces = " \t\r";
+  const std::size_t first = text.find_first_not_of(spaces);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
+}
+
+/// Numbers that are separated by spaces; none if there is anything else.
+template <typename Number>
+std::vector<Number> ParseNumbers(const std::string& text)
+{
+  std::istringstream words(text);
+  std::vector<Number> numbers;
+  Number number;
+  while (words >> number)
+  {
+    numbers.push_back(number);
+  }
+  return words.eof() ? numbers : std::vector<Number>{};
+}
+
+}
+
+#endif
