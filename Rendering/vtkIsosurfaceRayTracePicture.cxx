@@ -67,6 +67,7 @@ void vtkIsosurfaceRayTracePicture::SetColors(const vtkIsosurfaceRayTraceRequest:
   {
     colors.OfValues =
       std::make_unique<vtkIsosurfaceRayTraceValueColors>(volume.Property, volume.Component);
+    colors.OfCloud.reset();
   }
   shown.ColorsOfValues = colors.OfValues.get();
   for (const vtkirt::Isosurface& surface : volume.GetField().GetRequest().Surfaces)
@@ -75,13 +76,13 @@ void vtkIsosurfaceRayTracePicture::SetColors(const vtkIsosurfaceRayTraceRequest:
   }
   colors.OfHits = volume.Input->MakeColors(*colors.OfValues);
   shown.ColorsOfHits = colors.OfHits.get();
-  colors.OfCloud.reset();
-  if (volume.GetField().GetRequest().HasCloud)
+  const bool hasCloud = volume.GetField().GetRequest().HasCloud;
+  if (hasCloud && !colors.OfCloud)
   {
     colors.OfCloud = vtkIsosurfaceRayTraceClouds::MakeTransfer(
       *colors.OfValues, volume.Property->GetScalarOpacityUnitDistance(volume.Component));
   }
-  shown.Cloud = colors.OfCloud.get();
+  shown.Cloud = hasCloud ? colors.OfCloud.get() : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -71,7 +71,7 @@ private:
   {
     std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> OfHits;
     std::unique_ptr<vtkIsosurfaceRayTraceValueColors> OfValues;
-    /// Null without a cloud.
+    /// Made of the former and the property when a cloud is drawn first.
     std::unique_ptr<vtkIsosurfaceRayTracing::CloudTransfer> OfCloud;
   };
 
