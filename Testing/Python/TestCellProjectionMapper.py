@@ -42,7 +42,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (vtkRayCastImageDispl
 from vtkIsosurfaceRayTracing import (
     vtkCellProjectionMapper, vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper)
 
-from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid
+from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume
 from PictureTesting import capture
 
 PIXELS = 90
@@ -63,12 +63,7 @@ def fill_property(volume_property, low=-2.0, high=2.0, opacity=0.4, unit=1.0):
 
 
 def make_cloud(grid, mapper_class=vtkCellProjectionMapper, **transfer):
-    mapper = mapper_class()
-    mapper.AutoAdjustSampleDistancesOff()
-    if grid:
-        mapper.SetInputDataObject(grid)
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
+    mapper, volume = make_volume(grid, mapper_class=mapper_class)
     fill_property(volume.GetProperty(), **transfer)
     return mapper, volume
 
