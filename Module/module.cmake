@@ -40,6 +40,7 @@ set(core_sources
   Mesh/SurfacePieces.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx
+  Picture/CloudFinder.cxx
   Picture/CloudTileRenderer.cxx
   Picture/CloudTransfer.cxx
   Picture/PixelBlockRenderer.cxx

@@ -319,6 +319,7 @@ struct CloudScene
     frame.Colors.resize(std::size_t{ 4 } * Width * Height);
     frame.Depths.resize(std::size_t{ Width } * Height);
     std::vector<std::array<double, 4>> lights(std::size_t{ Width } * Height);
+    CloudFinder finder(this->Shown, &kernels);
     CloudTileRenderer renderer(this->Shown, &kernels);
     for (int y = 0; y < Height; y += CloudTile::Edge)
     {
@@ -327,7 +328,7 @@ struct CloudScene
         const PixelRectangle tile = { x, y, std::min(CloudTile::Edge, Width - x),
           std::min(CloudTile::Edge, Height - y) };
         renderer.Begin(tile);
-        renderer.Render(frame);
+        renderer.Render(finder, frame);
         for (int j = 0; j < tile.Height; ++j)
         {
           for (int i = 0; i < tile.Width; ++i)
@@ -405,7 +406,7 @@ std::map<int, std::vector<FoundSegment>> FindSegments(
   std::vector<ViewedCloud> clouds;
   field.AddClouds(view, &kernels, clouds);
   CloudSource& source = *clouds.front().Source;
-  source.Begin(view, pixels, *tile);
+  source.Begin(view, pixels, *tile, 0.0);
   std::map<int, std::vector<FoundSegment>> found;
   auto segments = std::make_unique<CloudSegments>();
   while (source.GetNextDepth() < Infinity)
@@ -752,7 +753,8 @@ TEST_P(CellProjection, DrawsFragmentsInTheCloud)
   Frame frame;
   frame.Colors.resize(std::size_t{ 4 } * Width * Height);
   frame.Depths.resize(std::size_t{ Width } * Height);
-  renderer.Render(frame);
+  CloudFinder finder(scene.Shown, &this->TheKernels);
+  renderer.Render(finder, frame);
   for (int pixel = 0; pixel < 256; pixel += 3)
   {
     const int x = 16 + pixel % 16;

@@ -22,14 +22,15 @@ public:
   virtual ~CloudSource() = default;
 
   /// Begins with a tile of the viewport whose rays are set. The camera is in the object space of
-  /// the field.
-  virtual void Begin(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile) = 0;
+  /// the field. Segments that begin before a depth need not be found.
+  virtual void Begin(
+    const Camera& view, const PixelRectangle& pixels, const CloudTile& tile, double from) = 0;
 
   /// No segment that is not found yet begins before this depth; infinite if there is none.
   virtual double GetNextDepth() const = 0;
 
-  /// Appends some of the next segments of rays that are open, a bit for each column of each row: at
-  /// least a batch, or all that are left.
+  /// Appends some of the next segments of rays that are open, a bit for each column of each row: as
+  /// many as are enough, or all that are left.
   virtual void FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments) = 0;
 };
 

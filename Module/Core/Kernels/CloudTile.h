@@ -82,11 +82,15 @@ constexpr double LargestCloudValue = 1e300;
 /// Segments of rays in tetrahedra, in which the values are linear.
 struct CloudSegments
 {
-  /// A tetrahedron may cover all pixels, and vectors are stored as a whole.
+  /// The most that are looked for at once. (A tetrahedron may cover all pixels, and vectors are
+  /// stored as a whole.)
   static constexpr int Batch = 3072;
   static constexpr int Capacity = Batch + CloudTile::Capacity + 16;
 
-  int Count;
+  /// Those that are looked for: at least so many are found, if there are, and no more than one
+  /// tetrahedron has besides.
+  int Enough = Batch;
+  int Count = 0;
   alignas(64) int Pixel[Capacity];
   /// The depths and the values at both ends.
   double Depth[2][Capacity];

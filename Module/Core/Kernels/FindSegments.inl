@@ -267,7 +267,7 @@ int FindSegments(
 {
   int columns[CloudTile::Capacity + DoubleWidth];
   int rows[CloudTile::Capacity + DoubleWidth];
-  for (; number < projected.Count && segments.Count < CloudSegments::Batch; ++number)
+  for (; number < projected.Count && segments.Count < segments.Enough; ++number)
   {
     if (projected.LastColumn[number] < projected.FirstColumn[number] ||
       projected.LastRow[number] < projected.FirstRow[number])

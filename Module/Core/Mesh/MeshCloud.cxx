@@ -6,6 +6,7 @@
 #include "Math/Matrix.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -40,8 +41,10 @@ MeshCloud::MeshCloud(const MeshSelection& selection, const Kernels& kernels)
 }
 
 //------------------------------------------------------------------------------
-void MeshCloud::Begin(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile)
+void MeshCloud::Begin(
+  const Camera& view, const PixelRectangle& pixels, const CloudTile& tile, double from)
 {
+  this->From = from;
   this->Blocks.clear();
   this->NextBlock = 0;
   this->Loaded = 0;
@@ -56,6 +59,7 @@ void MeshCloud::Begin(const Camera& view, const PixelRectangle& pixels, const Cl
   {
     return;
   }
+  this->FindMargin();
   this->CutRays(view, pixels, tile);
   this->FindBlocks(tree.GetNumberOfLevels() - 1, 0);
   std::sort(this->Blocks.begin(), this->Blocks.end(),
@@ -98,6 +102,21 @@ void MeshCloud::FindSides()
     this->Sides[3][i] = top * from[2][i] - from[1][i];
     this->Sides[4][i] = from[3][i];
   }
+}
+
+//------------------------------------------------------------------------------
+/// The depths of blocks and of the points in them are rounded in different ways.
+void MeshCloud::FindMargin()
+{
+  const auto& row = this->Tile.FromPoint[3];
+  const Bounds box = this->Selection.Tree->GetBounds();
+  this->Margin = std::abs(row[3]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Margin +=
+      std::abs(row[axis]) * std::max(std::abs(box.Lower[axis]), std::abs(box.Upper[axis]));
+  }
+  this->Margin *= 0x1p-48;
 }
 
 //------------------------------------------------------------------------------
@@ -178,8 +197,9 @@ void MeshCloud::FindBlocks(int level, std::size_t node)
     }
     const auto& row = this->Tile.FromPoint[3];
     const double opposite[4] = { -row[0], -row[1], -row[2], -row[3] };
-    const double depth = -FindLargest(opposite, parent, child);
-    if (depth <= this->LastEnd)
+    const double depth = -FindLargest(opposite, parent, child) - this->Margin;
+    const double last = FindLargest(row, parent, child) + this->Margin;
+    if (depth <= this->LastEnd && this->From <= last)
     {
       this->Blocks.push_back({ depth, number });
     }
@@ -204,7 +224,7 @@ double MeshCloud::GetNextDepth() const
 void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
 {
   std::copy(std::begin(open), std::end(open), this->Tile.Open);
-  while (segments.Count < CloudSegments::Batch)
+  while (segments.Count < segments.Enough)
   {
     if (this->Searched == this->Projected.Count)
     {

@@ -27,7 +27,8 @@ public:
   /// The selection must outlive the source.
   MeshCloud(const MeshSelection& selection, const Kernels& kernels);
 
-  void Begin(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile) override;
+  void Begin(
+    const Camera& view, const PixelRectangle& pixels, const CloudTile& tile, double from) override;
   double GetNextDepth() const override;
   void FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments) override;
 
@@ -41,6 +42,7 @@ private:
 
   void FindCoordinates(const Camera& view, const PixelRectangle& pixels);
   void FindSides();
+  void FindMargin();
   void CutRays(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile);
   void CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel);
   bool IsSeen(const Bounds& box) const;
@@ -55,8 +57,11 @@ private:
   CloudTile Tile;
   /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.
   double Sides[5][4];
-  /// The depth that the last ray ends at.
+  /// Where segments begin that are looked for, and the depth that the last ray ends at.
+  double From = 0.0;
   double LastEnd = 0.0;
+  /// More than rounding changes a depth.
+  double Margin = 0.0;
   std::vector<Block> Blocks;
   std::size_t NextBlock = 0;
 

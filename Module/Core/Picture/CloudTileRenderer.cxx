@@ -6,14 +6,13 @@
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
 #include "Math/ByteColor.h"
-#include "Math/Matrix.h"
 #include "Picture/CloudTransfer.h"
 #include "Picture/RenderTiles.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <utility>
+#include <tuple>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -61,26 +60,6 @@ CloudTileRenderer::CloudTileRenderer(const Scene& scene, const Kernels* kernels)
   , Segments(new CloudSegments)
   , Parts(new CloudSegments)
 {
-  std::vector<ViewedCloud> found;
-  for (const SceneField& field : scene.Fields)
-  {
-    if (field.Cloud)
-    {
-      field.Field->AddClouds(field.View, kernels, found);
-      for (ViewedCloud& cloud : found)
-      {
-        this->Clouds.push_back({ std::move(cloud), &field });
-      }
-      found.clear();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool CloudTileRenderer::IsNeeded(const Scene& scene)
-{
-  return std::any_of(scene.Fields.begin(), scene.Fields.end(),
-    [](const SceneField& field) { return field.Cloud != nullptr; });
 }
 
 //------------------------------------------------------------------------------
@@ -90,6 +69,11 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
   this->Surfaces.clear();
   this->Pending.clear();
   this->Lights.clear();
+  MakeCloudRays(this->TheScene, tile, this->RaysOfTile);
+  for (int row = 0; row < CloudTile::Edge; ++row)
+  {
+    this->Open[row] = row < tile.Height ? (1U << tile.Width) - 1U : 0U;
+  }
   for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
   {
     this->Rays[static_cast<std::size_t>(pixel)] = { {}, 1.0, PixelWithoutDepth, -Infinity, nullptr,
@@ -100,28 +84,43 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
 //------------------------------------------------------------------------------
 void CloudTileRenderer::SetFragments(int x, int y, const Fragment* fragments, std::size_t count)
 {
-  RayLight& ray = this->Rays[static_cast<std::size_t>(y * CloudTile::Edge + x)];
+  const int pixel = y * CloudTile::Edge + x;
+  RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
   ray.Fragment = this->Surfaces.size();
   this->Surfaces.insert(this->Surfaces.end(), fragments, fragments + count);
   ray.End = this->Surfaces.size();
+  CutCloudRay(fragments, count, pixel, this->RaysOfTile);
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::Render(Frame& frame)
+void CloudTileRenderer::Render(CloudFinder& finder, Frame& frame)
 {
-  this->BeginRays();
+  finder.Begin(this->Tile, this->RaysOfTile, 0.0);
   std::size_t enough = SegmentsAtOnce;
-  while (Cloud* cloud = this->FindNearest())
+  while (this->IsAnyOpen() && finder.GetNextDepth() < Infinity)
   {
-    this->Add(*cloud);
+    const std::size_t field = finder.FindMore(this->Open, *this->Segments);
+    this->Add(field, *this->Segments);
     if (this->Pending.size() >= enough)
     {
-      const Cloud* next = this->FindNearest();
-      this->DrawBefore(next ? next->Viewed.Source->GetNextDepth() : Infinity);
+      this->DrawBefore(finder.GetNextDepth());
       // Those that are left are sorted again.
       enough = std::max(SegmentsAtOnce, 2 * this->Pending.size());
     }
   }
+  this->Finish(frame);
+}
+
+//------------------------------------------------------------------------------
+bool CloudTileRenderer::IsAnyOpen() const
+{
+  return std::any_of(
+    std::begin(this->Open), std::end(this->Open), [](std::uint32_t row) { return row != 0; });
+}
+
+//------------------------------------------------------------------------------
+void CloudTileRenderer::Finish(Frame& frame)
+{
   this->DrawBefore(Infinity);
   for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
   {
@@ -132,107 +131,35 @@ void CloudTileRenderer::Render(Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::BeginRays()
+void CloudTileRenderer::Add(std::size_t number, const CloudSegments& segments)
 {
-  const Camera& view = this->TheScene.Fields.front().View;
-  const PixelRectangle inViewport = { this->TheScene.Pixels.X + this->Tile.X,
-    this->TheScene.Pixels.Y + this->Tile.Y, this->Tile.Width, this->Tile.Height };
-  const float* depths = this->TheScene.Depth;
-  const std::ptrdiff_t stride = this->TheScene.Pixels.Width;
-  const PixelDepths depthsOfTile = {
-    depths ? depths + this->Tile.Y * stride + this->Tile.X : nullptr, stride
-  };
-  this->RaysOfTile.Columns = this->Tile.Width;
-  this->RaysOfTile.Rows = this->Tile.Height;
-  for (int y = 0; y < CloudTile::Edge; ++y)
+  const SceneField& field = this->TheScene.Fields[number];
+  if (field.IsMaximum)
   {
-    this->Open[y] = y < this->Tile.Height ? (1U << this->Tile.Width) - 1U : 0U;
-    for (int x = 0; y < this->Tile.Height && x < this->Tile.Width; ++x)
-    {
-      this->BeginRay(
-        view, inViewport.X + x, inViewport.Y + y, depthsOfTile.Get(x, y), y * CloudTile::Edge + x);
-    }
-  }
-  for (const Cloud& cloud : this->Clouds)
-  {
-    cloud.Viewed.Source->Begin(cloud.Viewed.View, inViewport, this->RaysOfTile);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Depths grow with the T of the ray: see MakePixelRays, where w is one over that of the clip
-/// coordinates. All this is the same in the object spaces of all fields.
-void CloudTileRenderer::BeginRay(const Camera& view, int column, int row, double depth, int pixel)
-{
-  CloudTile& rays = this->RaysOfTile;
-  const Camera::PixelRay ray = view.GetRay(column, row, depth);
-  const Matrix4& object = view.GetObjectFromClip();
-  const double x = (column + 0.5) * (2.0 / view.GetWidth()) - 1.0;
-  const double y = (row + 0.5) * (2.0 / view.GetHeight()) - 1.0;
-  const double depthOfT = object[12] * x + object[13] * y + object[15] - object[14];
-  rays.DepthOfT[pixel] = depthOfT;
-  rays.Length[pixel] =
-    Length(TransformDirection(view.GetWorldFromObject(), ray.Direction)) / depthOfT;
-  rays.Begin[pixel] = 0.0;
-  rays.End[pixel] = ray.End * depthOfT;
-  // Nothing is seen behind an opaque surface.
-  const RayLight& light = this->Rays[static_cast<std::size_t>(pixel)];
-  if (light.Fragment < light.End && this->Surfaces[light.End - 1].Opacity >= 1.0)
-  {
-    rays.End[pixel] =
-      std::min(rays.End[pixel], this->GetDepth(this->Surfaces[light.End - 1], pixel));
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The cloud with the nearest of the segments that are not found yet; null if there is none.
-CloudTileRenderer::Cloud* CloudTileRenderer::FindNearest()
-{
-  const bool isOpen = std::any_of(
-    std::begin(this->Open), std::end(this->Open), [](std::uint32_t row) { return row != 0; });
-  Cloud* nearest = nullptr;
-  double least = Infinity;
-  for (Cloud& cloud : this->Clouds)
-  {
-    const double depth = cloud.Viewed.Source->GetNextDepth();
-    nearest = isOpen && depth < least ? &cloud : nearest;
-    least = std::min(least, depth);
-  }
-  return nearest;
-}
-
-//------------------------------------------------------------------------------
-/// Adds the next segments of a cloud to those that are pending.
-void CloudTileRenderer::Add(Cloud& cloud)
-{
-  this->Segments->Count = 0;
-  cloud.Viewed.Source->FindMore(this->Open, *this->Segments);
-  if (cloud.Field->IsMaximum)
-  {
-    this->FindMaxima(cloud);
+    this->FindMaxima(field, segments);
   }
   else if (this->Surfaces.empty())
   {
-    this->Integrate(cloud, *this->Segments);
+    this->Integrate(field, segments);
   }
   else
   {
-    this->IntegrateParts(cloud);
+    this->IntegrateParts(field, segments);
   }
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::FindMaxima(const Cloud& cloud)
+/// Of equal values, that of the first field counts.
+void CloudTileRenderer::FindMaxima(const SceneField& field, const CloudSegments& segments)
 {
-  const CloudSegments& segments = *this->Segments;
   for (int i = 0; i < segments.Count; ++i)
   {
     RayLight& ray = this->Rays[static_cast<std::size_t>(segments.Pixel[i])];
     const double largest = std::max(segments.Value[0][i], segments.Value[1][i]);
-    if (largest > ray.Maximum)
+    if (largest > ray.Maximum || (largest == ray.Maximum && &field < ray.MaximumOf))
     {
       ray.Maximum = largest;
-      ray.MaximumOf = cloud.Field;
+      ray.MaximumOf = &field;
     }
   }
 }
@@ -254,9 +181,8 @@ void CloudTileRenderer::DrawMaximum(RayLight& ray) const
 
 //------------------------------------------------------------------------------
 /// Integrates the segments in parts, between the fragments that are in them.
-void CloudTileRenderer::IntegrateParts(const Cloud& cloud)
+void CloudTileRenderer::IntegrateParts(const SceneField& field, const CloudSegments& whole)
 {
-  const CloudSegments& whole = *this->Segments;
   CloudSegments& parts = *this->Parts;
   parts.Count = 0;
   for (int i = 0; i < whole.Count; ++i)
@@ -271,24 +197,24 @@ void CloudTileRenderer::IntegrateParts(const Cloud& cloud)
       if (depth[0] < at && at < depth[1])
       {
         const double there = Lerp(value[0], value[1], (at - depth[0]) / (depth[1] - depth[0]));
-        this->AddPart(cloud, pixel, { depth[0], at }, { value[0], there });
+        this->AddPart(field, pixel, { depth[0], at }, { value[0], there });
         depth[0] = at;
         value[0] = there;
       }
     }
-    this->AddPart(cloud, pixel, { depth[0], depth[1] }, { value[0], value[1] });
+    this->AddPart(field, pixel, { depth[0], depth[1] }, { value[0], value[1] });
   }
-  this->Integrate(cloud, parts);
+  this->Integrate(field, parts);
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::AddPart(const Cloud& cloud, int pixel, const std::array<double, 2>& depths,
-  const std::array<double, 2>& values)
+void CloudTileRenderer::AddPart(const SceneField& field, int pixel,
+  const std::array<double, 2>& depths, const std::array<double, 2>& values)
 {
   CloudSegments& parts = *this->Parts;
   if (parts.Count == CloudSegments::Batch)
   {
-    this->Integrate(cloud, parts);
+    this->Integrate(field, parts);
     parts.Count = 0;
   }
   parts.Pixel[parts.Count] = pixel;
@@ -301,14 +227,14 @@ void CloudTileRenderer::AddPart(const Cloud& cloud, int pixel, const std::array<
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::Integrate(const Cloud& cloud, const CloudSegments& segments)
+void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& segments)
 {
   const std::size_t before = this->Pending.size();
   const auto count = static_cast<std::size_t>(segments.Count);
   this->Pending.resize(before + count);
   this->Lights.resize(before + count);
   this->TheKernels.IntegrateSegments(
-    this->RaysOfTile, cloud.Field->Cloud->GetPieces(), segments, this->Lights.data() + before);
+    this->RaysOfTile, field.Cloud->GetPieces(), segments, this->Lights.data() + before);
   for (std::size_t i = 0; i < count; ++i)
   {
     this->Pending[before + i] = { segments.Depth[0][i], segments.Pixel[i],
@@ -331,7 +257,7 @@ void CloudTileRenderer::DrawBefore(double depth)
     {
       continue;
     }
-    SortByDepth(first, last);
+    this->SortByDepth(first, last);
     const PendingSegment* later = first;
     while (later != last && later->Depth < depth)
     {
@@ -380,18 +306,33 @@ void CloudTileRenderer::SortByPixel()
 
 //------------------------------------------------------------------------------
 /// Segments are nearly in order: each is moved to its place among those before it.
-void CloudTileRenderer::SortByDepth(PendingSegment* first, PendingSegment* last)
+void CloudTileRenderer::SortByDepth(PendingSegment* first, PendingSegment* last) const
 {
   for (PendingSegment* i = first + 1; i < last; ++i)
   {
     const PendingSegment moved = *i;
     PendingSegment* place = i;
-    for (; place > first && moved.Depth < (place - 1)->Depth; --place)
+    for (; place > first && this->IsBefore(moved, *(place - 1)); --place)
     {
       *place = *(place - 1);
     }
     *place = moved;
   }
+}
+
+//------------------------------------------------------------------------------
+/// The order does not depend on which segment was found first: those that begin at one depth, in
+/// cells that overlap, are in order by their light.
+bool CloudTileRenderer::IsBefore(const PendingSegment& a, const PendingSegment& b) const
+{
+  if (a.Depth != b.Depth)
+  {
+    return a.Depth < b.Depth;
+  }
+  const SegmentLight& one = this->Lights[a.Light];
+  const SegmentLight& other = this->Lights[b.Light];
+  return std::tie(one.Transmittance, one.Color[0], one.Color[1], one.Color[2]) <
+    std::tie(other.Transmittance, other.Color[0], other.Color[1], other.Color[2]);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #ifndef CloudTileRenderer_h
 #define CloudTileRenderer_h
 
+#include "Picture/CloudFinder.h"
 #include "Picture/Compositor.h"
 #include "Picture/Scene.h"
 
@@ -20,28 +21,40 @@ struct Frame;
 
 /// Draws the clouds of a scene, and the surfaces in them, tile by tile, for one thread.
 ///
-/// The segments of all rays of the tile are found front to back, cell by cell, their light is
-/// integrated, and they are put in order by depth as far as no further cell may come before. What
-/// is kept of a ray is its colour so far, its transmittance, and the few segments whose turn has
-/// not come. So the order of the cells, of threads and of processes changes no bit. (K.-L. Ma, T.
-/// W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
+/// The segments of all rays of the tile are found front to back, cell by cell (CloudFinder), their
+/// light is integrated, and they are put in order by depth as far as no further cell may come
+/// before. What is kept of a ray is its colour so far, its transmittance, and the few segments
+/// whose turn has not come. So the order of the cells, of threads and of processes changes no bit.
+/// (K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
 /// Three-Dimensional Unstructured Data, 1997.)
-class CloudTileRenderer
+class CloudTileRenderer final : public FragmentSink
 {
 public:
   CloudTileRenderer(const Scene& scene, const Kernels* kernels);
-
-  /// Whether the scene has clouds.
-  static bool IsNeeded(const Scene& scene);
 
   /// Begins with a tile, counted from the rectangle drawn.
   void Begin(const PixelRectangle& tile);
 
   /// Sets the fragments of the pixel (x, y) of the tile, front to back.
-  void SetFragments(int x, int y, const Fragment* fragments, std::size_t count);
+  void SetFragments(int x, int y, const Fragment* fragments, std::size_t count) override;
 
   /// Draws the clouds and the fragments.
-  void Render(Frame& frame);
+  void Render(CloudFinder& finder, Frame& frame);
+
+  ///@{
+  /// The same, for segments that are found elsewhere: add those of any fields, in any order; draw
+  /// those that begin before a depth when none of them is left to be added; at last, finish.
+  void Add(std::size_t field, const CloudSegments& segments);
+  void DrawBefore(double depth);
+  void Finish(Frame& frame);
+  ///@}
+
+  /// The rays on which more would be seen: a bit for each column of each row.
+  const std::uint32_t (&GetOpen() const)[CloudTile::Edge] { return this->Open; }
+  bool IsAnyOpen() const;
+
+  /// The number of segments that wait to be drawn.
+  std::size_t GetNumberOfPending() const { return this->Pending.size(); }
 
   /// What was drawn at the pixel (x, y) of the tile, unrounded: red, green and blue, multiplied by
   /// the opacity, and the opacity.
@@ -52,13 +65,6 @@ public:
   }
 
 private:
-  /// A cloud and its transfer functions.
-  struct Cloud
-  {
-    ViewedCloud Viewed;
-    const SceneField* Field;
-  };
-
   /// A segment whose turn has not come.
   struct PendingSegment
   {
@@ -82,19 +88,15 @@ private:
     std::size_t End;
   };
 
-  void BeginRays();
-  void BeginRay(const Camera& view, int column, int row, double depth, int pixel);
-  Cloud* FindNearest();
-  void Add(Cloud& cloud);
-  void FindMaxima(const Cloud& cloud);
+  void FindMaxima(const SceneField& field, const CloudSegments& segments);
   void DrawMaximum(RayLight& ray) const;
-  void IntegrateParts(const Cloud& cloud);
-  void AddPart(const Cloud& cloud, int pixel, const std::array<double, 2>& depths,
+  void IntegrateParts(const SceneField& field, const CloudSegments& whole);
+  void AddPart(const SceneField& field, int pixel, const std::array<double, 2>& depths,
     const std::array<double, 2>& values);
-  void Integrate(const Cloud& cloud, const CloudSegments& segments);
-  void DrawBefore(double depth);
+  void Integrate(const SceneField& field, const CloudSegments& segments);
   void SortByPixel();
-  static void SortByDepth(PendingSegment* first, PendingSegment* last);
+  void SortByDepth(PendingSegment* first, PendingSegment* last) const;
+  bool IsBefore(const PendingSegment& a, const PendingSegment& b) const;
   bool DrawSegments(int pixel, const PendingSegment* first, const PendingSegment* last);
   void DrawFragments(int pixel, double depth);
   void Close(int pixel);
@@ -110,7 +112,6 @@ private:
 
   const Scene& TheScene;
   const Kernels& TheKernels;
-  std::vector<Cloud> Clouds;
   PixelRectangle Tile;
   CloudTile RaysOfTile;
   /// The bits of the columns whose rays are not opaque yet.

@@ -33,6 +33,16 @@ struct Fragment
   float Depth;
 };
 
+/// Takes the fragments of the pixels of a tile.
+class FragmentSink
+{
+public:
+  virtual ~FragmentSink() = default;
+
+  /// Sets those of the pixel (x, y) of the tile, front to back. Pixels without are passed over.
+  virtual void SetFragments(int x, int y, const Fragment* fragments, std::size_t count) = 0;
+};
+
 /// What a pixel shows.
 struct CompositedPixel
 {

@@ -10,21 +10,18 @@ namespace vtkIsosurfaceRayTracing
 
 //------------------------------------------------------------------------------
 PixelBlockRenderer::PixelBlockRenderer(
-  const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame)
+  const Scene& scene, const std::vector<Shader>& shaders, FragmentSink* sink, Frame& frame)
   : TheScene(scene)
   , Shaders(shaders)
   , Picture(frame)
   , BlocksAtOnce(GetBlocksAtOnce(scene))
   , Traced(new TracedPacket[scene.Fields.size() * static_cast<std::size_t>(this->BlocksAtOnce)])
   , FragmentsOfFields(scene.Fields.size())
+  , Sink(sink)
 {
   for (const SceneField& field : scene.Fields)
   {
     this->Beams.push_back(field.Field->MakeBeam());
-  }
-  if (CloudTileRenderer::IsNeeded(scene))
-  {
-    this->Clouds = std::make_unique<CloudTileRenderer>(scene, kernels);
   }
 }
 
@@ -43,10 +40,6 @@ int PixelBlockRenderer::GetBlocksAtOnce(const Scene& scene)
 void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
 {
   this->Tile = tile;
-  if (this->Clouds)
-  {
-    this->Clouds->Begin(tile);
-  }
   for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
     const SceneField& field = this->TheScene.Fields[i];
@@ -56,15 +49,6 @@ void PixelBlockRenderer::BeginTile(const PixelRectangle& tile)
       this->FindCorners(field.View, tile, corners);
       field.Field->Begin(corners, this->Beams[i].get());
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void PixelBlockRenderer::EndTile()
-{
-  if (this->Clouds)
-  {
-    this->Clouds->Render(this->Picture);
   }
 }
 
@@ -213,11 +197,14 @@ void PixelBlockRenderer::ShadeBlock()
   }
   if (isEmpty)
   {
-    this->WriteBackground();
+    if (!this->Sink)
+    {
+      this->WriteBackground();
+    }
     return;
   }
   if (fields == 1 && this->Shaders.front().CanMakePixels() && !this->TheScene.KeepFragments &&
-    !this->Clouds)
+    !this->Sink)
   {
     this->WriteOpaque();
   }
@@ -303,9 +290,9 @@ void PixelBlockRenderer::WriteFragments()
     {
       const Fragment* first = fragments.List.data() + fragments.First[ray];
       const std::size_t count = fragments.First[ray + 1] - fragments.First[ray];
-      if (this->Clouds)
+      if (this->Sink)
       {
-        this->Clouds->SetFragments(
+        this->Sink->SetFragments(
           block.X + x - this->Tile.X, block.Y + y - this->Tile.Y, first, count);
         continue;
       }

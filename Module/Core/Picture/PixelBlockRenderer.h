@@ -4,7 +4,6 @@
 #ifndef PixelBlockRenderer_h
 #define PixelBlockRenderer_h
 
-#include "Picture/CloudTileRenderer.h"
 #include "Picture/Compositor.h"
 #include "Picture/OpaqueEnds.h"
 #include "Picture/RenderTiles.h"
@@ -22,9 +21,10 @@ namespace vtkIsosurfaceRayTracing
 class PixelBlockRenderer
 {
 public:
-  /// There is a shader for each field of the scene. All must outlive the renderer.
+  /// There is a shader for each field of the scene. If a sink is given, it takes the fragments, and
+  /// no pixels are written. All must outlive the renderer.
   PixelBlockRenderer(
-    const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame);
+    const Scene& scene, const std::vector<Shader>& shaders, FragmentSink* sink, Frame& frame);
 
   static constexpr int MaximumBlocks = 8;
 
@@ -38,11 +38,8 @@ public:
   /// as many as are best traced together.
   void Trace(const PixelRectangle* blocks, int count);
 
-  /// Writes the pixels of the blocks that were traced last; if there are clouds, EndTile does so.
+  /// Writes the pixels of the blocks that were traced last.
   void Shade();
-
-  /// To be called when all blocks of the tile have been shaded.
-  void EndTile();
 
   /// The fragments of all blocks so far, if the scene keeps them.
   const std::vector<FragmentOfPixel>& GetKept() const { return this->Kept; }
@@ -88,8 +85,8 @@ private:
   OpaqueEnds Ends[MaximumBlocks];
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
-  /// Null without clouds.
-  std::unique_ptr<CloudTileRenderer> Clouds;
+  /// May be null.
+  FragmentSink* Sink;
   PixelRectangle Tile;
   std::vector<FragmentOfPixel> Kept;
 };

@@ -5,7 +5,10 @@
 
 #include "Field/BuildTimer.h"
 #include "Field/FirstException.h"
+#include "Picture/CloudFinder.h"
+#include "Picture/CloudTileRenderer.h"
 #include "Picture/PixelBlockRenderer.h"
+#include "Picture/Tiles.h"
 
 #include <omp.h>
 
@@ -46,59 +49,48 @@ std::size_t Area(const PixelRectangle& pixels)
 /// A tile of the picture.
 struct Tile
 {
-  /// In pixels from the lower left of the rectangle drawn.
   PixelRectangle Pixels;
   /// The number of groups of blocks that are done: the first ones.
   int GroupsDone = 0;
   bool IsDone = false;
 };
 
-std::vector<Tile> MakeTiles(const Scene& scene)
+std::vector<Tile> FindTiles(const Scene& scene)
 {
   std::vector<Tile> tiles;
-  for (int y = 0; y < scene.Pixels.Height; y += scene.TileHeight)
+  for (const PixelRectangle& pixels : MakeTiles(scene))
   {
-    for (int x = 0; x < scene.Pixels.Width; x += scene.TileWidth)
-    {
-      tiles.push_back({ { x, y, std::min(scene.TileWidth, scene.Pixels.Width - x),
-        std::min(scene.TileHeight, scene.Pixels.Height - y) } });
-    }
+    tiles.push_back({ pixels });
   }
   return tiles;
 }
 
-/// Calls visit(blocks, count) for groups of neighbouring parts of a tile that make a packet of rays
-/// each, until it returns false. Parts and groups are as square as may be, since their rays are
-/// traced together.
-template <typename Visit>
-void ForEachGroup(const PixelRectangle& tile, int blocksAtOnce, const Visit& visit)
+/// What a thread renders with.
+struct ThreadRenderer
 {
-  constexpr int width = 16;
-  const int columns = std::min(width, tile.Width);
-  const int rows = RayPacket::Capacity / columns;
-  const int across = blocksAtOnce > 1 ? 2 : 1;
-  const int up = blocksAtOnce / across;
-  for (int y = 0; y < tile.Height; y += up * rows)
+  ThreadRenderer(
+    const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame)
+    : Clouds(HasClouds(scene) ? new CloudRenderer(scene, kernels) : nullptr)
+    , Blocks(scene, shaders, this->Clouds ? &this->Clouds->OfTile : nullptr, frame)
   {
-    for (int x = 0; x < tile.Width; x += across * columns)
-    {
-      PixelRectangle blocks[PixelBlockRenderer::MaximumBlocks];
-      int count = 0;
-      for (int blockY = y; blockY < std::min(y + up * rows, tile.Height); blockY += rows)
-      {
-        for (int blockX = x; blockX < std::min(x + across * columns, tile.Width); blockX += columns)
-        {
-          blocks[count++] = { tile.X + blockX, tile.Y + blockY,
-            std::min(columns, tile.Width - blockX), std::min(rows, tile.Height - blockY) };
-        }
-      }
-      if (!visit(blocks, count))
-      {
-        return;
-      }
-    }
   }
-}
+
+  struct CloudRenderer
+  {
+    CloudRenderer(const Scene& scene, const Kernels* kernels)
+      : Finder(scene, kernels)
+      , OfTile(scene, kernels)
+    {
+    }
+
+    CloudFinder Finder;
+    CloudTileRenderer OfTile;
+  };
+
+  /// Null without clouds.
+  std::unique_ptr<CloudRenderer> Clouds;
+  PixelBlockRenderer Blocks;
+};
 
 void Clear(const Scene& scene, Frame& frame)
 {
@@ -109,17 +101,6 @@ void Clear(const Scene& scene, Frame& frame)
   frame.Depths.resize(count);
   frame.Hits.assign(scene.KeepHits ? count : 0, none);
   frame.Fragments.clear();
-}
-
-std::vector<Shader> MakeShaders(const Scene& scene, const Kernels* kernels)
-{
-  std::vector<Shader> shaders;
-  shaders.reserve(scene.Fields.size());
-  for (std::size_t field = 0; field < scene.Fields.size(); ++field)
-  {
-    shaders.emplace_back(scene, field, kernels);
-  }
-  return shaders;
 }
 
 //------------------------------------------------------------------------------
@@ -136,8 +117,8 @@ public:
     , Times(times)
     , Shaders(MakeShaders(scene, execution.PacketKernels))
     , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
-    , HasClouds(CloudTileRenderer::IsNeeded(scene))
-    , Tiles(MakeTiles(scene))
+    , TilesAreWhole(HasClouds(scene))
+    , Tiles(FindTiles(scene))
     , Renderers(static_cast<std::size_t>(execution.Threads))
   {
   }
@@ -156,7 +137,7 @@ public:
   void CollectFragments();
 
 private:
-  void Render(Tile& tile, PixelBlockRenderer& renderer);
+  void Render(Tile& tile, ThreadRenderer& renderer);
 
   const Scene& TheScene;
   const Execution& TheExecution;
@@ -164,12 +145,12 @@ private:
   FrameTimes& Times;
   std::vector<Shader> Shaders;
   int BlocksAtOnce;
-  /// Then tiles are drawn as a whole.
-  bool HasClouds;
+  /// Whether tiles that are begun are drawn to their end, as clouds are.
+  bool TilesAreWhole;
   /// Those that are not done.
   std::vector<Tile> Tiles;
   /// Of each thread.
-  std::vector<std::unique_ptr<PixelBlockRenderer>> Renderers;
+  std::vector<std::unique_ptr<ThreadRenderer>> Renderers;
   std::atomic<std::size_t> PixelsDone{ 0 };
   Clock::time_point StepStart;
   std::atomic<bool> IsStepOver{ false };
@@ -191,14 +172,14 @@ void FrameRenderer::TakeStep()
   FirstException exception;
 #pragma omp parallel num_threads(this->TheExecution.Threads)
   {
-    std::unique_ptr<PixelBlockRenderer>& renderer =
+    std::unique_ptr<ThreadRenderer>& renderer =
       this->Renderers[static_cast<std::size_t>(omp_get_thread_num())];
     exception.Guard(
       [&]
       {
         if (!renderer)
         {
-          renderer = std::make_unique<PixelBlockRenderer>(
+          renderer = std::make_unique<ThreadRenderer>(
             this->TheScene, this->Shaders, this->TheExecution.PacketKernels, this->Picture);
         }
       });
@@ -228,11 +209,12 @@ void FrameRenderer::TakeStep()
 void FrameRenderer::CollectFragments()
 {
   std::vector<FragmentOfPixel>& all = this->Picture.Fragments;
-  for (const std::unique_ptr<PixelBlockRenderer>& renderer : this->Renderers)
+  for (const std::unique_ptr<ThreadRenderer>& renderer : this->Renderers)
   {
     if (renderer)
     {
-      all.insert(all.end(), renderer->GetKept().begin(), renderer->GetKept().end());
+      const std::vector<FragmentOfPixel>& kept = renderer->Blocks.GetKept();
+      all.insert(all.end(), kept.begin(), kept.end());
     }
   }
 }
@@ -240,7 +222,7 @@ void FrameRenderer::CollectFragments()
 //------------------------------------------------------------------------------
 /// Renders the groups of blocks of a tile that are left, until the step is over. (A loop of OpenMP
 /// cannot be left early: the remaining tiles do nothing.)
-void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
+void FrameRenderer::Render(Tile& tile, ThreadRenderer& renderer)
 {
   int number = 0;
   Clock::duration traceTime{};
@@ -248,7 +230,11 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
   std::size_t pixels = 0;
   tile.IsDone = true;
   const std::int64_t builtBefore = BuildTimer::GetNanosecondsOfThread();
-  renderer.BeginTile(tile.Pixels);
+  renderer.Blocks.BeginTile(tile.Pixels);
+  if (renderer.Clouds)
+  {
+    renderer.Clouds->OfTile.Begin(tile.Pixels);
+  }
   ForEachGroup(tile.Pixels, this->BlocksAtOnce,
     [&](const PixelRectangle* blocks, int count)
     {
@@ -257,15 +243,15 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
         return true;
       }
       if (this->IsStepOver.load(std::memory_order_relaxed) &&
-        (tile.GroupsDone == 0 || !this->HasClouds))
+        (tile.GroupsDone == 0 || !this->TilesAreWhole))
       {
         tile.IsDone = false;
         return false;
       }
       const Clock::time_point begin = Clock::now();
-      renderer.Trace(blocks, count);
+      renderer.Blocks.Trace(blocks, count);
       const Clock::time_point traced = Clock::now();
-      renderer.Shade();
+      renderer.Blocks.Shade();
       const Clock::time_point end = Clock::now();
       traceTime += traced - begin;
       shadeTime += end - traced;
@@ -280,10 +266,10 @@ void FrameRenderer::Render(Tile& tile, PixelBlockRenderer& renderer)
       }
       return true;
     });
-  if (tile.IsDone)
+  if (tile.IsDone && renderer.Clouds)
   {
     const Clock::time_point begin = Clock::now();
-    renderer.EndTile();
+    renderer.Clouds->OfTile.Render(renderer.Clouds->Finder, this->Picture);
     traceTime += Clock::now() - begin;
   }
   this->PixelsDone.fetch_add(pixels, std::memory_order_relaxed);

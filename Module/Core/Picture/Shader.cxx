@@ -332,4 +332,16 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const IncomingLi
   return shaded;
 }
 
+//------------------------------------------------------------------------------
+std::vector<Shader> MakeShaders(const Scene& scene, const Kernels* kernels)
+{
+  std::vector<Shader> shaders;
+  shaders.reserve(scene.Fields.size());
+  for (std::size_t field = 0; field < scene.Fields.size(); ++field)
+  {
+    shaders.emplace_back(scene, field, kernels);
+  }
+  return shaders;
+}
+
 }

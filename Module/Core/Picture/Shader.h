@@ -69,6 +69,9 @@ private:
   std::vector<DistantLight> DistantLights;
 };
 
+/// The shaders of all fields of a scene, which must outlive them.
+std::vector<Shader> MakeShaders(const Scene& scene, const Kernels* kernels);
+
 }
 
 #endif

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Picture/CloudFinder.h"
+
+#include "Kernels/Kernels.h"
+#include "Math/Matrix.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+PixelRectangle InViewport(const Scene& scene, const PixelRectangle& tile)
+{
+  return { scene.Pixels.X + tile.X, scene.Pixels.Y + tile.Y, tile.Width, tile.Height };
+}
+
+/// Depths grow with the T of the ray: see MakePixelRays, where w is one over that of the clip
+/// coordinates.
+void MakeRay(const Camera& view, int column, int row, double depth, int pixel, CloudTile& rays)
+{
+  const Camera::PixelRay ray = view.GetRay(column, row, depth);
+  const Matrix4& object = view.GetObjectFromClip();
+  const double x = (column + 0.5) * (2.0 / view.GetWidth()) - 1.0;
+  const double y = (row + 0.5) * (2.0 / view.GetHeight()) - 1.0;
+  const double depthOfT = object[12] * x + object[13] * y + object[15] - object[14];
+  rays.DepthOfT[pixel] = depthOfT;
+  rays.Length[pixel] =
+    Length(TransformDirection(view.GetWorldFromObject(), ray.Direction)) / depthOfT;
+  rays.Begin[pixel] = 0.0;
+  rays.End[pixel] = ray.End * depthOfT;
+}
+
+/// Leaves out the segments that begin before a depth.
+void RemoveBefore(double depth, CloudSegments& segments)
+{
+  int kept = 0;
+  for (int i = 0; i < segments.Count; ++i)
+  {
+    if (segments.Depth[0][i] < depth)
+    {
+      continue;
+    }
+    segments.Pixel[kept] = segments.Pixel[i];
+    for (int end = 0; end < 2; ++end)
+    {
+      segments.Depth[end][kept] = segments.Depth[end][i];
+      segments.Value[end][kept] = segments.Value[end][i];
+    }
+    ++kept;
+  }
+  segments.Count = kept;
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool HasClouds(const Scene& scene)
+{
+  return std::any_of(scene.Fields.begin(), scene.Fields.end(),
+    [](const SceneField& field) { return field.Cloud != nullptr; });
+}
+
+//------------------------------------------------------------------------------
+void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, CloudTile& rays)
+{
+  const Camera& view = scene.Fields.front().View;
+  const PixelRectangle inViewport = InViewport(scene, tile);
+  const std::ptrdiff_t stride = scene.Pixels.Width;
+  const PixelDepths depths = { scene.Depth ? scene.Depth + tile.Y * stride + tile.X : nullptr,
+    stride };
+  rays.Columns = tile.Width;
+  rays.Rows = tile.Height;
+  for (int y = 0; y < tile.Height; ++y)
+  {
+    for (int x = 0; x < tile.Width; ++x)
+    {
+      MakeRay(
+        view, inViewport.X + x, inViewport.Y + y, depths.Get(x, y), y * CloudTile::Edge + x, rays);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CutCloudRay(const Fragment* fragments, std::size_t count, int pixel, CloudTile& rays)
+{
+  if (count > 0 && fragments[count - 1].Opacity >= 1.0)
+  {
+    rays.End[pixel] = std::min(rays.End[pixel], fragments[count - 1].T * rays.DepthOfT[pixel]);
+  }
+}
+
+//------------------------------------------------------------------------------
+CloudFinder::CloudFinder(const Scene& scene, const Kernels* kernels)
+  : TheScene(scene)
+{
+  std::vector<ViewedCloud> found;
+  for (std::size_t i = 0; i < scene.Fields.size(); ++i)
+  {
+    const SceneField& field = scene.Fields[i];
+    if (field.Cloud)
+    {
+      field.Field->AddClouds(field.View, kernels, found);
+      for (ViewedCloud& cloud : found)
+      {
+        this->Clouds.push_back({ std::move(cloud), i });
+      }
+      found.clear();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CloudFinder::Begin(const PixelRectangle& tile, const CloudTile& rays, double from)
+{
+  this->From = from;
+  for (const Cloud& cloud : this->Clouds)
+  {
+    cloud.Viewed.Source->Begin(cloud.Viewed.View, InViewport(this->TheScene, tile), rays, from);
+  }
+}
+
+//------------------------------------------------------------------------------
+double CloudFinder::GetNextDepth() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Cloud& cloud : this->Clouds)
+  {
+    least = std::min(least, cloud.Viewed.Source->GetNextDepth());
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
+/// The cloud with the nearest of the segments that are not found yet.
+std::size_t CloudFinder::FindNearest() const
+{
+  const auto nearest = std::min_element(this->Clouds.begin(), this->Clouds.end(),
+    [](const Cloud& a, const Cloud& b)
+    { return a.Viewed.Source->GetNextDepth() < b.Viewed.Source->GetNextDepth(); });
+  return static_cast<std::size_t>(nearest - this->Clouds.begin());
+}
+
+//------------------------------------------------------------------------------
+std::size_t CloudFinder::FindMore(
+  const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
+{
+  const Cloud& cloud = this->Clouds[this->FindNearest()];
+  segments.Count = 0;
+  cloud.Viewed.Source->FindMore(open, segments);
+  if (this->From > 0.0)
+  {
+    RemoveBefore(this->From, segments);
+  }
+  return cloud.Field;
+}
+
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CloudFinder_h
+#define CloudFinder_h
+
+#include "Field/CloudSource.h"
+#include "Picture/Compositor.h"
+#include "Picture/Scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Whether the scene has clouds.
+bool HasClouds(const Scene& scene);
+
+/// Makes the rays of a tile, counted from the rectangle drawn: each begins at the near plane and
+/// ends at the depth of the scene.
+void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, CloudTile& rays);
+
+/// Ends a ray at the last of its fragments, if that is opaque: nothing is seen behind it.
+void CutCloudRay(const Fragment* fragments, std::size_t count, int pixel, CloudTile& rays);
+
+/// Finds the segments of rays in all clouds of a scene, tile by tile, for one thread.
+class CloudFinder
+{
+public:
+  /// The scene must outlive the finder.
+  CloudFinder(const Scene& scene, const Kernels* kernels);
+
+  /// Begins with a tile, counted from the rectangle drawn, whose rays are made. Segments that begin
+  /// before a depth are left out.
+  void Begin(const PixelRectangle& tile, const CloudTile& rays, double from);
+
+  /// No segment that is not found yet begins before this depth; infinite if there is none.
+  double GetNextDepth() const;
+
+  /// Finds some of the next segments of the rays that are open, a bit for each column of each row,
+  /// all of one cloud. Returns the number of its field.
+  std::size_t FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments);
+
+private:
+  struct Cloud
+  {
+    ViewedCloud Viewed;
+    std::size_t Field;
+  };
+
+  std::size_t FindNearest() const;
+
+  const Scene& TheScene;
+  std::vector<Cloud> Clouds;
+  double From = 0.0;
+};
+
+}
+
+#endif
