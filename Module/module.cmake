@@ -44,6 +44,7 @@ set(core_sources
   Picture/CloudTileRenderer.cxx
   Picture/CloudTransfer.cxx
   Picture/PixelBlockRenderer.cxx
+  Picture/RenderSharedTiles.cxx
   Picture/RenderTiles.cxx
   Picture/SecondaryRays.cxx
   Picture/Shader.cxx)

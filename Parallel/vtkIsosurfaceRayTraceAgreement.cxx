@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceAgreement.h"
 
 #include "vtkCamera.h"
+#include "vtkCellProjectionMapper.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
@@ -115,6 +116,18 @@ Numbers DescribeMapper(vtkAbstractVolumeMapper* mapper)
   return numbers;
 }
 
+/// Of a cloud, which the pieces must not differ in; nothing for isosurfaces alone.
+Numbers DescribeCloud(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  auto* ofClouds = vtkCellProjectionMapper::SafeDownCast(mapper);
+  if (!ofClouds)
+  {
+    return {};
+  }
+  return { static_cast<double>(ofClouds->GetBlendMode()),
+    ofClouds->GetDrawIsosurfaces() ? 1.0 : 0.0, property->GetScalarOpacityUnitDistance() };
+}
+
 Numbers DescribePlanes(vtkPlaneCollection* planes)
 {
   Numbers numbers;
@@ -145,6 +158,7 @@ std::vector<Item> Describe(
     { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
     { "transfer functions", DescribeColors(property) }, { "materials", DescribeMaterial(property) },
     { "settings of the mappers", DescribeMapper(mapper) },
+    { "clouds", DescribeCloud(mapper, property) },
     { "clipping planes", DescribePlanes(mapper->GetClippingPlanes()) } };
 }
 

@@ -6,8 +6,12 @@
 #include "vtkIsosurfaceRayTraceBinarySwap.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+#include "vtkIsosurfaceRayTraceMPIExchange.h"
+#endif
 
 #include "vtkCamera.h"
+#include "vtkCellProjectionMapper.h"
 #include "vtkDoubleArray.h"
 #include "vtkDummyController.h"
 #include "vtkFloatArray.h"
@@ -22,6 +26,7 @@
 #include "vtkVolume.h"
 
 #include "Field/Stopwatch.h"
+#include "Picture/RenderSharedTiles.h"
 
 #include <algorithm>
 #include <array>
@@ -115,6 +120,27 @@ std::vector<Record> MakeRecords(vtkTable* fragments)
   return records;
 }
 
+/// The pixels of a picture that show anything.
+std::vector<OpaquePixel> MakeRecords(vtkImageData* picture)
+{
+  vtkPointData* arrays = picture->GetPointData();
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(arrays->GetArray("Colors"));
+  auto* depths = vtkFloatArray::SafeDownCast(arrays->GetArray("Depth"));
+  std::vector<OpaquePixel> records;
+  for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples(); ++i)
+  {
+    OpaquePixel record{};
+    record.Pixel = static_cast<std::uint32_t>(i);
+    colors->GetTypedTuple(i, record.Shown.Rgba);
+    record.Shown.Depth = depths->GetValue(i);
+    if (record.Shown.Rgba[3] > 0 || record.Shown.Depth < 1.0F)
+    {
+      records.push_back(record);
+    }
+  }
+  return records;
+}
+
 //------------------------------------------------------------------------------
 /// Composites the records of one pixel, front to back. The fragments are memory for any use.
 vtkirt::CompositedPixel ToPixel(
@@ -147,6 +173,17 @@ bool Visit(vtkAbstractMapper* mapper, const Function& function)
   }
   auto* ofMeshes = vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper);
   return ofMeshes && function(ofMeshes);
+}
+
+/// Whether a controller has messages that do not block.
+bool SendsByMPI(vtkMultiProcessController* controller)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+  return vtkMPIController::SafeDownCast(controller) != nullptr;
+#else
+  (void)controller;
+  return false;
+#endif
 }
 
 bool DrawsIsosurfaces(vtkAbstractMapper* mapper)
@@ -306,8 +343,11 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   this->RenderTime = 0.0;
   this->CompositeTime = 0.0;
   this->BytesSent = 0;
+  this->SegmentsFound = 0;
+  this->SegmentsDrawn = 0;
+  this->MostSegmentsStored = 0;
   // Whatever is wrong in a process, it takes part: the others would wait for it for ever.
-  std::string problem = FindProblem(view, output);
+  std::string problem = FindProblem(view, controller, output);
   const std::string disagreement = FindDisagreement(problem.empty() ? &view : nullptr, controller);
   problem = problem.empty() ? disagreement : problem;
   if (!problem.empty())
@@ -318,6 +358,29 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   {
     return false;
   }
+  Pixels pixels{ width, 0, height, {}, {} };
+  const bool isMade = vtkCellProjectionMapper::SafeDownCast(volume->GetMapper())
+    ? this->MakeCloud(view, controller, pixels)
+    : this->MakeIsosurfaces(view, controller, pixels);
+  if (!isMade)
+  {
+    return false;
+  }
+  const vtkirt::Stopwatch ofPicture;
+  if (this->Gather)
+  {
+    this->GatherPixels(height, controller, pixels);
+  }
+  pixels.Write(output);
+  this->CompositeTime += ofPicture.GetSeconds();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Renders the isosurfaces of the own piece and composites those of all.
+bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
+  const View& view, vtkMultiProcessController* controller, Pixels& pixels)
+{
   const vtkirt::Stopwatch ofPiece;
   vtkNew<vtkTable> fragments;
   const bool isRendered = RenderPiece(view, fragments);
@@ -327,30 +390,91 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   {
     return false;
   }
-  Pixels pixels{ width, 0, height, {}, {} };
+  const bool hasOwn = fragments->GetNumberOfRows() > 0;
   const int isTranslucent = AreOpaque(fragments) ? 0 : 1;
   int isAnyTranslucent = 0;
   controller->AllReduce(&isTranslucent, &isAnyTranslucent, 1, vtkCommunicator::MAX_OP);
   if (isAnyTranslucent)
   {
-    this->Composite<SentFragment>(fragments, controller, pixels);
+    this->Composite(hasOwn ? MakeRecords<SentFragment>(fragments) : std::vector<SentFragment>(),
+      controller, pixels);
   }
   else
   {
-    this->Composite<OpaquePixel>(fragments, controller, pixels);
+    this->Composite(hasOwn ? MakeRecords<OpaquePixel>(fragments) : std::vector<OpaquePixel>(),
+      controller, pixels);
   }
-  if (this->Gather)
-  {
-    this->GatherPixels(height, controller, pixels);
-  }
-  pixels.Write(output);
   this->CompositeTime = ofPicture.GetSeconds();
   return true;
 }
 
 //------------------------------------------------------------------------------
+/// Renders the cloud of all processes: each has the pixels of some tiles, which are put together as
+/// those of opaque surfaces are.
+bool vtkIsosurfaceRayTraceCompositor::MakeCloud(
+  const View& view, vtkMultiProcessController* controller, Pixels& pixels)
+{
+  const vtkirt::Stopwatch ofPiece;
+  vtkNew<vtkImageData> own;
+  const bool isRendered = this->RenderTiles(view, controller, own);
+  this->RenderTime = ofPiece.GetSeconds();
+  const vtkirt::Stopwatch ofPicture;
+  if (!this->IsFineEverywhere(isRendered, controller))
+  {
+    return false;
+  }
+  this->Composite(MakeRecords(own), controller, pixels);
+  this->CompositeTime = ofPicture.GetSeconds();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Renders the tiles that this process owns; none if it has no data.
+bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
+  const View& view, vtkMultiProcessController* controller, vtkImageData* own)
+{
+  auto* mapper = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper());
+  const int hasData = HasData(mapper) ? 1 : 0;
+  int withData = 0;
+  controller->AllReduce(&hasData, &withData, 1, vtkCommunicator::SUM_OP);
+  const auto renderAlone = [&]
+  {
+    return !hasData ||
+      mapper->RenderToImage(view.Volume, view.Camera, view.Lights, view.Width, view.Height, own);
+  };
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+  if (withData > 1)
+  {
+    // Those without data do not take part.
+    vtkSmartPointer<vtkMPIController> all = vtkMPIController::SafeDownCast(controller);
+    if (withData < controller->GetNumberOfProcesses())
+    {
+      all.TakeReference(all->PartitionController(hasData, controller->GetLocalProcessId()));
+    }
+    if (!hasData)
+    {
+      return true;
+    }
+    vtkIsosurfaceRayTraceMPIExchange exchange(all);
+    vtkirt::SharingCounts counts;
+    const bool isRendered =
+      mapper->RenderOwnTiles(view.Volume, view.Camera, view.Lights, view.Width, view.Height,
+        { static_cast<std::size_t>(this->BufferDepth), this->PollingInterval }, exchange, counts,
+        own);
+    this->SegmentsFound = counts.SegmentsFound;
+    this->SegmentsDrawn = counts.SegmentsDrawn;
+    this->MostSegmentsStored = counts.MostStored;
+    this->BytesSent += counts.Bytes;
+    return isRendered;
+  }
+#endif
+  return renderAlone();
+}
+
+//------------------------------------------------------------------------------
 /// What is wrong with the arguments in this process; empty if nothing is.
-std::string vtkIsosurfaceRayTraceCompositor::FindProblem(const View& view, vtkImageData* output)
+std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
+  const View& view, vtkMultiProcessController* controller, vtkImageData* output)
 {
   constexpr vtkTypeInt64 most = VTK_UNSIGNED_INT_MAX;
   if (!view.Volume || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
@@ -358,6 +482,12 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(const View& view, vtkIm
   {
     return "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and no more than 2^32 "
            "pixels, and an output.";
+  }
+  const bool isCloud = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper()) != nullptr;
+  if (isCloud && controller->GetNumberOfProcesses() > 1 && !SendsByMPI(controller))
+  {
+    return "Clouds of many processes are drawn by MPI alone: give the compositor a "
+           "vtkMPIController, of a VTK with the module ParallelMPI.";
   }
   return DrawsIsosurfaces(view.Volume->GetMapper())
     ? ""
@@ -440,16 +570,11 @@ bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, vtkTable* fr
 }
 
 //------------------------------------------------------------------------------
-/// Composites the fragments of all processes, each of which gets some rows.
+/// Composites the records of all processes, each of which gets some rows.
 template <typename Record>
 void vtkIsosurfaceRayTraceCompositor::Composite(
-  vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels)
+  std::vector<Record>&& own, vtkMultiProcessController* controller, Pixels& pixels)
 {
-  std::vector<Record> own;
-  if (fragments->GetNumberOfRows() > 0)
-  {
-    own = MakeRecords<Record>(fragments);
-  }
   vtkIsosurfaceRayTraceBinarySwap<Record> swap(std::move(own), pixels.Width, pixels.EndRow);
   swap.Run(controller);
   this->BytesSent += swap.GetBytesSent();
@@ -522,6 +647,11 @@ void vtkIsosurfaceRayTraceCompositor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Gather: " << (this->Gather ? "On" : "Off") << "\n";
   os << indent << "RenderTime: " << this->RenderTime << "\n";
   os << indent << "CompositeTime: " << this->CompositeTime << "\n";
+  os << indent << "BufferDepth: " << this->BufferDepth << "\n";
+  os << indent << "PollingInterval: " << this->PollingInterval << "\n";
+  os << indent << "SegmentsFound: " << this->SegmentsFound << "\n";
+  os << indent << "SegmentsDrawn: " << this->SegmentsDrawn << "\n";
+  os << indent << "MostSegmentsStored: " << this->MostSegmentsStored << "\n";
   os << indent << "BytesSent: " << this->BytesSent << "\n";
 }
 

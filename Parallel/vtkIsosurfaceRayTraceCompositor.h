@@ -4,9 +4,9 @@
  * @class   vtkIsosurfaceRayTraceCompositor
  * @brief   makes one picture of isosurfaces whose data lie in many processes
  *
- * Each process has a piece of the data, a vtkIsosurfaceRayTraceMapper or
- * vtkIsosurfaceRayTraceMeshMapper of the piece, and a volume with the same property and matrix as
- * the others. All call RenderToImage together, with the same view:
+ * Each process has a piece of the data, a vtkIsosurfaceRayTraceMapper,
+ * vtkIsosurfaceRayTraceMeshMapper or vtkCellProjectionMapper of the piece, and a volume with the
+ * same property and matrix as the others. All call RenderToImage together, with the same view:
  *
  * @code
  * vtkNew<vtkIsosurfaceRayTraceCompositor> compositor; // of the global controller
@@ -29,11 +29,22 @@
  * own cells overlap show the surface there twice, which is seen where it is translucent. A process
  * may have no data: give its mapper no input, or an empty one.
  *
+ * Clouds (vtkCellProjectionMapper) are drawn together, too, isosurfaces in them included, by the
+ * processes of a vtkMPIController. Cells may be dealt out in any way; one by one, round robin,
+ * keeps all processes equally busy. The picture is divided into tiles, each of which a process
+ * owns. All work on the same tiles at about the same time: they find the segments of rays in their
+ * cells, front to back, and send them to the owner, which draws them by depth as they come, and
+ * tells where the cloud is opaque. The picture is that of one process, bit for bit, for any number
+ * of processes, pieces and threads. (Inputs that are composite data or several connections may
+ * differ in the last bits, as above.)
+ *
  * The pixels are composited by binary swap: in each of the logarithm of the number of processes
  * steps a process gives half of its rows to another, and takes the other half of the other's
  * pixels. What is empty is not sent. Of n processes that are no power of two, the first begin with
  * a step in which every second one gives all it has to its neighbour.
  *
+ * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
+ * IEEE Computer Graphics and Applications 21(4), 2001.
  * K.-L. Ma, J. S. Painter, C. D. Hansen, M. F. Krogh: Parallel Volume Rendering Using Binary-Swap
  * Compositing. IEEE Computer Graphics and Applications 14(4), 1994.
  *
@@ -51,6 +62,7 @@
 #include "vtkSmartPointer.h" // for ivars
 
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -107,9 +119,32 @@ public:
 
   ///@{
   /**
+   * Set/Get how clouds are sent: a message has at least BufferDepth segments of rays (from 1 to
+   * 2^24), unless its process has nothing else to do; and a process looks for messages after
+   * PollingInterval parts of tiles (from 1 on). Both change the time alone. Default: 4096 and 1.
+   */
+  vtkSetClampMacro(BufferDepth, int, 1, 1 << 24);
+  vtkGetMacro(BufferDepth, int);
+  vtkSetClampMacro(PollingInterval, int, 1, VTK_INT_MAX);
+  vtkGetMacro(PollingInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * Get what the last cloud took in this process: the number of segments of rays in its own cells,
+   * of those that it drew, whosever cells they are in, and how many of these were stored at once,
+   * at most. Zero for isosurfaces, and where one process has all data.
+   */
+  vtkGetMacro(SegmentsFound, vtkTypeInt64);
+  vtkGetMacro(SegmentsDrawn, vtkTypeInt64);
+  vtkGetMacro(MostSegmentsStored, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
    * Get what the last picture took in this process: the time to render its piece and to composite
    * the pixels, including waiting for others, in seconds of wall-clock time, and the number of
-   * bytes sent for it.
+   * bytes sent for it. (Of a cloud, drawing is rendering, too.)
    */
   vtkGetMacro(RenderTime, double);
   vtkGetMacro(CompositeTime, double);
@@ -128,12 +163,16 @@ private:
   struct Pixels;
 
   vtkSmartPointer<vtkMultiProcessController> FindController();
-  static std::string FindProblem(const View& view, vtkImageData* output);
+  static std::string FindProblem(
+    const View& view, vtkMultiProcessController* controller, vtkImageData* output);
   static std::string FindDisagreement(const View* view, vtkMultiProcessController* controller);
   bool IsFineEverywhere(bool isFine, vtkMultiProcessController* controller);
   static bool RenderPiece(const View& view, vtkTable* fragments);
+  bool MakeIsosurfaces(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
+  bool MakeCloud(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
+  bool RenderTiles(const View& view, vtkMultiProcessController* controller, vtkImageData* own);
   template <typename Record>
-  void Composite(vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels);
+  void Composite(std::vector<Record>&& own, vtkMultiProcessController* controller, Pixels& pixels);
   void GatherPixels(int height, vtkMultiProcessController* controller, Pixels& pixels);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
@@ -141,6 +180,11 @@ private:
   double RenderTime = 0.0;
   double CompositeTime = 0.0;
   vtkTypeInt64 BytesSent = 0;
+  int BufferDepth = 4096;
+  int PollingInterval = 1;
+  vtkTypeInt64 SegmentsFound = 0;
+  vtkTypeInt64 SegmentsDrawn = 0;
+  vtkTypeInt64 MostSegmentsStored = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 
 #include "vtkCellProjectionMapper.h"
 
+#include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkObjectFactory.h"
@@ -19,6 +20,17 @@ vtkIsosurfaceRayTraceSettings vtkCellProjectionMapper::GetSettings() const
   settings.HasSurfaces = this->DrawIsosurfaces;
   settings.IsMaximum = this->BlendMode == MAXIMUM_INTENSITY_BLEND;
   return settings;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellProjectionMapper::RenderOwnTiles(vtkVolume* volume, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height,
+  const vtkIsosurfaceRayTracing::Sharing& sharing,
+  vtkIsosurfaceRayTracing::MessageExchange& exchange,
+  vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output)
+{
+  return vtkIsosurfaceRayTraceEngine::Of(this)->RenderOwnTiles(
+    volume, { camera, lights, width, height }, sharing, exchange, counts, output);
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,9 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 namespace
 {
 
+/// Told of the fraction done; false stops.
+using KeepGoing = std::function<bool(double)>;
+
 /// Whether a rectangle in a viewport has a pixel of the window, which may be any number.
 bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle& viewport,
   std::int64_t column, std::int64_t row)
@@ -654,7 +657,17 @@ catch (const std::bad_alloc&)
 bool vtkIsosurfaceRayTraceEngine::RenderToImage(
   vtkVolume* volume, const PictureView& view, vtkImageData* output)
 {
-  return this->RenderPicture("RenderToImage", volume, view, &vtkirt::Scene::KeepHits, output,
+  return this->RenderPicture(
+    "RenderToImage", volume, view, output,
+    [this](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
+      const KeepGoing& keepGoing)
+    {
+      picture.Scene.KeepHits = true;
+      const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+      return settings.ProgressiveAccumulation
+        ? picture.TraceMean(settings.MaximumNumberOfAccumulatedFrames, execution, keepGoing)
+        : picture.Trace(execution, keepGoing);
+    },
     [this, &view, output](
       const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture)
     {
@@ -681,18 +694,62 @@ bool vtkIsosurfaceRayTraceEngine::RenderToFragments(
       "A cloud has no fragments: it fills the space between surfaces. Call RenderToImage.");
     return false;
   }
-  return this->RenderPicture("RenderToFragments", volume, view, &vtkirt::Scene::KeepFragments,
-    output,
+  return this->RenderPicture(
+    "RenderToFragments", volume, view, output,
+    [](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
+      const KeepGoing& keepGoing)
+    {
+      picture.Scene.KeepFragments = true;
+      return picture.Trace(execution, keepGoing);
+    },
     [&view, output](
       const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)
     { vtkIsosurfaceRayTraceOutput::WriteFragments(picture, view.Width, output); });
 }
 
 //------------------------------------------------------------------------------
-/// Renders a picture that keeps something, and has it written to an output.
-template <typename Write>
+bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const PictureView& view,
+  const vtkirt::Sharing& sharing, vtkirt::MessageExchange& exchange, vtkirt::SharingCounts& counts,
+  vtkImageData* output)
+{
+  bool hasAgreed = false;
+  const bool isDone = this->RenderPicture(
+    "RenderOwnTiles", volume, view, output,
+    [&](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
+      const KeepGoing& keepGoing)
+    {
+      hasAgreed = true;
+      const vtkirt::Agreement agreement = vtkirt::AgreeOnPicture(&picture.Scene, exchange);
+      if (agreement == vtkirt::Agreement::DifferentFields)
+      {
+        vtkErrorWithObjectMacro(this->Mapper,
+          << "The mappers of the processes draw different numbers of inputs; this one draws "
+          << picture.Scene.Fields.size() << ". Give each the same connections.");
+      }
+      if (agreement == vtkirt::Agreement::Refused)
+      {
+        picture.Scene.Pixels = {};
+        return true;
+      }
+      return agreement == vtkirt::Agreement::Fine &&
+        vtkirt::RenderSharedTiles(
+          picture.Scene, execution, sharing, exchange, picture.Frame, counts, keepGoing);
+    },
+    [&view, output](
+      const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)
+    { vtkIsosurfaceRayTraceOutput::WriteColors(picture, view.Width, view.Height, output); });
+  if (!hasAgreed)
+  {
+    vtkirt::AgreeOnPicture(nullptr, exchange);
+  }
+  return isDone;
+}
+
+//------------------------------------------------------------------------------
+/// Has a picture traced, and written to an output.
+template <typename Trace, typename Write>
 bool vtkIsosurfaceRayTraceEngine::RenderPicture(const char* name, vtkVolume* volume,
-  const PictureView& view, bool vtkirt::Scene::*keep, vtkDataObject* output, const Write& write)
+  const PictureView& view, vtkDataObject* output, const Trace& trace, const Write& write)
 try
 {
   if (!volume || !view.Camera || !output || view.Width < 1 || view.Height < 1)
@@ -725,15 +782,10 @@ try
   }
   vtkIsosurfaceRayTraceScene::AddLights(
     view.Lights ? view.Lights : headlight, view.Camera, true, picture.Scene);
-  picture.Scene.*keep = true;
-  const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
-  const auto keepGoing = [this, &use, &request](double fraction) {
+  const KeepGoing keepGoing = [this, &use, &request](double fraction) {
     return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
   };
-  const bool isMean = settings.ProgressiveAccumulation && picture.Scene.KeepHits;
-  const bool isComplete = isMean
-    ? picture.TraceMean(settings.MaximumNumberOfAccumulatedFrames, request->Execution, keepGoing)
-    : picture.Trace(request->Execution, keepGoing);
+  const bool isComplete = trace(picture, request->Execution, keepGoing);
   this->Times = picture.Times;
   if (!isComplete)
   {

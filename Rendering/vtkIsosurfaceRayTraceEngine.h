@@ -14,6 +14,7 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
 #include "Field/TracedField.h"
+#include "Picture/RenderSharedTiles.h"
 #include "Picture/RenderTiles.h"
 
 #include <array>      // for std::array
@@ -101,6 +102,10 @@ public:
     double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);
   bool RenderToImage(vtkVolume* volume, const PictureView& view, vtkImageData* output);
   bool RenderToFragments(vtkVolume* volume, const PictureView& view, vtkTable* output);
+  bool RenderOwnTiles(vtkVolume* volume, const PictureView& view,
+    const vtkIsosurfaceRayTracing::Sharing& sharing,
+    vtkIsosurfaceRayTracing::MessageExchange& exchange,
+    vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output);
   vtkDataSet* FindBlock(vtkIdType cellId, vtkIdType& cellInBlock, unsigned int& flatIndex);
   void ReleaseGraphicsResources(vtkWindow* window);
   ///@}
@@ -145,9 +150,9 @@ private:
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
     const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
-  template <typename Write>
+  template <typename Trace, typename Write>
   bool RenderPicture(const char* name, vtkVolume* volume, const PictureView& view,
-    bool vtkIsosurfaceRayTracing::Scene::*keep, vtkDataObject* output, const Write& write);
+    vtkDataObject* output, const Trace& trace, const Write& write);
   /// Draws a frame. Returns whether it is complete.
   bool DrawFrame(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
     const vtkIsosurfaceRayTraceHolder& holder);

@@ -236,6 +236,33 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
 }
 
 //------------------------------------------------------------------------------
+void WriteColors(
+  const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output)
+{
+  output->Initialize();
+  output->SetDimensions(width, height, 1);
+  vtkNew<vtkUnsignedCharArray> colors;
+  vtkNew<vtkFloatArray> depths;
+  AddArray(colors, "Colors", 4, output->GetNumberOfPoints(), output);
+  AddArray(depths, "Depth", 1, output->GetNumberOfPoints(), output);
+  colors->Fill(0.0);
+  depths->Fill(1.0);
+  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
+      const auto to = static_cast<vtkIdType>(
+        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
+      colors->SetTypedTuple(to, &picture.Frame.Colors[4 * from]);
+      depths->SetValue(to, std::min(picture.Frame.Depths[from], 1.0F));
+    }
+  }
+  output->GetPointData()->SetActiveScalars("Colors");
+}
+
+//------------------------------------------------------------------------------
 void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output)
 {
   const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;

@@ -29,6 +29,10 @@ void WriteHits(const vtkIsosurfaceRayTraceRequest& request,
 void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output);
 
+/// The output of vtkCellProjectionMapper::RenderOwnTiles: the arrays Colors and Depth alone.
+void WriteColors(
+  const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output);
+
 /// The output of vtkIsosurfaceRayTraceMapper::RenderToFragments. The picture must have kept its
 /// fragments.
 void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output);

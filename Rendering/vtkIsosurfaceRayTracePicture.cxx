@@ -18,6 +18,23 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
+namespace
+{
+
+/// The pixels of a rectangle, and those to the left and below in the tiles of the whole picture.
+vtkirt::PixelRectangle AlignToTiles(const vtkirt::PixelRectangle& pixels)
+{
+  if (vtkirt::IsEmpty(pixels))
+  {
+    return pixels;
+  }
+  const int left = pixels.X % vtkirt::CloudTile::Edge;
+  const int below = pixels.Y % vtkirt::CloudTile::Edge;
+  return { pixels.X - left, pixels.Y - below, pixels.Width + left, pixels.Height + below };
+}
+
+}
+
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings& settings,
   const vtkIsosurfaceRayTraceRequest& request, const View& view)
@@ -55,6 +72,8 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
   {
     scene.TileWidth = vtkirt::CloudTile::Edge;
     scene.TileHeight = vtkirt::CloudTile::Edge;
+    // Where tiles begin changes the last bits: so it does not depend on what is seen of the data.
+    scene.Pixels = AlignToTiles(scene.Pixels);
   }
   this->Scene = std::move(scene);
 }

@@ -49,7 +49,7 @@ def make_rules():
     rules["Rendering"] = [compat, CORE, "Rendering", "IO/vtkMappedImageReader.h"]
     mappers = [f"Rendering/vtkIsosurfaceRayTrace{kind}Mapper.h" for kind in ("", "Mesh")]
     rules["Filters"] = [compat, CORE, "Filters", *mappers]
-    rules["Parallel"] = [compat, CORE, "Parallel", *mappers]
+    rules["Parallel"] = [compat, CORE, "Parallel", *mappers, "Rendering/vtkCellProjectionMapper.h"]
     public_headers = find_public_headers()
     public_headers.append("Parallel/vtkIsosurfaceRayTraceCompositor.h")
     rules["IO"] = [compat, "IO"]

@@ -29,6 +29,7 @@ from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfac
 from PictureTesting import capture
 from Pieces import (
     CELLS,
+    PicturesOfMany,
     RANK,
     SIZE,
     WORLD,
@@ -92,55 +93,7 @@ def make_window(size):
     return window, renderer
 
 
-def on_first(check):
-    """What process 0 finds, as an answer for all: none waits for another that has given up."""
-    problem = None
-    if RANK == 0:
-        problem = check()
-    return WORLD.bcast(problem, root=0)
-
-
-class Errors:
-    """The errors of objects, which are not printed."""
-
-    def __init__(self, *objects):
-        self.texts = []
-
-        def keep(caller, event, text):
-            self.texts.append(text)
-
-        keep.CallDataType = "string0"
-        for each in objects:
-            each.AddObserver("ErrorEvent", keep)
-
-
-class TestCompositor(unittest.TestCase):
-    def check_against_whole(self, picture, volume, camera=make_camera(), size=(160, 120), lights=None, name=""):
-        def compare():
-            expected = whole_picture(volume, camera, size, lights)
-            found = pixels_of(picture)
-            covered = sum(color[3] > 0 for color, _ in expected)
-            different = sum(a != b for a, b in zip(found, expected))
-            answer = f"{name or self.id().split('.')[-1]}, {SIZE} processes: {different} of {covered} pixels differ"
-            print(answer)
-            is_fine = len(found) == len(expected) and covered > len(expected) // 8 and different == 0
-            return None if is_fine else answer
-
-        self.assertIsNone(on_first(compare))
-
-    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30)):
-        """No process has a picture; one says why, and process 0 says which one does."""
-        compositor = vtkIsosurfaceRayTraceCompositor()
-        errors = Errors(compositor, volume.GetMapper())
-        is_rendered, _ = render(volume, camera, size, compositor=compositor)
-        self.assertFalse(is_rendered)
-        if RANK == of_process:
-            self.assertRegex(errors.texts[0], pattern)
-        if RANK == 0 and of_process > 0:
-            self.assertRegex(errors.texts[-1], f"see the errors of these processes: {of_process}\\.")
-        if RANK not in (0, of_process):
-            self.assertEqual(errors.texts, [])
-
+class TestCompositor(PicturesOfMany):
     def test_picture_of_many_is_that_of_one(self):
         for name, scene in SCENES.items():
             with self.subTest(name):

@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds whose cells lie in many processes: the picture of one process with all cells, bit for bit, however the cells
+are dealt out. Run by mpirun."""
+
+import unittest
+
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkIsosurfaceRayTracing import vtkCellProjectionMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
+
+from Pieces import (
+    CELLS,
+    Errors,
+    PicturesOfMany,
+    RANK,
+    SIZE,
+    WORLD,
+    as_mesh,
+    make_camera,
+    make_piece,
+    make_volume,
+    pixels_of,
+    render,
+    whole_picture,
+)
+
+PICTURE = (213, 187)
+
+
+def make_mesh(tetrahedra):
+    mesh = as_mesh(make_piece(CELLS, 0))
+    mesh.GetCellData().Initialize()
+    if tetrahedra:
+        cut = vtkDataSetTriangleFilter()
+        cut.SetInputData(mesh)
+        cut.Update()
+        mesh = cut.GetOutput()
+    return mesh
+
+
+def extract(mesh, cells):
+    """Some cells of a mesh whose cells have one shape."""
+    shape, corners = mesh.GetCellType(0), mesh.GetCell(0).GetNumberOfPoints()
+    ids = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, corners)[cells]
+    array = vtkCellArray()
+    array.SetData(corners, numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
+    extracted = vtkUnstructuredGrid()
+    extracted.ShallowCopy(mesh)
+    extracted.SetCells(shape, array)
+    return extracted
+
+
+def round_robin(mesh):
+    return extract(mesh, slice(RANK, None, SIZE))
+
+
+def in_order(mesh):
+    count = mesh.GetNumberOfCells()
+    return extract(mesh, slice(count * RANK // SIZE, count * (RANK + 1) // SIZE))
+
+
+def with_some_empty(mesh):
+    """The odd processes have nothing."""
+    with_data = (SIZE + 1) // 2
+    return None if RANK % 2 else extract(mesh, slice(RANK // 2, None, with_data))
+
+
+def to_the_last(mesh):
+    return mesh if RANK == SIZE - 1 else None
+
+
+def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threads=1):
+    settings = [
+        ("SetNumberOfThreads", threads),
+        ("SetDrawIsosurfaces", surfaces),
+        ("SetNormalMode", vtkCellProjectionMapper.INTERPOLANT_GRADIENT),  # without ghosts
+    ]
+    if maximum:
+        settings.append(("SetBlendModeToMaximumIntensity",))
+    volume = make_volume(data, mapper_class=vtkCellProjectionMapper, settings=settings)
+    volume.GetProperty().GetScalarOpacity().RemoveAllPoints()
+    for value, opacity in ((60.0, 0.0), (120.0, 0.1), (150.0, 0.6), (200.0, 0.2), (260.0, 0.9)):
+        volume.GetProperty().GetScalarOpacity().AddPoint(value, opacity)
+    volume.GetProperty().SetScalarOpacityUnitDistance(unit)
+    volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 157.0)
+    volume.GetProperty().GetIsoSurfaceValues().SetValue(1, 230.0)
+    if plane:
+        clipping = vtkPlane()
+        clipping.SetOrigin(2.0, 1.0, 3.0)
+        clipping.SetNormal(-0.5, -0.6, 0.2)
+        volume.GetMapper().AddClippingPlane(clipping)
+    return volume
+
+
+class TestClouds(PicturesOfMany):
+    @classmethod
+    def setUpClass(cls):
+        cls.cells, cls.tetrahedra = make_mesh(False), make_mesh(True)
+
+    def check(self, mesh, deal, compositor=None, is_parallel=False, **settings):
+        camera = make_camera(is_parallel)
+        own = make_cloud(deal(mesh), **settings)
+        is_rendered, picture = render(own, camera, PICTURE, compositor=compositor)
+        self.assertTrue(is_rendered)
+        whole = make_cloud(mesh, **settings)
+        self.check_against_whole(picture, whole, camera, PICTURE, name=f"{deal.__name__} {settings}")
+
+    def test_cells_dealt_out_in_any_way(self):
+        for mesh in (self.cells, self.tetrahedra):
+            for deal in (round_robin, in_order, with_some_empty, to_the_last):
+                with self.subTest(deal.__name__):
+                    self.check(mesh, deal)
+
+    def test_settings(self):
+        for settings in (
+            {"is_parallel": True},
+            {"maximum": True},
+            {"surfaces": True},
+            {"threads": 3},
+            {"plane": True},
+            {"unit": 0.01},  # so dense that little is seen
+            {"unit": 0.01, "surfaces": True, "threads": 2},
+        ):
+            for deal in (round_robin, in_order):
+                with self.subTest(settings):
+                    self.check(self.tetrahedra, deal, **settings)
+
+    def test_counts(self):
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        compositor.SetBufferDepth(100)
+        compositor.SetPollingInterval(7)
+        self.check(self.tetrahedra, round_robin, compositor)
+        found, drawn = compositor.GetSegmentsFound(), compositor.GetSegmentsDrawn()
+        all_found, all_drawn = WORLD.allreduce(found), WORLD.allreduce(drawn)
+        self.assertEqual(all_found, all_drawn)
+        if SIZE == 1:
+            self.assertEqual(found, 0)
+            return
+        self.assertGreater(all_found, 500000)
+        self.assertLess(abs(found * SIZE / all_found - 1.0), 0.2)
+        self.assertLess(abs(drawn * SIZE / all_drawn - 1.0), 0.5)
+        self.assertGreater(compositor.GetMostSegmentsStored(), 0)
+        self.assertLess(compositor.GetMostSegmentsStored(), drawn)
+        self.assertGreater(compositor.GetBytesSent(), 30 * (found - drawn / SIZE) // 2)
+
+    def test_dense_clouds_send_less(self):
+        sent = []
+        for unit in (8.0, 0.001):
+            compositor = vtkIsosurfaceRayTraceCompositor()
+            render(make_cloud(in_order(self.tetrahedra), unit=unit), make_camera(), (40, 30), compositor=compositor)
+            sent.append(WORLD.allreduce(compositor.GetSegmentsFound()))
+        self.assertLessEqual(sent[1], sent[0])
+
+    def test_rows_of_each_process(self):
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        compositor.GatherOff()
+        own = make_cloud(round_robin(self.tetrahedra))
+        is_rendered, rows = render(own, make_camera(), PICTURE, compositor=compositor)
+        self.assertTrue(is_rendered)
+        first = rows.GetExtent()[2]
+        parts = sorted(WORLD.allgather((first, pixels_of(rows)) if rows.GetNumberOfPoints() > 0 else (0, [])))
+        expected = whole_picture(make_cloud(self.tetrahedra), make_camera(), PICTURE)
+        self.assertEqual([pixel for part in parts for pixel in part[1]], expected)
+
+    def test_nobody_has_data(self):
+        is_rendered, picture = render(make_cloud(None), make_camera(), (40, 30))
+        self.assertTrue(is_rendered)
+        if RANK == 0:
+            self.assertEqual(set(pixels_of(picture)), {((0.0, 0.0, 0.0, 0.0), 1.0)})
+
+    def test_process_that_cannot_render(self):
+        last = SIZE - 1
+        volume = make_cloud(round_robin(self.tetrahedra))
+        volume.GetMapper().SelectScalarArray("missing" if RANK == last else "RTData")
+        volume.GetMapper().SetScalarModeToUsePointFieldData()
+        self.check_failure(volume, "no scalars of the requested kind", last)
+
+    @unittest.skipIf(SIZE == 1, "one process agrees with itself")
+    def test_different_settings(self):
+        last = SIZE - 1
+        is_last = RANK == last
+
+        def check(pattern, **settings):
+            volume = make_cloud(round_robin(self.tetrahedra), **(settings if is_last else {}))
+            self.check_failure(volume, f"{pattern} of process {last} differ from those of process 0", last)
+
+        check("clouds", unit=1.0)
+        check("clouds", maximum=True)
+        check("clouds", surfaces=True)
+        volume = make_cloud(round_robin(self.tetrahedra))
+        if is_last:
+            mapper = vtkIsosurfaceRayTraceMeshMapper()
+            mapper.SetInputData(volume.GetMapper().GetInput())
+            mapper.SetNormalMode(volume.GetMapper().GetNormalMode())
+            volume.SetMapper(mapper)
+        self.check_failure(volume, f"clouds of process {last} differ", last)
+
+    @unittest.skipIf(SIZE == 1, "one process agrees with itself")
+    def test_different_inputs(self):
+        last = SIZE - 1
+        volume = make_cloud(round_robin(self.tetrahedra))
+        if RANK == last:
+            volume.GetMapper().AddInputDataObject(0, round_robin(self.cells))
+        compositor = vtkIsosurfaceRayTraceCompositor()
+        errors = Errors(compositor, volume.GetMapper())
+        self.assertFalse(render(volume, make_camera(), (40, 30), compositor=compositor)[0])
+        self.assertRegex(errors.texts[0], "different numbers of inputs")
+
+
+if __name__ == "__main__":
+    unittest.main()
