@@ -15,6 +15,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 PixelRectangle InViewport(const Scene& scene, const PixelRectangle& tile)
 {
   return { scene.Pixels.X + tile.X, scene.Pixels.Y + tile.Y, tile.Width, tile.Height };
@@ -119,38 +121,35 @@ CloudFinder::CloudFinder(const Scene& scene, const Kernels* kernels)
 void CloudFinder::Begin(const PixelRectangle& tile, const CloudTile& rays, double from)
 {
   this->From = from;
+  this->Seen.clear();
   for (const Cloud& cloud : this->Clouds)
   {
     cloud.Viewed.Source->Begin(cloud.Viewed.View, InViewport(this->TheScene, tile), rays, from);
+    if (cloud.Viewed.Source->GetNextDepth() < Infinity)
+    {
+      this->Seen.push_back(&cloud);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 double CloudFinder::GetNextDepth() const
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Cloud& cloud : this->Clouds)
+  double least = Infinity;
+  for (const Cloud* cloud : this->Seen)
   {
-    least = std::min(least, cloud.Viewed.Source->GetNextDepth());
+    least = std::min(least, cloud->Viewed.Source->GetNextDepth());
   }
   return least;
-}
-
-//------------------------------------------------------------------------------
-/// The cloud with the nearest of the segments that are not found yet.
-std::size_t CloudFinder::FindNearest() const
-{
-  const auto nearest = std::min_element(this->Clouds.begin(), this->Clouds.end(),
-    [](const Cloud& a, const Cloud& b)
-    { return a.Viewed.Source->GetNextDepth() < b.Viewed.Source->GetNextDepth(); });
-  return static_cast<std::size_t>(nearest - this->Clouds.begin());
 }
 
 //------------------------------------------------------------------------------
 std::size_t CloudFinder::FindMore(
   const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
 {
-  const Cloud& cloud = this->Clouds[this->FindNearest()];
+  const Cloud& cloud = **std::min_element(this->Seen.begin(), this->Seen.end(),
+    [](const Cloud* a, const Cloud* b)
+    { return a->Viewed.Source->GetNextDepth() < b->Viewed.Source->GetNextDepth(); });
   segments.Count = 0;
   cloud.Viewed.Source->FindMore(open, segments);
   if (this->From > 0.0)

@@ -50,10 +50,10 @@ private:
     std::size_t Field;
   };
 
-  std::size_t FindNearest() const;
-
   const Scene& TheScene;
   std::vector<Cloud> Clouds;
+  /// Those that the tile may see.
+  std::vector<const Cloud*> Seen;
   double From = 0.0;
 };
 

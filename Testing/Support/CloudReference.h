@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CloudReference_h
+#define CloudReference_h
+
+#include "Mesh/CellSubdivision.h"
+#include "Mesh/MeshCells.h"
+#include "Picture/CloudTransfer.h"
+#include "Rays/Camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+// The light of rays in a cloud, found in another way than the library does: by rays that are
+// intersected with tetrahedra, and by quadrature. The type Real is more precise than double: long
+// double, or Quad.
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// What is left of light at an optical depth.
+template <typename Real>
+Real FindTransmittance(Real depth)
+{
+  if constexpr (std::is_same_v<Real, long double>)
+  {
+    return std::exp(-depth);
+  }
+  else
+  {
+    // The series of a small part of the depth, and its square, again and again.
+    int halvings = 0;
+    for (; depth > Real(0.0625); depth /= 2)
+    {
+      ++halvings;
+    }
+    Real sum = 1;
+    for (int i = 18; i > 0; --i)
+    {
+      sum = 1 - sum * depth / i;
+    }
+    for (; halvings > 0; --halvings)
+    {
+      sum *= sum;
+    }
+    return sum;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The light of segments by quadrature: transmittances are exact, since the attenuation is linear
+/// between nodes, and colours are integrated by Gauss and Legendre in small steps.
+template <typename Extended>
+struct ReferenceLight
+{
+  Extended Color[3] = { 0, 0, 0 };
+  Extended Transmittance = 1;
+};
+
+/// The transfer functions between two neighbouring nodes.
+template <typename Extended>
+struct CloudInterval
+{
+  CloudNode Low;
+  CloudNode High;
+
+  Extended Get(int function, Extended value) const
+  {
+    const auto get = [function](const CloudNode& node) -> Extended {
+      return function == 0 ? node.Attenuation : node.Color[static_cast<std::size_t>(function - 1)];
+    };
+    const Extended width = static_cast<Extended>(this->High.Value) - this->Low.Value;
+    const Extended fraction =
+      width > 0 && width < std::numeric_limits<double>::infinity() ? (value - this->Low.Value) / width : 0;
+    return get(this->Low) + fraction * (get(this->High) - get(this->Low));
+  }
+};
+
+/// Goes on with a part of a segment in which the functions are linear.
+template <typename Extended>
+void AddPart(const CloudInterval<Extended>& interval, Extended length, Extended from, Extended to,
+  ReferenceLight<Extended>& light)
+{
+  const Extended first = interval.Get(0, from) * length;
+  const Extended last = interval.Get(0, to) * length;
+  const auto depth = [&](Extended x) { return first * x + (last - first) * x * x / 2; };
+  constexpr long double places[4] = { 0.069431844202973712388L, 0.33000947820757186760L,
+    0.66999052179242813240L, 0.93056815579702628761L };
+  constexpr long double weights[4] = { 0.17392742256872692869L, 0.32607257743127307131L,
+    0.32607257743127307131L, 0.17392742256872692869L };
+  // As far as anything is seen.
+  Extended end = 1;
+  while (depth(end / 2) > 50)
+  {
+    end /= 2;
+  }
+  const int steps = 8 + static_cast<int>(8 * depth(end));
+  for (int step = 0; step < steps; ++step)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Extended x = end * (step + places[k]) / steps;
+      const Extended seen = light.Transmittance * FindTransmittance(depth(x)) *
+        (first + (last - first) * x) * weights[k] * end / steps;
+      for (int i = 0; i < 3; ++i)
+      {
+        light.Color[i] += seen * interval.Get(1 + i, from + (to - from) * x);
+      }
+    }
+  }
+  light.Transmittance *= FindTransmittance(depth(1));
+}
+
+/// Goes on with a segment.
+template <typename Extended>
+void AddSegment(const std::vector<CloudNode>& nodes, Extended length, Extended from, Extended to,
+  ReferenceLight<Extended>& light)
+{
+  std::vector<CloudInterval<Extended>> intervals = { { nodes.front(), nodes.front() } };
+  intervals.front().Low.Value = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    intervals.push_back({ nodes[i - 1], nodes[i] });
+  }
+  intervals.push_back({ nodes.back(), nodes.back() });
+  intervals.back().High.Value = std::numeric_limits<double>::infinity();
+  if (to < from)
+  {
+    std::reverse(intervals.begin(), intervals.end());
+  }
+  for (const CloudInterval<Extended>& interval : intervals)
+  {
+    const auto clamp = [&](Extended value)
+    { return std::clamp<Extended>(value, interval.Low.Value, interval.High.Value); };
+    if (from == to && (interval.Low.Value < from && from <= interval.High.Value))
+    {
+      AddPart(interval, length, from, to, light);
+    }
+    else if (clamp(from) != clamp(to))
+    {
+      AddPart(
+        interval, length * (clamp(to) - clamp(from)) / (to - from), clamp(from), clamp(to), light);
+    }
+  }
+}
+
+/// All tetrahedra of a mesh: corners and values.
+using Tetrahedron = std::array<std::array<double, 4>, 4>;
+inline std::vector<Tetrahedron> Subdivide(const MeshCells& cells)
+{
+  std::vector<Tetrahedron> all;
+  for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
+  {
+    MeshCell cell;
+    if (!cells.Load(i, cell))
+    {
+      throw std::logic_error("a cell without corners");
+    }
+    double corners[MaximumTetrahedra][4][4];
+    const int count = SubdivideCell(cell, corners);
+    for (int k = 0; k < count; ++k)
+    {
+      Tetrahedron tetrahedron;
+      for (std::size_t corner = 0; corner < 4; ++corner)
+      {
+        std::copy_n(corners[k][corner], 4, tetrahedron[corner].begin());
+      }
+      all.push_back(tetrahedron);
+    }
+  }
+  return all;
+}
+
+template <typename Extended>
+Extended Determinant(const Extended (&a)[3], const Extended (&b)[3], const Extended (&c)[3])
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The segment of a ray in a tetrahedron, by its barycentric coordinates, which are linear in t.
+template <typename Extended>
+struct ReferenceSegment
+{
+  Extended T[2];
+  Extended Value[2];
+};
+
+/// Returns whether there is one.
+template <typename Extended>
+bool Intersect(const Tetrahedron& tetrahedron, const Camera::PixelRay& ray,
+  ReferenceSegment<Extended>& segment)
+{
+  Extended edges[3][3];
+  Extended origin[3];
+  Extended direction[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      edges[i][axis] = static_cast<Extended>(tetrahedron[i + 1][axis]) - tetrahedron[0][axis];
+    }
+    origin[axis] = static_cast<Extended>(ray.Origin[axis]) - tetrahedron[0][axis];
+    direction[axis] = ray.Direction[axis];
+  }
+  const Extended volume = Determinant(edges[0], edges[1], edges[2]);
+  if (volume == 0)
+  {
+    return false;
+  }
+  const auto solve = [&](const Extended(&point)[3], Extended(&weights)[4], bool isPoint)
+  {
+    weights[1] = Determinant(point, edges[1], edges[2]) / volume;
+    weights[2] = Determinant(edges[0], point, edges[2]) / volume;
+    weights[3] = Determinant(edges[0], edges[1], point) / volume;
+    weights[0] = (isPoint ? 1 : 0) - weights[1] - weights[2] - weights[3];
+  };
+  Extended at[4];
+  Extended slope[4];
+  solve(origin, at, true);
+  solve(direction, slope, false);
+  segment.T[0] = 0;
+  segment.T[1] = ray.End;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Extended t = -at[i] / slope[i];
+    segment.T[0] = slope[i] > 0 ? std::max<Extended>(segment.T[0], t) : segment.T[0];
+    segment.T[1] = slope[i] < 0 ? std::min<Extended>(segment.T[1], t) : segment.T[1];
+    segment.T[1] = slope[i] == 0 && at[i] < 0 ? -1 : segment.T[1];
+  }
+  for (int end = 0; end < 2; ++end)
+  {
+    segment.Value[end] = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      segment.Value[end] += (at[i] + slope[i] * segment.T[end]) * tetrahedron[i][3];
+    }
+  }
+  return segment.T[0] < segment.T[1];
+}
+
+/// The light of a pixel, by a ray that is intersected with tetrahedra.
+template <typename Extended>
+ReferenceLight<Extended> FindLight(const std::vector<Tetrahedron>& tetrahedra, const Camera& view,
+  const std::vector<CloudNode>& nodes, int x, int y)
+{
+  const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+  std::vector<ReferenceSegment<Extended>> segments;
+  for (const Tetrahedron& tetrahedron : tetrahedra)
+  {
+    ReferenceSegment<Extended> segment;
+    if (Intersect(tetrahedron, ray, segment))
+    {
+      segments.push_back(segment);
+    }
+  }
+  std::sort(segments.begin(), segments.end(),
+    [](const auto& a, const auto& b) { return a.T[0] < b.T[0]; });
+  const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
+  ReferenceLight<Extended> light;
+  for (const ReferenceSegment<Extended>& segment : segments)
+  {
+    AddSegment<Extended>(
+      nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
+  }
+  return light;
+}
+
+/// The largest difference of colours and opacities.
+template <typename Extended>
+double FindError(
+  const std::array<double, 4>& light, const ReferenceLight<Extended>& reference)
+{
+  double error = std::abs(light[3] - static_cast<double>(1 - reference.Transmittance));
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    error = std::max(error, std::abs(light[i] - static_cast<double>(reference.Color[i])));
+  }
+  return error;
+}
+
+}
+
+#endif
