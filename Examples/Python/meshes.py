@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make pictures of isosurfaces in meshes, without a window: meshes.py DATA FOLDER
+"""Make pictures of isosurfaces and clouds of meshes, without a window: meshes.py DATA FOLDER
 
 DATA is the folder that mayavi_meshes.py writes.
 """
@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkStructuredGridReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
-from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing import vtkCellProjectionMapper, vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper
 
 from whole_file import write_picture
 
@@ -37,10 +37,10 @@ def read(reader, data, name):
 
 
 class Picture:
-    """Isosurfaces of a mesh, a camera and a light."""
+    """Isosurfaces or a cloud of a mesh, a camera and a light."""
 
-    def __init__(self, mesh, scalars):
-        self.mapper = vtkIsosurfaceRayTraceMeshMapper()
+    def __init__(self, mesh, scalars, mapper_class=vtkIsosurfaceRayTraceMeshMapper):
+        self.mapper = mapper_class()
         self.mapper.SetInputDataObject(mesh)
         self.mapper.SetScalarModeToUsePointFieldData()
         self.mapper.SelectScalarArray(scalars)
@@ -66,6 +66,14 @@ class Picture:
         values.SetValue(values.GetNumberOfContours(), isovalue)
         self.surface.GetRGBTransferFunction().AddRGBPoint(isovalue, *color)
         self.surface.GetScalarOpacity().AddPoint(isovalue, opacity)
+
+    def set_cloud(self, unit_distance, *points):
+        """The cloud of values, opacities through the unit distance, and colours; with the isosurfaces in it."""
+        self.mapper.DrawIsosurfacesOn()
+        self.surface.SetScalarOpacityUnitDistance(unit_distance)
+        for value, opacity, color in points:
+            self.surface.GetScalarOpacity().AddPoint(value, opacity)
+            self.surface.GetRGBTransferFunction().AddRGBPoint(value, *color)
 
     def color_by(self, name, *colors):
         """From the first of evenly spaced colours at the first value to the last at the second."""
@@ -135,6 +143,27 @@ def fire(data):
     return picture
 
 
+def smoke(data):
+    """The same as a cloud: the hotter the gas, the denser; and the flame in it."""
+    picture = Picture(read(vtkXMLUnstructuredGridReader(), data, "fire_ug.vtu"), "t", vtkCellProjectionMapper)
+    cloud = ((299.0, 0.0, (0.3, 0.3, 0.4)), (330.0, 0.2, (0.35, 0.4, 0.6)), (480.0, 0.3, (0.9, 0.4, 0.2)))
+    picture.set_cloud(0.4, *cloud)
+    picture.add_surface(560.0, (1.0, 0.8, 0.3), 1.0)
+    picture.look_from((-0.35, -0.75, 0.55), (0.0, 0.0, 1.0), 1.05)
+    return picture
+
+
+def gas(data):
+    """The gas above the disk as a cloud, cut open, and a surface of its temperature."""
+    picture = Picture(read(vtkExodusIIReader(), data, "disk_out_ref.ex2"), "Temp", vtkCellProjectionMapper)
+    cloud = ((300.0, 0.0, (0.3, 0.45, 1.0)), (400.0, 0.12, (0.3, 0.85, 0.8)), (600.0, 0.5, (1.0, 0.8, 0.3)))
+    picture.set_cloud(1.5, *cloud)
+    picture.add_surface(800.0, (1.0, 0.3, 0.15), 1.0)
+    picture.add_plane((0.0, 0.0, 0.0), (-0.5, 1.0, 0.0))
+    picture.look_from((0.65, -0.65, 0.4), (0.0, 0.0, 1.0), 1.55)
+    return picture
+
+
 def curvilinear(data):
     """Two surfaces in a curvilinear grid."""
     picture = Picture(read(vtkStructuredGridReader(), data, "SampleStructGrid.vtk"), "scalars")
@@ -145,7 +174,7 @@ def curvilinear(data):
     return picture
 
 
-SCENES = (disk, pressure, fire, curvilinear)
+SCENES = (disk, pressure, fire, smoke, gas, curvilinear)
 
 
 def write_all(data, folder, size):
