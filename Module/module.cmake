@@ -23,6 +23,7 @@ set(core_sources
   Image/Traversal/RayFollower.cxx
   Mesh/BeamFrame.cxx
   Mesh/BeamTracer.cxx
+  Mesh/CellBoxes.cxx
   Mesh/CellHits.cxx
   Mesh/CellSubdivision.cxx
   Mesh/CellTree.cxx

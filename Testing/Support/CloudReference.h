@@ -78,8 +78,9 @@ struct CloudInterval
       return function == 0 ? node.Attenuation : node.Color[static_cast<std::size_t>(function - 1)];
     };
     const Extended width = static_cast<Extended>(this->High.Value) - this->Low.Value;
-    const Extended fraction =
-      width > 0 && width < std::numeric_limits<double>::infinity() ? (value - this->Low.Value) / width : 0;
+    const Extended fraction = width > 0 && width < std::numeric_limits<double>::infinity()
+      ? (value - this->Low.Value) / width
+      : 0;
     return get(this->Low) + fraction * (get(this->High) - get(this->Low));
   }
 };
@@ -196,8 +197,8 @@ struct ReferenceSegment
 
 /// Returns whether there is one.
 template <typename Extended>
-bool Intersect(const Tetrahedron& tetrahedron, const Camera::PixelRay& ray,
-  ReferenceSegment<Extended>& segment)
+bool Intersect(
+  const Tetrahedron& tetrahedron, const Camera::PixelRay& ray, ReferenceSegment<Extended>& segment)
 {
   Extended edges[3][3];
   Extended origin[3];
@@ -262,8 +263,8 @@ ReferenceLight<Extended> FindLight(const std::vector<Tetrahedron>& tetrahedra, c
       segments.push_back(segment);
     }
   }
-  std::sort(segments.begin(), segments.end(),
-    [](const auto& a, const auto& b) { return a.T[0] < b.T[0]; });
+  std::sort(
+    segments.begin(), segments.end(), [](const auto& a, const auto& b) { return a.T[0] < b.T[0]; });
   const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
   ReferenceLight<Extended> light;
   for (const ReferenceSegment<Extended>& segment : segments)
@@ -276,8 +277,7 @@ ReferenceLight<Extended> FindLight(const std::vector<Tetrahedron>& tetrahedra, c
 
 /// The largest difference of colours and opacities.
 template <typename Extended>
-double FindError(
-  const std::array<double, 4>& light, const ReferenceLight<Extended>& reference)
+double FindError(const std::array<double, 4>& light, const ReferenceLight<Extended>& reference)
 {
   double error = std::abs(light[3] - static_cast<double>(1 - reference.Transmittance));
   for (std::size_t i = 0; i < 3; ++i)

@@ -6,9 +6,12 @@
 // extended precision.
 
 #include "AllKernels.h"
+#include "CloudReference.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
+#include "Mesh/CellBoxes.h"
 #include "Mesh/CellSubdivision.h"
+#include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/MeshField.h"
 #include "Picture/CloudTileRenderer.h"
@@ -38,99 +41,6 @@ namespace
 using Extended = long double;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr Index3 Cubes = { 5, 4, 6 };
-
-//------------------------------------------------------------------------------
-// The light of a segment by quadrature: transmittances are exact, since the attenuation is linear
-// between nodes, and colours are integrated by Gauss and Legendre in small steps.
-
-struct ReferenceLight
-{
-  Extended Color[3] = { 0, 0, 0 };
-  Extended Transmittance = 1;
-};
-
-/// The transfer functions between two neighbouring nodes.
-struct Interval
-{
-  CloudNode Low;
-  CloudNode High;
-
-  Extended Get(int function, Extended value) const
-  {
-    const auto get = [function](const CloudNode& node) -> Extended {
-      return function == 0 ? node.Attenuation : node.Color[static_cast<std::size_t>(function - 1)];
-    };
-    const Extended width = static_cast<Extended>(this->High.Value) - this->Low.Value;
-    const Extended fraction =
-      width > 0 && std::isfinite(width) ? (value - this->Low.Value) / width : 0;
-    return get(this->Low) + fraction * (get(this->High) - get(this->Low));
-  }
-};
-
-/// Goes on with a part of a segment in which the functions are linear.
-void AddPart(
-  const Interval& interval, Extended length, Extended from, Extended to, ReferenceLight& light)
-{
-  const Extended first = interval.Get(0, from) * length;
-  const Extended last = interval.Get(0, to) * length;
-  const auto depth = [&](Extended x) { return first * x + (last - first) * x * x / 2; };
-  constexpr Extended places[4] = { 0.069431844202973712388L, 0.33000947820757186760L,
-    0.66999052179242813240L, 0.93056815579702628761L };
-  constexpr Extended weights[4] = { 0.17392742256872692869L, 0.32607257743127307131L,
-    0.32607257743127307131L, 0.17392742256872692869L };
-  // As far as anything is seen.
-  Extended end = 1;
-  while (depth(end / 2) > 50)
-  {
-    end /= 2;
-  }
-  const int steps = 8 + static_cast<int>(8 * depth(end));
-  for (int step = 0; step < steps; ++step)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Extended x = end * (step + places[k]) / steps;
-      const Extended seen = light.Transmittance * std::exp(-depth(x)) *
-        (first + (last - first) * x) * weights[k] * end / steps;
-      for (int i = 0; i < 3; ++i)
-      {
-        light.Color[i] += seen * interval.Get(1 + i, from + (to - from) * x);
-      }
-    }
-  }
-  light.Transmittance *= std::exp(-depth(1));
-}
-
-void AddSegment(const std::vector<CloudNode>& nodes, Extended length, Extended from, Extended to,
-  ReferenceLight& light)
-{
-  std::vector<Interval> intervals = { { nodes.front(), nodes.front() } };
-  intervals.front().Low.Value = -Infinity;
-  for (std::size_t i = 1; i < nodes.size(); ++i)
-  {
-    intervals.push_back({ nodes[i - 1], nodes[i] });
-  }
-  intervals.push_back({ nodes.back(), nodes.back() });
-  intervals.back().High.Value = Infinity;
-  if (to < from)
-  {
-    std::reverse(intervals.begin(), intervals.end());
-  }
-  for (const Interval& interval : intervals)
-  {
-    const auto clamp = [&](Extended value)
-    { return std::clamp<Extended>(value, interval.Low.Value, interval.High.Value); };
-    if (from == to && (interval.Low.Value < from && from <= interval.High.Value))
-    {
-      AddPart(interval, length, from, to, light);
-    }
-    else if (clamp(from) != clamp(to))
-    {
-      AddPart(
-        interval, length * (clamp(to) - clamp(from)) / (to - from), clamp(from), clamp(to), light);
-    }
-  }
-}
 
 /// Transfer functions with some nodes in [-1, 1], jumps among them.
 std::vector<CloudNode> MakeNodes(RandomNumbers& random, double largest)
@@ -172,95 +82,6 @@ TestMesh MakeConvexMesh(RandomNumbers& random, Cutting cutting, double jitter)
     }
   }
   return mesh;
-}
-
-/// All tetrahedra of a mesh: corners and values.
-using Tetrahedron = std::array<std::array<double, 4>, 4>;
-std::vector<Tetrahedron> Subdivide(const TestMesh& mesh)
-{
-  const MeshCells cells(mesh.View());
-  std::vector<Tetrahedron> all;
-  for (std::int64_t i = 0; i < cells.GetNumberOfCells(); ++i)
-  {
-    MeshCell cell;
-    EXPECT_TRUE(cells.Load(i, cell));
-    double corners[MaximumTetrahedra][4][4];
-    const int count = SubdivideCell(cell, corners);
-    for (int k = 0; k < count; ++k)
-    {
-      Tetrahedron tetrahedron;
-      for (std::size_t corner = 0; corner < 4; ++corner)
-      {
-        std::copy_n(corners[k][corner], 4, tetrahedron[corner].begin());
-      }
-      all.push_back(tetrahedron);
-    }
-  }
-  return all;
-}
-
-Extended Determinant(const Extended (&a)[3], const Extended (&b)[3], const Extended (&c)[3])
-{
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/// The segment of a ray in a tetrahedron, by its barycentric coordinates, which are linear in t.
-struct ReferenceSegment
-{
-  Extended T[2];
-  Extended Value[2];
-};
-
-bool Intersect(
-  const Tetrahedron& tetrahedron, const Camera::PixelRay& ray, ReferenceSegment& segment)
-{
-  Extended edges[3][3];
-  Extended origin[3];
-  Extended direction[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      edges[i][axis] = static_cast<Extended>(tetrahedron[i + 1][axis]) - tetrahedron[0][axis];
-    }
-    origin[axis] = static_cast<Extended>(ray.Origin[axis]) - tetrahedron[0][axis];
-    direction[axis] = ray.Direction[axis];
-  }
-  const Extended volume = Determinant(edges[0], edges[1], edges[2]);
-  if (volume == 0)
-  {
-    return false;
-  }
-  const auto solve = [&](const Extended(&point)[3], Extended(&weights)[4], bool isPoint)
-  {
-    weights[1] = Determinant(point, edges[1], edges[2]) / volume;
-    weights[2] = Determinant(edges[0], point, edges[2]) / volume;
-    weights[3] = Determinant(edges[0], edges[1], point) / volume;
-    weights[0] = (isPoint ? 1 : 0) - weights[1] - weights[2] - weights[3];
-  };
-  Extended at[4];
-  Extended slope[4];
-  solve(origin, at, true);
-  solve(direction, slope, false);
-  segment.T[0] = 0;
-  segment.T[1] = ray.End;
-  for (int i = 0; i < 4; ++i)
-  {
-    const Extended t = -at[i] / slope[i];
-    segment.T[0] = slope[i] > 0 ? std::max(segment.T[0], t) : segment.T[0];
-    segment.T[1] = slope[i] < 0 ? std::min(segment.T[1], t) : segment.T[1];
-    segment.T[1] = slope[i] == 0 && at[i] < 0 ? -1 : segment.T[1];
-  }
-  for (int end = 0; end < 2; ++end)
-  {
-    segment.Value[end] = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      segment.Value[end] += (at[i] + slope[i] * segment.T[end]) * tetrahedron[i][3];
-    }
-  }
-  return segment.T[0] < segment.T[1];
 }
 
 //------------------------------------------------------------------------------
@@ -347,44 +168,6 @@ struct CloudScene
   Scene Shown;
 };
 
-/// The light of a pixel, by rays that are intersected with every tetrahedron.
-ReferenceLight FindLight(const std::vector<Tetrahedron>& tetrahedra, const CloudScene& scene,
-  const std::vector<CloudNode>& nodes, int x, int y)
-{
-  const Camera& view = scene.Shown.Fields.front().View;
-  const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
-  std::vector<ReferenceSegment> segments;
-  for (const Tetrahedron& tetrahedron : tetrahedra)
-  {
-    ReferenceSegment segment;
-    if (Intersect(tetrahedron, ray, segment))
-    {
-      segments.push_back(segment);
-    }
-  }
-  std::sort(segments.begin(), segments.end(),
-    [](const ReferenceSegment& a, const ReferenceSegment& b) { return a.T[0] < b.T[0]; });
-  const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
-  ReferenceLight light;
-  for (const ReferenceSegment& segment : segments)
-  {
-    AddSegment(
-      nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
-  }
-  return light;
-}
-
-/// The largest difference of colours and opacities.
-double FindError(const std::array<double, 4>& light, const ReferenceLight& reference)
-{
-  Extended error = std::abs(light[3] - (1 - reference.Transmittance));
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    error = std::max(error, std::abs(light[i] - reference.Color[i]));
-  }
-  return static_cast<double>(error);
-}
-
 //------------------------------------------------------------------------------
 /// The segments of all rays of a tile, by pixel.
 struct FoundSegment
@@ -438,7 +221,7 @@ TEST(CellSubdivision, CutsCellsWithoutRest)
   {
     const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
     Extended volume = 0;
-    for (const Tetrahedron& tetrahedron : Subdivide(mesh))
+    for (const Tetrahedron& tetrahedron : Subdivide(MeshCells(mesh.View())))
     {
       Extended edges[3][3];
       for (std::size_t i = 0; i < 3; ++i)
@@ -462,7 +245,7 @@ TEST(CellSubdivision, CutsSharedFacesAlike)
   {
     const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
     std::map<std::array<std::array<double, 4>, 3>, int> faces;
-    for (Tetrahedron tetrahedron : Subdivide(mesh))
+    for (Tetrahedron tetrahedron : Subdivide(MeshCells(mesh.View())))
     {
       std::sort(tetrahedron.begin(), tetrahedron.end());
       for (std::size_t without = 0; without < 4; ++without)
@@ -615,8 +398,8 @@ TEST_P(CellProjection, IntegratesSegments)
     for (int i = 0; i < segments->Count; ++i)
     {
       const SegmentLight& light = lights[static_cast<std::size_t>(i)];
-      ReferenceLight reference;
-      AddSegment(nodes,
+      ReferenceLight<Extended> reference;
+      AddSegment<Extended>(nodes,
         static_cast<Extended>(tile->Length[segments->Pixel[i]]) *
           (static_cast<Extended>(segments->Depth[1][i]) - segments->Depth[0][i]),
         segments->Value[0][i], segments->Value[1][i], reference);
@@ -638,7 +421,7 @@ TEST_P(CellProjection, DrawsWhatIntegralsSay)
   for (const Cutting cutting : AllCuttings)
   {
     const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
-    const std::vector<Tetrahedron> tetrahedra = Subdivide(mesh);
+    const std::vector<Tetrahedron> tetrahedra = Subdivide(MeshCells(mesh.View()));
     const std::vector<CloudNode> nodes = MakeNodes(random, 0.8);
     for (const bool isInside : { false, true })
     {
@@ -649,7 +432,8 @@ TEST_P(CellProjection, DrawsWhatIntegralsSay)
       {
         for (int x = 2; x < Width; x += 7)
         {
-          const ReferenceLight reference = FindLight(tetrahedra, scene, nodes, x, y);
+          const ReferenceLight<Extended> reference =
+            FindLight<Extended>(tetrahedra, scene.Shown.Fields.front().View, nodes, x, y);
           const std::array<double, 4>& light = lights[static_cast<std::size_t>(y * Width + x)];
           worst = std::max(worst, FindError(light, reference));
           brightest = std::max(brightest, light[3]);
@@ -660,6 +444,63 @@ TEST_P(CellProjection, DrawsWhatIntegralsSay)
   }
   EXPECT_LT(worst, 4e-5);
   this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// No cell that reaches above all sides is left out, near the origin or far from it; of the others
+/// nearly all are.
+TEST(CellBoxes, FindCellsAboveSides)
+{
+  RandomNumbers random(12);
+  for (const double offset : { 0.0, 1e4 })
+  {
+    TestMesh mesh = MakeMesh(random, Index3{ 12, 10, 9 }, Cutting::Mixed, 0.2,
+      [&](const Index3&) { return random.Uniform(-1.0, 1.0); });
+    std::for_each(
+      mesh.Points.begin(), mesh.Points.end(), [offset](double& number) { number += offset; });
+    const MeshCells cells(mesh.View());
+    const CellTree tree(cells, 1);
+    const CellBoxes boxes(cells, tree, 2);
+    EXPECT_EQ(boxes.GetMemory(), 6 * 16 * tree.GetNumberOfBlocks());
+    int above = 0;
+    int found = 0;
+    int all = 0;
+    for (int repeat = 0; repeat < 20; ++repeat)
+    {
+      double sides[2][4];
+      for (auto& side : sides)
+      {
+        const Vector3 point = random.PointInBox(tree.GetBounds().Lower, tree.GetBounds().Upper);
+        const Vector3 normal = random.PointInBox({ -1, -1, -1 }, { 1, 1, 1 });
+        std::copy(normal.begin(), normal.end(), side);
+        side[3] = -(normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2]);
+      }
+      for (std::size_t block = 0; block < tree.GetNumberOfBlocks(); ++block)
+      {
+        const unsigned int met = boxes.FindMet(tree, block, sides, 2);
+        for (int i = 0; i < tree.GetNumberOfCells(block); ++i, ++all)
+        {
+          MeshCell cell;
+          ASSERT_TRUE(cells.Load(tree.GetCell(block, i), cell));
+          const auto reaches = [&cell](const double(&side)[4])
+          {
+            return std::any_of(cell.Points, cell.Points + cell.Count,
+              [&side](const Vector3& point) {
+                return side[0] * point[0] + side[1] * point[1] + side[2] * point[2] + side[3] > 0;
+              });
+          };
+          const bool isMet = (met >> i & 1U) != 0;
+          const bool isAbove = reaches(sides[0]) && reaches(sides[1]);
+          EXPECT_TRUE(isMet || !isAbove);
+          found += isMet ? 1 : 0;
+          above += isAbove ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(above, all / 20);
+    EXPECT_LT(above, all / 2);
+    EXPECT_LT(found, above + all / 20);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -726,7 +567,7 @@ TEST_P(CellProjection, DrawsFragmentsInTheCloud)
   RandomNumbers random(10);
   const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
   const std::vector<CloudNode> nodes = MakeNodes(random, 0.5);
-  const std::vector<Tetrahedron> tetrahedra = Subdivide(mesh);
+  const std::vector<Tetrahedron> tetrahedra = Subdivide(MeshCells(mesh.View()));
   CloudScene scene(mesh, nodes, MakeCamera(false));
   scene.Field.Select(scene.Request, { 1, &this->TheKernels });
   CloudTileRenderer renderer(scene.Shown, &this->TheKernels);
@@ -761,14 +602,14 @@ TEST_P(CellProjection, DrawsFragmentsInTheCloud)
     const int y = 16 + pixel / 16;
     const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
     const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
-    ReferenceLight light;
+    ReferenceLight<Extended> light;
     double from = 0.0;
     for (const Fragment& fragment : fragments[pixel])
     {
-      std::vector<ReferenceSegment> segments;
+      std::vector<ReferenceSegment<Extended>> segments;
       for (const Tetrahedron& tetrahedron : tetrahedra)
       {
-        ReferenceSegment segment;
+        ReferenceSegment<Extended> segment;
         Camera::PixelRay part = ray;
         part.Origin = ray.Origin + ray.Direction * from;
         part.End = fragment.T - from;
@@ -778,10 +619,10 @@ TEST_P(CellProjection, DrawsFragmentsInTheCloud)
         }
       }
       std::sort(segments.begin(), segments.end(),
-        [](const ReferenceSegment& a, const ReferenceSegment& b) { return a.T[0] < b.T[0]; });
-      for (const ReferenceSegment& segment : segments)
+        [](const auto& a, const auto& b) { return a.T[0] < b.T[0]; });
+      for (const ReferenceSegment<Extended>& segment : segments)
       {
-        AddSegment(
+        AddSegment<Extended>(
           nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
       }
       for (std::size_t i = 0; i < 3; ++i)

@@ -258,13 +258,29 @@ void MeshCloud::LoadCells()
 }
 
 //------------------------------------------------------------------------------
+/// Finds the cells of a block that the tile may see. Returns how many there are.
+int MeshCloud::FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const
+{
+  const CellTree& tree = *this->Selection.Tree;
+  const unsigned int met = this->Selection.Boxes->FindMet(
+    tree, block, this->Sides, static_cast<int>(std::size(this->Sides)));
+  int count = 0;
+  for (int i = 0; i < tree.GetNumberOfCells(block); ++i)
+  {
+    numbers[count] = tree.GetCell(block, i);
+    count += static_cast<int>(met >> i & 1U);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 /// Loads the tetrahedra of a block behind those that are loaded. Returns how many there are.
 int MeshCloud::LoadBlock(std::size_t block)
 {
   const MeshCells& cells = *this->Selection.Cells;
   std::uint32_t numbers[CellTree::Width];
-  const int count = this->Selection.Tree->GetCells(block, numbers);
-  const bool areTetrahedra = this->AreTetrahedra &&
+  const int count = this->FindCells(block, numbers);
+  const bool areTetrahedra = count > 0 && this->AreTetrahedra &&
     std::all_of(numbers, numbers + count,
       [&](std::uint32_t number) { return cells.GetShape(number) == CellShape::Tetrahedron; });
   if (areTetrahedra)

@@ -48,6 +48,7 @@ private:
   bool IsSeen(const Bounds& box) const;
   void FindBlocks(int level, std::size_t node);
   void LoadCells();
+  int FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const;
   int LoadBlock(std::size_t block);
 
   const MeshSelection& Selection;

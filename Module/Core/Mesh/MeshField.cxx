@@ -133,8 +133,12 @@ void MeshField::Select(
   }
   std::vector<HalfSpace> halves =
     MovePlanesIntoCells(request.Visible.HalfSpaces, this->Tree, this->Cells.GetPointType());
-  this->Selection = { &this->Cells, &this->Tree, request, std::move(halves), std::move(surfaces),
-    execution.PacketKernels };
+  if (request.HasCloud && !this->Boxes)
+  {
+    this->Boxes = std::make_unique<CellBoxes>(this->Cells, this->Tree, execution.Threads);
+  }
+  this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), request, std::move(halves),
+    std::move(surfaces), execution.PacketKernels };
 }
 
 //------------------------------------------------------------------------------
@@ -434,8 +438,8 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count,
 FieldStatistics MeshField::GetStatistics() const
 {
   FieldStatistics statistics;
-  statistics.HierarchyMemory =
-    this->Tree.GetMemory() + (this->Smooth ? this->Smooth->GetMemory() : 0);
+  statistics.HierarchyMemory = this->Tree.GetMemory() +
+    (this->Boxes ? this->Boxes->GetMemory() : 0) + (this->Smooth ? this->Smooth->GetMemory() : 0);
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
     statistics.CacheMemory += surface.Pieces->GetMemory();

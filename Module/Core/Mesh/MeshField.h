@@ -77,6 +77,8 @@ private:
 
   MeshCells Cells;
   CellTree Tree;
+  /// Built when a cloud is selected first.
+  std::unique_ptr<CellBoxes> Boxes;
   /// Null until they are requested first.
   std::unique_ptr<PointGradients> Smooth;
   double GradientSeconds = 0.0;

@@ -5,6 +5,7 @@
 #define MeshSelection_h
 
 #include "Kernels/Kernels.h"
+#include "Mesh/CellBoxes.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/SurfacePieces.h"
@@ -30,6 +31,8 @@ struct MeshSelection
 {
   const MeshCells* Cells = nullptr;
   const CellTree* Tree = nullptr;
+  /// Null without a cloud.
+  const CellBoxes* Boxes = nullptr;
   TraceRequest Request;
   /// Those of the request, as rays are cut to them: see MeshCaps.h.
   std::vector<HalfSpace> HalfSpaces;

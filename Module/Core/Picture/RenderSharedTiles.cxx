@@ -73,6 +73,7 @@ public:
     this->Fragments.clear();
     this->Found.Clear();
     MakeCloudRays(this->TheScene, tile, this->Rays);
+    // Later parts begin behind the near plane.
     if (request.From == 0.0)
     {
       this->FindFragments(tile);

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <type_traits>
@@ -66,8 +65,9 @@ public:
   template <typename Number>
   void Take(Number* numbers, std::size_t count)
   {
-    std::memcpy(numbers, this->Next, count * sizeof(Number));
-    this->Next += count * sizeof(Number);
+    static_assert(std::is_trivially_copyable_v<Number>, "Numbers are sent as bytes.");
+    std::copy_n(this->Skip(count * sizeof(Number)), count * sizeof(Number),
+      reinterpret_cast<unsigned char*>(numbers));
   }
 
   template <typename Number>
