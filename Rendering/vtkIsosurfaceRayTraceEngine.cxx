@@ -731,9 +731,12 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
         picture.Scene.Pixels = {};
         return true;
       }
-      return agreement == vtkirt::Agreement::Fine &&
+      const vtkirt::Stopwatch stopwatch;
+      const bool isComplete = agreement == vtkirt::Agreement::Fine &&
         vtkirt::RenderSharedTiles(
           picture.Scene, execution, sharing, exchange, picture.Frame, counts, keepGoing);
+      picture.Times.Trace = stopwatch.GetSeconds();
+      return isComplete;
     },
     [&view, output](
       const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)

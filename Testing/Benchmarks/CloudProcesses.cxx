@@ -155,8 +155,9 @@ std::array<double, 4> CloudTiles::GetLight(int x, int y)
 {
   const int inX = x - this->TheScene.Pixels.X;
   const int inY = y - this->TheScene.Pixels.Y;
-  const auto isOf = [inX, inY](const vtkirt::PixelRectangle& tile)
-  { return vtkirt::Overlap(tile, { inX, inY, 1, 1 }); };
+  const auto isOf = [inX, inY](const vtkirt::PixelRectangle& tile) {
+    return vtkirt::Overlap(tile, { inX, inY, 1, 1 });
+  };
   const auto tile = std::find_if(this->Tiles.begin(), this->Tiles.end(), isOf);
   if (tile == this->Tiles.end())
   {
@@ -202,12 +203,12 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
       drawing.push_back(MeasureOn(1, [&]() { tiles.Draw(tile); }));
     }
   }
-  std::printf("%lld tetrahedra, %d x %d pixels, %lld segments\n\n"
-              "| processes | find, ms | draw, slowest, ms | messages, ms | picture, ms | efficiency "
-              "| picture if all wait for each other, ms | efficiency |\n"
-              "|---|---|---|---|---|---|---|---|\n",
-    static_cast<long long>(grid->GetNumberOfCells()), size, size,
-    static_cast<long long>(segments));
+  std::printf(
+    "%lld tetrahedra, %d x %d pixels, %lld segments\n\n"
+    "| processes | find, ms | draw, slowest, ms | messages, ms | picture, ms | efficiency "
+    "| picture if all wait for each other, ms | efficiency |\n"
+    "|---|---|---|---|---|---|---|---|\n",
+    static_cast<long long>(grid->GetNumberOfCells()), size, size, static_cast<long long>(segments));
   double alone = 0.0;
   for (int processes = 1; processes <= most; processes *= processes == 1 ? 8 : 4)
   {
@@ -220,17 +221,15 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
     const DrawingTimes times = FindDrawingTimes(tiles, drawing, processes);
     const double sent = static_cast<double>(segments) / processes * (processes - 1.0) / processes;
     // A message for each part, and the tiles of which it says that they are finished.
-    const double messages = processes == 1
-      ? 0.0
-      : MessageTime * 2.0 * tiles.GetCount() +
+    const double messages = processes == 1 ? 0.0
+                                           : MessageTime * 2.0 * tiles.GetCount() +
         sent * static_cast<double>(vtkirt::TileSegments::BytesOfOne) / Bandwidth;
     const double picture = finding + times.Slowest + messages;
     const double waiting = finding + times.Waiting + messages;
     alone = processes == 1 ? picture : alone;
     std::printf("| %d | %.2f | %.2f | %.2f | %.2f | %.0f %% | %.2f | %.0f %% |\n", processes,
       1e3 * finding, 1e3 * times.Slowest, 1e3 * messages, 1e3 * picture,
-      100.0 * alone / (processes * picture), 1e3 * waiting,
-      100.0 * alone / (processes * waiting));
+      100.0 * alone / (processes * picture), 1e3 * waiting, 100.0 * alone / (processes * waiting));
     std::fflush(stdout);
   }
 }

@@ -3,6 +3,8 @@
 
 #include "MeshTracer.h"
 
+#include "CloudReference.h"
+#include "Mesh/MeshCells.h"
 #include "Mesh/MeshField.h"
 #include "Picture/RenderTiles.h"
 #include "Samples.h"
@@ -90,7 +92,8 @@ MeshTracer::MeshTracer(vtkPointSet* grid, vtkDataArray* values, int threads)
   {
     SetCells(vtkUnstructuredGrid::SafeDownCast(grid), view);
   }
-  this->Field = std::make_unique<vtkirt::MeshField>(view, threads);
+  this->Cells = std::make_unique<vtkirt::MeshCells>(view, threads);
+  this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +136,27 @@ vtkirt::Scene MeshTracer::MakeScene(const View& view, const PictureRays& rays, i
   scene.TileWidth = mapper->GetTileSize()[0];
   scene.TileHeight = mapper->GetTileSize()[1];
   return scene;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Scene MeshTracer::MakeCloudScene(
+  const View& view, const PictureRays& rays, int size, const vtkirt::CloudTransfer& transfer) const
+{
+  vtkirt::TraceRequest request;
+  request.HasCloud = true;
+  this->Field->Select(request, {});
+  vtkirt::Scene scene = this->MakeScene(view, rays, size);
+  scene.Fields.front().Cloud = &transfer;
+  scene.Fields.front().Colors.clear();
+  scene.TileWidth = vtkirt::CloudTile::Edge;
+  scene.TileHeight = vtkirt::CloudTile::Edge;
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<std::array<double, 4>, 4>> MeshTracer::Subdivide() const
+{
+  return vtkirt::Subdivide(*this->Cells);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceRayTracing
 {
+class CloudTransfer;
+class MeshCells;
 class MeshField;
 struct Frame;
 }
@@ -45,6 +48,13 @@ public:
   vtkIsosurfaceRayTracing::Scene MakeScene(
     const View& view, const PictureRays& rays, int size) const;
 
+  /// The same for a cloud, and nothing else. The transfer functions must outlive the scene.
+  vtkIsosurfaceRayTracing::Scene MakeCloudScene(const View& view, const PictureRays& rays, int size,
+    const vtkIsosurfaceRayTracing::CloudTransfer& transfer) const;
+
+  /// Its tetrahedra, those that the cells are subdivided into included.
+  std::vector<std::array<std::array<double, 4>, 4>> Subdivide() const;
+
   /// Draws the picture, and returns the seconds of MeasureOn that making its rays and finding their
   /// hits took of it.
   double Trace(const vtkIsosurfaceRayTracing::Scene& scene, int threads);
@@ -61,6 +71,7 @@ public:
 private:
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> Values;
+  std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
   /// Its memory serves all pictures.
   std::unique_ptr<vtkIsosurfaceRayTracing::Frame> Picture;

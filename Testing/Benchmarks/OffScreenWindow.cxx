@@ -59,16 +59,23 @@ double OffScreenWindow::Draw(const View& view)
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> OffScreenWindow::GetDrawn()
+std::vector<unsigned char> OffScreenWindow::GetColors()
 {
   const int* size = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> OffScreenWindow::GetDrawn()
+{
+  const std::vector<unsigned char> colors = this->GetColors();
   std::vector<bool> drawn;
-  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  for (std::size_t i = 0; i < colors.size(); i += 3)
   {
     // No surface has more blue than red: less than half of the pixel is background.
-    drawn.push_back(pixels->GetValue(3 * i + 2) - pixels->GetValue(3 * i) < 128);
+    drawn.push_back(colors[i + 2] - colors[i] < 128);
   }
   return drawn;
 }

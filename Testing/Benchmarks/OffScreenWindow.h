@@ -39,6 +39,8 @@ public:
   void Show(vtkProp* prop);
   /// Seconds until the frame is finished.
   double Draw(const View& view);
+  /// Red, green and blue of its pixels, in rows from the bottom.
+  std::vector<unsigned char> GetColors();
   /// Whether its pixels show something, in rows from the bottom.
   std::vector<bool> GetDrawn();
   /// The share of its pixels that do.

@@ -108,8 +108,8 @@ struct Cloud
   {
     if (arguments.Input.empty())
     {
-      this->Grid = MakeMesh(
-        MeshShape::Tetrahedra, GetMeshEdge(MeshShape::Tetrahedra, arguments.Cells), false);
+      this->Grid =
+        MakeMesh(MeshShape::Tetrahedra, GetMeshEdge(MeshShape::Tetrahedra, arguments.Cells), false);
       this->Grid->GetPointData()->SetActiveScalars("gyroid");
     }
     else
@@ -214,9 +214,8 @@ std::array<double, 2> FindPlace(const vtkirt::Camera& view, const std::array<dou
   return { 0.5 + 0.5 * multiply(0) / multiply(12), 0.5 + 0.5 * multiply(4) / multiply(12) };
 }
 
-std::vector<ExactPixel> FindExactPixels(
-  const Cloud& cloud, const vtkirt::Camera& view, const std::vector<vtkirt::Tetrahedron>& all,
-  const Arguments& arguments)
+std::vector<ExactPixel> FindExactPixels(const Cloud& cloud, const vtkirt::Camera& view,
+  const std::vector<vtkirt::Tetrahedron>& all, const Arguments& arguments)
 {
   // Those that tetrahedra are projected to, about.
   const int columns = arguments.Size / arguments.Step;
@@ -313,8 +312,8 @@ void ComparePictures(const Cloud& cloud, const Arguments& arguments)
 {
   MeshTracer tracer(cloud.Grid, cloud.Grid->GetPointData()->GetScalars(), arguments.Threads);
   const vtkirt::CloudTransfer transfer(cloud.Nodes);
-  const vtkirt::Scene scene =
-    tracer.MakeCloudScene(cloud.Eye, PictureRays(cloud.Eye, arguments.Size), arguments.Size, transfer);
+  const vtkirt::Scene scene = tracer.MakeCloudScene(
+    cloud.Eye, PictureRays(cloud.Eye, arguments.Size), arguments.Size, transfer);
   const CloudTimes times = MeasureCloud(scene);
   std::printf("%lld tetrahedra, %d x %d pixels, %lld segments, %.1f ns of one thread a segment "
               "(finding %.1f, drawing %.1f), %.1f bytes a cell\n\n",
