@@ -19,6 +19,8 @@
  * isosurfaces are those of the cells as vtkIsosurfaceRayTraceMeshMapper has them, unless
  * Tetrahedralize is on.)
  *
+ * What is transparent costs little: cells without a value that has any opacity are passed over.
+ *
  * Where a ray crosses a face is a function of the two alone: segments of neighbouring cells join
  * without gaps and without overlaps, and the picture is the same, bit for bit, for any number of
  * threads. Cells may overlap or have gaps between them.

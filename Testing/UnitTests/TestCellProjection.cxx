@@ -187,7 +187,7 @@ std::map<int, std::vector<FoundSegment>> FindSegments(
   std::uint32_t open[CloudTile::Edge];
   std::fill(std::begin(open), std::end(open), ~0U);
   std::vector<ViewedCloud> clouds;
-  field.AddClouds(view, &kernels, clouds);
+  field.AddClouds(view, { { -Infinity, Infinity } }, &kernels, clouds);
   CloudSource& source = *clouds.front().Source;
   source.Begin(view, pixels, *tile, 0.0);
   std::map<int, std::vector<FoundSegment>> found;
@@ -444,6 +444,82 @@ TEST_P(CellProjection, DrawsWhatIntegralsSay)
   }
   EXPECT_LT(worst, 4e-5);
   this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+TEST(CloudTransfer, FindsValuesThatAreShown)
+{
+  const Vector3 gray = { 0.5, 0.5, 0.5 };
+  const auto find = [](const std::vector<CloudNode>& nodes)
+  {
+    std::vector<std::array<double, 2>> shown;
+    for (const ValueInterval& interval : CloudTransfer(nodes).FindShown())
+    {
+      shown.push_back({ interval.Low, interval.High });
+    }
+    return shown;
+  };
+  using Intervals = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(find({ { 1.0, 0.0, gray }, { 2.0, 0.0, gray } }), Intervals{});
+  EXPECT_EQ(find({ { 1.0, 0.5, gray } }), (Intervals{ { -Infinity, Infinity } }));
+  EXPECT_EQ(find({ { 1.0, 0.0, gray }, { 2.0, 0.0, gray }, { 3.0, 1.0, gray }, { 4.0, 0.0, gray },
+              { 5.0, 0.0, gray }, { 5.0, 2.0, gray }, { 6.0, 2.0, gray }, { 6.0, 0.0, gray } }),
+    (Intervals{ { 2.0, 4.0 }, { 5.0, 6.0 } }));
+  EXPECT_EQ(find({ { 1.0, 1e-300, gray }, { 2.0, 0.0, gray }, { 3.0, 0.5, gray } }),
+    (Intervals{ { -Infinity, Infinity } }));
+}
+
+//------------------------------------------------------------------------------
+/// Cells without a value that is shown are passed over, and the light is the same.
+TEST_P(CellProjection, PassesOverWhatIsNotShown)
+{
+  RandomNumbers random(13);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
+  const Vector3 color = { 0.9, 0.6, 0.3 };
+  const std::vector<CloudNode> nodes = { { 0.5, 0.0, color }, { 0.7, 3.0, color },
+    { 0.8, 0.0, color } };
+  CloudScene scene(mesh, nodes, MakeCamera(false));
+  const auto lights = scene.Render(this->TheKernels);
+  const std::vector<Tetrahedron> tetrahedra = Subdivide(MeshCells(mesh.View()));
+  double worst = 0.0;
+  double largest = 0.0;
+  for (int y = 0; y < Height; y += 2)
+  {
+    for (int x = 0; x < Width; x += 2)
+    {
+      const auto& light = lights[static_cast<std::size_t>(y * Width + x)];
+      worst = std::max(worst,
+        FindError(
+          light, FindLight<Extended>(tetrahedra, scene.Shown.Fields.front().View, nodes, x, y)));
+      largest = std::max(largest, light[3]);
+    }
+  }
+  EXPECT_LT(worst, 4e-5);
+  EXPECT_GT(largest, 0.2);
+
+  const auto count = [&](const Scene& shown)
+  {
+    CloudFinder finder(shown, &this->TheKernels);
+    const auto rays = std::make_unique<CloudTile>();
+    const auto segments = std::make_unique<CloudSegments>();
+    const PixelRectangle tile = { 16, 16, 16, 16 };
+    std::uint32_t open[CloudTile::Edge];
+    std::fill(std::begin(open), std::end(open), ~0U);
+    MakeCloudRays(shown, tile, *rays);
+    finder.Begin(tile, *rays, 0.0);
+    int found = 0;
+    while (finder.GetNextDepth() < Infinity)
+    {
+      finder.FindMore(open, *segments);
+      found += segments->Count;
+    }
+    return found;
+  };
+  Scene maximum = scene.Shown;
+  maximum.Fields.front().IsMaximum = true;
+  const int all = count(maximum);
+  EXPECT_GT(all, 1000);
+  EXPECT_LT(count(scene.Shown), all * 4 / 5);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,13 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// Values from Low to High.
+struct ValueInterval
+{
+  double Low;
+  double High;
+};
+
 /// Finds the segments of rays in the cells of a field, tile by tile, for one thread: front to back,
 /// but for what cells that are near to each other overlap in depth.
 class CloudSource

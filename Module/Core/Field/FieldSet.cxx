@@ -816,8 +816,8 @@ void FieldSet::FindTransmittance(
 }
 
 //------------------------------------------------------------------------------
-void FieldSet::AddClouds(
-  const Camera& view, const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
+void FieldSet::AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+  const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
 {
   for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
   {
@@ -826,7 +826,7 @@ void FieldSet::AddClouds(
       const Camera own(Multiply(view.GetClipFromObject(), member->SetFromOwn),
         Multiply(member->OwnFromSet, view.GetObjectFromClip()),
         Multiply(view.GetWorldFromObject(), member->SetFromOwn), view.GetWidth(), view.GetHeight());
-      member->Field->AddClouds(own, kernels, clouds);
+      member->Field->AddClouds(own, shown, kernels, clouds);
     }
   }
 }

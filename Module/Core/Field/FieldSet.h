@@ -99,8 +99,8 @@ public:
   void TracePackets(TracedPacket* packets, int count, Beam* beam) override;
   void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance) override;
-  void AddClouds(
-    const Camera& view, const Kernels* kernels, std::vector<ViewedCloud>& clouds) const override;
+  void AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+    const Kernels* kernels, std::vector<ViewedCloud>& clouds) const override;
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;

@@ -139,10 +139,10 @@ public:
     RayPacket& packet, const Departure* departures, double* transmittance);
 
   /// Appends what a thread finds the cells with that are drawn as a cloud, given the camera in the
-  /// object space of the field. A field that cannot be drawn so appends nothing. The kernels may be
-  /// null.
-  virtual void AddClouds(
-    const Camera& /*view*/, const Kernels* /*kernels*/, std::vector<ViewedCloud>& /*clouds*/) const
+  /// object space of the field, and the values that show anything, in order: cells without them may
+  /// be passed over. A field that cannot be drawn so appends nothing. The kernels may be null.
+  virtual void AddClouds(const Camera& /*view*/, const std::vector<ValueInterval>& /*shown*/,
+    const Kernels* /*kernels*/, std::vector<ViewedCloud>& /*clouds*/) const
   {
   }
 

@@ -33,10 +33,12 @@ double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)
 }
 
 //------------------------------------------------------------------------------
-MeshCloud::MeshCloud(const MeshSelection& selection, const Kernels& kernels)
+MeshCloud::MeshCloud(
+  const MeshSelection& selection, const std::vector<ValueInterval>& shown, const Kernels& kernels)
   : Selection(selection)
   , TheKernels(kernels)
   , AreTetrahedra(selection.Tree->AreAllFinite() && !selection.Request.Visible.HiddenCells)
+  , Shown(shown)
 {
 }
 
@@ -172,6 +174,33 @@ bool MeshCloud::IsSeen(const Bounds& box) const
 }
 
 //------------------------------------------------------------------------------
+/// Whether any of the values from low to high is shown; not if low > high.
+bool MeshCloud::IsShown(double low, double high) const
+{
+  return low <= high &&
+    std::any_of(this->Shown.begin(), this->Shown.end(),
+      [low, high](const ValueInterval& shown) { return shown.Low <= high && low <= shown.High; });
+}
+
+//------------------------------------------------------------------------------
+/// Keeps those tetrahedra of the last that are loaded which show anything. Returns how many.
+int MeshCloud::KeepShown(int count)
+{
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto& corners = this->Corners[this->Loaded + i];
+    const double low = std::min({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
+    const double high = std::max({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
+    if (this->IsShown(low, high))
+    {
+      std::copy_n(&corners[0][0], 16, &this->Corners[this->Loaded + kept++][0][0]);
+    }
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
 /// Finds the blocks below a node that the tile may see.
 void MeshCloud::FindBlocks(int level, std::size_t node)
 {
@@ -179,7 +208,8 @@ void MeshCloud::FindBlocks(int level, std::size_t node)
   const CellTreeNode& parent = tree.GetNode(level, node);
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (parent.Low[child] > parent.High[child])
+    if (!this->IsShown(
+          static_cast<double>(parent.Low[child]), static_cast<double>(parent.High[child])))
     {
       continue;
     }
@@ -248,7 +278,7 @@ void MeshCloud::LoadCells()
   {
     const Block& block = this->Blocks[this->NextBlock++];
     this->DepthOfLast = block.Depth;
-    this->Loaded += this->LoadBlock(block.Number);
+    this->Loaded += this->KeepShown(this->LoadBlock(block.Number));
   }
   const int count = std::min(this->Loaded, ProjectedTetrahedra::Capacity);
   this->TheKernels.ProjectTetrahedra(this->Tile, this->Corners, count, this->Projected);

@@ -24,8 +24,10 @@ namespace vtkIsosurfaceRayTracing
 class MeshCloud final : public CloudSource
 {
 public:
-  /// The selection must outlive the source.
-  MeshCloud(const MeshSelection& selection, const Kernels& kernels);
+  /// The selection must outlive the source. Tetrahedra without a value that is shown are passed
+  /// over.
+  MeshCloud(const MeshSelection& selection, const std::vector<ValueInterval>& shown,
+    const Kernels& kernels);
 
   void Begin(
     const Camera& view, const PixelRectangle& pixels, const CloudTile& tile, double from) override;
@@ -46,6 +48,8 @@ private:
   void CutRays(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile);
   void CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel);
   bool IsSeen(const Bounds& box) const;
+  bool IsShown(double low, double high) const;
+  int KeepShown(int count);
   void FindBlocks(int level, std::size_t node);
   void LoadCells();
   int FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const;
@@ -54,6 +58,7 @@ private:
   const MeshSelection& Selection;
   const Kernels& TheKernels;
   bool AreTetrahedra;
+  std::vector<ValueInterval> Shown;
 
   CloudTile Tile;
   /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.

@@ -325,11 +325,12 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 }
 
 //------------------------------------------------------------------------------
-void MeshField::AddClouds(
-  const Camera& view, const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
+void MeshField::AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+  const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
 {
   clouds.push_back(
-    { std::make_unique<MeshCloud>(this->Selection, kernels ? *kernels : BaselineKernels), view });
+    { std::make_unique<MeshCloud>(this->Selection, shown, kernels ? *kernels : BaselineKernels),
+      view });
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "Kernels/Kernels.h"
 #include "Math/Matrix.h"
+#include "Picture/CloudTransfer.h"
 
 #include <algorithm>
 #include <limits>
@@ -107,7 +108,11 @@ CloudFinder::CloudFinder(const Scene& scene, const Kernels* kernels)
     const SceneField& field = scene.Fields[i];
     if (field.Cloud)
     {
-      field.Field->AddClouds(field.View, kernels, found);
+      // The largest value may be one that shows nothing.
+      const std::vector<ValueInterval> shown = field.IsMaximum
+        ? std::vector<ValueInterval>{ { -Infinity, Infinity } }
+        : field.Cloud->FindShown();
+      field.Field->AddClouds(field.View, shown, kernels, found);
       for (ViewedCloud& cloud : found)
       {
         this->Clouds.push_back({ std::move(cloud), i });

@@ -75,6 +75,27 @@ void CloudTransfer::FillBins(double first, double last)
 }
 
 //------------------------------------------------------------------------------
+std::vector<ValueInterval> CloudTransfer::FindShown() const
+{
+  std::vector<ValueInterval> shown;
+  for (const TransferPiece& piece : this->Pieces)
+  {
+    // Linear: it is anywhere if it is at an end. A piece without an end is constant.
+    const double reach = piece.Slope[0] != 0.0 ? piece.High - piece.Low : 0.0;
+    if (piece.AtAnchor[0] <= 0.0 && piece.AtAnchor[0] + piece.Slope[0] * reach <= 0.0)
+    {
+      continue;
+    }
+    if (shown.empty() || shown.back().High < piece.Low)
+    {
+      shown.push_back({ piece.Low, piece.Low });
+    }
+    shown.back().High = piece.High;
+  }
+  return shown;
+}
+
+//------------------------------------------------------------------------------
 CloudNode CloudTransfer::Get(double value) const
 {
   const auto piece = std::find_if(this->Pieces.begin(), this->Pieces.end() - 1,

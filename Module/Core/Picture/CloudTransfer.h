@@ -4,6 +4,7 @@
 #ifndef CloudTransfer_h
 #define CloudTransfer_h
 
+#include "Field/CloudSource.h"
 #include "Kernels/CloudTile.h"
 #include "Math/Vector.h"
 
@@ -32,6 +33,9 @@ public:
   void operator=(const CloudTransfer&) = delete;
 
   const TransferPieces& GetPieces() const { return this->View; }
+
+  /// The values with an attenuation, in order: all that light is lost in, or comes from.
+  std::vector<ValueInterval> FindShown() const;
 
   /// The colour and the attenuation of a value.
   CloudNode Get(double value) const;
