@@ -221,7 +221,7 @@ int vtkIsosurfacePicture::Draw(vtkViewport* viewport)
   const int* size = this->Picture->GetDimensions();
   this->Display->Display(window,
     { place[0], place[1], place[2], place[3], size[0], size[1],
-      GetColors(this->Picture)->GetPointer(0), this->Depths.data(), this->IsOpaque },
+      GetColors(this->Picture)->GetPointer(0), this->Depths.data(), this->IsOpaque, false },
     nullptr);
   return 1;
 }

@@ -177,8 +177,10 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
 
   const vtkirt::Stopwatch ofDepths;
   // For a selection of points the depth is also that of our own surfaces, rounded; there, the depth
-  // test decides.
-  if (MayShowOthers(target.Renderer) && (!drawing.Selector || request.IsProjection()))
+  // test decides. It does in coarse pictures, too: each pixel has a depth, and not each a ray.
+  const bool isTested =
+    drawing.Selector ? !request.IsProjection() : drawing.IsCoarse() && this->IsOpaque(drawing);
+  if (MayShowOthers(target.Renderer) && !isTested)
   {
     this->ReadDepths(drawing);
   }
@@ -333,7 +335,8 @@ vtkIsosurfaceRayTraceImageDisplay::Image vtkIsosurfaceRayTraceFrame::GetImage(
   const vtkirt::PixelRectangle pixels = sampling.ToPixels(rays);
   return { drawing.Viewport.X + pixels.X, drawing.Viewport.Y + pixels.Y, pixels.Width,
     pixels.Height, rays.Width / sampling.Rays, rays.Height / sampling.Rays,
-    this->Picture.Frame.Colors.data(), this->Picture.Frame.Depths.data(), isOpaque };
+    this->Picture.Frame.Colors.data(), this->Picture.Frame.Depths.data(), isOpaque,
+    drawing.IsCoarse() };
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,12 @@ private:
   {
     Drawing(const vtkIsosurfaceRayTraceSettings& settings, const Target& target);
 
+    /// Whether pixels show colours from between rays. (Ids and points have none between.)
+    bool IsCoarse() const
+    {
+      return !this->Selector && !this->Occlusion && this->Sampling.Pixels > 1;
+    }
+
     vtkOpenGLRenderWindow* Window;
     /// In a render pass, of a framebuffer whose origin and size may differ from the window's.
     vtkIsosurfaceRayTracing::PixelRectangle Viewport;

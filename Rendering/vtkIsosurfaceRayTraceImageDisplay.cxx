@@ -36,12 +36,39 @@ in vec2 texCoord;
 uniform sampler2D colors;
 uniform sampler2D depths;
 uniform int drawDepths;
+uniform int interpolateDepth;
 //Geometry::Dec
+// Of the four depths around, those that there are, by the weights of a linear filter.
+float meanOfDepths()
+{
+  ivec2 last = textureSize(depths, 0) - 1;
+  vec2 position = texCoord * vec2(last + 1) - 0.5;
+  ivec2 corner = ivec2(floor(position));
+  vec2 upper = fract(position);
+  float sum = 0.0;
+  float weights = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 side = ivec2(i % 2, i / 2);
+    float depth = texelFetch(depths, clamp(corner + side, ivec2(0), last), 0).r;
+    vec2 weight = mix(1.0 - upper, upper, vec2(side));
+    if (depth <= 1.0)
+    {
+      sum += weight.x * weight.y * depth;
+      weights += weight.x * weight.y;
+    }
+  }
+  return weights > 0.0 ? sum / weights : 1.0;
+}
 void main()
 {
   vec4 color = texture(colors, texCoord);
-  float depth = texture(depths, texCoord).r;
-  if (drawDepths != 0 ? depth > 1.0 : color.a <= 0.0)
+  if (drawDepths == 0 && color.a <= 0.0)
+  {
+    discard;
+  }
+  float depth = interpolateDepth != 0 ? meanOfDepths() : texture(depths, texCoord).r;
+  if (drawDepths != 0 && depth > 1.0)
   {
     discard;
   }
@@ -80,7 +107,12 @@ std::string MakeGeometryShader(const vtkIsosurfaceRayTraceImageDisplay::Geometry
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceImageDisplay::vtkIsosurfaceRayTraceImageDisplay() = default;
+vtkIsosurfaceRayTraceImageDisplay::vtkIsosurfaceRayTraceImageDisplay()
+{
+  // What is interpolated has no other side.
+  this->ColorTexture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->ColorTexture->SetWrapT(vtkTextureObject::ClampToEdge);
+}
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceImageDisplay::~vtkIsosurfaceRayTraceImageDisplay() = default;
@@ -139,6 +171,9 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(
     this->PositionTexture->SetContext(window);
     this->NormalTexture->SetContext(window);
   }
+  const int filter = image.Interpolated ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  this->ColorTexture->SetMagnificationFilter(filter);
+  this->ColorTexture->SetMinificationFilter(filter);
   const auto width = static_cast<unsigned int>(image.Columns);
   const auto height = static_cast<unsigned int>(image.Rows);
   // The textures are only read from; the interface of vtkTextureObject does not say so.
@@ -164,32 +199,31 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(
   {
     this->DrawGeometry(window, image, *geometry);
   }
-  else if (image.Opaque)
+  else if (image.Opaque && !image.Interpolated)
   {
-    this->Draw(window, true, true);
+    this->Draw(window, { true, true, true, false });
   }
   else
   {
-    // Translucent pixels write no depth, or they would hide what is drawn behind them later.
-    this->Draw(window, true, false);
-    this->Draw(window, false, true);
+    // Translucent pixels write no depth, or they would hide what is drawn behind them later. Where
+    // rays have been cut at the depth of the scene, there is nothing to test.
+    this->Draw(window, { true, false, image.Opaque, true });
+    this->Draw(window, { false, true, true, false });
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceImageDisplay::Draw(
-  vtkOpenGLRenderWindow* window, bool drawColors, bool drawDepths)
+void vtkIsosurfaceRayTraceImageDisplay::Draw(vtkOpenGLRenderWindow* window, const Layer& layer)
 {
   vtkOpenGLState* state = window->GetState();
-  const auto colorMask = static_cast<unsigned char>(drawColors);
+  const auto colorMask = static_cast<unsigned char>(layer.HasColors);
   state->vtkglColorMask(colorMask, colorMask, colorMask, colorMask);
-  state->vtkglDepthMask(static_cast<unsigned char>(drawDepths));
-  // The rays have been cut at the depth of the scene already; only what writes depth is tested.
-  drawDepths ? state->vtkglEnable(GLDepthTest) : state->vtkglDisable(GLDepthTest);
+  state->vtkglDepthMask(static_cast<unsigned char>(layer.HasDepths));
+  layer.TestDepth ? state->vtkglEnable(GLDepthTest) : state->vtkglDisable(GLDepthTest);
 
   if (vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, FragmentShader, this->Quad))
   {
-    this->Render(*this->Quad, drawDepths);
+    this->Render(*this->Quad, layer);
   }
 }
 
@@ -218,7 +252,7 @@ void vtkIsosurfaceRayTraceImageDisplay::DrawGeometry(
   this->NormalTexture->Activate();
   this->GeometryQuad->Program->SetUniformi("positions", this->PositionTexture->GetTextureUnit());
   this->GeometryQuad->Program->SetUniformi("normals", this->NormalTexture->GetTextureUnit());
-  this->Render(*this->GeometryQuad, true);
+  this->Render(*this->GeometryQuad, { true, true, true, false });
   this->NormalTexture->Deactivate();
   this->PositionTexture->Deactivate();
 }
@@ -239,13 +273,14 @@ bool vtkIsosurfaceRayTraceImageDisplay::MakeReady(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceImageDisplay::Render(vtkOpenGLQuadHelper& quad, bool drawDepths)
+void vtkIsosurfaceRayTraceImageDisplay::Render(vtkOpenGLQuadHelper& quad, const Layer& layer)
 {
   this->ColorTexture->Activate();
   this->DepthTexture->Activate();
   quad.Program->SetUniformi("colors", this->ColorTexture->GetTextureUnit());
   quad.Program->SetUniformi("depths", this->DepthTexture->GetTextureUnit());
-  quad.Program->SetUniformi("drawDepths", drawDepths ? 1 : 0);
+  quad.Program->SetUniformi("drawDepths", layer.HasDepths ? 1 : 0);
+  quad.Program->SetUniformi("interpolateDepth", layer.InterpolateDepth ? 1 : 0);
   quad.Render();
   this->DepthTexture->Deactivate();
   this->ColorTexture->Deactivate();

@@ -43,6 +43,8 @@ public:
     const float* Depths;
     /// Whether every pixel is either opaque or empty.
     bool Opaque;
+    /// Whether colours are interpolated between columns and rows.
+    bool Interpolated;
   };
 
   /// What a render pass that uses the geometry needs as well: for every pixel the point and the
@@ -67,20 +69,30 @@ public:
   static void ReadDepths(
     vtkOpenGLRenderWindow* window, int x, int y, int width, int height, float* depths);
 
-  /// Blends the colours over the framebuffer, and writes the depths where they are nearer. The
-  /// geometry may be null; with it, the picture must be opaque.
+  /// Blends the colours over the framebuffer, and writes the depths where they are nearer. Colours
+  /// that are opaque are drawn where they are nearer, others everywhere. The geometry may be null;
+  /// with it, the picture must be opaque, and is not interpolated.
   void Display(vtkOpenGLRenderWindow* window, const Image& image, const Geometry* geometry);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Draw(vtkOpenGLRenderWindow* window, bool drawColors, bool drawDepths);
+  /// What is drawn at a time.
+  struct Layer
+  {
+    bool HasColors;
+    bool HasDepths;
+    bool TestDepth;
+    bool InterpolateDepth;
+  };
+
+  void Draw(vtkOpenGLRenderWindow* window, const Layer& layer);
   void DrawGeometry(vtkOpenGLRenderWindow* window, const Image& image, const Geometry& geometry);
   /// Makes the quad, or makes its shaders current. Returns whether it can be drawn.
   static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
     std::unique_ptr<vtkOpenGLQuadHelper>& quad);
   /// Draws a quad that is ready, with the textures of colours and depths.
-  void Render(vtkOpenGLQuadHelper& quad, bool drawDepths);
+  void Render(vtkOpenGLQuadHelper& quad, const Layer& layer);
 
   vtkNew<vtkTextureObject> ColorTexture;
   vtkNew<vtkTextureObject> DepthTexture;

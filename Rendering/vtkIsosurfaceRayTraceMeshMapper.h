@@ -308,9 +308,10 @@ public:
   /**
    * Set/Get the distance between neighbouring rays, in pixels; after a frame with
    * AutoAdjustSampleDistances, the distance that was chosen. Values from 1 are rounded to a whole
-   * number of pixels that share a ray; values below 1 are rounded to 1/n, and each pixel is the
-   * mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100. Default:
-   * 1.
+   * number of pixels, and colours are interpolated between the rays; opaque surfaces are hidden by
+   * other props pixel by pixel all the same. Values below 1 are rounded to 1/n, and each pixel is
+   * the mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100.
+   * Default: 1.
    */
   vtkIsosurfaceSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
   vtkGetMacro(ImageSampleDistance, float);
