@@ -18,10 +18,6 @@ VTK_ABI_NAMESPACE_END
 namespace Compare
 {
 
-/// Whether the name of a file is that of a mesh for ReadMesh: .vtu, .vts, .vtk, .vtm, .ex2, .exo,
-/// .e or .g.
-bool IsMesh(const std::string& fileName);
-
 /// The vtkUnstructuredGrid or vtkStructuredGrid in a file. The blocks of composite data become one
 /// vtkUnstructuredGrid. The active scalars are the array of this name, or if it is empty those of
 /// the file, or else its first array of points; those of cells are averaged to points. Throws

@@ -8,6 +8,7 @@
 #include "Report.h"
 #include "Support/CommandLine.h"
 #include "Support/OutputFile.h"
+#include "Support/ReadDataObject.h"
 #include "Support/ReadVolume.h"
 #include "TableFiles.h"
 #include "vtkIsosurfaceComparisonFilter.h"
@@ -231,7 +232,7 @@ double FindPartOfMethods(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> Read(const Arguments& arguments)
 {
-  if (IsMesh(arguments.Input))
+  if (Programs::IsGrid(arguments.Input))
   {
     return ReadMesh(arguments.Input, arguments.Array, arguments.MaxMemory);
   }

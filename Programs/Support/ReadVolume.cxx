@@ -5,6 +5,7 @@
 
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
+#include "PatientAxes.h"
 #include "ReaderErrors.h"
 #include "vtkMappedImageReader.h"
 
@@ -22,6 +23,7 @@
 #include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
+#include <vtkNrrdReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemInformation.hxx>
@@ -149,6 +151,7 @@ struct Order
   double Capacity;
   double MaxMemory;
   ChooseExtent Choose;
+  Axes TheAxes;
 };
 
 //------------------------------------------------------------------------------
@@ -225,6 +228,10 @@ vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& name, con
       vtkSmartPointer<vtkImageData> image = ReadExtent(reader, extent, whole);
       if (errors.GetCount() == 0 && image && image->GetNumberOfPoints() > 0)
       {
+        if (order.TheAxes == Axes::OfPatient)
+        {
+          PlaceInPatient(reader, image);
+        }
         CheckGeometry(image, name);
         return image;
       }
@@ -247,7 +254,7 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadIntoMemory(
-  const std::string& fileName, double maxMemory, const ChooseExtent& choose)
+  const std::string& fileName, double maxMemory, const ChooseExtent& choose, Axes axes)
 {
   if (!SystemTools::FileExists(fileName, true))
   {
@@ -257,13 +264,19 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
   if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {
     return ReadFile(
-      vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose });
+      vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
   }
-  // The factory does not have this reader.
+  // The factory does not have these readers.
+  const std::string extension =
+    SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
+  if (extension == ".nrrd" || extension == ".nhdr")
+  {
+    return ReadFile(vtkNew<vtkNrrdReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
+  }
   if (ImageFiles::IsNifti(fileName))
   {
     return ReadFile(vtkNew<vtkNIFTIImageReader>().Get(), fileName,
-      { ImageFiles::GetCapacityOfNifti(fileName), maxMemory, choose });
+      { ImageFiles::GetCapacityOfNifti(fileName), maxMemory, choose, axes });
   }
   // Before the factory, whose readers look into the file.
   const double capacity =
@@ -274,7 +287,7 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
   {
     throw std::runtime_error("VTK has no image reader for " + fileName);
   }
-  return ReadFile(reader.Get(), fileName, { capacity, maxMemory, choose });
+  return ReadFile(reader.Get(), fileName, { capacity, maxMemory, choose, axes });
 }
 
 }
@@ -292,9 +305,9 @@ double GetDefaultMaxMemory()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory)
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory, Axes axes)
 {
-  return ReadIntoMemory(fileName, maxMemory, ChooseWhole);
+  return ReadIntoMemory(fileName, maxMemory, ChooseWhole, axes);
 }
 
 //------------------------------------------------------------------------------
@@ -305,18 +318,18 @@ vtkSmartPointer<vtkImageData> ReadPiece(
   if (mapped->CanReadFile(fileName.c_str()))
   {
     const double unlimited = std::numeric_limits<double>::infinity();
-    return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose });
+    return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose, Axes::OfSamples });
   }
-  return ReadIntoMemory(fileName, maxMemory, choose);
+  return ReadIntoMemory(fileName, maxMemory, choose, Axes::OfSamples);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory)
+vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
 {
   vtkNew<vtkDICOMImageReader> reader;
   reader->SetDirectoryName(folder.c_str());
-  return Read(
-    reader.Get(), folder, { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole });
+  return Read(reader.Get(), folder,
+    { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, axes });
 }
 
 }

@@ -25,10 +25,19 @@ double GetDefaultMaxMemory();
 /// What --help says of it.
 extern const char* const MaxMemoryHelp;
 
+/// The axes of an image: those of its samples, or, if its file tells (DICOM, NIfTI), those of the
+/// patient: x to the right, y to the front and z to the head.
+enum class Axes
+{
+  OfSamples,
+  OfPatient
+};
+
 /// The image in a file, read by the reader of VTK for its extension or its first bytes. Throws
 /// std::runtime_error if there is no such reader, if it finds no image, or if the header asks for
 /// more samples than there are in the file or than fit into so many MiB.
-vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double maxMemory);
+vtkSmartPointer<vtkImageData> ReadVolume(
+  const std::string& fileName, double maxMemory, Axes axes = Axes::OfSamples);
 
 /// The extent that is to be read of an image with some whole extent.
 using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)>;
@@ -40,7 +49,8 @@ vtkSmartPointer<vtkImageData> ReadPiece(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose);
 
 /// The image in a folder of DICOM slices; throws as ReadVolume does.
-vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory);
+vtkSmartPointer<vtkImageData> ReadSlices(
+  const std::string& folder, double maxMemory, Axes axes = Axes::OfSamples);
 
 }
 

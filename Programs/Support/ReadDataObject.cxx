@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ReadDataObject.h"
+
+#include "ReadVolume.h"
+#include "ReaderErrors.h"
+
+#include <vtkDataReader.h>
+#include <vtkExodusIIReader.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkRectilinearGridReader.h>
+#include <vtkStructuredGrid.h>
+#include <vtkStructuredGridReader.h>
+#include <vtkStructuredPoints.h>
+#include <vtkStructuredPointsReader.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+namespace Programs
+{
+namespace
+{
+
+using vtksys::SystemTools;
+
+std::string GetExtension(const std::string& fileName)
+{
+  return SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
+}
+
+bool IsOneOf(const std::string& extension, const std::vector<std::string>& extensions)
+{
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+bool IsExodus(const std::string& fileName)
+{
+  return IsOneOf(GetExtension(fileName), { ".ex2", ".exo", ".e", ".g" });
+}
+
+//------------------------------------------------------------------------------
+template <typename ReaderT>
+vtkSmartPointer<vtkDataObject> Read(ReaderT* reader, const std::string& fileName)
+{
+  const ReaderErrors errors(reader);
+  const std::string tried = std::string(reader->GetClassName()) + " was tried";
+  reader->SetFileName(fileName.c_str());
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw std::runtime_error(
+      fileName + " cannot be read: there is not enough memory (" + tried + ")");
+  }
+  if (errors.GetCount() > 0 || !reader->GetOutputDataObject(0))
+  {
+    throw std::runtime_error(fileName + " cannot be read (" + tried + ")");
+  }
+  return reader->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadExodus(const std::string& fileName)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->UpdateInformation();
+  for (const int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
+  {
+    reader->SetAllArrayStatus(type, 1);
+  }
+  return Read(reader.Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
+template <typename ReaderT>
+vtkSmartPointer<vtkDataObject> ReadLegacy(const std::string& fileName)
+{
+  vtkNew<ReaderT> reader;
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllFieldsOn();
+  return Read(reader.Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadLegacyOfAnyKind(const std::string& fileName)
+{
+  vtkNew<vtkDataReader> kind;
+  kind->SetFileName(fileName.c_str());
+  if (kind->IsFileUnstructuredGrid())
+  {
+    return ReadLegacy<vtkUnstructuredGridReader>(fileName);
+  }
+  if (kind->IsFileStructuredGrid())
+  {
+    return ReadLegacy<vtkStructuredGridReader>(fileName);
+  }
+  if (kind->IsFileRectilinearGrid())
+  {
+    return ReadLegacy<vtkRectilinearGridReader>(fileName);
+  }
+  if (kind->IsFileStructuredPoints())
+  {
+    return ReadLegacy<vtkStructuredPointsReader>(fileName);
+  }
+  throw std::runtime_error(fileName + " holds no image and no grid");
+}
+
+//------------------------------------------------------------------------------
+/// By the reader for the very kind of file: those for several kinds do not pass errors on.
+vtkSmartPointer<vtkDataObject> ReadGrid(const std::string& fileName)
+{
+  const std::string extension = GetExtension(fileName);
+  if (IsExodus(fileName))
+  {
+    return ReadExodus(fileName);
+  }
+  if (extension == ".vtu")
+  {
+    return Read(vtkNew<vtkXMLUnstructuredGridReader>().Get(), fileName);
+  }
+  if (extension == ".vts")
+  {
+    return Read(vtkNew<vtkXMLStructuredGridReader>().Get(), fileName);
+  }
+  if (extension == ".vtr")
+  {
+    return Read(vtkNew<vtkXMLRectilinearGridReader>().Get(), fileName);
+  }
+  if (extension == ".vtm")
+  {
+    return Read(vtkNew<vtkXMLMultiBlockDataReader>().Get(), fileName);
+  }
+  return ReadLegacyOfAnyKind(fileName);
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool IsGrid(const std::string& fileName)
+{
+  return IsExodus(fileName) ||
+    IsOneOf(GetExtension(fileName), { ".vtk", ".vtu", ".vts", ".vtr", ".vtm" });
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, double maxMemory)
+{
+  if (SystemTools::FileIsDirectory(fileName))
+  {
+    return ReadSlices(fileName, maxMemory, Axes::OfPatient);
+  }
+  if (!IsGrid(fileName))
+  {
+    return ReadVolume(fileName, maxMemory, Axes::OfPatient);
+  }
+  if (!SystemTools::FileExists(fileName, true))
+  {
+    throw std::runtime_error("there is no file " + fileName);
+  }
+  constexpr double bytesPerMebibyte = 1024.0 * 1024.0;
+  if (static_cast<double>(SystemTools::FileLength(fileName)) > maxMemory * bytesPerMebibyte)
+  {
+    throw std::runtime_error(fileName + " has more bytes than --max-memory allows");
+  }
+  return ReadGrid(fileName);
+}
+
+}
