@@ -47,8 +47,7 @@ int ToInteger(const std::string& text)
 CommandLine::CommandLine(int argc, char* argv[])
 {
   this->Parser.Initialize(argc, argv);
-  this->Parser.SetClientData(&this->Unknown);
-  this->Parser.SetUnknownArgumentCallback(KeepUnknown);
+  this->Parser.StoreUnusedArguments(true);
   this->Parser.AddBooleanArgument("--help", &this->Help, "Show this text.");
 }
 
@@ -107,10 +106,9 @@ bool CommandLine::Parse()
   }
   if (!isParsed)
   {
-    throw std::runtime_error(this->Unknown.empty()
-        ? "an option lacks its value; see --help"
-        : "unknown option " + this->Unknown + "; see --help");
+    throw std::runtime_error("an option lacks its value; see --help");
   }
+  this->TakeFiles();
   for (const std::function<void()>& convert : this->Conversions)
   {
     convert();
@@ -119,11 +117,22 @@ bool CommandLine::Parse()
 }
 
 //------------------------------------------------------------------------------
-/// Stops the parser at an unknown argument.
-int CommandLine::KeepUnknown(const char* argument, void* unknown)
+/// Throws std::runtime_error at what is neither an option nor a file.
+void CommandLine::TakeFiles()
 {
-  *static_cast<std::string*>(unknown) = argument;
-  return 0;
+  int count = 0;
+  char** arguments = nullptr;
+  this->Parser.GetUnusedArguments(&count, &arguments);
+  const std::vector<std::string> unused(arguments + 1, arguments + count); // after the program
+  this->Parser.DeleteRemainingArguments(count, &arguments);
+  for (const std::string& argument : unused)
+  {
+    if (!this->Files || argument.rfind('-', 0) == 0)
+    {
+      throw std::runtime_error("unknown option " + argument + "; see --help");
+    }
+    this->Files->push_back(argument);
+  }
 }
 
 }

@@ -31,20 +31,23 @@ public:
 
   void Add(const char* option, bool* isGiven, const char* help);
 
+  /// Takes arguments that are no options.
+  void AddFiles(std::vector<std::string>* files) { this->Files = files; }
+
   /// Returns whether the options are to be done, false if only the help is asked for. Throws
   /// std::runtime_error if an option is unknown or lacks its value, or if a number is none.
   bool Parse();
   std::string GetHelp() { return this->Parser.GetHelp(); }
 
 private:
-  static int KeepUnknown(const char* argument, void* unknown);
+  void TakeFiles();
 
   vtksys::CommandLineArguments Parser;
   /// What is to be converted into numbers. The parser keeps their places.
   std::deque<std::string> TextOfNumber;
   std::deque<std::vector<std::string>> TextsOfNumbers;
   std::vector<std::function<void()>> Conversions;
-  std::string Unknown;
+  std::vector<std::string>* Files = nullptr;
   bool Help = false;
 };
 

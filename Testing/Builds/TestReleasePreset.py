@@ -45,6 +45,7 @@ class TestReleasePreset(unittest.TestCase):
         names = re.findall(r"^\.\.\. (\S+)$", targets, re.M)
         self.assertIn("IsosurfaceRayTracing", names)
         self.assertIn("vtkIsosurfaceCompare", names)
+        self.assertIn("vtkIsosurfaceViewer", names)
         self.assertEqual([name for name in names if re.search("test|benchmark", name, re.I)], [])
 
 

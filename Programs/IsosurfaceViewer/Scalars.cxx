@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Scalars.h"
+
+#include <vtkAbstractVolumeMapper.h>
+#include <vtkArrayDispatch.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDataArrayRange.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace Viewer
+{
+namespace
+{
+
+/// Those with a volume, or the data themselves.
+std::vector<vtkDataSet*> FindBlocks(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
+  const auto isNone = [](vtkDataSet* block)
+  { return block->GetNumberOfCells() == 0 || vtkPolyData::SafeDownCast(block); };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isNone), blocks.end());
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+/// The active scalars, or the first array that has a name; null if there is none.
+vtkDataArray* FindDefault(vtkDataSetAttributes* attributes)
+{
+  vtkDataArray* array = attributes->GetScalars();
+  for (int i = 0; !array && i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* next = attributes->GetArray(i);
+    array =
+      next && next->GetName() && next != attributes->GetArray("vtkGhostType") ? next : nullptr;
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+std::string ListArrays(const std::vector<vtkDataSet*>& blocks)
+{
+  std::string list;
+  for (vtkDataSet* block : blocks)
+  {
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
+    {
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        const char* name = attributes->GetArray(i) ? attributes->GetArrayName(i) : nullptr;
+        const std::string entry = name ? std::string(" ") + name : "";
+        list += (list + " ").find(entry + " ") == std::string::npos ? entry : "";
+      }
+    }
+  }
+  return list.empty() ? " none" : list;
+}
+
+//------------------------------------------------------------------------------
+/// Calls visit(value) for each tuple of an array.
+struct VisitValues
+{
+  template <typename ArrayT, typename Visit>
+  void operator()(ArrayT* array, const Visit& visit) const
+  {
+    for (const auto tuple : vtk::DataArrayTupleRange(array))
+    {
+      double value = static_cast<double>(tuple[0]);
+      if (tuple.size() > 1)
+      {
+        value = std::sqrt(std::accumulate(tuple.begin(), tuple.end(), 0.0,
+          [](double sum, auto x)
+          { return sum + static_cast<double>(x) * static_cast<double>(x); }));
+      }
+      visit(value);
+    }
+  }
+};
+
+}
+
+//------------------------------------------------------------------------------
+Scalars::Scalars(vtkDataObject* data, const std::string& name)
+  : Name(name)
+  , Range{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() }
+{
+  const std::vector<vtkDataSet*> blocks = FindBlocks(data);
+  if (blocks.empty())
+  {
+    throw std::runtime_error("there is no image, no grid and no mesh of volume cells");
+  }
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataSet* block : blocks)
+  {
+    if (arrays.empty())
+    {
+      this->Choose(block);
+    }
+    if (vtkDataArray* array = this->FindIn(block))
+    {
+      arrays.push_back(array);
+    }
+  }
+  if (arrays.empty())
+  {
+    const std::string which = name.empty() ? "" : " \"" + name + "\"";
+    throw std::runtime_error("there is no array" + which +
+      " of points or cells; those there are (for --array):" + ListArrays(blocks));
+  }
+  this->Vectors = arrays.front()->GetNumberOfComponents() > 1;
+  for (vtkDataArray* array : arrays)
+  {
+    double range[2];
+    array->GetFiniteRange(range, this->Vectors ? -1 : 0);
+    this->Range = { std::min(this->Range[0], range[0]), std::max(this->Range[1], range[1]) };
+  }
+  if (!(this->Range[0] < this->Range[1]))
+  {
+    throw std::runtime_error("the array " + this->Name +
+      " has no two different values, so there is no surface; --array chooses another:" +
+      ListArrays(blocks));
+  }
+  // Whole numbers that are few have a part each.
+  constexpr double mostBins = 256.0;
+  const int type = arrays.front()->GetDataType();
+  const bool areWhole = !this->Vectors && type != VTK_FLOAT && type != VTK_DOUBLE;
+  const double values = areWhole ? this->Range[1] - this->Range[0] + 1.0 : mostBins;
+  this->Histogram.resize(static_cast<std::size_t>(std::min(values, mostBins)), 0.0);
+  for (vtkDataArray* array : arrays)
+  {
+    this->Count(array);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Completes the choice by the first block that has such an array.
+void Scalars::Choose(vtkDataSet* block)
+{
+  vtkDataArray* ofPoints = this->Name.empty() ? FindDefault(block->GetPointData())
+                                              : block->GetPointData()->GetArray(this->Name.c_str());
+  vtkDataArray* ofCells = this->Name.empty() ? FindDefault(block->GetCellData())
+                                             : block->GetCellData()->GetArray(this->Name.c_str());
+  this->OfCells = !ofPoints;
+  vtkDataArray* array = ofPoints ? ofPoints : ofCells;
+  this->Name = array && array->GetName() ? array->GetName() : this->Name;
+}
+
+//------------------------------------------------------------------------------
+/// The array of a block; null if it has none.
+vtkDataArray* Scalars::FindIn(vtkDataSet* block) const
+{
+  vtkDataSetAttributes* attributes = this->OfCells
+    ? static_cast<vtkDataSetAttributes*>(block->GetCellData())
+    : static_cast<vtkDataSetAttributes*>(block->GetPointData());
+  return this->Name.empty() ? attributes->GetScalars() : attributes->GetArray(this->Name.c_str());
+}
+
+//------------------------------------------------------------------------------
+void Scalars::Count(vtkDataArray* array)
+{
+  const auto bins = static_cast<double>(this->Histogram.size());
+  const double scale = bins / (this->Range[1] - this->Range[0]);
+  const auto count = [&](double value)
+  {
+    if (std::isfinite(value))
+    {
+      const double bin = std::clamp((value - this->Range[0]) * scale, 0.0, bins - 1.0);
+      this->Histogram[static_cast<std::size_t>(bin)] += 1.0;
+    }
+  };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, VisitValues{}, count))
+  {
+    VisitValues{}(array, count);
+  }
+}
+
+//------------------------------------------------------------------------------
+double Scalars::FindThreshold() const
+{
+  const double all = std::accumulate(this->Histogram.begin(), this->Histogram.end(), 0.0);
+  double sum = 0.0;
+  for (std::size_t bin = 0; bin < this->Histogram.size(); ++bin)
+  {
+    sum += static_cast<double>(bin) * this->Histogram[bin];
+  }
+  double below = 0.0;
+  double sumBelow = 0.0;
+  double best = -1.0;
+  // Where parts are empty many thresholds are as good: the one in their middle.
+  std::size_t first = 0;
+  std::size_t last = 0;
+  for (std::size_t bin = 0; bin + 1 < this->Histogram.size(); ++bin)
+  {
+    below += this->Histogram[bin];
+    sumBelow += static_cast<double>(bin) * this->Histogram[bin];
+    const double above = all - below;
+    if (below > 0.0 && above > 0.0)
+    {
+      const double difference = sumBelow / below - (sum - sumBelow) / above;
+      const double between = below * above * difference * difference;
+      first = between > best ? bin : first;
+      last = between >= best ? bin : last;
+      best = std::max(best, between);
+    }
+  }
+  const double edge = 0.5 * static_cast<double>(first + last) + 1.0;
+  return this->Range[0] +
+    edge / static_cast<double>(this->Histogram.size()) * (this->Range[1] - this->Range[0]);
+}
+
+//------------------------------------------------------------------------------
+double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double position[3]) const
+{
+  vtkDataArray* array = this->FindIn(block);
+  const auto get = [&](vtkIdType tuple)
+  {
+    return this->Vectors ? vtkMath::Norm(array->GetTuple(tuple), array->GetNumberOfComponents())
+                         : array->GetComponent(tuple, 0);
+  };
+  if (this->OfCells)
+  {
+    return get(cell);
+  }
+  vtkCell* interpolated = block->GetCell(cell);
+  std::vector<double> weights(static_cast<std::size_t>(interpolated->GetNumberOfPoints()));
+  double closest[3];
+  double parametric[3];
+  double distance = 0.0;
+  int part = 0;
+  interpolated->EvaluatePosition(position, closest, part, parametric, distance, weights.data());
+  double value = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    value += weights[i] * get(interpolated->GetPointId(static_cast<int>(i)));
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+void Scalars::SelectFor(vtkAbstractVolumeMapper* mapper) const
+{
+  if (this->Name.empty())
+  {
+    mapper->SetScalarMode(
+      this->OfCells ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
+    return;
+  }
+  mapper->SetScalarMode(
+    this->OfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectScalarArray(this->Name.c_str());
+}
+
+}

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shows isosurfaces of a file in a window: see --help.
+
+#include "Scalars.h"
+#include "Support/CommandLine.h"
+#include "Support/OutputFile.h"
+#include "Support/ReadDataObject.h"
+#include "Support/ReadVolume.h"
+#include "Window.h"
+#include "vtkIsosurfaceComparisonFilter.h"
+
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkRTAnalyticSource.h>
+#include <vtkSmartPointer.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+struct Arguments
+{
+  std::vector<std::string> Files;
+  bool Demo = false;
+  std::string Array;
+  double MaxMemory = Programs::GetDefaultMaxMemory();
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+/// Throws std::runtime_error if they are invalid; prints the help if it is requested.
+Arguments ParseArguments(int argc, char* argv[])
+{
+  Arguments arguments;
+  Programs::CommandLine commandLine(argc, argv);
+  commandLine.AddFiles(&arguments.Files);
+  commandLine.Add("--demo", &arguments.Demo, "Show a volume that is computed, without a file.");
+  commandLine.Add("--array", &arguments.Array,
+    "The array of points or cells whose isosurfaces are shown. Default: the active scalars.");
+  commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
+  if (!commandLine.Parse())
+  {
+    std::printf(
+      "Shows isosurfaces in a window, ray traced. Usage:\n\n"
+      "  vtkIsosurfaceViewer FILE...\n"
+      "  vtkIsosurfaceViewer --demo\n\n"
+      "FILE is an image (.vti, .mhd, .mha, .nii, .nii.gz, .nrrd, .nhdr or another one that VTK\n"
+      "reads), a folder of DICOM slices, a grid or a mesh (.vtr, .vts, .vtu, .vtk, Exodus), or\n"
+      "composite data (.vtm). Several files are shown together, by the array of the first.\n"
+      "%s\nIn the window:\n\n%s\n"
+      "When the window is closed, the times of frames while something moved are printed, and the\n"
+      "exit code is 0; after an error it is 1.\n",
+      commandLine.GetHelp().c_str(), Viewer::Controls);
+    arguments.Help = true;
+  }
+  else if (arguments.Files.empty() == !arguments.Demo)
+  {
+    throw std::runtime_error("name files, a folder of DICOM slices, or --demo; see --help");
+  }
+  return arguments;
+}
+
+//------------------------------------------------------------------------------
+/// The volume that VTK tests with: waves in a Gaussian ball.
+vtkSmartPointer<vtkDataObject> MakeDemo()
+{
+  constexpr int radius = 48;
+  vtkNew<vtkRTAnalyticSource> source;
+  source->SetWholeExtent(-radius, radius, -radius, radius, -radius, radius);
+  source->Update();
+  return source->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+/// What is shown, and its name.
+struct Input
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataObject> Data;
+};
+
+/// Throws std::runtime_error with the name of a file that has nothing to show.
+Viewer::Scalars FindScalars(const Input& input, const std::string& array)
+{
+  try
+  {
+    return Viewer::Scalars(input.Data, array);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(input.Name + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Several files become the blocks of composite data.
+Input Read(const Arguments& arguments)
+{
+  if (arguments.Demo)
+  {
+    return { "demo", MakeDemo() };
+  }
+  std::vector<Input> inputs;
+  std::string names;
+  for (const std::string& file : arguments.Files)
+  {
+    inputs.push_back({ file, Programs::ReadDataObject(file, arguments.MaxMemory) });
+    names += (names.empty() ? "" : ", ") + vtksys::SystemTools::GetFilenameName(file);
+  }
+  if (inputs.size() == 1)
+  {
+    return { names, inputs.front().Data };
+  }
+  const std::string array = FindScalars(inputs.front(), arguments.Array).GetName();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (const Input& input : inputs)
+  {
+    FindScalars(input, array);
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), input.Data);
+  }
+  return { names, blocks };
+}
+
+//------------------------------------------------------------------------------
+void Show(const Arguments& arguments)
+{
+  const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
+  if (!whyNot.empty())
+  {
+    throw std::runtime_error(whyNot);
+  }
+  const Input input = Read(arguments);
+  Viewer::Window window(input.Data, FindScalars(input, arguments.Array), input.Name);
+  window.Run();
+  std::printf("%s", window.SummarizeFrameTimes().c_str());
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Arguments arguments = ParseArguments(argc, argv);
+    if (!arguments.Help)
+    {
+      Show(arguments);
+    }
+    Programs::FlushStandardOutput();
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,317 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkIsosurfaceViewer as a user works with it, by the keys and the mouse of an X server (xdotool, xwd):
+TestIsosurfaceViewer.py PATH_OF_VTKISOSURFACEVIEWER"""
+
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkMultiBlockDataSet, vtkRectilinearGrid
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLRectilinearGridWriter,
+    vtkXMLStructuredGridWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+from vtkmodules.vtkImagingCore import vtkImageShiftScale
+
+from Displays import with_display, without_display
+from MeshTesting import ball, make_grid, make_structured_grid
+from PictureTesting import make_waves, write_bad_volumes, write_waves
+from TestExamples import write_dicom_slices
+from ViewerSession import PATIENCE, Viewer, differ, xdotool
+
+PROGRAM = sys.argv.pop(1)
+SIZE = (400, 320)  # so that pictures are ready soon
+SOURCE = Path(__file__).parents[2]
+KEYS = ["x", "c", "s", "o", "i", "a"]
+
+
+class TestIsosurfaceViewer(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def start(self, *arguments):
+        viewer = Viewer(PROGRAM, self.folder, *arguments, size=SIZE)
+        self.addCleanup(viewer.process.kill)
+        return viewer
+
+    def run_program(self, *arguments, **options):
+        return subprocess.run(
+            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, timeout=PATIENCE, **options)
+
+    def write(self, writer, name, data):
+        writer.SetInputData(data)
+        writer.SetFileName(str(self.folder / name))
+        writer.Write()
+        return self.folder / name
+
+    def test_keys(self):
+        """Each changes the picture, and pressed again, takes it back."""
+        viewer = self.start(write_waves(self.folder))
+        plain = viewer.take_picture()
+        for key in KEYS:
+            with self.subTest(key):
+                viewer.press(key)
+                changed = viewer.take_picture()
+                self.assertGreater(differ(changed, plain), 0.02)
+                viewer.press(*([key] if key != "c" else 7 * [key]))  # back, or through all colours
+                self.assertLess(differ(viewer.take_picture(), plain), 0.001)
+        viewer.press("x")
+        capped = viewer.take_picture()
+        viewer.press("k")
+        self.assertGreater(differ(viewer.take_picture(), capped), 0.02)
+        self.assertEqual(viewer.quit(), "")  # Nothing moved.
+
+    def test_isovalues(self):
+        viewer = self.start(write_waves(self.folder))
+        pictures = {}
+        for isovalue in ("100", "200", "1.5e2"):
+            viewer.type(isovalue)
+            pictures[isovalue] = viewer.take_picture()
+        self.assertGreater(differ(pictures["100"], pictures["200"]), 0.05)
+        viewer.press("1", "BackSpace", "9", "9", "Escape")
+        self.assertEqual(differ(viewer.take_picture(), pictures["1.5e2"]), 0.0)
+        viewer.press("Up")
+        self.assertGreater(differ(viewer.take_picture(), pictures["1.5e2"]), 0.005)
+        viewer.press("Down")
+        self.assertLess(differ(viewer.take_picture(), pictures["1.5e2"]), 0.001)
+        viewer.type("-1e9")  # the least value there is
+        self.assertGreater(differ(viewer.take_picture(), pictures["100"]), 0.05)
+        viewer.type("200")
+        viewer.press("a")
+        viewer.type("100")  # of the second surface
+        both = viewer.take_picture()
+        viewer.press("Tab")
+        viewer.type("180")  # of the first one
+        self.assertGreater(differ(viewer.take_picture(), both), 0.01)
+        viewer.press("1")
+        viewer.type("-")
+        self.assertEqual(viewer.quit(), "")
+
+    def test_sliders(self):
+        viewer = self.start(write_waves(self.folder))
+        plain = viewer.take_picture()
+        viewer.wait_for_rest()
+        height = viewer.capture().shape[0]
+        row = round(height * (1.0 - 0.116))  # of the sliders of the first surface
+        for column in (160, 344):  # of the isovalue, and of the opacity
+            xdotool("mousemove", column, row, "mousedown", 1, "mousemove", column + 8, row, "mouseup", 1)
+            changed = viewer.take_picture()
+            self.assertGreater(differ(changed, plain), 0.02, column)
+            plain = changed
+        self.assertIn("frames while moving", viewer.quit())
+
+    def test_dragging(self):
+        """The surface turns; it is refined while the button is held, and after that as it was."""
+        viewer = self.start(write_waves(self.folder))
+        before = viewer.wait_for_rest()
+        xdotool("mousemove", *viewer.middle, "mousedown", 1)
+        for step in range(1, 21):
+            xdotool("mousemove", viewer.middle[0] + 3 * step, viewer.middle[1])
+        held = viewer.wait_for_rest()
+        self.assertGreater(differ(held, before), 0.05)
+        xdotool("mouseup", 1)
+        self.assertLess(differ(viewer.wait_for_rest()[100:], held[100:]), 0.001)  # below the texts
+        (frames,) = re.findall(r"^(\d+) frames while moving: median [\d.]+ ms", viewer.quit(), re.M)
+        self.assertGreaterEqual(int(frames), 3)
+
+    def test_picking(self):
+        """A red sphere marks the point, and its position and value are shown."""
+        viewer = self.start(write_waves(self.folder))
+        plain = viewer.wait_for_rest()
+        xdotool("mousemove", *viewer.middle, "click", 1)
+        at = (slice(viewer.middle[1] - 1, viewer.middle[1] + 1), slice(viewer.middle[0] - 1, viewer.middle[0] + 1))
+
+        def is_marked(picture):
+            red, green, blue = picture[at].reshape(-1, 3).mean(axis=0)
+            return red > 2.0 * max(green, blue)
+
+        self.assertFalse(is_marked(plain))
+        viewer.wait_until(is_marked, "a marker")
+        text = (slice(28, 50), slice(0, 300))
+        self.assertGreater(differ(viewer.wait_for_rest()[text], plain[text]), 0.05)
+        xdotool("mousemove", 10, 100)
+        viewer.press("p")  # at nothing
+        viewer.wait_until(lambda picture: not is_marked(picture), "a picture without a marker")
+        viewer.quit()
+
+    def test_help(self):
+        viewer = self.start("--demo")
+        plain = viewer.wait_for_rest()
+        for key in ("h", "question"):
+            viewer.press(key)
+            viewer.wait_until(lambda picture: differ(picture, plain) > 0.1, "a help")
+            viewer.press(key)
+            viewer.wait_until(lambda picture: differ(picture[100:], plain[100:]) == 0.0, "a picture without help")
+        viewer.quit()
+
+    def test_framing(self):
+        """r shows the surfaces whole, from the same side."""
+        viewer = self.start(write_waves(self.folder))
+        plain = viewer.take_picture()
+        xdotool("mousemove", *viewer.middle, "click", 4, "click", 4)  # the wheel
+        self.assertGreater(differ(viewer.take_picture(), plain), 0.05)
+        viewer.press("r")
+        self.assertLess(differ(viewer.take_picture(), plain), 0.001)
+        viewer.quit()
+
+    def write_files(self):
+        """The same volume in each format, and meshes."""
+        shorts = vtkImageShiftScale()
+        shorts.SetInputData(make_waves())
+        shorts.SetOutputScalarTypeToShort()
+        shorts.Update()
+        image = shorts.GetOutput()
+        slices = self.folder / "slices"
+        slices.mkdir()
+        write_dicom_slices(image, slices)
+        samples = vtk_to_numpy(image.GetPointData().GetScalars())
+        (self.folder / "waves.raw").write_bytes(samples.tobytes())
+        (self.folder / "waves.nhdr").write_text(
+            "NRRD0004\ntype: short\ndimension: 3\nsizes: 41 41 41\nendian: little\nencoding: raw\n"
+            "spacings: 1 1 1\ndata file: waves.raw\n", encoding="ascii")
+        lattice = vtkRectilinearGrid()
+        lattice.SetDimensions(image.GetDimensions())
+        for axis, name in enumerate("XYZ"):
+            coordinates = vtkDoubleArray()
+            for i in range(image.GetDimensions()[axis]):
+                coordinates.InsertNextValue(i)
+            getattr(lattice, f"Set{name}Coordinates")(coordinates)
+        lattice.GetPointData().SetScalars(image.GetPointData().GetScalars())
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, image)
+        mesh = make_grid(VTK_TETRA, ball)
+        return [
+            slices,
+            self.folder / "waves.nhdr",
+            self.write(vtkMetaImageWriter(), "waves.mha", image),
+            self.write(vtkXMLImageDataWriter(), "waves.vti", image),
+            self.write(vtkNIFTIImageWriter(), "waves.nii.gz", image),
+            self.write(vtkDataSetWriter(), "waves.vtk", image),
+            self.write(vtkXMLRectilinearGridWriter(), "waves.vtr", lattice),
+            self.write(vtkXMLMultiBlockDataWriter(), "waves.vtm", blocks),
+            self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", mesh),
+            self.write(vtkDataSetWriter(), "ball.vtk", mesh),
+            self.write(vtkXMLStructuredGridWriter(), "ball.vts", make_structured_grid(ball)),
+        ]
+
+    def test_files(self):
+        pictures = {}
+        for path in self.write_files():
+            with self.subTest(path.name):
+                folder = self.folder / f"{path.name}.pictures"
+                folder.mkdir()
+                viewer = Viewer(PROGRAM, folder, path, size=SIZE)
+                self.addCleanup(viewer.process.kill)
+                pictures[path.name] = viewer.take_picture()
+                viewer.quit()
+        background = pictures["waves.vti"][:, :1]
+        for name, picture in pictures.items():
+            self.assertGreater(differ(picture, background), 0.1, name)
+            if name.startswith("waves"):
+                self.assertLess(differ(picture, pictures["waves.vti"]), 0.01, name)
+        # Upright, and the nose is to the front.
+        self.assertLess(differ(pictures["slices"], pictures["waves.vti"]), 0.01)
+
+    def test_several_files(self):
+        left = make_waves()
+        right = make_waves()
+        right.SetOrigin(60.0, 0.0, 0.0)
+        viewer = self.start(
+            self.write(vtkXMLImageDataWriter(), "left.vti", left), self.write(vtkXMLImageDataWriter(), "right.vti", right))
+        picture = viewer.take_picture()
+        viewer.quit()
+        covered = np.abs(picture - picture[:, :1]).max(axis=2).max(axis=0) > 30
+        self.assertGreaterEqual(np.count_nonzero(np.diff(covered.astype(int)) == 1), 2)  # side by side
+
+    def test_readme(self):
+        """Each of its commands shows something."""
+        self.write(vtkMetaImageWriter(), "volume.mhd", make_waves())
+        mesh = make_grid(VTK_TETRA, ball)
+        mesh.GetPointData().GetArray(0).SetName("pressure")
+        self.write(vtkXMLUnstructuredGridWriter(), "flow.vtu", mesh)
+        commands = re.findall(r"^vtkIsosurfaceViewer .*$", (SOURCE / "README.md").read_text(encoding="utf-8"), re.M)
+        self.assertGreater(len(commands), 1)
+        for i, command in enumerate(commands):
+            with self.subTest(command):
+                viewer = self.start(*shlex.split(command, comments=True)[1:])
+                viewer.pictures = i
+                picture = viewer.take_picture()
+                viewer.quit()
+                self.assertGreater(differ(picture, picture[:, :1]), 0.1)
+
+    def test_time_dragging(self):
+        """The benchmark of Documentation/performance.md measures frames of both."""
+        script = SOURCE / "Testing" / "Benchmarks" / "time_dragging.py"
+        result = subprocess.run(
+            [sys.executable, script, PROGRAM, write_waves(self.folder), "150", "100"],
+            cwd=self.folder, capture_output=True, text=True, check=True, timeout=2 * PATIENCE)
+        self.assertEqual(len(re.findall(r"surfaces?: \d+ frames while moving: median [\d.]+ ms", result.stdout)), 2)
+
+    def test_usage(self):
+        result = self.run_program("--help")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for word in ("vtkIsosurfaceViewer FILE", "--demo", "--array", "--max-memory", "Tab", ".vtm", "exit code"):
+            self.assertIn(word, result.stdout)
+
+    def test_errors(self):
+        text = self.folder / "text.vti"
+        text.write_text("This is not a volume.\n", encoding="ascii")
+        mesh = self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", make_grid(VTK_TETRA, ball))
+        flat = vtkDoubleArray()
+        flat.SetName("flat")
+        flat.SetNumberOfTuples(make_waves().GetNumberOfPoints())
+        flat.Fill(1.0)
+        waves = make_waves()
+        waves.GetPointData().AddArray(flat)
+        waves = self.write(vtkXMLImageDataWriter(), "waves.vti", waves)
+        for arguments, words in (
+            ((), "name files, a folder of DICOM slices, or --demo; see --help"),
+            (("--demo", mesh), "name files"),
+            (("--nonsense",), "unknown option --nonsense; see --help"),
+            (("absent.vtu",), "there is no file absent.vtu"),
+            ((text,), "text.vti cannot be read"),
+            ((self.folder / "ball.obj",), "there is no file"),
+            ((mesh, "--array", "heat"), 'ball.vtu: there is no array "heat"'),
+            ((waves, "--array", "flat"), "no two different values, so there is no surface; --array chooses another: "),
+            ((waves, "--max-memory", "0.01"), "--max-memory"),
+            ((waves, mesh), "ball.vtu: there is no array"),
+        ):
+            with self.subTest(arguments):
+                result = self.run_program(*arguments, cwd=self.folder)
+                self.assertEqual((result.returncode, result.stdout), (1, ""))
+                self.assertIn(words, result.stderr)
+                self.assertTrue(result.stderr.splitlines()[-1].startswith("error: "), result.stderr)
+
+    def test_bad_volumes(self):
+        for file_name in write_bad_volumes(self.folder):
+            with self.subTest(file_name):
+                result = self.run_program(file_name)
+                self.assertEqual((result.returncode, result.stdout), (1, ""))
+                self.assertIn(file_name, result.stderr.splitlines()[-1])
+
+    def test_displays(self):
+        for environment in (with_display(":9999"), without_display()):
+            result = self.run_program("--demo", env=environment)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("error: ", result.stderr)
+            self.assertIn("display", result.stderr.lower())
+
+
+if __name__ == "__main__":
+    unittest.main()
