@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs what is missing, builds and installs the library below build/examples, builds the example
-# against it as any project would, and ray traces a CT of a skull (Debian's invesalius-examples):
+# Installs what is missing, builds and installs the library and the programs below build/examples, and ray traces
+# a CT of a skull (Debian's invesalius-examples):
 #
 #   Examples/run.sh                  writes pictures to build/examples/pictures
-#   Examples/run.sh --interactive    opens a window instead
+#   Examples/run.sh --interactive    opens vtkIsosurfaceViewer instead
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -33,18 +33,13 @@ cmake -G Ninja -S . -B "$build/library" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_INSTALL_PREFIX="$build/prefix" -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build "$build/library" --target install
 
-cmake -G Ninja -S Examples/Cxx/RayTraceIsosurface -B "$build/RayTraceIsosurface" \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$build/prefix"
-cmake --build "$build/RayTraceIsosurface"
-
 /usr/bin/python3 Examples/Python/invesalius_to_metaimage.py \
   /usr/share/doc/invesalius-examples/examples/Cranium.inv3 "$build/data"
 
-example=("$build/RayTraceIsosurface/RayTraceIsosurface" --input "$build/data/cranium.mhd"
-  --isovalue 300 --skin -300) # Hounsfield units: bone, and skin, well above air
 if [[ $interactive == yes ]]; then
-  exec "${example[@]}" --interactive
+  exec "$build/prefix/bin/vtkIsosurfaceViewer" "$build/data/cranium.mhd"
 fi
-mkdir -p "$build/pictures"
-Utilities/with-display.sh "${example[@]}" --output "$build/pictures"
+packages=("$build"/prefix/lib/python3*/dist-packages)
+PYTHONPATH=${packages[0]} /usr/bin/python3 Examples/Python/gallery.py \
+  "$build/data/cranium.mhd" 300 "$build/pictures" # Hounsfield units: bone
 echo "The pictures are in $build/pictures"

@@ -6,6 +6,7 @@
 import os
 import plistlib
 import re
+import runpy
 import signal
 import struct
 import subprocess
@@ -14,10 +15,12 @@ import tarfile
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
+from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 
 from PictureTesting import EXAMPLES, ISOVALUE, difference, make_waves, read, write_bad_volumes, write_waves
 
@@ -104,6 +107,34 @@ class TestExamples(unittest.TestCase):
         background, surface = pixels[0], pixels[400 * 800 + 400]
         self.assertEqual(background, (41.0, 46.0, 56.0))
         self.assertGreater(surface[0], 100.0)
+
+    def test_isosurface_slider(self):
+        """The mouse drags its knob."""
+
+        class Interactor:
+            def __new__(cls):
+                interactor = vtkRenderWindowInteractor()
+                interactor.AddObserver("StartEvent", cls.drag)  # in place of the loop over events
+                return interactor
+
+            @staticmethod
+            def drag(interactor, _):
+                before.append(interactor.GetRenderWindow().GetRenderers().GetFirstRenderer().GetVolumes()
+                              .GetLastProp().GetProperty().GetIsoSurfaceValues().GetValue(0))
+                for x, event in ((374, "LeftButtonPressEvent"), (480, "MouseMoveEvent"), (480, "LeftButtonReleaseEvent")):
+                    interactor.SetEventInformation(x, 80)
+                    interactor.InvokeEvent(event)
+
+        before = []
+        script = os.path.join(EXAMPLES, "isosurface_slider.py")
+        arguments = [script, write_waves(self.folder), str(ISOVALUE)]
+        with mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", Interactor):
+            with mock.patch.object(sys, "argv", arguments):
+                names = runpy.run_path(script)
+        self.assertEqual(before, [ISOVALUE])
+        isovalue = names["volume"].GetProperty().GetIsoSurfaceValues().GetValue(0)
+        self.assertAlmostEqual(isovalue, ISOVALUE + 106 / 640 * (286.341 - 34.0153), delta=3.0)
+        self.assertIn("isosurface_slider.py VOLUME ISOVALUE", self.run_script("isosurface_slider.py").stderr)
 
     def test_formats_of_volumes(self):
         """The same volume in each makes the same picture."""
