@@ -37,6 +37,7 @@ from Pieces import (
     make_camera,
     make_piece,
     make_volume,
+    on_first,
     pixels_of,
     render,
     split,
