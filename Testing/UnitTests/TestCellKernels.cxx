@@ -8,6 +8,7 @@
 #include "CellReference.h"
 #include "Image/Macrocells/BlockMask.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -42,14 +43,15 @@ INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
 /// Calls visit(passage) for every passage that a kernel finds in a block.
 template <typename Visit>
 void ForEachPassage(const Kernels& kernels, const AlignedRays& aligned, const RaySet& rays,
-  int axis, const Index3& block, const BlockMask& mask, Passages& passages, const Visit& visit)
+  int axis, const Index3& block, const BlockMask& mask, const LatticePlanes* planes,
+  Passages& passages, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
   // Others exist already, and are kept.
   passages.Count = 1;
   passages.Segments[0].Ray = -1;
   passages.BlockCount = 1;
-  kernels.FindPassages(aligned, rays, axis, first, mask.Slices[axis], passages);
+  kernels.FindPassages(aligned, rays, axis, first, mask.Slices[axis], planes, passages);
   ASSERT_EQ(passages.Segments[0].Ray, -1);
   ASSERT_EQ(passages.BlockCount, passages.Count > 1 ? 2 : 1);
   for (int i = 1; i < passages.Count; ++i)
@@ -91,8 +93,9 @@ BlockMask MakeMask(RandomNumbers& random, const Index3& block, const Index3& dim
 class CellChecks
 {
 public:
-  explicit CellChecks(const Kernels& kernels)
+  explicit CellChecks(const Kernels& kernels, const UnevenPlanes* planes = nullptr)
     : TheKernels(kernels)
+    , Planes(planes)
   {
   }
 
@@ -106,19 +109,24 @@ public:
     {
       if (Has(rays, i))
       {
-        const std::vector<Index3> passed = CellsOnRay(GetRay(packet, i), dimensions);
+        Ray ray = GetRay(packet, i);
+        ray.Planes = this->Planes;
+        const std::vector<Index3> passed = CellsOnRay(ray, dimensions);
         left[static_cast<std::size_t>(i)].insert(passed.begin(), passed.end());
         this->Passed += all ? passed.size() : 0;
         ++this->Rays;
       }
     }
+    const LatticePlanes planes =
+      this->Planes ? this->Planes->GetLatticePlanes() : LatticePlanes();
     ForEachPlace(BlocksCovering({ dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }, 8),
       [&](const Index3& block)
       {
         const BlockMask mask = MakeMask(random, block, dimensions, all);
         RaySet found = {};
         Passages passages;
-        ForEachPassage(this->TheKernels, this->Aligned, rays, axis, block, mask, passages,
+        ForEachPassage(this->TheKernels, this->Aligned, rays, axis, block, mask,
+          this->Planes ? &planes : nullptr, passages,
           [&](int i)
           {
             const int ray = passages.Segments[i].Ray;
@@ -176,6 +184,7 @@ private:
   }
 
   const Kernels& TheKernels;
+  const UnevenPlanes* Planes;
   AlignedRays Aligned;
   std::size_t Rays = 0;
   std::size_t Passed = 0;
@@ -235,7 +244,8 @@ TEST_P(CellKernels, FindTheCellsThatRaysPass)
 
 /// From an eye through the pixels of a small picture, in its rows, or along one direction: up or
 /// down an axis and through the volume.
-void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayPacket& packet)
+void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, RayPacket& packet,
+  const UnevenPlanes* planes = nullptr)
 {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
@@ -258,7 +268,7 @@ void AddRaysOfPixels(RandomNumbers& random, std::size_t axis, const Index3& n, R
     off[v] = size * std::floor(i / columns); // NOLINT(bugprone-integer-division): a row
     const Line line = isParallel ? Line{ eye + off * 200.0, middle } : Line{ eye, middle + off };
     const double end = random.Integer(0, 9) ? Infinity : random.Uniform(0.0, 200.0);
-    AppendRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, n), packet);
+    AppendRay(ClipToVolume(line.Origin, line.Direction, 0.0, end, n, planes), packet);
   }
 }
 
@@ -341,6 +351,38 @@ TEST_P(CellKernels, FindTheCellsThatPacketsPass)
             << " cells found for one that is passed\n";
   EXPECT_GT(checks.GetNumberOfRays(), 10000U);
   EXPECT_LT(checks.GetExcess(), 1.5);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(CellKernels, FindTheCellsThatPacketsPassBetweenUnevenPlanes)
+{
+  RandomNumbers random(844);
+  for (const Unevenness& unevenness :
+    { Unevenness{ 0.5, false }, { 2.0, true }, { 10.0, false }, { 30.0, true } })
+  {
+    std::size_t rayCount = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+      Index3 dimensions = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
+      const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+      dimensions[axis] = random.Integer(2, 200);
+      const UnevenPlanes planes = RandomPlanes(random, dimensions, unevenness);
+      CellChecks checks(this->TheKernels, &planes);
+      RayPacket packet = EmptyPacket();
+      AddRaysOfPixels(random, axis, dimensions, packet, &planes);
+      const RaySet rays = SomeRays(random, packet);
+      if (IsEmpty(rays))
+      {
+        continue;
+      }
+      ASSERT_NO_FATAL_FAILURE(checks.Check(
+        random, packet, rays, static_cast<int>(axis), dimensions, unevenness.Octaves < 1.0));
+      rayCount += checks.GetNumberOfRays();
+      // One packet may consist of rays in planes, which have cells on both sides.
+      EXPECT_TRUE(unevenness.Octaves > 1.0 || checks.GetExcess() < 4.0) << checks.GetExcess();
+    }
+    EXPECT_GT(rayCount, 3000U);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -474,7 +516,7 @@ private:
     std::fill_n(candidates.Ray + count, 16, queries[0].Ray);
     Solutions solutions;
     std::memset(&solutions, 0xFF, sizeof(solutions)); // all numbers are none
-    this->TheKernels.Solve(packet, candidates, this->Isovalue, solutions);
+    this->TheKernels.Solve(packet, candidates, nullptr, this->Isovalue, solutions);
     const auto has = [](const std::uint64_t* words, std::size_t i)
     { return (words[i / 64] >> (i % 64) & 1) != 0; };
     for (std::size_t i = 0; i < count; ++i)

@@ -399,7 +399,7 @@ public:
       {
         const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
         this->TheKernels.FindPassages(aligned, packet.Exists, static_cast<int>(axis), first,
-          MakeMask(field, block, all).Slices[axis], passages);
+          MakeMask(field, block, all).Slices[axis], nullptr, passages);
         if (passages.Count >= Passages::Batch)
         {
           ASSERT_NO_FATAL_FAILURE(this->CheckPassages(random, field, packet, axis, all, passages));
@@ -501,7 +501,7 @@ private:
     const auto classify = [&]
     {
       this->TheKernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
-        passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
+        passed, static_cast<int>(axis), strides, nullptr, isovalue, passages, candidates, hits);
     };
     classify();
 

@@ -9,6 +9,7 @@
 #include "Image/Lattice/Ray.h"
 #include "Image/Lattice/UnevenPlanes.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
 #include "TestLines.h"
@@ -205,6 +206,22 @@ TestRequest OpaqueSurface(double isovalue)
   return request;
 }
 
+/// Rays that were clipped between even planes, between those of a request.
+Rays PlaceBetween(const UnevenPlanes* planes, Rays rays)
+{
+  for (std::optional<Ray>& ray : rays)
+  {
+    for (std::size_t axis = 0; planes && ray && axis < 3; ++axis)
+    {
+      if (ray->Step[axis] == 0)
+      {
+        ray->Inverse[axis] = planes->FindCell(axis, ray->Origin[axis]);
+      }
+    }
+  }
+  return rays;
+}
+
 RayHits TraceWith(ImageField& volume, const Rays& rays, TestRequest request, const Kernels* kernels)
 {
   request.PacketKernels = kernels;
@@ -272,8 +289,10 @@ public:
     {
       for (int i = 0; i < repeats; ++i)
       {
+        const vtkIsosurfaceRayTracing::Rays rays =
+          newRays(random, volume.GetLattice().GetDimensions());
         ASSERT_NO_FATAL_FAILURE(
-          this->Check(volume, newRays(random, volume.GetLattice().GetDimensions()), request));
+          this->Check(volume, PlaceBetween(request.Planes, rays), request));
       }
     }
   }
@@ -390,6 +409,77 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitInAllLayouts)
     }
   }
   EXPECT_GT(checks.GetNumberOfHits(), 15000U);
+}
+
+//------------------------------------------------------------------------------
+// Of sizes in which rays pass hundreds of blocks in one slice of wide cells, too.
+TEST_P(PacketTracing, HitWhatSingleRaysHitBetweenUnevenPlanes)
+{
+  RandomNumbers random(8601);
+  PacketChecks checks("uneven planes", this->TheKernels);
+  for (const Unevenness& unevenness : { Unevenness{ 0.5, false }, { 2.0, true }, { 10.0, false },
+         { 10.0, true }, { 40.0, true } })
+  {
+    for (const Index3& size :
+      { Index3{ 2, 2, 2 }, { 10, 17, 18 }, { 35, 34, 33 }, { 600, 3, 4 }, { 2, 530, 9 } })
+    {
+      const UnevenPlanes planes = RandomPlanes(random, size, unevenness);
+      for (const int percent : { 1, 50 })
+      {
+        const auto volume = Islands<std::int16_t>(random, size, percent);
+        const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
+        for (const std::vector<Isosurface>& surfaces : { std::vector<Isosurface>{ { 49.5, 1.0 } },
+               { { 77.3, 1.0 } }, { { 20.0, 0.3 }, { 50.0, 1.0 } } })
+        {
+          TestRequest request(surfaces);
+          request.Planes = &planes;
+          ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 4));
+        }
+      }
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 100000U);
+}
+
+//------------------------------------------------------------------------------
+// Along one axis all cells but one are narrow, along another one is as wide as all others.
+TEST_P(PacketTracing, HitWhatSingleRaysHitInSlicesOfManyBlocks)
+{
+  RandomNumbers random(8602);
+  const Index3 size = { 160, 600, 9 };
+  std::array<std::vector<double>, 3> coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = size[axis] - 1;
+    for (int i = 0; i <= last; ++i)
+    {
+      coordinates[axis].push_back(axis == 2 ? i : i == last ? last : 0.01 * i);
+    }
+  }
+  coordinates[0].back() = size[0] - 1.0;
+  std::reverse(coordinates[0].begin(), coordinates[0].end());
+  for (double& coordinate : coordinates[0])
+  {
+    coordinate = size[0] - 1.0 - coordinate;
+  }
+  const UnevenPlanes planes(coordinates);
+  PacketChecks checks("slices of many blocks", this->TheKernels);
+  const auto volume = Islands<std::uint8_t>(random, size, 50);
+  const auto traced = ImageField::New(volume.View(), {}, 1);
+  for (const double opacity : { 1.0, 0.1 })
+  {
+    TestRequest request({ { 77.3, opacity } });
+    request.Planes = &planes;
+    Rays rays;
+    for (int i = 0; i < RayPacket::Capacity; ++i)
+    {
+      const Vector3 from = { -1.0, random.Uniform(0.0, 0.1), random.Uniform(0.0, 8.0) };
+      rays.push_back(Clip({ from, { 1.0, random.Uniform(0.01, 0.1), 0.001 } }, size));
+    }
+    ASSERT_NO_FATAL_FAILURE(checks.Check(*traced, rays, request));
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 3));
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 5000U);
 }
 
 //------------------------------------------------------------------------------
@@ -765,7 +855,7 @@ TEST_P(PacketTracing, AreTracedWithoutHitPrediction)
   coordinates[1] = 0.5;
   const UnevenPlanes planes({ coordinates, coordinates, coordinates });
   other.Planes = &planes;
-  EXPECT_TRUE(mayHit(other, pencil));
+  EXPECT_FALSE(mayHit(other, pencil));
 
   // Lines that are invalid, that diverge, that go opposite ways, or that come from too far.
   for (const Line& line : { Line{ { 20.0, std::nan(""), 0.0 }, { 0.0, 0.0, 1.0 } },

@@ -9,6 +9,7 @@
 #include "Image/Samples/VolumeView.h"
 #include "Math/TrilinearCell.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "SameBits.h"
 #include "TestRequest.h"
 #include "TestVolume.h"
@@ -149,7 +150,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   candidates.Count = 0;
   RaySet hits[2] = {};
   kernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
-    cells, random.Integer(0, 2), strides, { 1.0, 1.0 }, passages, candidates, hits);
+    cells, random.Integer(0, 2), strides, nullptr, { 1.0, 1.0 }, passages, candidates, hits);
   ASSERT_LE(candidates.Count, cells.Count);
 }
 
@@ -184,9 +185,12 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
       coordinate = random.Integer(0, 5) ? random.Uniform(0.0, 1.0) : random.Integer(0, 1) + 0.0;
     }
   }
+  const UnevenPlanes planes = RandomPlanes(random, size, { 3.0, true });
+  const bool areUneven = random.Integer(0, 1) != 0;
   for (const NormalMode mode : { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
   {
     TestRequest request;
+    request.Planes = areUneven ? &planes : nullptr;
     request.Normals = mode;
     request.PacketKernels = &kernels;
     Select(*volume, request, 1);

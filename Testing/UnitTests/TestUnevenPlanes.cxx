@@ -8,6 +8,7 @@
 #include "Image/Lattice/Ray.h"
 #include "Image/Lattice/UnevenPlanes.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -26,32 +27,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// Coordinates from 0 to n - 1, some steps a thousand times as long as others; on request, about
-/// one cell in four is flat. The first and the last cell are not flat.
-std::vector<double> RandomPlaces(RandomNumbers& random, int count, bool withFlatCells)
-{
-  std::vector<double> coordinates = { 0.0 };
-  for (int i = 1; i < count; ++i)
-  {
-    const bool isFlat = withFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
-    coordinates.push_back(
-      coordinates.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, 10.0))));
-  }
-  const double scale = (count - 1) / coordinates.back();
-  for (double& coordinate : coordinates)
-  {
-    coordinate *= scale;
-  }
-  coordinates.back() = count - 1;
-  return coordinates;
-}
-
-UnevenPlanes RandomPlanes(RandomNumbers& random, const Index3& size, bool withFlatCells)
-{
-  return UnevenPlanes({ RandomPlaces(random, size[0], withFlatCells),
-    RandomPlaces(random, size[1], withFlatCells), RandomPlaces(random, size[2], withFlatCells) });
-}
 
 std::vector<double> WholeNumbers(int count)
 {
@@ -186,7 +161,7 @@ TEST(UnevenPlanes, NoRayLeaksThroughAClosedSurface)
   for (int round = 0; round < 40; ++round)
   {
     const TestVolume<double> volume = Noise(random, size, true);
-    const UnevenPlanes planes = RandomPlanes(random, size, round % 2 == 1);
+    const UnevenPlanes planes = RandomPlanes(random, size, { 10.0, round % 2 == 1 });
     TestRequest request({ { 0.1, Glass } });
     request.Planes = &planes;
     ImageSettings cellByCell;
@@ -232,7 +207,7 @@ TEST(UnevenPlanes, HitsLieOnTheInterpolant)
   for (int round = 0; round < 10; ++round)
   {
     const TestVolume<double> volume = Noise(random, size, false);
-    const UnevenPlanes planes = RandomPlanes(random, size, false);
+    const UnevenPlanes planes = RandomPlanes(random, size, {});
     TestRequest request({ { 0.1, Glass } });
     request.Planes = &planes;
     const auto traced = NewTraced(volume, request);
@@ -283,7 +258,7 @@ TEST(UnevenPlanes, ExtremeValuesMatchTheInterpolant)
   for (int round = 0; round < 10; ++round)
   {
     const TestVolume<double> volume = Noise(random, size, false);
-    const UnevenPlanes planes = RandomPlanes(random, size, false);
+    const UnevenPlanes planes = RandomPlanes(random, size, {});
     TestRequest request;
     request.Planes = &planes;
     request.Projection = Extremum::Largest;
@@ -315,7 +290,7 @@ TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
 {
   RandomNumbers random(4);
   const Index3 size = { 9, 8, 7 };
-  const UnevenPlanes planes = RandomPlanes(random, size, false);
+  const UnevenPlanes planes = RandomPlanes(random, size, {});
   const auto make = [&](const auto& field)
   {
     TestVolume<double> volume(size, std::vector<double>(Count(size)));
@@ -414,7 +389,7 @@ TEST(UnevenPlanes, CroppingAndClippingAreInPhysicalSpace)
   RandomNumbers random(5);
   const Index3 size = { 12, 9, 10 };
   const TestVolume<double> volume = Noise(random, size, false);
-  const UnevenPlanes planes = RandomPlanes(random, size, false);
+  const UnevenPlanes planes = RandomPlanes(random, size, {});
   TestRequest request({ { 0.0, Glass } });
   request.Planes = &planes;
   const auto all = NewTraced(volume, request);

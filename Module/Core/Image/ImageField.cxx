@@ -25,6 +25,22 @@ bool HaveSameIsovalues(const TraceRequest& a, const TraceRequest& b)
     [](const Isosurface& one, const Isosurface& other) { return one.Isovalue == other.Isovalue; });
 }
 
+/// Says of rays that kernels have made which cells they stay in along the axes whose planes they
+/// are parallel to, if these are uneven; see Ray.
+void SetCellsOfParallelRays(const UnevenPlanes* planes, RayPacket& rays)
+{
+  for (std::size_t axis = 0; planes && axis < 3; ++axis)
+  {
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (rays.Direction[axis][i] == 0.0 && Has(rays.Exists, i))
+      {
+        rays.Inverse[axis][i] = planes->FindCell(axis, rays.Origin[axis][i]);
+      }
+    }
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -122,12 +138,13 @@ void ImageField::MoveRays(
 {
   const CellLattice& lattice = this->Selection.Lattice;
   const Kernels* kernels = this->Selection.PacketKernels;
-  if (!kernels || lattice.GetPlanes())
+  if (!kernels)
   {
     TracedField::MoveRays(rays, parts, ownFromRays, moved);
     return;
   }
   kernels->MoveRays(rays, parts, ownFromRays.data(), lattice.GetDimensions().data(), moved);
+  SetCellsOfParallelRays(lattice.GetPlanes(), moved);
 }
 
 //------------------------------------------------------------------------------
@@ -136,7 +153,7 @@ void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
 {
   const CellLattice& lattice = this->Selection.Lattice;
   const Kernels* kernels = this->Selection.PacketKernels;
-  if (!kernels || lattice.GetPlanes())
+  if (!kernels)
   {
     TracedField::MakeRays(view, pixels, depths, packet);
     return;
@@ -144,6 +161,7 @@ void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   PixelBlock block = MakePixelBlock(view, pixels, depths);
   block.Dimensions = lattice.GetDimensions().data();
   kernels->MakeRays(block, packet);
+  SetCellsOfParallelRays(lattice.GetPlanes(), packet);
 }
 
 //------------------------------------------------------------------------------
@@ -153,10 +171,10 @@ bool ImageField::MayHitBetween(RayPacket& lines, Beam* /*beam*/) const
   const TraceRequest& request = this->Selection.Request;
   const CellLattice& lattice = this->Selection.Lattice;
   const Kernels* kernels = this->Selection.PacketKernels;
-  const bool isInTree = this->Selection.Tree && kernels && !lattice.GetPlanes() &&
+  const bool isInTree = this->Selection.Tree && kernels &&
     !request.Projection && !request.Visible.HasCaps();
   return !isInTree ||
-    PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice.GetDimensions(), lines);
+    PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice, lines);
 }
 
 //------------------------------------------------------------------------------

@@ -13,22 +13,46 @@ namespace
 /// corner of the cell across the axis.
 struct RoughCells
 {
-  /// The lower plane of the cell, from the middle plane of the block.
+  /// The lower plane of the cell, from the plane that segments are counted from.
   Floats Plane;
   Floats Crossing[2];
   Floats Slope[2];
   Floats Ends[2];
+  /// Bounds on the errors, in cells: of planes along the axis, and of positions across it.
+  Floats PlaneError;
+  Floats CrossingError[2];
 };
 
-SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned int* codes)
+/// A bound on the error of single precision, in cells: of a position in a block and of a plane.
+constexpr float PlaceError = 0x1p-18F;
+
+SIMD_INLINE void LoadLines(const Passages& passages, const unsigned int* codes, Floats line[4])
 {
   const float* lines[FloatWidth];
   for (int lane = 0; lane < FloatWidth; ++lane)
   {
     lines[lane] = passages.Segments[codes[lane] & 0xFFFFU].Line;
   }
-  Floats line[4];
   LoadFours(lines, line);
+}
+
+SIMD_INLINE void LoadEnds(const Passages& passages, const unsigned int* codes, Floats ends[2])
+{
+  float all[2][FloatWidth];
+  for (int lane = 0; lane < FloatWidth; ++lane)
+  {
+    const Passages::Segment& segment = passages.Segments[codes[lane] & 0xFFFFU];
+    all[0][lane] = segment.Ends[0];
+    all[1][lane] = segment.Ends[1];
+  }
+  ends[0] = LoadFloats(all[0]);
+  ends[1] = LoadFloats(all[1]);
+}
+
+SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned int* codes)
+{
+  Floats line[4];
+  LoadLines(passages, codes, line);
   RoughCells cells;
   cells.Plane = GetBits(codes, 16, 7U) - 4.0F;
   cells.Crossing[0] = line[0] - GetBits(codes, 24, 7U);
@@ -39,16 +63,74 @@ SIMD_INLINE RoughCells LoadRoughCells(const Passages& passages, const unsigned i
   cells.Ends[1] = NoEnd[1];
   if (passages.HasEnds)
   {
-    float ends[2][FloatWidth];
-    for (int lane = 0; lane < FloatWidth; ++lane)
-    {
-      const Passages::Segment& segment = passages.Segments[codes[lane] & 0xFFFFU];
-      ends[0][lane] = segment.Ends[0];
-      ends[1][lane] = segment.Ends[1];
-    }
-    cells.Ends[0] = LoadFloats(ends[0]);
-    cells.Ends[1] = LoadFloats(ends[1]);
+    LoadEnds(passages, codes, cells.Ends);
   }
+  cells.PlaneError = PlaceError;
+  cells.CrossingError[0] = PlaceError;
+  cells.CrossingError[1] = PlaceError;
+  return cells;
+}
+
+/// Where cells stand along one axis: the members of CellSpan.
+struct RoughSpans
+{
+  Floats Lower;
+  Floats Width;
+  Floats InverseWidth;
+  Floats Extent;
+};
+
+/// The cells have the given bits of their codes as numbers along the axis, in blocks.
+SIMD_INLINE RoughSpans LoadSpans(const Passages& passages, const unsigned int* codes, int shift,
+  int axis, const LatticePlanes& planes)
+{
+  const float* spans[FloatWidth];
+  for (int lane = 0; lane < FloatWidth; ++lane)
+  {
+    const unsigned int code = codes[lane];
+    const int first = passages.First[passages.Segments[code & 0xFFFFU].Block][axis];
+    spans[lane] =
+      &planes.Blocks[axis][first / BlockPlanes::Edge].Cells[code >> shift & 7U].Lower;
+  }
+  Floats all[4];
+  LoadFours(spans, all);
+  return { all[0], all[1], all[2], all[3] };
+}
+
+/// The same between uneven planes: cells are taken for those of a lattice, whose size along each
+/// axis is 1. The axis and those across are given.
+SIMD_INLINE RoughCells LoadUnevenCells(const Passages& passages, const unsigned int* codes,
+  const int order[3], const LatticePlanes& planes)
+{
+  Floats line[4];
+  LoadLines(passages, codes, line);
+  const RoughSpans along = LoadSpans(passages, codes, 16, order[0], planes);
+  RoughCells cells;
+  cells.Plane = 0.0F;
+  // Less than 2^-24 of the block's size in each of the up to eight steps; and what double precision
+  // may be off, which counts in the smallest of cells.
+  const Floats rounding = 0x1p-21F;
+  const Floats least = 0x1p-28F;
+  cells.PlaneError =
+    MultiplyAdd(MultiplyAdd(rounding, along.Extent, least), along.InverseWidth, PlaceError);
+  for (int j = 0; j < 2; ++j)
+  {
+    const RoughSpans across = LoadSpans(passages, codes, 24 + 3 * j, order[1 + j], planes);
+    const Floats slope = line[2 + j];
+    cells.Crossing[j] =
+      (MultiplyAdd(slope, along.Lower, line[j]) - across.Lower) * across.InverseWidth;
+    cells.Slope[j] = slope * along.Width * across.InverseWidth;
+    // A ray goes at most two across for one along.
+    const Floats size = MultiplyAdd(4.0F, along.Extent, across.Extent);
+    cells.CrossingError[j] = MultiplyAdd(rounding, size, least) * across.InverseWidth;
+  }
+  Floats ends[2] = { NoEnd[0], NoEnd[1] };
+  if (passages.HasEnds)
+  {
+    LoadEnds(passages, codes, ends);
+  }
+  cells.Ends[0] = (ends[0] - along.Lower) * along.InverseWidth;
+  cells.Ends[1] = (ends[1] - along.Lower) * along.InverseWidth;
   return cells;
 }
 
@@ -71,17 +153,27 @@ struct RoughSegments
   FloatMask Exist;
 };
 
-/// A bound on the error of single precision, in cells: of a position in a block and of a plane.
-constexpr float PlaceError = 0x1p-18F;
-
+template <bool Even>
 SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
 {
   const Floats one = 1.0F;
-  const Floats error = PlaceError;
-  Floats low = Max(cells.Plane, cells.Ends[0] - error);
-  Floats surelyLow = Max(cells.Plane, cells.Ends[0] + error);
-  Floats high = Min(cells.Plane + one, cells.Ends[1] + error);
-  Floats surelyHigh = Min(cells.Plane + one, cells.Ends[1] - error);
+  const Floats error = cells.PlaneError;
+  Floats low = cells.Plane;
+  Floats surelyLow = cells.Plane;
+  Floats high = cells.Plane + one;
+  Floats surelyHigh = cells.Plane + one;
+  // Whole numbers are exact.
+  if constexpr (!Even)
+  {
+    low = low - error;
+    surelyLow = surelyLow + error;
+    high = high + error;
+    surelyHigh = surelyHigh - error;
+  }
+  low = Max(low, cells.Ends[0] - error);
+  surelyLow = Max(surelyLow, cells.Ends[0] + error);
+  high = Min(high, cells.Ends[1] + error);
+  surelyHigh = Min(surelyHigh, cells.Ends[1] - error);
   for (int j = 0; j < 2; ++j)
   {
     // For a slope that is nearly or exactly zero, a large reciprocal will do.
@@ -89,7 +181,7 @@ SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
       ApproximateReciprocal(CopySign(Max(Abs(cells.Slope[j]), 0x1p-60F), cells.Slope[j]));
     const Floats first = (0.0F - cells.Crossing[j]) * inverse;
     const Floats second = (one - cells.Crossing[j]) * inverse;
-    const Floats off = MultiplyAdd(error, Abs(inverse), error);
+    const Floats off = MultiplyAdd(cells.CrossingError[j], Abs(inverse), error);
     const Floats in = Min(first, second);
     const Floats out = Max(first, second);
     low = Max(low, in - off);
@@ -105,9 +197,36 @@ SIMD_INLINE RoughSegments FindRoughSegments(const RoughCells& cells)
   return result;
 }
 
+/// How well the points on rays in cells are known.
+struct RoughPlaces
+{
+  /// A bound on how far points may be off, and on how far outside their cells.
+  Floats Error;
+  /// A bound on how far a point moves in its cell, along all axes together, for one along the axis.
+  Floats Reach;
+};
+
+template <bool Even>
+SIMD_INLINE RoughPlaces FindPlaces(const RoughCells& cells)
+{
+  if constexpr (Even)
+  {
+    // A ray goes at most two cells across for one along. The error counts as that of arithmetic.
+    return { 0.0F, 5.0F };
+  }
+  else
+  {
+    const Floats reach = Floats(1.0F) + Abs(cells.Slope[0]) + Abs(cells.Slope[1]);
+    return { MultiplyAdd(
+               cells.PlaneError, reach, cells.CrossingError[0] + cells.CrossingError[1]),
+      reach * 1.25F };
+  }
+}
+
 /// Classifies the cubics along rays in cells, of values less the isovalue; largest is the largest
 /// magnitude of each cell's. The error of single precision is less than 2^-16 of it, and that of
-/// the isovalue.
+/// the isovalue. Nothing is known where points are off by much, as in flat cells.
+template <bool Even>
 SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
   const int order[3], const RoughCells& cells, const RoughSegments& segments)
 {
@@ -151,10 +270,11 @@ SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats is
   const Floats twice = b[1][1][0] + b[1][0][1] + b[0][1][1];
   // Where values are so large that differences overflow, the square does too, and nothing is known.
   const Floats part = largest * 0x1p-36F;
-  const Floats error = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, isovalueError));
-  // A value changes by at most twice the largest size for a cell along each axis, and a ray goes at
-  // most two cells across for one along.
-  const Floats errorOfEnds = MultiplyAdd(largest * segments.Error, 10.0F, error);
+  const RoughPlaces places = FindPlaces<Even>(cells);
+  // A value changes by at most twice the largest size for a cell along each axis.
+  const Floats ownError = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, isovalueError));
+  const Floats error = Even ? ownError : MultiplyAdd(largest * 4.0F, places.Error, ownError);
+  const Floats errorOfEnds = MultiplyAdd(largest * segments.Error, places.Reach * 2.0F, error);
   const Floats nearer = Min(Abs(begin), Abs(end));
   const Floats third = 1.0F / 3.0F;
   const Floats nearest = Min(nearer, Min(Abs(once), Abs(twice)) * third);
@@ -165,6 +285,12 @@ SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats is
   result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
   result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
   result.Rise = begin < 0.0F;
+  if constexpr (!Even)
+  {
+    const FloatMask isKnown = places.Error < 0x1p-6F;
+    result.Misses = result.Misses & isKnown;
+    result.Hits = result.Hits & isKnown;
+  }
   return result;
 }
 
@@ -187,9 +313,10 @@ SIMD_INLINE Floats LoadRoughDifferences(
   return largest;
 }
 
-template <typename T>
-void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2])
+template <typename T, bool Even>
+SIMD_INLINE void ClassifyBetween(const LatticePlanes* planes, const PassedCells& cells, int axis,
+  const std::ptrdiff_t strides[3], const ScaledIsovalue& isovalue, Passages& passages,
+  Candidates& candidates, RaySet hits[2])
 {
   // For other magnitudes nothing is known.
   const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
@@ -199,12 +326,20 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
   const int order[3] = { axis, AxisU[axis], AxisV[axis] };
   for (int i = 0; i < cells.Count; i += FloatWidth)
   {
-    const RoughCells rough = LoadRoughCells(passages, &cells.Codes[i]);
-    const RoughSegments segments = FindRoughSegments(rough);
+    RoughCells rough;
+    if constexpr (Even)
+    {
+      rough = LoadRoughCells(passages, &cells.Codes[i]);
+    }
+    else
+    {
+      rough = LoadUnevenCells(passages, &cells.Codes[i], order, *planes);
+    }
+    const RoughSegments segments = FindRoughSegments<Even>(rough);
     Floats values[8];
     const Floats largest = LoadRoughDifferences<T>(&cells.First[i], strides, rounded, values);
     const Classification classification =
-      Classify(values, largest, isovalueError, order, rough, segments);
+      Classify<Even>(values, largest, isovalueError, order, rough, segments);
     const unsigned int lanes = (1U << SmallerOf(cells.Count - i, FloatWidth)) - 1U;
     const unsigned int sure = ToBits(classification.Hits);
     const unsigned int rising = ToBits(classification.Rise);
@@ -228,6 +363,22 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
       hitsOfDirection.Words[segment.Ray >> 6] |= static_cast<std::uint64_t>(isSure)
         << (segment.Ray & 63);
     }
+  }
+}
+
+template <typename T>
+void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+  const LatticePlanes* planes, const ScaledIsovalue& isovalue, Passages& passages,
+  Candidates& candidates, RaySet hits[2])
+{
+  if (planes)
+  {
+    ClassifyBetween<T, false>(
+      planes, cells, axis, strides, isovalue, passages, candidates, hits);
+  }
+  else
+  {
+    ClassifyBetween<T, true>(planes, cells, axis, strides, isovalue, passages, candidates, hits);
   }
 }
 

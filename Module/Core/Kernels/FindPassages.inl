@@ -8,6 +8,33 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// Where a block stands: along the axis, and the two across.
+struct BlockPlace
+{
+  /// Its planes; null where they stand at whole numbers.
+  const BlockPlanes* Planes[3];
+  /// The coordinates of its first planes.
+  double First[3];
+  /// The coordinates along the axis of the plane that segments are counted from, and of the last.
+  double Middle;
+  double Last;
+};
+
+SIMD_INLINE BlockPlace FindPlace(const int first[3], int axis, const LatticePlanes* planes)
+{
+  BlockPlace place;
+  const int order[3] = { axis, AxisU[axis], AxisV[axis] };
+  for (int i = 0; i < 3; ++i)
+  {
+    const int cell = first[order[i]];
+    place.Planes[i] = planes ? &planes->Blocks[order[i]][cell / BlockPlanes::Edge] : nullptr;
+    place.First[i] = planes ? place.Planes[i]->First : static_cast<double>(cell);
+  }
+  place.Middle = planes ? place.First[0] : place.First[0] + 4.0;
+  place.Last = place.First[0] + (planes ? place.Planes[0]->Extent : 8.0);
+  return place;
+}
+
 /// The smallest box around the members of a block: along the axis, and the two across.
 struct Box
 {
@@ -16,12 +43,11 @@ struct Box
   double Extent[3];
 };
 
-/// The subpackets that may meet a box, counted from a first cell; a bit for each.
-SIMD_INLINE unsigned int FindSubpackets(
-  const AlignedRays& aligned, const Box& box, const double first[3])
+/// The subpackets that may meet a box; a bit for each.
+SIMD_INLINE unsigned int FindSubpackets(const AlignedRays& aligned, const Box& box)
 {
-  const double low = first[0] + box.Middle[0] - box.Extent[0];
-  const double high = first[0] + box.Middle[0] + box.Extent[0];
+  const double low = box.Middle[0] - box.Extent[0];
+  const double high = box.Middle[0] + box.Extent[0];
   const Doubles near = low < aligned.SweptLow ? aligned.SweptLow : low;
   const Doubles far = high < aligned.SweptHigh ? high : aligned.SweptHigh;
   unsigned int found = 0;
@@ -30,7 +56,7 @@ SIMD_INLINE unsigned int FindSubpackets(
     Mask meets = FirstLanes(DoubleWidth);
     for (int j = 0; j < 2; ++j)
     {
-      const double middle = first[1 + j] + box.Middle[1 + j];
+      const double middle = box.Middle[1 + j];
       const Doubles leastSlope = Load(&aligned.LeastSlope[j][i]);
       const Doubles mostSlope = Load(&aligned.MostSlope[j][i]);
       const Doubles least =
@@ -43,7 +69,14 @@ SIMD_INLINE unsigned int FindSubpackets(
   return found;
 }
 
-SIMD_INLINE Box FindBox(const std::uint64_t slices[8])
+/// A margin around cells of a block along an axis: more than all rounding, which is less than 2^-20
+/// of the size of a block in single precision.
+SIMD_INLINE double GetMargin(const BlockPlace& place, int axis)
+{
+  return place.Planes[axis] ? Margin + 0x1p-16 * place.Planes[axis]->Extent : Margin;
+}
+
+SIMD_INLINE Box FindBox(const std::uint64_t slices[8], const BlockPlace& place)
 {
   std::uint64_t any = 0;
   unsigned int occupied = 0;
@@ -62,8 +95,11 @@ SIMD_INLINE Box FindBox(const std::uint64_t slices[8])
   Box box;
   for (int i = 0; i < 3; ++i)
   {
-    box.Middle[i] = 0.5 * (first[i] + last[i] + 1);
-    box.Extent[i] = 0.5 * (last[i] + 1 - first[i]) + Margin;
+    const BlockPlanes* planes = place.Planes[i];
+    const double low = planes ? static_cast<double>(planes->Planes[first[i]]) : first[i];
+    const double high = planes ? static_cast<double>(planes->Planes[last[i] + 1]) : last[i] + 1;
+    box.Middle[i] = place.First[i] + 0.5 * (low + high);
+    box.Extent[i] = 0.5 * (high - low) + GetMargin(place, i);
   }
   return box;
 }
@@ -83,33 +119,32 @@ struct NearRays
   float Ends[RayPacket::Capacity][2];
 };
 
-/// Finds the rays that may meet the box of a block with its first cell at first.
-SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, int axis,
-  const int first[3], const Box& box, Passages& passages, NearRays& found)
+/// Finds the rays that may meet the box in a block.
+SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, const BlockPlace& place,
+  const Box& box, Passages& passages, NearRays& found)
 {
-  const double corner[3] = { static_cast<double>(first[axis]),
-    static_cast<double>(first[AxisU[axis]]), static_cast<double>(first[AxisV[axis]]) };
-  const double plane = corner[0] + box.Middle[0];
+  const double plane = box.Middle[0];
   const Doubles lowest = plane - box.Extent[0];
   const Doubles highest = plane + box.Extent[0];
   const Doubles extent = box.Extent[0];
   const Doubles planes = plane;
-  const Doubles middlePlanes = corner[0] + 4.0;
+  const Doubles middlePlanes = place.Middle;
   Doubles firstOf[2];
   Doubles middle[2];
   Doubles reach[2];
   for (int j = 0; j < 2; ++j)
   {
-    firstOf[j] = corner[1 + j];
-    middle[j] = firstOf[j] + box.Middle[1 + j];
+    firstOf[j] = place.First[1 + j];
+    middle[j] = box.Middle[1 + j];
     reach[j] = box.Extent[1 + j];
   }
   const Doubles margin = Margin;
   // Ends this near to the block's own do not count.
-  const Doubles lastBegin = corner[0] + 0x1p-20;
-  const Doubles firstEnd = corner[0] + 8.0 - 0x1p-20;
+  const double nearness = 0x1p-23 * (place.Last - place.First[0]);
+  const Doubles lastBegin = place.First[0] + nearness;
+  const Doubles firstEnd = place.Last - nearness;
   found.Count = 0;
-  for (unsigned int subpackets = FindSubpackets(aligned, box, corner); subpackets != 0;
+  for (unsigned int subpackets = FindSubpackets(aligned, box); subpackets != 0;
        subpackets &= subpackets - 1)
   {
     const int firstRay = __builtin_ctz(subpackets) * AlignedRays::SubpacketSize;
@@ -148,8 +183,22 @@ SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, int ax
   }
 }
 
+/// The cells of a block that a ray may pass, as FindCellsOfRay finds them.
+SIMD_INLINE unsigned int FindCells(const BlockPlace& place, const float middle[2],
+  const float slope[2], SliceMasks masks, std::uint64_t cells[8])
+{
+  if (!place.Planes[0])
+  {
+    return FindCellsOfRay(middle, slope, static_cast<float>(Margin), masks, cells);
+  }
+  const float* planes[3] = { place.Planes[0]->Planes, place.Planes[1]->Planes,
+    place.Planes[2]->Planes };
+  const double margin = GetMargin(place, 0) + GetMargin(place, 1) + GetMargin(place, 2);
+  return FindCellsBetweenPlanes(middle, slope, static_cast<float>(margin), planes, masks, cells);
+}
+
 void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
-  const std::uint64_t slices[8], Passages& passages)
+  const std::uint64_t slices[8], const LatticePlanes* planes, Passages& passages)
 {
   if ((slices[0] | slices[1] | slices[2] | slices[3] | slices[4] | slices[5] | slices[6] |
         slices[7]) == 0)
@@ -157,14 +206,15 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
     return;
   }
   NearRays found;
-  FindRays(aligned, rays, axis, first, FindBox(slices), passages, found);
+  const BlockPlace place = FindPlace(first, axis, planes);
+  FindRays(aligned, rays, place, FindBox(slices, place), passages, found);
   const SliceMasks masks = LoadSlices(slices);
   int count = passages.Count;
   for (int k = 0; k < found.Count; ++k)
   {
     const int ray = found.Numbers[k];
-    const unsigned int any = FindCellsOfRay(found.Middles[ray], aligned.Slopes[ray],
-      static_cast<float>(Margin), masks, passages.Cells[count]);
+    const unsigned int any = FindCells(
+      place, found.Middles[ray], aligned.Slopes[ray], masks, passages.Cells[count]);
     Passages::Segment& segment = passages.Segments[count];
     CopyPair(found.Middles[ray], segment.Line);
     CopyPair(aligned.Slopes[ray], segment.Line + 2);

@@ -7,6 +7,7 @@
 #include "Kernels/BeamPieces.h"
 #include "Kernels/CloudTile.h"
 #include "Kernels/Frustum.h"
+#include "Kernels/LatticePlanes.h"
 #include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
 #include "Rays/RaysInBox.h"
@@ -46,18 +47,14 @@ struct Passages
   static constexpr int Batch = 128;
   /// ...because each ray of a packet may add one passage between two checks.
   static constexpr int Capacity = 1024;
-  /// In a slice of blocks a ray passes at most four by four of them (it spans at most 16 cells
-  /// across). For this many rays, and one passage that turns out to be empty, there is room without
-  /// checks.
-  static constexpr int RaysWithRoom = Capacity / 16 - 1;
 
   /// The segment of a ray in a block, counted from the first cell across the axis and from the
-  /// middle plane of the block along it.
+  /// middle plane of the block along it; from the first plane where planes are uneven.
   struct Segment
   {
-    /// The two coordinates across in the middle plane, and their changes from plane to plane.
+    /// The two coordinates across in that plane, and their changes along the axis.
     float Line[4];
-    /// The lowest and the highest plane that the ray reaches, or planes beyond the block.
+    /// The lowest and the highest coordinate that the ray reaches, or some beyond the block.
     float Ends[2];
     int Ray;
     int Block;
@@ -142,6 +139,10 @@ struct InnerCells
   /// The address of the first corner of the cell.
   const void* First[RayPacket::Capacity];
   alignas(64) double Parametric[3][RayPacket::Capacity];
+  /// Whether planes are uneven. Then, for each axis, the weights of the differences to the samples
+  /// below and above, at the first corner and then at the next one along the axis.
+  bool AreUneven;
+  const double* Weights[3][RayPacket::Capacity];
 };
 
 /// Hits to be shaded.
@@ -222,23 +223,25 @@ struct Kernels
 
   /// Adds the passages of rays of a frustum through a block whose first cell is at first; slices
   /// are those of its mask across the axis. It may find cells that a ray only comes near to; it
-  /// never leaves out one that a ray passes.
+  /// never leaves out one that a ray passes. Here and below, planes are null where they stand at
+  /// whole numbers.
   void (*FindPassages)(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
-    const std::uint64_t slices[8], Passages& passages);
+    const std::uint64_t slices[8], const LatticePlanes* planes, Passages& passages);
 
   /// Classifies cells in single precision: adds those in which a ray may hit the surface to the
   /// candidates, and marks the passages and the rays that surely hit it: hits[0] where values fall
   /// along the axis, hits[1] where they rise. Corners are kept in rows; strides are the distances
   /// between neighbours along each axis, in values. One for every ScalarType.
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
+    const LatticePlanes* planes, const ScaledIsovalue& isovalue, Passages& passages,
+    Candidates& candidates, RaySet hits[2]);
 
   /// Loads the corners of candidates from rows; strides are as for ClassifyCells. One for every
   /// ScalarType.
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
   /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
-  void (*Solve)(const RayPacket& packet, const Candidates& candidates,
+  void (*Solve)(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
     const ScaledIsovalue& isovalue, Solutions& solutions);
 
   /// Interpolates the central differences at the corners of cells, which makes the gradients of

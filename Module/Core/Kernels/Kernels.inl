@@ -34,8 +34,8 @@ namespace
 constexpr double Infinity = __builtin_inf();
 /// The margin around rays, in cells: more than all rounding.
 constexpr double Margin = 0x1p-9;
-/// Planes beyond a block, counted from its middle.
-constexpr float NoEnd[2] = { -8.0F, 8.0F };
+/// Beyond any block.
+constexpr float NoEnd[2] = { -0x1p60F, 0x1p60F };
 
 // The two axes across each axis.
 constexpr int AxisU[3] = { 1, 0, 0 };

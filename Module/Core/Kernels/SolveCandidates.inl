@@ -26,8 +26,9 @@ void LoadCorners(const std::ptrdiff_t strides[3], Candidates& candidates)
 
 //------------------------------------------------------------------------------
 /// The segments of the rays of candidates in their cells. Returns which exist.
-SIMD_INLINE Mask FindSegments(
-  const RayPacket& packet, const Candidates& candidates, int first, CellSegments<Doubles>& segments)
+template <bool Even>
+SIMD_INLINE Mask FindSegments(const RayPacket& packet, const Candidates& candidates, int first,
+  const LatticePlanes* planes, CellSegments<Doubles>& segments)
 {
   const int* numbers = &candidates.Ray[first];
   RaysInCells<Doubles> rays;
@@ -37,12 +38,21 @@ SIMD_INLINE Mask FindSegments(
     rays.Direction[axis] = Gather(packet.Direction[axis], numbers);
     rays.Inverse[axis] = Gather(packet.Inverse[axis], numbers);
     rays.Cell[axis] = LoadIntegers(&candidates.Cell[axis][first]);
-    rays.Lower[axis] = rays.Cell[axis];
-    rays.Upper[axis] = rays.Cell[axis] + 1.0;
+    if constexpr (Even)
+    {
+      rays.Lower[axis] = rays.Cell[axis];
+      rays.Upper[axis] = rays.Cell[axis] + 1.0;
+    }
+    else
+    {
+      const int* cells = &candidates.Cell[axis][first];
+      rays.Lower[axis] = Gather(planes->Coordinates[axis], cells);
+      rays.Upper[axis] = Gather(planes->Coordinates[axis] + 1, cells);
+    }
   }
   rays.Begin = Gather(packet.Begin, numbers);
   rays.End = Gather(packet.End, numbers);
-  rays.Even = true;
+  rays.Even = Even;
   return segments.Find(rays);
 }
 
@@ -84,10 +94,12 @@ struct CellCubics
   MonotonePiece<Doubles> Piece;
 };
 
+template <bool Even>
 SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidates, int first,
-  const ScaledIsovalue& isovalue, CellCubics& cubics, Solutions& solutions)
+  const LatticePlanes* planes, const ScaledIsovalue& isovalue, CellCubics& cubics,
+  Solutions& solutions)
 {
-  const Mask exists = FindSegments(packet, candidates, first, cubics.Segment);
+  const Mask exists = FindSegments<Even>(packet, candidates, first, planes, cubics.Segment);
   Doubles corners[8];
   for (int i = 0; i < 8; ++i)
   {
@@ -145,8 +157,9 @@ SIMD_INLINE void StoreSolutions(const RayPacket& packet, const Candidates& candi
   }
 }
 
-void Solve(const RayPacket& packet, const Candidates& candidates, const ScaledIsovalue& isovalue,
-  Solutions& solutions)
+template <bool Even>
+SIMD_INLINE void SolveBetween(const LatticePlanes* planes, const RayPacket& packet,
+  const Candidates& candidates, const ScaledIsovalue& isovalue, Solutions& solutions)
 {
   for (int i = 0; i < Solutions::Words; ++i)
   {
@@ -158,7 +171,8 @@ void Solve(const RayPacket& packet, const Candidates& candidates, const ScaledIs
     CellCubics cubics[2];
     for (int j = 0; j < 2; ++j)
     {
-      FindCubics(packet, candidates, i + j * DoubleWidth, isovalue, cubics[j], solutions);
+      FindCubics<Even>(
+        packet, candidates, i + j * DoubleWidth, planes, isovalue, cubics[j], solutions);
     }
     Doubles u[2];
     RefineRoots(cubics, u);
@@ -166,6 +180,19 @@ void Solve(const RayPacket& packet, const Candidates& candidates, const ScaledIs
     {
       StoreSolutions(packet, candidates, i + j * DoubleWidth, cubics[j], u[j], solutions);
     }
+  }
+}
+
+void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
+  const ScaledIsovalue& isovalue, Solutions& solutions)
+{
+  if (planes)
+  {
+    SolveBetween<false>(planes, packet, candidates, isovalue, solutions);
+  }
+  else
+  {
+    SolveBetween<true>(planes, packet, candidates, isovalue, solutions);
   }
 }
 

@@ -417,17 +417,52 @@ SIMD_INLINE unsigned int FindCellsOfSlices(
   return 15U ^ static_cast<unsigned int>(_mm256_movemask_pd(_mm256_castsi256_pd(none)));
 }
 
-SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
-  SliceMasks slices, std::uint64_t cells[8])
+SIMD_INLINE unsigned int FindCellsOfRows(
+  __m256i columns, __m256i rows, SliceMasks slices, std::uint64_t cells[8])
 {
-  const __m256i columns = FindRow(middle[0], slope[0], margin);
-  const __m256i rows = FindRow(middle[1], slope[1], margin);
   const unsigned int first =
     FindCellsOfSlices(_mm256_castsi256_si128(columns), _mm256_castsi256_si128(rows), slices, cells);
   return first |
     FindCellsOfSlices(_mm256_extracti128_si256(columns, 1), _mm256_extracti128_si256(rows, 1),
       slices + 4, cells + 4)
     << 4;
+}
+
+SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
+  SliceMasks slices, std::uint64_t cells[8])
+{
+  return FindCellsOfRows(FindRow(middle[0], slope[0], margin), FindRow(middle[1], slope[1], margin),
+    slices, cells);
+}
+
+/// The cells between planes that the coordinates of a ray along one axis across meet, one bit for
+/// each, in eight slices between the given planes along the axis.
+SIMD_INLINE __m256i FindRow(
+  float first, float slope, float margin, const float along[9], const float planes[9])
+{
+  const __m256 firsts = _mm256_set1_ps(first);
+  const __m256 slopes = _mm256_set1_ps(slope);
+  const __m256 margins = _mm256_set1_ps(margin);
+  const __m256 near = _mm256_fmadd_ps(_mm256_loadu_ps(along), slopes, firsts);
+  const __m256 far = _mm256_fmadd_ps(_mm256_loadu_ps(along + 1), slopes, firsts);
+  const __m256 least = _mm256_sub_ps(_mm256_min_ps(near, far), margins);
+  const __m256 most = _mm256_add_ps(_mm256_max_ps(near, far), margins);
+  __m256i row = _mm256_setzero_si256();
+  for (int i = 0; i < 8; ++i)
+  {
+    const __m256 met =
+      _mm256_and_ps(_mm256_cmp_ps(least, _mm256_set1_ps(planes[i + 1]), _CMP_LE_OQ),
+        _mm256_cmp_ps(_mm256_set1_ps(planes[i]), most, _CMP_LE_OQ));
+    row = _mm256_or_si256(row, _mm256_and_si256(_mm256_castps_si256(met), _mm256_set1_epi32(1 << i)));
+  }
+  return row;
+}
+
+SIMD_INLINE unsigned int FindCellsBetweenPlanes(const float line[2], const float slope[2],
+  float margin, const float* const planes[3], SliceMasks slices, std::uint64_t cells[8])
+{
+  return FindCellsOfRows(FindRow(line[0], slope[0], margin, planes[0], planes[1]),
+    FindRow(line[1], slope[1], margin, planes[0], planes[2]), slices, cells);
 }
 
 }

@@ -483,5 +483,57 @@ SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope
   return _mm512_test_epi64_mask(found, found);
 }
 
+SIMD_INLINE __m512 LoadEightTwice(const float* from)
+{
+  const __m256 eight = _mm256_loadu_ps(from);
+  return _mm512_insertf32x8(_mm512_castps256_ps512(eight), eight, 1);
+}
+
+/// The cells between planes that the ranges of eight slices meet, a byte for each slice. The ranges
+/// are in eight lanes from the first on.
+SIMD_INLINE __mmask64 FindMetCells(__m512 least, __m512 most, int first, const float planes[9])
+{
+  const __m512 lower = LoadEightTwice(planes);
+  const __m512 upper = LoadEightTwice(planes + 1);
+  const __m512i firstTwo = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0);
+  __mmask16 met[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const __m512i slices = _mm512_add_epi32(firstTwo, _mm512_set1_epi32(first + 2 * i));
+    met[i] = _mm512_mask_cmp_ps_mask(
+      _mm512_cmp_ps_mask(_mm512_permutexvar_ps(slices, least), upper, _CMP_LE_OQ), lower,
+      _mm512_permutexvar_ps(slices, most), _CMP_LE_OQ);
+  }
+  return _mm512_kunpackd(_mm512_kunpackw(met[3], met[2]), _mm512_kunpackw(met[1], met[0]));
+}
+
+/// The same as FindCellsOfRay between planes at any places: along the axis and the two across. The
+/// ray is given by its coordinates across the axis where planes are counted from.
+SIMD_INLINE unsigned int FindCellsBetweenPlanes(const float line[2], const float slope[2],
+  float margin, const float* const planes[3], SliceMasks slices, std::uint64_t cells[8])
+{
+  // As in FindCellsOfRay, u is in the lower half of a register, v in the upper half.
+  const __m512 margins = _mm512_set1_ps(margin);
+  const auto spread = [](const float pair[2])
+  { return _mm512_mask_blend_ps(0xFF00, _mm512_set1_ps(pair[0]), _mm512_set1_ps(pair[1])); };
+  const __m512 lines = spread(line);
+  const __m512 slopes = spread(slope);
+  const __m512 near = _mm512_fmadd_ps(LoadEightTwice(planes[0]), slopes, lines);
+  const __m512 far = _mm512_fmadd_ps(LoadEightTwice(planes[0] + 1), slopes, lines);
+  const __m512 least = _mm512_sub_ps(_mm512_min_ps(near, far), margins);
+  const __m512 most = _mm512_add_ps(_mm512_max_ps(near, far), margins);
+  const __mmask64 columns = FindMetCells(least, most, 0, planes[1]);
+  const __mmask64 rows = FindMetCells(least, most, 8, planes[2]);
+  // The columns of each slice in all bytes of its word that are rows of it.
+  const __m512i ofSlices =
+    _mm512_set_epi64(0x0707070707070707, 0x0606060606060606, 0x0505050505050505, 0x0404040404040404,
+      0x0303030303030303, 0x0202020202020202, 0x0101010101010101, 0);
+  const __m512i met = _mm512_maskz_shuffle_epi8(
+    rows, _mm512_set1_epi64(static_cast<long long>(columns)), ofSlices);
+  const __m512i found = _mm512_and_si512(slices, met);
+  _mm512_storeu_si512(cells, found);
+  return _mm512_test_epi64_mask(found, found);
+}
+
 }
 }

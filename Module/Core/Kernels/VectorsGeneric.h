@@ -344,5 +344,37 @@ SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope
   return any;
 }
 
+SIMD_INLINE unsigned int FindCellsBetweenPlanes(const float line[2], const float slope[2],
+  float margin, const float* const planes[3], SliceMasks slices, std::uint64_t cells[8])
+{
+  unsigned int any = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    cells[slice] = 0;
+    if (slices[slice] == 0)
+    {
+      continue;
+    }
+    std::uint64_t columns = 0;
+    std::uint64_t rows = 0;
+    for (int j = 0; j < 2; ++j)
+    {
+      const float near = line[j] + planes[0][slice] * slope[j];
+      const float far = line[j] + planes[0][slice + 1] * slope[j];
+      const float least = (near < far ? near : far) - margin;
+      const float most = (near < far ? far : near) + margin;
+      for (int i = 0; i < 8; ++i)
+      {
+        const bool isMet = least <= planes[1 + j][i + 1] && planes[1 + j][i] <= most;
+        columns |= j == 0 && isMet ? std::uint64_t{ 1 } << i : 0U;
+        rows |= j == 1 && isMet ? std::uint64_t{ 0xFF } << (8 * i) : 0U;
+      }
+    }
+    cells[slice] = slices[slice] & rows & (columns * 0x0101010101010101U);
+    any |= static_cast<unsigned int>(cells[slice] != 0) << slice;
+  }
+  return any;
+}
+
 }
 }

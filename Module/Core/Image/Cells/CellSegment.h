@@ -64,6 +64,19 @@ inline bool SegmentInCell(const Ray& ray, const Index3& cell, CellSegment& segme
   return true;
 }
 
+/// Whether a ray comes to a cell before another one, which it enters elsewhere, given where it
+/// enters them. Flat cells are entered where the cells behind them are.
+inline bool IsEnteredBefore(const Index3& cell, const Crossing& begin, const Index3& other,
+  const Crossing& beginOfOther, const Vector3& direction)
+{
+  if (begin < beginOfOther || beginOfOther < begin || begin.Axis == Crossing::StartAxis)
+  {
+    return begin < beginOfOther;
+  }
+  const auto axis = static_cast<std::size_t>(begin.Axis);
+  return direction[axis] > 0.0 ? cell[axis] < other[axis] : cell[axis] > other[axis];
+}
+
 /// A hit at a fraction of the segment of a ray in a cell.
 inline Hit MakeHit(const Ray& ray, const CellLattice& lattice, const Index3& cell,
   const CellSegment& segment, double fraction, int surface, bool entering)

@@ -21,10 +21,10 @@ void FindCellsOnRay(const Ray& ray, const std::vector<Index3>& cells, std::vecto
     }
   }
   std::sort(onRay.begin(), onRay.end(),
-    [](const CellOnRay& a, const CellOnRay& b)
+    [&ray](const CellOnRay& a, const CellOnRay& b)
     {
-      return Crossing{ a.Segment.Begin, a.Segment.BeginAxis } <
-        Crossing{ b.Segment.Begin, b.Segment.BeginAxis };
+      return IsEnteredBefore(a.Cell, { a.Segment.Begin, a.Segment.BeginAxis }, b.Cell,
+        { b.Segment.Begin, b.Segment.BeginAxis }, ray.Direction);
     });
 }
 

@@ -76,31 +76,40 @@ public:
       cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
   }
 
-  /// Interpolates central differences with a kernel, where planes are even and there are inner
-  /// cells. Returns the hits whose gradients must be found in other ways.
+  /// Interpolates central differences with a kernel, where there are inner cells. Returns the hits
+  /// whose gradients must be found in other ways.
   RaySet InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
-    const Kernels& kernels, double (*gradients)[RayPacket::Capacity]) const
+    const Kernels& kernels, const UnevenPlanes* planes,
+    double (*gradients)[RayPacket::Capacity]) const
   {
     RaySet others = {};
     InnerCells cells;
     cells.Count = count;
+    cells.AreUneven = planes != nullptr;
     for (int i = 0; i < count; ++i)
     {
       const Hit& hit = hits[i];
       const bool isInner = this->IsInner(cellsOfHits[i]);
-      cells.First[i] = this->TheSamples.At(isInner ? cellsOfHits[i] : Index3{ 1, 1, 1 });
+      const Index3 cell = isInner ? cellsOfHits[i] : Index3{ 1, 1, 1 };
+      cells.First[i] = this->TheSamples.At(cell);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         cells.Parametric[axis][i] = hit.Parametric[axis];
+        if (planes)
+        {
+          cells.Weights[axis][i] = &planes->GetSlopeWeights(axis, cell[axis]).Below;
+        }
       }
-      if (!isInner || hit.Plane != Hit::NoPlane)
+      const bool isFlat = planes && planes->IsFlat(cell);
+      if (!isInner || isFlat || hit.Plane != Hit::NoPlane)
       {
         Add(i, others);
       }
     }
     const auto type = static_cast<std::size_t>(ScalarTypeOf<T>());
     kernels.InterpolateDifferences[type](cells, this->TheSamples.GetStrides(), gradients);
-    for (int i = 0; std::is_floating_point_v<T> && i < count; ++i)
+    const bool mayBeInfinite = std::is_floating_point_v<T> || planes;
+    for (int i = 0; mayBeInfinite && i < count; ++i)
     {
       if (!IsFinite({ gradients[0][i], gradients[1][i], gradients[2][i] }))
       {

@@ -4,6 +4,7 @@
 #ifndef UnevenPlanes_h
 #define UnevenPlanes_h
 
+#include "Kernels/LatticePlanes.h"
 #include "Math/Vector.h"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ public:
         const double above = plane < planes - 1 ? this->GetWidth(axis, plane) : 0.0;
         this->Slopes[axis].push_back(ParabolaWeights(below, above));
       }
+      this->AddBlocks(axis);
+      this->AddFirstCells(axis);
     }
   }
 
@@ -77,10 +80,22 @@ public:
   /// nearest cell.
   int FindCell(std::size_t axis, double coordinate) const
   {
-    const std::vector<double>& coordinates = this->Coordinates[axis];
-    return static_cast<int>(
-      std::upper_bound(coordinates.begin() + 1, coordinates.end() - 1, coordinate) -
-      coordinates.begin() - 1);
+    const std::vector<int>& cells = this->FirstCells[axis];
+    const double last = static_cast<double>(cells.size()) - 2.0;
+    const auto below = static_cast<std::size_t>(coordinate > 0.0 ? std::min(coordinate, last) : 0.0);
+    return this->FindCellBetween(axis, coordinate, cells[below], cells[below + 1]);
+  }
+
+  /// The same for kernels; valid as long as this is.
+  LatticePlanes GetLatticePlanes() const
+  {
+    LatticePlanes planes;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      planes.Coordinates[axis] = this->Coordinates[axis].data();
+      planes.Blocks[axis] = this->Blocks[axis].data();
+    }
+    return planes;
   }
 
   /// A point given in the coordinates of a cell.
@@ -109,8 +124,55 @@ private:
     return { below > 0.0 ? 1.0 / below : 0.0, above > 0.0 ? 1.0 / above : 0.0 };
   }
 
+  /// Given the first and the last cell that it may be.
+  int FindCellBetween(std::size_t axis, double coordinate, int first, int last) const
+  {
+    const auto planes = this->Coordinates[axis].begin() + 1;
+    return static_cast<int>(
+      std::upper_bound(planes + first, planes + last, coordinate) - planes);
+  }
+
+  void AddFirstCells(std::size_t axis)
+  {
+    const auto lastCell = static_cast<int>(this->Coordinates[axis].size()) - 2;
+    for (int coordinate = 0; coordinate <= lastCell + 1; ++coordinate)
+    {
+      this->FirstCells[axis].push_back(this->FindCellBetween(axis, coordinate, 0, lastCell));
+    }
+  }
+
+  void AddBlocks(std::size_t axis)
+  {
+    const auto cells = static_cast<int>(this->Coordinates[axis].size()) - 1;
+    for (int first = 0; first < cells; first += BlockPlanes::Edge)
+    {
+      this->Blocks[axis].push_back(this->MakeBlock(axis, first));
+    }
+  }
+
+  BlockPlanes MakeBlock(std::size_t axis, int first) const
+  {
+    BlockPlanes block;
+    block.First = this->Get(axis, first);
+    block.Extent = this->Get(axis, first + BlockPlanes::Edge) - block.First;
+    for (int i = 0; i <= BlockPlanes::Edge; ++i)
+    {
+      block.Planes[i] = static_cast<float>(this->Get(axis, first + i) - block.First);
+    }
+    for (int i = 0; i < BlockPlanes::Edge; ++i)
+    {
+      const double width = this->GetWidth(axis, first + i);
+      block.Cells[i] = { block.Planes[i], static_cast<float>(width),
+        static_cast<float>(1.0 / width), static_cast<float>(block.Extent) };
+    }
+    return block;
+  }
+
   std::array<std::vector<double>, 3> Coordinates;
   std::array<std::vector<SlopeWeights>, 3> Slopes;
+  /// The cell that contains each whole coordinate.
+  std::array<std::vector<int>, 3> FirstCells;
+  std::array<std::vector<BlockPlanes>, 3> Blocks;
 };
 
 }

@@ -95,7 +95,7 @@ struct ImageSelection
     }
   }
 
-  /// Packets need even spacing, macrocells of 8^3 cells, and rays of ordinary length.
+  /// Packets need macrocells of 8^3 cells, and rays of ordinary length.
   bool CanTracePacket(const RayPacket& rays) const
   {
     bool isFinite = true;
@@ -104,7 +104,7 @@ struct ImageSelection
       isFinite = isFinite &&
         (!Has(rays.Exists, i) || (std::isfinite(rays.Begin[i]) && std::isfinite(rays.End[i])));
     }
-    return isFinite && this->Tree && this->PacketKernels && !this->Lattice.GetPlanes();
+    return isFinite && this->Tree && this->PacketKernels;
   }
 };
 

@@ -34,8 +34,9 @@ bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
 class FollowedRootCells : public RayFollower::FollowedCells
 {
 public:
-  FollowedRootCells(const RayPacket& rays, RootCells& cells)
-    : Rays(rays)
+  FollowedRootCells(const ImageSelection& selection, const RayPacket& rays, RootCells& cells)
+    : Selection(selection)
+    , Rays(rays)
     , TheCells(cells)
   {
   }
@@ -48,6 +49,7 @@ public:
   }
 
 protected:
+  const ImageSelection& Selection;
   const RayPacket& Rays;
   RootCells& TheCells;
   /// Kept for its memory.
@@ -60,8 +62,7 @@ class HitFinder final : public FollowedRootCells
 {
 public:
   HitFinder(const ImageSelection& selection, const RayPacket& rays, RootCells& cells)
-    : FollowedRootCells(rays, cells)
-    , Lattice(selection.Lattice)
+    : FollowedRootCells(selection, rays, cells)
     , Hits(static_cast<std::size_t>(rays.Count))
   {
     for (std::vector<Hit>& own : this->Hits)
@@ -72,12 +73,12 @@ public:
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
   {
-    const Ray own = GetRay(this->Rays, ray);
+    const Ray own = this->Selection.TakeRay(this->Rays, ray);
     FindCellsOnRay(own, cells, this->OnRay);
     for (const CellOnRay& passed : this->OnRay)
     {
       this->TheCells.FindRoots(passed.Cell, passed.Segment, false, this->Roots);
-      if (AddHits(own, this->Lattice, passed.Cell, passed.Segment, this->Roots,
+      if (AddHits(own, this->Selection.Lattice, passed.Cell, passed.Segment, this->Roots,
             this->Collectors[static_cast<std::size_t>(ray)]))
       {
         return true;
@@ -97,7 +98,6 @@ public:
   }
 
 private:
-  const CellLattice& Lattice;
   /// Of each ray.
   std::vector<std::vector<Hit>> Hits;
   std::vector<HitCollector> Collectors;
@@ -110,15 +110,16 @@ private:
 class StopFinder final : public FollowedRootCells
 {
 public:
-  StopFinder(const RayPacket& rays, const Departure* departures, RootCells& cells)
-    : FollowedRootCells(rays, cells)
+  StopFinder(const ImageSelection& selection, const RayPacket& rays, const Departure* departures,
+    RootCells& cells)
+    : FollowedRootCells(selection, rays, cells)
     , Departures(departures)
   {
   }
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
   {
-    const Ray own = GetRay(this->Rays, ray);
+    const Ray own = this->Selection.TakeRay(this->Rays, ray);
     for (const Index3& cell : cells)
     {
       FindStopsInCell(
@@ -201,7 +202,7 @@ void TraceRoots(
     return;
   }
   HitFinder finder(selection, rays, cells);
-  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
+  RayFollower(*selection.PacketKernels, *selection.Tree, selection.Lattice).Follow(rays, finder);
   finder.GetHits(hits);
 }
 
@@ -213,8 +214,8 @@ StoppedRays FindStoppedRays(const ImageSelection& selection, const RayPacket& ra
   {
     return FindStoppedCellByCell(selection, rays, departures, cells);
   }
-  StopFinder finder(rays, departures, cells);
-  RayFollower(*selection.PacketKernels, *selection.Tree).Follow(rays, finder);
+  StopFinder finder(selection, rays, departures, cells);
+  RayFollower(*selection.PacketKernels, *selection.Tree, selection.Lattice).Follow(rays, finder);
   return finder.GetStopped();
 }
 

@@ -65,11 +65,13 @@ public:
     }
   }
 
-  void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
-    Candidates& candidates, RaySet hits[2]) override
+  void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
+    const LatticePlanes* planes, Passages& passages, Candidates& candidates,
+    RaySet hits[2]) override
   {
     this->Selection.PacketKernels->ClassifyCells[GetType(areCopied)](cells, axis,
-      this->GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates, hits);
+      this->GetStrides(areCopied), planes, this->Selection.Isovalues[0], passages, candidates,
+      hits);
   }
 
   void LoadCorners(bool areCopied, Candidates& candidates) override
@@ -82,12 +84,12 @@ public:
     int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) override
   {
     FindStopsInCell(
-      ray, GetRay(this->Rays, ray), cell, departure, this->Cells, this->Roots, stopped);
+      ray, this->Selection.TakeRay(this->Rays, ray), cell, departure, this->Cells, this->Roots, stopped);
   }
 
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
   {
-    const Ray own = GetRay(this->Rays, ray);
+    const Ray own = this->Selection.TakeRay(this->Rays, ray);
     CellSegment segment;
     if (!SegmentInCell(own, cell, segment))
     {

@@ -40,16 +40,16 @@ public:
   void GetGradients(const Hit* hits, const Index3* cells, int count,
     double (*gradients)[RayPacket::Capacity]) const override
   {
-    // Kernels require even spacing. Where no cell is inner, none is called.
+    // Where no cell is inner, no kernel is called.
     const Kernels* kernels = this->Selection.PacketKernels;
     if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences ||
-      this->Selection.Lattice.GetPlanes() || !this->Gradients.IsInner({ 1, 1, 1 }))
+      !this->Gradients.IsInner({ 1, 1, 1 }))
     {
       SurfaceTracer::GetGradients(hits, cells, count, gradients);
       return;
     }
-    const RaySet others =
-      this->Gradients.InterpolateDifferences(hits, cells, count, *kernels, gradients);
+    const RaySet others = this->Gradients.InterpolateDifferences(
+      hits, cells, count, *kernels, this->Selection.Lattice.GetPlanes(), gradients);
     if (IsEmpty(others))
     {
       return;

@@ -3,6 +3,8 @@
 
 #include "Image/Traversal/FirstHitTracer.h"
 
+#include "Image/Cells/CellSegment.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -197,8 +199,8 @@ void FirstHitTracer::ClassifyQueue(const Frustum& frustum)
     this->Source->CopyCorners(this->Queue, frustum.Axis, this->Passed);
     this->AreCopied = true;
   }
-  this->Source->ClassifyCells(
-    this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
+  this->Source->ClassifyCells(this->Queue, frustum.Axis, this->AreCopied, this->Planes,
+    this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->Departures)
   {
@@ -226,9 +228,14 @@ void FirstHitTracer::SolveCandidates()
   for (int i = this->Waiting.Count; i < this->Waiting.Count + 16; ++i)
   {
     this->Waiting.Ray[i] = this->Waiting.Ray[0];
+    for (auto& coordinates : this->Waiting.Cell)
+    {
+      coordinates[i] = coordinates[0];
+    }
   }
   this->Source->LoadCorners(this->AreCopied, this->Waiting);
-  this->TheKernels.Solve(*this->Packet, this->Waiting, this->Isovalue, this->Solved);
+  this->TheKernels.Solve(
+    *this->Packet, this->Waiting, this->Planes, this->Isovalue, this->Solved);
   if (this->Departures)
   {
     this->StopAtSolutions();
@@ -369,7 +376,10 @@ void FirstHitTracer::FindFirstHit(int ray, const Index3& cell)
 void FirstHitTracer::Keep(int ray, const Hit& hit, const Crossing& begin)
 {
   const auto number = static_cast<std::size_t>(ray);
-  if (!Has(this->Hits.Found, ray) || begin < this->Hits.Begin[number])
+  if (!Has(this->Hits.Found, ray) ||
+    IsEnteredBefore(this->Lattice.GetCell(hit), begin,
+      this->Lattice.GetCell(this->Hits.Hits[number]), this->Hits.Begin[number],
+      this->Packet->GetDirection(ray)))
   {
     Add(ray, this->Hits.Found);
     this->Hits.Hits[number] = hit;

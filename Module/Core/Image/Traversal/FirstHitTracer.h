@@ -46,7 +46,8 @@ public:
     virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
     /// Calls the kernels for corners that are kept in rows, or were copied.
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
-      Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
+      const LatticePlanes* planes, Passages& passages, Candidates& candidates,
+      RaySet hits[2]) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
     /// Adds the effect of the crossings of the surface in a cell to a ray of the packet.
     virtual void FindStops(
@@ -58,8 +59,7 @@ public:
 
   /// All must outlive the tracer.
   FirstHitTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
-    : PacketTracer(kernels, tree, RayPacket::Capacity)
-    , Lattice(lattice)
+    : PacketTracer(kernels, tree, lattice)
   {
   }
 
@@ -94,7 +94,6 @@ private:
   void FindFirstHit(int ray, const Index3& cell);
   void Keep(int ray, const Hit& hit, const Crossing& begin);
 
-  const CellLattice& Lattice;
   FirstHitCells* Source = nullptr;
   ScaledIsovalue Isovalue = {};
   PacketHits Hits;

@@ -4,11 +4,13 @@
 #ifndef FrustumTraversal_h
 #define FrustumTraversal_h
 
+#include "Image/Lattice/UnevenPlanes.h"
 #include "Image/Macrocells/BlockTree.h"
 #include "Kernels/Kernels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -19,12 +21,47 @@ namespace vtkIsosurfaceRayTracing
 class FrustumTraversal
 {
 public:
-  /// The maximum width of a frustum, in cells.
+  /// Members of a slice. Between even planes there are never more than have room without
+  /// allocating memory, which would be slow for each slice.
+  class Members
+  {
+  public:
+    int GetCount() const { return this->Count; }
+
+    const Index3& Get(int i) const
+    {
+      const auto number = static_cast<std::size_t>(i);
+      return number < Room ? this->First[number] : this->Others[number - Room];
+    }
+
+    void Add(const Index3& member)
+    {
+      const auto number = static_cast<std::size_t>(this->Count++);
+      if (number < Room)
+      {
+        this->First[number] = member;
+      }
+      else
+      {
+        this->Others.push_back(member);
+      }
+    }
+
+  private:
+    static constexpr std::size_t Room = 256;
+
+    int Count = 0;
+    std::array<Index3, Room> First;
+    std::vector<Index3> Others;
+  };
+
+  /// The maximum width of a frustum, in cells (uneven: of mean size).
   static constexpr double LargestWidth = 96.0;
 
-  /// The tree must outlive the traversal.
-  FrustumTraversal(const BlockTree& tree, const Frustum& frustum)
+  /// Planes are null where they stand at whole numbers. All must outlive the traversal.
+  FrustumTraversal(const BlockTree& tree, const UnevenPlanes* planes, const Frustum& frustum)
     : Tree(tree)
+    , Planes(planes)
     , TheFrustum(frustum)
   {
     for (int j = 0; j < 2; ++j)
@@ -48,8 +85,8 @@ public:
     return false;
   }
 
-  /// Calls visit(macrocells, count) for the macrocells of every slice that has any, until visit
-  /// returns true.
+  /// Calls visit(macrocells) for the macrocells of every slice that has any, until visit returns
+  /// true.
   template <typename Visit>
   void ForEachSlice(const Visit& visit) const
   {
@@ -57,12 +94,11 @@ public:
     const Index3& size = this->Tree.GetLevels()[top].Size;
     const auto axis = static_cast<std::size_t>(this->TheFrustum.Axis);
     Members all;
-    all.Count = 0;
     for (int v = 0; v < size[static_cast<std::size_t>(BlockMask::V[axis])]; ++v)
     {
       for (int u = 0; u < size[static_cast<std::size_t>(BlockMask::U[axis])]; ++u)
       {
-        all.Add(u, v);
+        all.Add(this->GetMember(0, u, v));
       }
     }
     this->ForEachMember(
@@ -70,21 +106,6 @@ public:
   }
 
 private:
-  /// Members of a slice, by their positions across the axis.
-  struct Members
-  {
-    static constexpr int Capacity = 256;
-    int Count;
-    int U[Capacity];
-    int V[Capacity];
-
-    void Add(int u, int v)
-    {
-      this->U[this->Count] = u;
-      this->V[this->Count++] = v;
-    }
-  };
-
   /// Calls function(i) for count numbers from first on, in the order of the frustum, until it
   /// returns true; returns whether it did.
   template <typename Function>
@@ -113,35 +134,49 @@ private:
   {
     Members members;
     this->FindMembers(level, slice, blocks, members);
-    if (members.Count == 0)
+    if (members.GetCount() == 0)
     {
       return false;
     }
-    if (level > 0)
-    {
-      return this->EnterBlocks(level - 1, slice, members, visit);
-    }
+    return level > 0 ? this->EnterBlocks(level - 1, slice, members, visit) : visit(members);
+  }
+
+  /// In a slice across the axis.
+  Index3 GetMember(int slice, int u, int v) const
+  {
     const int axis = this->TheFrustum.Axis;
-    Index3 macrocells[Members::Capacity];
-    for (int i = 0; i < members.Count; ++i)
-    {
-      macrocells[i][static_cast<std::size_t>(axis)] = slice;
-      macrocells[i][static_cast<std::size_t>(BlockMask::U[axis])] = members.U[i];
-      macrocells[i][static_cast<std::size_t>(BlockMask::V[axis])] = members.V[i];
-    }
-    return visit(macrocells, members.Count);
+    Index3 member;
+    member[static_cast<std::size_t>(axis)] = slice;
+    member[static_cast<std::size_t>(BlockMask::U[axis])] = u;
+    member[static_cast<std::size_t>(BlockMask::V[axis])] = v;
+    return member;
+  }
+
+  double GetPlane(int axis, int plane) const
+  {
+    return this->Planes ? this->Planes->Get(static_cast<std::size_t>(axis), plane) : plane;
+  }
+
+  /// The member of some edge that has a coordinate, which is in the volume.
+  int FindMember(int axis, double coordinate, double edge) const
+  {
+    return static_cast<int>(
+      (this->Planes ? this->Planes->FindCell(static_cast<std::size_t>(axis), coordinate)
+                    : coordinate) /
+      edge);
   }
 
   void FindMembers(
     std::size_t levelNumber, int slice, const Members& blocks, Members& members) const
   {
-    members.Count = 0;
     const BlockTree::Level& level = this->Tree.GetLevels()[levelNumber];
     const Frustum& frustum = this->TheFrustum;
     const int axis = frustum.Axis;
-    const double edge = level.MemberEdge;
-    const double begin = std::max(slice * edge, frustum.Low) - frustum.Low;
-    const double end = std::min((slice + 1) * edge, frustum.High) - frustum.Low;
+    const int edge = level.MemberEdge;
+    const double begin =
+      std::max(this->GetPlane(axis, slice * edge), frustum.Low) - frustum.Low;
+    const double end =
+      std::min(this->GetPlane(axis, (slice + 1) * edge), frustum.High) - frustum.Low;
     if (begin > end)
     {
       return;
@@ -160,23 +195,25 @@ private:
       {
         return;
       }
-      first[j] = static_cast<int>(std::max(least, 0.0) / edge);
-      last[j] = static_cast<int>(std::min(most, (count - 0.5) * edge) / edge);
+      first[j] = this->FindMember(across, std::max(least, 0.0), edge);
+      last[j] = this->FindMember(across, std::min(most, (count - 0.5) * edge), edge);
     }
-    for (int i = 0; i < blocks.Count; ++i)
+    const int u = BlockMask::U[axis];
+    const int v = BlockMask::V[axis];
+    for (int i = 0; i < blocks.GetCount(); ++i)
     {
-      const int fromU = std::max(first[0] - blocks.U[i] * BlockMask::Edge, 0);
-      const int toU = std::min(last[0] - blocks.U[i] * BlockMask::Edge, BlockMask::Edge - 1);
-      const int fromV = std::max(first[1] - blocks.V[i] * BlockMask::Edge, 0);
-      const int toV = std::min(last[1] - blocks.V[i] * BlockMask::Edge, BlockMask::Edge - 1);
+      Index3 block = blocks.Get(i);
+      block[static_cast<std::size_t>(axis)] = slice / BlockMask::Edge;
+      const int firstU = block[static_cast<std::size_t>(u)] * BlockMask::Edge;
+      const int firstV = block[static_cast<std::size_t>(v)] * BlockMask::Edge;
+      const int fromU = std::max(first[0] - firstU, 0);
+      const int toU = std::min(last[0] - firstU, BlockMask::Edge - 1);
+      const int fromV = std::max(first[1] - firstV, 0);
+      const int toV = std::min(last[1] - firstV, BlockMask::Edge - 1);
       if (fromU > toU || fromV > toV)
       {
         continue;
       }
-      Index3 block;
-      block[static_cast<std::size_t>(axis)] = slice / BlockMask::Edge;
-      block[static_cast<std::size_t>(BlockMask::U[axis])] = blocks.U[i];
-      block[static_cast<std::size_t>(BlockMask::V[axis])] = blocks.V[i];
       const std::uint64_t columns = (0xFFU << fromU & 0xFFU & 0xFFU >> (7 - toU));
       const std::uint64_t rows =
         (~std::uint64_t{ 0 } << (8 * fromV)) & (~std::uint64_t{ 0 } >> (8 * (7 - toV)));
@@ -185,13 +222,13 @@ private:
       for (; active != 0; active &= active - 1)
       {
         const int bit = __builtin_ctzll(active);
-        members.Add(
-          blocks.U[i] * BlockMask::Edge + bit % 8, blocks.V[i] * BlockMask::Edge + bit / 8);
+        members.Add(this->GetMember(slice, firstU + bit % 8, firstV + bit / 8));
       }
     }
   }
 
   const BlockTree& Tree;
+  const UnevenPlanes* Planes;
   const Frustum& TheFrustum;
   double LeastSlope[2];
   double MostSlope[2];

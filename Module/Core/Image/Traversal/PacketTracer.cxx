@@ -37,7 +37,7 @@ int GetMainAxis(const RayPacket& packet, int ray)
 
 //------------------------------------------------------------------------------
 bool PacketTracer::MayMeet(
-  const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines)
+  const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice, RayPacket& lines)
 {
   // Points on lines that begin farther away are not exact enough.
   constexpr double farthest = 1e6;
@@ -55,7 +55,7 @@ bool PacketTracer::MayMeet(
     const double inverse = 1.0 / lines.Direction[axis][i];
     const double first = -lines.Origin[axis][i] * inverse;
     const double last =
-      (dimensions[static_cast<std::size_t>(axis)] - 1 - lines.Origin[axis][i]) * inverse;
+      (lattice.GetCells()[static_cast<std::size_t>(axis)] - lines.Origin[axis][i]) * inverse;
     lines.Inverse[axis][i] = inverse;
     lines.Begin[i] = std::min(first, last);
     lines.End[i] = std::max(first, last);
@@ -68,8 +68,8 @@ bool PacketTracer::MayMeet(
     return true;
   }
   bool meets = false;
-  FrustumTraversal(tree, frustum)
-    .ForEachSlice([&meets](const Index3*, int) { return meets = true; });
+  FrustumTraversal(tree, lattice.GetPlanes(), frustum)
+    .ForEachSlice([&meets](const FrustumTraversal::Members&) { return meets = true; });
   return meets;
 }
 
@@ -92,8 +92,7 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
   const int axis = GetMainAxis(*this->Packet, FirstOf(rays));
   Frustum frustum;
   const bool isFrustum = this->TheKernels.Align(*this->Packet, rays, axis, this->Aligned, frustum);
-  if (count > 1 &&
-    (!isFrustum || FrustumTraversal::IsTooWide(frustum) || count > this->LargestCount))
+  if (count > 1 && (!isFrustum || FrustumTraversal::IsTooWide(frustum)))
   {
     RaySet half = {};
     RaySet rest = rays;
@@ -110,17 +109,17 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
   this->Going = rays;
   this->ClearPassages();
   this->BeginFrustum(frustum);
-  FrustumTraversal(this->Tree, frustum)
+  FrustumTraversal(this->Tree, this->Lattice.GetPlanes(), frustum)
     .ForEachSlice(
-      [this, &frustum](const Index3* blocks, int blockCount)
+      [this, &frustum](const FrustumTraversal::Members& blocks)
       {
-        for (int i = 0; i < blockCount; ++i)
+        for (int i = 0; i < blocks.GetCount(); ++i)
         {
-          this->Source->Prefetch(blocks[i]);
+          this->Source->Prefetch(blocks.Get(i));
         }
-        for (int i = 0; i < blockCount; ++i)
+        for (int i = 0; i < blocks.GetCount(); ++i)
         {
-          this->VisitBlock(frustum, blocks[i]);
+          this->VisitBlock(frustum, blocks.Get(i));
         }
         this->EndSlice(frustum);
         return IsEmpty(this->Going);
@@ -136,8 +135,8 @@ void PacketTracer::VisitBlock(const Frustum& frustum, const Index3& block)
   const int first[3] = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
     block[2] * BlockMask::Edge };
   const int before = this->Passed.Count;
-  this->TheKernels.FindPassages(
-    this->Aligned, this->Going, frustum.Axis, first, mask.Slices[frustum.Axis], this->Passed);
+  this->TheKernels.FindPassages(this->Aligned, this->Going, frustum.Axis, first,
+    mask.Slices[frustum.Axis], this->Planes, this->Passed);
   if (this->Passed.Count > before)
   {
     this->AddBlock(frustum, block);

@@ -4,6 +4,7 @@
 #ifndef PacketTracer_h
 #define PacketTracer_h
 
+#include "Image/Lattice/CellLattice.h"
 #include "Image/Macrocells/BlockMask.h"
 #include "Image/Traversal/FrustumTraversal.h"
 #include "Kernels/Kernels.h"
@@ -36,16 +37,23 @@ public:
 
   /// Whether rays between lines may come to an active macrocell; see ImageField::MayHitBetween.
   static bool MayMeet(
-    const Kernels& kernels, const BlockTree& tree, const Index3& dimensions, RayPacket& lines);
+    const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice, RayPacket& lines);
 
 protected:
-  /// Both must outlive the tracer. At most so many rays make a frustum.
-  PacketTracer(const Kernels& kernels, const BlockTree& tree, int largestCount)
+  /// All must outlive the tracer.
+  PacketTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
     : TheKernels(kernels)
+    , Lattice(lattice)
     , Tree(tree)
-    , LargestCount(largestCount)
   {
+    if (const UnevenPlanes* planes = lattice.GetPlanes())
+    {
+      this->OwnPlanes = planes->GetLatticePlanes();
+      this->Planes = &this->OwnPlanes;
+    }
   }
+  PacketTracer(const PacketTracer&) = delete;
+  PacketTracer& operator=(const PacketTracer&) = delete;
 
   /// Takes all rays of a packet that exist to their ends.
   void Trace(const RayPacket& packet, Cells& cells);
@@ -60,6 +68,9 @@ protected:
   void ClearPassages();
 
   const Kernels& TheKernels;
+  const CellLattice& Lattice;
+  /// Those of the lattice, if they are uneven; else null.
+  const LatticePlanes* Planes = nullptr;
   const RayPacket* Packet = nullptr;
   /// The rays that have not ended.
   RaySet Going = {};
@@ -70,7 +81,7 @@ private:
   void VisitBlock(const Frustum& frustum, const Index3& block);
 
   const BlockTree& Tree;
-  int LargestCount;
+  LatticePlanes OwnPlanes;
   Cells* Source = nullptr;
   /// Along the axis of the current frustum.
   AlignedRays Aligned;

@@ -17,41 +17,63 @@ void RayFollower::Follow(const RayPacket& packet, FollowedCells& cells)
 }
 
 //------------------------------------------------------------------------------
+void RayFollower::BeginFrustum(const Frustum& /*frustum*/)
+{
+  this->CellsOfSlice.clear();
+  std::fill_n(this->First, RayPacket::Capacity, -1);
+}
+
+//------------------------------------------------------------------------------
+void RayFollower::AddBlock(const Frustum& frustum, const Index3& /*block*/)
+{
+  if (this->Passed.Count >= Passages::Batch)
+  {
+    this->TakeCells(frustum.Axis);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Follows each ray through the cells of all its passages.
 void RayFollower::EndSlice(const Frustum& frustum)
 {
-  // The passages of a ray, each with the number of the next.
-  int first[RayPacket::Capacity];
-  int next[Passages::Capacity];
-  std::fill_n(first, RayPacket::Capacity, -1);
-  for (int i = 0; i < this->Passed.Count; ++i)
-  {
-    next[i] = std::exchange(first[this->Passed.Segments[i].Ray], i);
-  }
-  std::vector<Index3>& cells = this->CellsOfRay;
+  this->TakeCells(frustum.Axis);
   for (int ray = 0; ray < this->Packet->Count; ++ray)
   {
-    if (first[ray] < 0)
+    int next = std::exchange(this->First[ray], -1);
+    if (next < 0)
     {
       continue;
     }
-    cells.clear();
-    for (int passage = first[ray]; passage >= 0; passage = next[passage])
+    this->CellsOfRay.clear();
+    while (next >= 0)
     {
-      this->AddCells(frustum.Axis, passage, cells);
+      const LinkedCell& linked = this->CellsOfSlice[static_cast<std::size_t>(next)];
+      this->CellsOfRay.push_back(linked.Cell);
+      next = linked.Next;
     }
-    if (this->Source->Follow(ray, cells))
+    if (this->Source->Follow(ray, this->CellsOfRay))
     {
       Remove(ray, this->Going);
     }
+  }
+  this->CellsOfSlice.clear();
+}
+
+//------------------------------------------------------------------------------
+void RayFollower::TakeCells(int axis)
+{
+  for (int passage = 0; passage < this->Passed.Count; ++passage)
+  {
+    this->TakeCells(axis, passage);
   }
   this->ClearPassages();
 }
 
 //------------------------------------------------------------------------------
-void RayFollower::AddCells(int axis, int passage, std::vector<Index3>& cells) const
+void RayFollower::TakeCells(int axis, int passage)
 {
-  const int* first = this->Passed.First[this->Passed.Segments[passage].Block];
+  const Passages::Segment& segment = this->Passed.Segments[passage];
+  const int* first = this->Passed.First[segment.Block];
   for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
   {
     const int slice = __builtin_ctz(slices);
@@ -62,7 +84,8 @@ void RayFollower::AddCells(int axis, int passage, std::vector<Index3>& cells) co
       cell[static_cast<std::size_t>(axis)] += slice;
       cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
       cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
-      cells.push_back(cell);
+      const auto number = static_cast<int>(this->CellsOfSlice.size());
+      this->CellsOfSlice.push_back({ cell, std::exchange(this->First[segment.Ray], number) });
     }
   }
 }

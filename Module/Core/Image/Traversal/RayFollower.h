@@ -24,10 +24,9 @@ public:
     virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
   };
 
-  /// Both must outlive the follower.
-  RayFollower(const Kernels& kernels, const BlockTree& tree)
-    // All passages of a slice must have room, since rays are followed in order.
-    : PacketTracer(kernels, tree, Passages::RaysWithRoom)
+  /// All must outlive the follower.
+  RayFollower(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
+    : PacketTracer(kernels, tree, lattice)
   {
   }
 
@@ -35,10 +34,23 @@ public:
   void Follow(const RayPacket& packet, FollowedCells& cells);
 
 private:
+  /// A cell that a ray may pass, and the number of the next one of the ray.
+  struct LinkedCell
+  {
+    Index3 Cell;
+    int Next;
+  };
+
+  void BeginFrustum(const Frustum& frustum) override;
+  void AddBlock(const Frustum& frustum, const Index3& block) override;
   void EndSlice(const Frustum& frustum) override;
-  void AddCells(int axis, int passage, std::vector<Index3>& cells) const;
+  void TakeCells(int axis);
+  void TakeCells(int axis, int passage);
 
   FollowedCells* Source = nullptr;
+  /// Those of the slice, and the number of the first one of each ray; negative if it has none.
+  std::vector<LinkedCell> CellsOfSlice;
+  int First[RayPacket::Capacity];
   /// Kept for its memory.
   std::vector<Index3> CellsOfRay;
 };

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef RandomPlanes_h
+#define RandomPlanes_h
+
+#include "Image/Lattice/UnevenPlanes.h"
+#include "RandomNumbers.h"
+
+#include <cmath>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// How uneven random planes are.
+struct Unevenness
+{
+  /// The longest step is up to two to this power as long as the shortest.
+  double Octaves = 10.0;
+  /// About one cell in four is flat, but not the first and the last.
+  bool WithFlatCells = false;
+};
+
+/// Coordinates from 0 to n - 1.
+inline std::vector<double> RandomPlaces(
+  RandomNumbers& random, int count, const Unevenness& unevenness)
+{
+  std::vector<double> coordinates = { 0.0 };
+  for (int i = 1; i < count; ++i)
+  {
+    const bool isFlat =
+      unevenness.WithFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
+    coordinates.push_back(coordinates.back() +
+      (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, unevenness.Octaves))));
+  }
+  const double scale = (count - 1) / coordinates.back();
+  for (double& coordinate : coordinates)
+  {
+    coordinate *= scale;
+  }
+  coordinates.back() = count - 1;
+  return coordinates;
+}
+
+inline UnevenPlanes RandomPlanes(
+  RandomNumbers& random, const Index3& size, const Unevenness& unevenness)
+{
+  return UnevenPlanes({ RandomPlaces(random, size[0], unevenness),
+    RandomPlaces(random, size[1], unevenness), RandomPlaces(random, size[2], unevenness) });
+}
+
+}
+
+#endif
