@@ -3,18 +3,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time frames of 512 x 512 pixels from eight sides, of several mappers in turn:
 
+    time_frames.py kinds VOLUME ISOVALUE           kinds of data beside an image, on one thread
     time_frames.py interpolation VOLUME ISOVALUE   tricubic beside trilinear isosurfaces
     time_frames.py projection VOLUME               maximum intensity beside the fixed-point mapper
     time_frames.py secondary VOLUME ISOVALUE...    shadows and ambient occlusion beside neither
 
-The second in time of the clock, the others in time of the processors, all threads together."""
+In time of the processors, all threads together."""
 
+import math
 import statistics
 import sys
 import time
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for its factories
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkRectilinearGrid
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkNIFTIImageReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
@@ -50,6 +54,45 @@ def new_isosurface(image, isovalue, mode):
     look.GetRGBTransferFunction().AddRGBPoint(isovalue, 1.0, 1.0, 1.0)
     look.GetScalarOpacity().AddPoint(isovalue, 1.0)
     return volume
+
+
+def make_rectilinear(image):
+    """The same samples, between planes half as near to half as far again as those of the image."""
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(image.GetDimensions())
+    setters = grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates
+    for set_coordinates, count, first, spacing in zip(
+            setters, image.GetDimensions(), image.GetOrigin(), image.GetSpacing()):
+        coordinates = vtkDoubleArray()
+        for i in range(count):
+            coordinates.InsertNextValue(first + spacing * (i + 2.0 * math.sin(0.25 * i)))
+        set_coordinates(coordinates)
+    grid.GetPointData().ShallowCopy(image.GetPointData())
+    return grid
+
+
+def blank_cells(image):
+    """The same image, in which every fiftieth cell is blanked."""
+    ghosts = vtkUnsignedCharArray()
+    ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+    ghosts.SetNumberOfTuples(image.GetNumberOfCells())
+    ghosts.Fill(0)
+    for cell in range(0, image.GetNumberOfCells(), 50):
+        ghosts.SetValue(cell, vtkDataSetAttributes.HIDDENCELL)
+    blanked = image.NewInstance()
+    blanked.ShallowCopy(image)
+    blanked.GetCellData().AddArray(ghosts)
+    return blanked
+
+
+def crop(volume):
+    """Shows the bars of a fence between planes at 0.4 and 0.6 of the volume along each axis."""
+    low = volume.GetMapper().GetBounds()
+    planes = [low[2 * axis] + share * (low[2 * axis + 1] - low[2 * axis])
+              for axis in range(3) for share in (0.4, 0.6)]
+    volume.GetMapper().CroppingOn()
+    volume.GetMapper().SetCroppingRegionPlanes(planes)
+    volume.GetMapper().SetCroppingRegionFlagsToFence()
 
 
 def new_projection(image, mapper):
@@ -102,6 +145,24 @@ def print_table(titles, columns):
         print(f"| {name} | {' | '.join(cells)} | {ratio:.2f} |")
 
 
+def time_kinds(file_name, isovalue):
+    image, isovalue = read(file_name), float(isovalue)
+    mapper = vtkIsosurfaceRayTraceMapper
+    volumes = {
+        "image": new_isosurface(image, isovalue, mapper.TRILINEAR),
+        "rectilinear grid": new_isosurface(make_rectilinear(image), isovalue, mapper.TRILINEAR),
+        "cropped to a fence": new_isosurface(image, isovalue, mapper.TRILINEAR),
+        "blanked cells": new_isosurface(blank_cells(image), isovalue, mapper.TRILINEAR),
+        "boxes": new_isosurface(image, isovalue, mapper.NEAREST),
+        "tricubic": new_isosurface(image, isovalue, mapper.CUBIC),
+    }
+    crop(volumes["cropped to a fence"])
+    for volume in volumes.values():
+        volume.GetMapper().SetNumberOfThreads(1)
+    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
+    print_table(["processor ms per frame"], [frames])
+
+
 def time_interpolation(file_name, isovalue):
     image, isovalue = read(file_name), float(isovalue)
     volumes = {
@@ -125,8 +186,10 @@ def time_projection(file_name):
     volumes["fixed-point, nearest (its default)"].GetProperty().SetInterpolationTypeToNearest()
     mapper.AutoAdjustSampleDistancesOff()
     mapper.SetSampleDistance(0.1 * min(image.GetSpacing()))
-    _, frames = measure(volumes, time.perf_counter, lambda volume, view: None)
-    print_table(["frame, ms"], [frames])
+    for volume in volumes.values():
+        volume.GetMapper().SetNumberOfThreads(1)
+    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
+    print_table(["processor ms per frame"], [frames])
 
 
 def time_secondary(file_name, *isovalues):
@@ -146,7 +209,9 @@ def time_secondary(file_name, *isovalues):
 
 
 def main():
-    if len(sys.argv) == 4 and sys.argv[1] == "interpolation":
+    if len(sys.argv) == 4 and sys.argv[1] == "kinds":
+        time_kinds(*sys.argv[2:])
+    elif len(sys.argv) == 4 and sys.argv[1] == "interpolation":
         time_interpolation(*sys.argv[2:])
     elif len(sys.argv) == 3 and sys.argv[1] == "projection":
         time_projection(sys.argv[2])

@@ -392,6 +392,7 @@ public:
       passages.Count = 0;
       passages.BlockCount = 0;
       passages.HasEnds = false;
+      passages.AreUneven = false;
     };
     clear();
     ForEachPlace(BlocksCovering({ n[0] - 1, n[1] - 1, n[2] - 1 }, 8),
@@ -501,7 +502,7 @@ private:
     const auto classify = [&]
     {
       this->TheKernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
-        passed, static_cast<int>(axis), strides, nullptr, isovalue, passages, candidates, hits);
+        passed, static_cast<int>(axis), strides, isovalue, passages, candidates, hits);
     };
     classify();
 

@@ -28,6 +28,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -304,8 +305,12 @@ private:
     std::size_t number, const std::optional<Ray>& ray, const TestRequest& request) const
   {
     std::ostringstream text;
-    text << this->What << ", solver " << static_cast<int>(request.Solver) << ", isovalue "
-         << request.Surfaces[0].Isovalue << " of " << request.Surfaces.size() << ", ray " << number;
+    text << this->What << ", solver " << static_cast<int>(request.Solver);
+    for (const Isosurface& surface : request.Surfaces)
+    {
+      text << ", isovalue " << surface.Isovalue;
+    }
+    text << ", ray " << number;
     if (ray)
     {
       text << ": " << ToText(Line{ ray->Origin, ray->Direction }) << "t from " << ray->Begin
@@ -480,6 +485,107 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitInSlicesOfManyBlocks)
     ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 3));
   }
   EXPECT_GT(checks.GetNumberOfHits(), 5000U);
+}
+
+//------------------------------------------------------------------------------
+/// Some of the 27, between planes anywhere or in lattice planes.
+CroppingRegions RandomRegions(RandomNumbers& random, const Index3& size, const UnevenPlanes* planes)
+{
+  CroppingRegions regions;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (double& plane : regions.Planes[axis])
+    {
+      const int k = random.Integer(0, size[axis] - 1);
+      plane = random.Integer(0, 2) == 0 ? (planes ? planes->Get(axis, k) : k)
+                                        : random.Uniform(-1.0, size[axis] + 0.0);
+    }
+    std::sort(regions.Planes[axis].begin(), regions.Planes[axis].end());
+  }
+  const unsigned int few = static_cast<unsigned int>(random.Bits() & random.Bits());
+  const unsigned int many = static_cast<unsigned int>(random.Bits() | random.Bits());
+  regions.Visible = (random.Integer(0, 1) ? few : many) & CroppingRegions::All;
+  return regions;
+}
+
+TEST_P(PacketTracing, HitWhatSingleRaysHitInCroppedRegions)
+{
+  RandomNumbers random(8603);
+  PacketChecks checks("cropped regions", this->TheKernels);
+  for (int round = 0; round < 40; ++round)
+  {
+    const Index3 size = round % 2 == 0 ? Index3{ 10, 17, 18 } : Index3{ 17, 34, 35 };
+    const UnevenPlanes planes = RandomPlanes(random, size, { 2.0, true });
+    const auto volume = Islands<float>(random, size, round % 4 < 2 ? 1 : 40);
+    const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
+    for (const std::vector<Isosurface>& surfaces : { std::vector<Isosurface>{ { 49.5, 1.0 } },
+           { { 49.5, 0.5 } }, { { 20.0, 0.3 }, { 50.0, 1.0 } } })
+    {
+      TestRequest request(surfaces);
+      request.Planes = round % 3 == 0 ? &planes : nullptr;
+      request.Visible.Regions = RandomRegions(random, size, request.Planes);
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 2));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 50000U);
+}
+
+//------------------------------------------------------------------------------
+/// With plateaus, where the first of equal values counts, and samples that are not finite.
+template <typename T>
+TestVolume<T> Plateaus(RandomNumbers& random, const Index3& size)
+{
+  TestVolume<T> volume = Islands<T>(random, size, random.Integer(0, 1) ? 3 : 50);
+  const auto ceiling = static_cast<T>(random.Integer(60, 110));
+  ForEachPlace(size,
+    [&](const Index3& i)
+    {
+      T& sample = volume.At(i);
+      sample = std::min(sample, ceiling);
+      if (std::is_floating_point_v<T> && random.Integer(0, 200) == 0)
+      {
+        sample = static_cast<T>(random.Integer(0, 1) ? Infinity : std::nan(""));
+      }
+    });
+  return volume;
+}
+
+template <typename T>
+void CheckProjections(RandomNumbers& random, PacketChecks& checks)
+{
+  for (int round = 0; round < 12; ++round)
+  {
+    const Index3 size = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
+    const UnevenPlanes planes = RandomPlanes(random, size, { 2.0, true });
+    const TestVolume<T> volume = Plateaus<T>(random, size);
+    std::vector<unsigned char> hidden(Count(size));
+    std::generate(hidden.begin(), hidden.end(),
+      [&random] { return static_cast<unsigned char>(random.Integer(0, 5) == 0); });
+    const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
+    for (const Extremum kind : { Extremum::Largest, Extremum::Smallest })
+    {
+      TestRequest request;
+      request.Projection = kind;
+      request.Planes = round % 3 == 0 ? &planes : nullptr;
+      request.Visible.HiddenCells = round % 4 == 1 ? hidden.data() : nullptr;
+      if (round % 4 == 2)
+      {
+        request.Visible.Regions = RandomRegions(random, size, request.Planes);
+      }
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 2));
+    }
+  }
+}
+
+TEST_P(PacketTracing, FindTheExtremaThatSingleRaysFind)
+{
+  RandomNumbers random(8604);
+  PacketChecks checks("extrema", this->TheKernels);
+  ASSERT_NO_FATAL_FAILURE(CheckProjections<std::int8_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckProjections<std::uint16_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckProjections<std::int64_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckProjections<float>(random, checks));
+  EXPECT_GT(checks.GetNumberOfHits(), 20000U);
 }
 
 //------------------------------------------------------------------------------

@@ -134,6 +134,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   passages.Count = 1;
   passages.BlockCount = 1;
   passages.HasEnds = random.Integer(0, 1) != 0;
+  passages.AreUneven = false;
   passages.Segments[0] = { { 0.5F, 0.5F, 0.0F, 0.0F }, { -8.0F, 8.0F }, 0, 0 };
   passages.Hits[0] = false;
   std::fill_n(passages.First[0], 3, 0);
@@ -150,7 +151,7 @@ void ClassifyRandomCells(const Kernels& kernels, RandomNumbers& random)
   candidates.Count = 0;
   RaySet hits[2] = {};
   kernels.ClassifyCells[static_cast<std::size_t>(ScalarTypeOf<T>())](
-    cells, random.Integer(0, 2), strides, nullptr, { 1.0, 1.0 }, passages, candidates, hits);
+    cells, random.Integer(0, 2), strides, { 1.0, 1.0 }, passages, candidates, hits);
   ASSERT_LE(candidates.Count, cells.Count);
 }
 

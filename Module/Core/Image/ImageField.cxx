@@ -88,6 +88,7 @@ void ImageField::Select(
   {
     this->Tracer = this->Structures->NewTracer(this->Selection);
   }
+  this->Selection.SetCropping();
   const bool isOtherSpacing = this->Tracer->SetPlanes(this->Selection.Lattice.GetPlanes());
   if (areSameIsovalues && !isOtherTracer && !isOtherSpacing)
   {

@@ -81,16 +81,15 @@ struct RoughSpans
 };
 
 /// The cells have the given bits of their codes as numbers along the axis, in blocks.
-SIMD_INLINE RoughSpans LoadSpans(const Passages& passages, const unsigned int* codes, int shift,
-  int axis, const LatticePlanes& planes)
+SIMD_INLINE RoughSpans LoadSpans(
+  const Passages& passages, const unsigned int* codes, int shift, int axis)
 {
   const float* spans[FloatWidth];
   for (int lane = 0; lane < FloatWidth; ++lane)
   {
     const unsigned int code = codes[lane];
-    const int first = passages.First[passages.Segments[code & 0xFFFFU].Block][axis];
-    spans[lane] =
-      &planes.Blocks[axis][first / BlockPlanes::Edge].Cells[code >> shift & 7U].Lower;
+    const int block = passages.Segments[code & 0xFFFFU].Block;
+    spans[lane] = &passages.Planes[block][axis]->Cells[code >> shift & 7U].Lower;
   }
   Floats all[4];
   LoadFours(spans, all);
@@ -99,12 +98,12 @@ SIMD_INLINE RoughSpans LoadSpans(const Passages& passages, const unsigned int* c
 
 /// The same between uneven planes: cells are taken for those of a lattice, whose size along each
 /// axis is 1. The axis and those across are given.
-SIMD_INLINE RoughCells LoadUnevenCells(const Passages& passages, const unsigned int* codes,
-  const int order[3], const LatticePlanes& planes)
+SIMD_INLINE RoughCells LoadUnevenCells(
+  const Passages& passages, const unsigned int* codes, const int order[3])
 {
   Floats line[4];
   LoadLines(passages, codes, line);
-  const RoughSpans along = LoadSpans(passages, codes, 16, order[0], planes);
+  const RoughSpans along = LoadSpans(passages, codes, 16, order[0]);
   RoughCells cells;
   cells.Plane = 0.0F;
   // Less than 2^-24 of the block's size in each of the up to eight steps; and what double precision
@@ -115,7 +114,7 @@ SIMD_INLINE RoughCells LoadUnevenCells(const Passages& passages, const unsigned 
     MultiplyAdd(MultiplyAdd(rounding, along.Extent, least), along.InverseWidth, PlaceError);
   for (int j = 0; j < 2; ++j)
   {
-    const RoughSpans across = LoadSpans(passages, codes, 24 + 3 * j, order[1 + j], planes);
+    const RoughSpans across = LoadSpans(passages, codes, 24 + 3 * j, order[1 + j]);
     const Floats slope = line[2 + j];
     cells.Crossing[j] =
       (MultiplyAdd(slope, along.Lower, line[j]) - across.Lower) * across.InverseWidth;
@@ -314,7 +313,7 @@ SIMD_INLINE Floats LoadRoughDifferences(
 }
 
 template <typename T, bool Even>
-SIMD_INLINE void ClassifyBetween(const LatticePlanes* planes, const PassedCells& cells, int axis,
+SIMD_INLINE void ClassifyBetween(const PassedCells& cells, int axis,
   const std::ptrdiff_t strides[3], const ScaledIsovalue& isovalue, Passages& passages,
   Candidates& candidates, RaySet hits[2])
 {
@@ -333,7 +332,7 @@ SIMD_INLINE void ClassifyBetween(const LatticePlanes* planes, const PassedCells&
     }
     else
     {
-      rough = LoadUnevenCells(passages, &cells.Codes[i], order, *planes);
+      rough = LoadUnevenCells(passages, &cells.Codes[i], order);
     }
     const RoughSegments segments = FindRoughSegments<Even>(rough);
     Floats values[8];
@@ -368,17 +367,15 @@ SIMD_INLINE void ClassifyBetween(const LatticePlanes* planes, const PassedCells&
 
 template <typename T>
 void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-  const LatticePlanes* planes, const ScaledIsovalue& isovalue, Passages& passages,
-  Candidates& candidates, RaySet hits[2])
+  const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2])
 {
-  if (planes)
+  if (passages.AreUneven)
   {
-    ClassifyBetween<T, false>(
-      planes, cells, axis, strides, isovalue, passages, candidates, hits);
+    ClassifyBetween<T, false>(cells, axis, strides, isovalue, passages, candidates, hits);
   }
   else
   {
-    ClassifyBetween<T, true>(planes, cells, axis, strides, isovalue, passages, candidates, hits);
+    ClassifyBetween<T, true>(cells, axis, strides, isovalue, passages, candidates, hits);
   }
 }
 

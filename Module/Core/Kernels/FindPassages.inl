@@ -227,9 +227,11 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
   }
   if (count > passages.Count)
   {
+    const int order[3] = { axis, AxisU[axis], AxisV[axis] };
     for (int i = 0; i < 3; ++i)
     {
       passages.First[passages.BlockCount][i] = first[i];
+      passages.Planes[passages.BlockCount][order[i]] = place.Planes[i];
     }
     ++passages.BlockCount;
   }

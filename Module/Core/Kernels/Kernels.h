@@ -70,11 +70,15 @@ struct Passages
 
   /// Whether any of the rays begins or ends in its block.
   bool HasEnds;
+  /// Whether planes are uneven.
+  bool AreUneven;
 
   /// The first cell of each block that is passed, and the address of its first corner.
   int BlockCount;
   int First[Capacity][3];
   const char* Corner[Capacity];
+  /// Its planes along each axis, where they are uneven.
+  const BlockPlanes* Planes[Capacity][3];
 };
 
 /// Cells of passages, to be classified.
@@ -233,8 +237,7 @@ struct Kernels
   /// along the axis, hits[1] where they rise. Corners are kept in rows; strides are the distances
   /// between neighbours along each axis, in values. One for every ScalarType.
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-    const LatticePlanes* planes, const ScaledIsovalue& isovalue, Passages& passages,
-    Candidates& candidates, RaySet hits[2]);
+    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
 
   /// Loads the corners of candidates from rows; strides are as for ClassifyCells. One for every
   /// ScalarType.

@@ -80,10 +80,15 @@ public:
   /// nearest cell.
   int FindCell(std::size_t axis, double coordinate) const
   {
-    const std::vector<int>& cells = this->FirstCells[axis];
-    const double last = static_cast<double>(cells.size()) - 2.0;
-    const auto below = static_cast<std::size_t>(coordinate > 0.0 ? std::min(coordinate, last) : 0.0);
-    return this->FindCellBetween(axis, coordinate, cells[below], cells[below + 1]);
+    return this->FindCellIn(axis, coordinate, this->FindCells(axis, coordinate));
+  }
+
+  /// The block that contains a coordinate, of blocks of two to some power of cells.
+  int FindBlock(std::size_t axis, double coordinate, int power) const
+  {
+    const CellRange cells = this->FindCells(axis, coordinate);
+    const int first = cells.First >> power;
+    return first == cells.Last >> power ? first : this->FindCell(axis, coordinate) >> power;
   }
 
   /// The same for kernels; valid as long as this is.
@@ -124,12 +129,26 @@ private:
     return { below > 0.0 ? 1.0 / below : 0.0, above > 0.0 ? 1.0 / above : 0.0 };
   }
 
-  /// Given the first and the last cell that it may be.
-  int FindCellBetween(std::size_t axis, double coordinate, int first, int last) const
+  struct CellRange
+  {
+    int First;
+    int Last;
+  };
+
+  /// Those that may contain a coordinate.
+  CellRange FindCells(std::size_t axis, double coordinate) const
+  {
+    const std::vector<int>& cells = this->FirstCells[axis];
+    const double last = static_cast<double>(cells.size()) - 2.0;
+    const auto below = static_cast<std::size_t>(coordinate > 0.0 ? std::min(coordinate, last) : 0.0);
+    return { cells[below], cells[below + 1] };
+  }
+
+  int FindCellIn(std::size_t axis, double coordinate, const CellRange& cells) const
   {
     const auto planes = this->Coordinates[axis].begin() + 1;
     return static_cast<int>(
-      std::upper_bound(planes + first, planes + last, coordinate) - planes);
+      std::upper_bound(planes + cells.First, planes + cells.Last, coordinate) - planes);
   }
 
   void AddFirstCells(std::size_t axis)
@@ -137,7 +156,7 @@ private:
     const auto lastCell = static_cast<int>(this->Coordinates[axis].size()) - 2;
     for (int coordinate = 0; coordinate <= lastCell + 1; ++coordinate)
     {
-      this->FirstCells[axis].push_back(this->FindCellBetween(axis, coordinate, 0, lastCell));
+      this->FirstCells[axis].push_back(this->FindCellIn(axis, coordinate, { 0, lastCell }));
     }
   }
 

@@ -9,6 +9,8 @@
 #include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/ActiveMacrocells.h"
 #include "Image/Macrocells/BlockTree.h"
+#include "Image/Macrocells/CroppedBlocks.h"
+#include "Image/Traversal/PacketTracer.h"
 #include "Kernels/Kernels.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
@@ -37,6 +39,8 @@ struct ImageSelection
   ActiveMacrocells Active;
   /// The same for packets of rays; none unless the finest macrocells have 8^3 cells.
   std::optional<BlockTree> Tree;
+  /// Of which blocks parts are hidden by cropping; none if it hides nothing.
+  std::optional<CroppedBlocks> Cropped;
 
   ImageSelection(const TracedField& field, const MacrocellLattice& lattice)
     : Field(field)
@@ -53,18 +57,36 @@ struct ImageSelection
     this->Tree = isBlock ? std::make_optional<BlockTree>(this->Active, threads) : std::nullopt;
   }
 
+  void SetCropping()
+  {
+    const CroppingRegions& regions = this->Request.Visible.Regions;
+    this->Cropped.reset();
+    if (regions.Visible != CroppingRegions::All)
+    {
+      this->Cropped.emplace(regions, this->Lattice);
+    }
+  }
+
+  /// What a packet of rays is taken through.
+  TracedBlocks GetTracedBlocks() const
+  {
+    return { *this->Tree, this->Lattice, this->Cropped ? &*this->Cropped : nullptr };
+  }
+
   HitCollector NewCollector(std::vector<Hit>& hits) const
   {
     return HitCollector(this->Field, hits);
   }
 
-  /// Whether rays end at a surface, so that only its first root in a cell counts: cells are hidden
-  /// as a whole, and are not among those that masks lead rays to.
-  bool EndsRays(std::size_t surface) const
+  /// Whether rays end at a surface, where it is visible.
+  bool IsOpaque(std::size_t surface) const
   {
-    return this->Request.Surfaces[surface].Opacity >= 1.0 &&
-      this->Request.Visible.Regions.Visible == CroppingRegions::All;
+    return this->Request.Surfaces[surface].Opacity >= 1.0;
   }
+
+  /// Whether they end at its first root in a cell: cells that are hidden as a whole are not among
+  /// those that masks lead rays to, but cropping may hide one root and not the next.
+  bool EndsRays(std::size_t surface) const { return this->IsOpaque(surface) && !this->Cropped; }
 
   /// Whether any hit of a ray ends it, wherever it is.
   bool EndsRaysAtAnyHit() const

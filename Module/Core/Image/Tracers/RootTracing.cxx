@@ -202,7 +202,7 @@ void TraceRoots(
     return;
   }
   HitFinder finder(selection, rays, cells);
-  RayFollower(*selection.PacketKernels, *selection.Tree, selection.Lattice).Follow(rays, finder);
+  RayFollower(*selection.PacketKernels, selection.GetTracedBlocks()).Follow(rays, finder);
   finder.GetHits(hits);
 }
 
@@ -215,7 +215,7 @@ StoppedRays FindStoppedRays(const ImageSelection& selection, const RayPacket& ra
     return FindStoppedCellByCell(selection, rays, departures, cells);
   }
   StopFinder finder(selection, rays, departures, cells);
-  RayFollower(*selection.PacketKernels, *selection.Tree, selection.Lattice).Follow(rays, finder);
+  RayFollower(*selection.PacketKernels, selection.GetTracedBlocks()).Follow(rays, finder);
   return finder.GetStopped();
 }
 

@@ -65,13 +65,11 @@ public:
     }
   }
 
-  void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
-    const LatticePlanes* planes, Passages& passages, Candidates& candidates,
-    RaySet hits[2]) override
+  void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
+    Candidates& candidates, RaySet hits[2]) override
   {
     this->Selection.PacketKernels->ClassifyCells[GetType(areCopied)](cells, axis,
-      this->GetStrides(areCopied), planes, this->Selection.Isovalues[0], passages, candidates,
-      hits);
+      this->GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates, hits);
   }
 
   void LoadCorners(bool areCopied, Candidates& candidates) override
@@ -96,15 +94,17 @@ public:
       return false;
     }
     this->Cells.FindRoots(cell, segment, false, this->Roots);
-    if (this->Roots.Get().empty())
-    {
-      return false;
-    }
-    const Root& root = this->Roots.Get().front();
-    hit = MakeHit(
-      own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering);
     begin = { segment.Begin, segment.BeginAxis };
-    return true;
+    const CellLattice& lattice = this->Selection.Lattice;
+    for (const Root& root : this->Roots.Get())
+    {
+      hit = MakeHit(own, lattice, cell, segment, root.Fraction, root.Surface, root.Entering);
+      if (this->Selection.Request.Visible.Regions.Contain(lattice.GetPoint(cell, hit.Parametric)))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
 private:

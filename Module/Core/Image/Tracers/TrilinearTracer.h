@@ -68,8 +68,7 @@ public:
   {
     if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
     {
-      FirstHitTracer tracer(
-        *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
+      FirstHitTracer tracer(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks());
       TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
       return tracer.FindStopped(rays, cells, this->Selection.Isovalues[0], departures);
     }
@@ -114,13 +113,12 @@ private:
   bool CanTraceFirstHits() const
   {
     return this->Selection.Request.Solver == RootSolver::Robust &&
-      this->Selection.Isovalues.size() == 1 && this->Selection.EndsRays(0);
+      this->Selection.Isovalues.size() == 1 && this->Selection.IsOpaque(0);
   }
 
   void TraceFirstHits(RayPacket& rays, RayHits& hits)
   {
-    FirstHitTracer tracer(
-      *this->Selection.PacketKernels, *this->Selection.Tree, this->Selection.Lattice);
+    FirstHitTracer tracer(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks());
     TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
     const PacketHits& found = tracer.FindFirstHits(rays, cells, this->Selection.Isovalues[0]);
     hits.Hits.resize(static_cast<std::size_t>(CountOf(found.Found)));

@@ -90,6 +90,21 @@ void FirstHitTracer::AddBlock(const Frustum& frustum, const Index3& block)
 }
 
 //------------------------------------------------------------------------------
+/// There are so few that they are solved one by one.
+void FirstHitTracer::AddCroppedCells(
+  const Frustum& frustum, const Index3& /*block*/, int first)
+{
+  for (int passage = first; passage < this->Passed.Count; ++passage)
+  {
+    const int ray = this->Passed.Segments[passage].Ray;
+    this->ForEachCell(frustum.Axis, passage,
+      [this, ray](const Index3& cell) { this->FindFirstHit(ray, cell); });
+  }
+  this->Passed.Count = first;
+  --this->Passed.BlockCount;
+}
+
+//------------------------------------------------------------------------------
 /// Processes the rays in a slice of blocks.
 void FirstHitTracer::EndSlice(const Frustum& frustum)
 {
@@ -199,8 +214,8 @@ void FirstHitTracer::ClassifyQueue(const Frustum& frustum)
     this->Source->CopyCorners(this->Queue, frustum.Axis, this->Passed);
     this->AreCopied = true;
   }
-  this->Source->ClassifyCells(this->Queue, frustum.Axis, this->AreCopied, this->Planes,
-    this->Passed, this->Waiting, this->SurelyHit);
+  this->Source->ClassifyCells(
+    this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
   this->Queue.Count = 0;
   if (this->Departures)
   {

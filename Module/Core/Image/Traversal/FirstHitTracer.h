@@ -46,20 +46,19 @@ public:
     virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
     /// Calls the kernels for corners that are kept in rows, or were copied.
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
-      const LatticePlanes* planes, Passages& passages, Candidates& candidates,
-      RaySet hits[2]) = 0;
+      Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
     /// Adds the effect of the crossings of the surface in a cell to a ray of the packet.
     virtual void FindStops(
       int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) = 0;
-    /// Solves a cell that the kernels do not: the first hit of a ray of the packet in it, and where
-    /// the ray enters the cell. Returns false if there is none.
+    /// Solves a cell that the kernels do not: the first visible hit of a ray of the packet in it,
+    /// and where the ray enters the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
   };
 
-  /// All must outlive the tracer.
-  FirstHitTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
-    : PacketTracer(kernels, tree, lattice)
+  /// The kernels must outlive the tracer.
+  FirstHitTracer(const Kernels& kernels, const TracedBlocks& blocks)
+    : PacketTracer(kernels, blocks)
   {
   }
 
@@ -77,6 +76,7 @@ private:
   void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
   void BeginFrustum(const Frustum& frustum) override;
   void AddBlock(const Frustum& frustum, const Index3& block) override;
+  void AddCroppedCells(const Frustum& frustum, const Index3& block, int first) override;
   void EndSlice(const Frustum& frustum) override;
   void ClassifyPassages(const Frustum& frustum);
   bool IsOver(int passage) const;

@@ -157,13 +157,14 @@ private:
     return this->Planes ? this->Planes->Get(static_cast<std::size_t>(axis), plane) : plane;
   }
 
-  /// The member of some edge that has a coordinate, which is in the volume.
-  int FindMember(int axis, double coordinate, double edge) const
+  /// The member of a level that has a coordinate, which is in the volume.
+  int FindMember(int axis, double coordinate, std::size_t level) const
   {
-    return static_cast<int>(
-      (this->Planes ? this->Planes->FindCell(static_cast<std::size_t>(axis), coordinate)
-                    : coordinate) /
-      edge);
+    static_assert(BlockMask::Edge == 1 << 3);
+    return this->Planes
+      ? this->Planes->FindBlock(
+          static_cast<std::size_t>(axis), coordinate, 3 * (static_cast<int>(level) + 1))
+      : static_cast<int>(coordinate / this->Tree.GetLevels()[level].MemberEdge);
   }
 
   void FindMembers(
@@ -195,8 +196,8 @@ private:
       {
         return;
       }
-      first[j] = this->FindMember(across, std::max(least, 0.0), edge);
-      last[j] = this->FindMember(across, std::min(most, (count - 0.5) * edge), edge);
+      first[j] = this->FindMember(across, std::max(least, 0.0), levelNumber);
+      last[j] = this->FindMember(across, std::min(most, (count - 0.5) * edge), levelNumber);
     }
     const int u = BlockMask::U[axis];
     const int v = BlockMask::V[axis];

@@ -132,15 +132,38 @@ void PacketTracer::VisitBlock(const Frustum& frustum, const Index3& block)
 {
   BlockMask own;
   const BlockMask& mask = this->Source->GetMask(block, own);
+  if (!this->Cropped || this->Cropped->IsVisible(block))
+  {
+    if (this->FindPassages(frustum, block, mask))
+    {
+      this->AddBlock(frustum, block);
+    }
+    return;
+  }
+  BlockMask whole;
+  BlockMask part;
+  this->Cropped->Split(block, mask, whole, part);
+  if (this->FindPassages(frustum, block, whole))
+  {
+    this->AddBlock(frustum, block);
+  }
+  const int first = this->Passed.Count;
+  if (this->FindPassages(frustum, block, part))
+  {
+    this->AddCroppedCells(frustum, block, first);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds the passages through the cells of a mask. Returns whether there are any.
+bool PacketTracer::FindPassages(const Frustum& frustum, const Index3& block, const BlockMask& mask)
+{
   const int first[3] = { block[0] * BlockMask::Edge, block[1] * BlockMask::Edge,
     block[2] * BlockMask::Edge };
   const int before = this->Passed.Count;
   this->TheKernels.FindPassages(this->Aligned, this->Going, frustum.Axis, first,
     mask.Slices[frustum.Axis], this->Planes, this->Passed);
-  if (this->Passed.Count > before)
-  {
-    this->AddBlock(frustum, block);
-  }
+  return this->Passed.Count > before;
 }
 
 //------------------------------------------------------------------------------
@@ -149,6 +172,7 @@ void PacketTracer::ClearPassages()
   this->Passed.Count = 0;
   this->Passed.BlockCount = 0;
   this->Passed.HasEnds = false;
+  this->Passed.AreUneven = this->Planes != nullptr;
 }
 
 }

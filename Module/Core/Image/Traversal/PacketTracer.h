@@ -6,12 +6,22 @@
 
 #include "Image/Lattice/CellLattice.h"
 #include "Image/Macrocells/BlockMask.h"
+#include "Image/Macrocells/CroppedBlocks.h"
 #include "Image/Traversal/FrustumTraversal.h"
 #include "Kernels/Kernels.h"
 #include "Rays/RayPacket.h"
 
 namespace vtkIsosurfaceRayTracing
 {
+
+/// What rays are taken through, which must outlive them: the active macrocells of a lattice, and
+/// which parts of them cropping hides; null if none.
+struct TracedBlocks
+{
+  const BlockTree& Tree;
+  const CellLattice& Lattice;
+  const CroppedBlocks* Cropped;
+};
 
 /// Takes the rays of a packet through the volume together.
 ///
@@ -40,13 +50,14 @@ public:
     const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice, RayPacket& lines);
 
 protected:
-  /// All must outlive the tracer.
-  PacketTracer(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
+  /// The kernels must outlive the tracer.
+  PacketTracer(const Kernels& kernels, const TracedBlocks& blocks)
     : TheKernels(kernels)
-    , Lattice(lattice)
-    , Tree(tree)
+    , Lattice(blocks.Lattice)
+    , Tree(blocks.Tree)
+    , Cropped(blocks.Cropped)
   {
-    if (const UnevenPlanes* planes = lattice.GetPlanes())
+    if (const UnevenPlanes* planes = blocks.Lattice.GetPlanes())
     {
       this->OwnPlanes = planes->GetLatticePlanes();
       this->Planes = &this->OwnPlanes;
@@ -61,11 +72,19 @@ protected:
   virtual void BeginFrustum(const Frustum& /*frustum*/) {}
   /// Called when rays pass a block: its passages are the last ones.
   virtual void AddBlock(const Frustum& /*frustum*/, const Index3& /*block*/) {}
+  /// The same for cells of which cropping hides parts: the passages from the first on.
+  virtual void AddCroppedCells(const Frustum& frustum, const Index3& block, int /*first*/)
+  {
+    this->AddBlock(frustum, block);
+  }
   /// Called behind the last block of a slice across the axis. Rays that have ended are to be
   /// removed from Going.
   virtual void EndSlice(const Frustum& frustum) = 0;
 
   void ClearPassages();
+  /// Calls visit(cell) for the cells of a passage.
+  template <typename Visit>
+  void ForEachCell(int axis, int passage, const Visit& visit) const;
 
   const Kernels& TheKernels;
   const CellLattice& Lattice;
@@ -79,13 +98,35 @@ protected:
 private:
   void TraceSet(const RaySet& rays, int count);
   void VisitBlock(const Frustum& frustum, const Index3& block);
+  bool FindPassages(const Frustum& frustum, const Index3& block, const BlockMask& mask);
 
   const BlockTree& Tree;
+  const CroppedBlocks* Cropped;
   LatticePlanes OwnPlanes;
   Cells* Source = nullptr;
   /// Along the axis of the current frustum.
   AlignedRays Aligned;
 };
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void PacketTracer::ForEachCell(int axis, int passage, const Visit& visit) const
+{
+  const int* first = this->Passed.First[this->Passed.Segments[passage].Block];
+  for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
+  {
+    const int slice = __builtin_ctz(slices);
+    for (std::uint64_t bits = this->Passed.Cells[passage][slice]; bits != 0; bits &= bits - 1)
+    {
+      const int bit = __builtin_ctzll(bits);
+      Index3 cell = { first[0], first[1], first[2] };
+      cell[static_cast<std::size_t>(axis)] += slice;
+      cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
+      cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
+      visit(cell);
+    }
+  }
+}
 
 }
 

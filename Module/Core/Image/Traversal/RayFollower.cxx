@@ -64,30 +64,15 @@ void RayFollower::TakeCells(int axis)
 {
   for (int passage = 0; passage < this->Passed.Count; ++passage)
   {
-    this->TakeCells(axis, passage);
+    int& first = this->First[this->Passed.Segments[passage].Ray];
+    this->ForEachCell(axis, passage,
+      [this, &first](const Index3& cell)
+      {
+        const auto number = static_cast<int>(this->CellsOfSlice.size());
+        this->CellsOfSlice.push_back({ cell, std::exchange(first, number) });
+      });
   }
   this->ClearPassages();
-}
-
-//------------------------------------------------------------------------------
-void RayFollower::TakeCells(int axis, int passage)
-{
-  const Passages::Segment& segment = this->Passed.Segments[passage];
-  const int* first = this->Passed.First[segment.Block];
-  for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
-  {
-    const int slice = __builtin_ctz(slices);
-    for (std::uint64_t bits = this->Passed.Cells[passage][slice]; bits != 0; bits &= bits - 1)
-    {
-      const int bit = __builtin_ctzll(bits);
-      Index3 cell = { first[0], first[1], first[2] };
-      cell[static_cast<std::size_t>(axis)] += slice;
-      cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
-      cell[static_cast<std::size_t>(BlockMask::V[axis])] += bit / 8;
-      const auto number = static_cast<int>(this->CellsOfSlice.size());
-      this->CellsOfSlice.push_back({ cell, std::exchange(this->First[segment.Ray], number) });
-    }
-  }
 }
 
 }

@@ -24,9 +24,9 @@ public:
     virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
   };
 
-  /// All must outlive the follower.
-  RayFollower(const Kernels& kernels, const BlockTree& tree, const CellLattice& lattice)
-    : PacketTracer(kernels, tree, lattice)
+  /// The kernels must outlive the follower.
+  RayFollower(const Kernels& kernels, const TracedBlocks& blocks)
+    : PacketTracer(kernels, blocks)
   {
   }
 
@@ -45,7 +45,6 @@ private:
   void AddBlock(const Frustum& frustum, const Index3& block) override;
   void EndSlice(const Frustum& frustum) override;
   void TakeCells(int axis);
-  void TakeCells(int axis, int passage);
 
   FollowedCells* Source = nullptr;
   /// Those of the slice, and the number of the first one of each ray; negative if it has none.
