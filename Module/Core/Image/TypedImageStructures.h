@@ -86,7 +86,7 @@ private:
   std::unique_ptr<ImageTracer> NewProjection(const ImageSelection& selection)
   {
     return std::make_unique<ProjectionTracer<T, Layout, Kind>>(
-      selection, this->TheSamples, this->Hierarchy, this->Bricks);
+      selection, this->TheSamples, this->Hierarchy, this->Masks, this->Bricks);
   }
 
   Samples<T> TheSamples;

@@ -69,6 +69,30 @@ public:
     return own;
   }
 
+  /// Finds the cells of a block with a corner above (or below) a value and none that is NaN or
+  /// infinite. The mask is not kept.
+  void FindBeyond(const Index3& block, double value, bool isAbove, BlockMask& mask) const
+  {
+    const BlockCells cells = this->GetCells(block);
+    const double bound =
+      isAbove ? std::nextafter(value, std::numeric_limits<double>::infinity()) : value;
+    constexpr std::numeric_limits<Compared> limits;
+    const bool areAllInside = !(bound > static_cast<double>(limits.lowest()));
+    std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
+    if (areAllInside || bound > static_cast<double>(limits.max()))
+    {
+      std::fill_n(mask.Slices[2], cells.Count[2], areAllInside == isAbove ? cells.Slice : 0U);
+    }
+    else
+    {
+      this->ForEachSlice(cells, IsAtLeast{ GetThreshold(bound) }, mask,
+        [&cells, isAbove](std::uint64_t& slice, const Corners& inside)
+        { slice = (isAbove ? inside.Any : ~inside.All) & cells.Slice; });
+    }
+    this->RemoveInfinite(cells, mask);
+    mask.CompleteSlices();
+  }
+
   /// In bytes.
   std::size_t GetMemory() const { return this->Masks.GetMemory(); }
 
@@ -196,6 +220,59 @@ private:
     return word;
   }
 
+  /// The cells of a block: less than 8^3 at the border of the volume.
+  struct BlockCells
+  {
+    Index3 First;
+    Index3 Count;
+    /// Those of a slice across z.
+    std::uint64_t Slice;
+  };
+
+  BlockCells GetCells(const Index3& block) const
+  {
+    BlockCells cells;
+    cells.First = BlockMask::GetFirstCell(block);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      cells.Count[axis] = std::min(
+        BlockMask::Edge, this->TheSamples.GetDimensions()[axis] - 1 - cells.First[axis]);
+    }
+    const std::uint64_t row = (1U << cells.Count[0]) - 1U;
+    cells.Slice = 0;
+    for (int y = 0; y < cells.Count[1]; ++y)
+    {
+      cells.Slice |= row << (8 * y);
+    }
+    return cells;
+  }
+
+  /// Calls use(slice, corners) for the slices across z, with what the corners of their cells have
+  /// in common by a test.
+  template <typename Test, typename Use>
+  void ForEachSlice(
+    const BlockCells& cells, const Test& test, BlockMask& mask, const Use& use) const
+  {
+    const T* sample = this->TheSamples.At(cells.First);
+    Corners below = JoinInPlane(sample, cells.Count, this->TheSamples, test);
+    for (int z = 0; z < cells.Count[2]; ++z)
+    {
+      sample += this->TheSamples.GetStride(2);
+      const Corners above = JoinInPlane(sample, cells.Count, this->TheSamples, test);
+      use(mask.Slices[2][z], below.Join(above));
+      below = above;
+    }
+  }
+
+  void RemoveInfinite(const BlockCells& cells, BlockMask& mask) const
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      this->ForEachSlice(cells, IsFinite{}, mask,
+        [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
+    }
+  }
+
   void Make(const Index3& block, BlockMask& mask) const
   {
     if (this->MakeOther)
@@ -205,32 +282,8 @@ private:
       mask.CompleteSlices();
       return;
     }
-    const Index3 first = BlockMask::GetFirstCell(block);
-    const Index3& dimensions = this->TheSamples.GetDimensions();
-    Index3 count;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      count[axis] = std::min(BlockMask::Edge, dimensions[axis] - 1 - first[axis]);
-    }
-    const std::uint64_t row = (1U << count[0]) - 1U;
-    std::uint64_t cells = 0;
-    for (int y = 0; y < count[1]; ++y)
-    {
-      cells |= row << (8 * y);
-    }
+    const BlockCells cells = this->GetCells(block);
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
-    const auto forEachSlice = [&](const auto& test, const auto& use)
-    {
-      const T* sample = this->TheSamples.At(first);
-      Corners below = JoinInPlane(sample, count, this->TheSamples, test);
-      for (int z = 0; z < count[2]; ++z)
-      {
-        sample += this->TheSamples.GetStride(2);
-        const Corners above = JoinInPlane(sample, count, this->TheSamples, test);
-        use(mask.Slices[2][z], below.Join(above));
-        below = above;
-      }
-    };
     for (const double isovalue : this->Isovalues)
     {
       // A bound that no value reaches, or that all reach, may not be a number of the type; nor is
@@ -241,16 +294,11 @@ private:
       {
         continue;
       }
-      const Compared threshold = GetThreshold(isovalue);
-      forEachSlice(IsAtLeast{ threshold },
-        [cells](std::uint64_t& slice, const Corners& inside)
-        { slice |= inside.Any & ~inside.All & cells; });
+      this->ForEachSlice(cells, IsAtLeast{ GetThreshold(isovalue) }, mask,
+        [&cells](std::uint64_t& slice, const Corners& inside)
+        { slice |= inside.Any & ~inside.All & cells.Slice; });
     }
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      forEachSlice(
-        IsFinite{}, [](std::uint64_t& slice, const Corners& finite) { slice &= finite.All; });
-    }
+    this->RemoveInfinite(cells, mask);
     this->Hide(block, mask);
     mask.CompleteSlices();
   }

@@ -6,7 +6,7 @@
 
 #include "Image/Cells/TrilinearGradients.h"
 #include "Image/Tracers/ImageTracer.h"
-#include "Image/Traversal/Projector.h"
+#include "Image/Tracers/PacketProjector.h"
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -19,25 +19,45 @@ class ProjectionTracer final : public ImageTracer
 public:
   /// All must outlive the tracer.
   ProjectionTracer(const ImageSelection& selection, const Samples<T>& samples,
-    const MacrocellHierarchy<T>& hierarchy, Layout& bricks)
+    const MacrocellHierarchy<T>& hierarchy, CellMasks<T>& masks, Layout& bricks)
     : ImageTracer(selection)
     , Gradients(samples)
     , Hierarchy(hierarchy)
+    , Masks(masks)
     , Bricks(bricks)
   {
   }
 
-  /// None: there are no surfaces. Rays use the ranges of macrocells.
-  ActiveMacrocells FindActive(int /*threads*/) override
+  /// All: there are no surfaces. Rays use the ranges of macrocells.
+  ActiveMacrocells FindActive(int threads) override
   {
-    return ActiveMacrocells(this->Hierarchy.GetLattice());
+    ActiveMacrocells active(this->Hierarchy.GetLattice());
+    for (std::size_t level = 0; level < this->Hierarchy.GetLattice().Levels.size(); ++level)
+    {
+      active.Fill(level, threads, [](std::size_t /*macrocell*/) { return true; });
+    }
+    return active;
   }
 
   void Trace(RayPacket& rays, RayHits& hits) override
   {
-    Projector<T, Layout, Kind>(
-      this->Hierarchy, this->Bricks, this->Selection.Lattice, this->Selection.Request.Visible)
-      .Project(rays, hits);
+    Projector<T, Layout, Kind> projector(
+      this->Hierarchy, this->Bricks, this->Selection.Lattice, this->Selection.Request.Visible);
+    if (this->Selection.CanTracePacket(rays) && !this->Selection.Cropped)
+    {
+      PacketProjector<T, Layout, Kind>(this->Selection, rays, this->Masks, projector)
+        .Project(hits);
+      return;
+    }
+    this->Selection.ForEachRay(rays, hits,
+      [&projector, &hits](const Ray& ray)
+      {
+        const Projection projection = projector.Project(ray);
+        if (projection.Exists())
+        {
+          hits.Hits.push_back(projection.Found);
+        }
+      });
   }
 
 protected:
@@ -49,6 +69,7 @@ protected:
 private:
   TrilinearGradients<T> Gradients;
   const MacrocellHierarchy<T>& Hierarchy;
+  CellMasks<T>& Masks;
   Layout& Bricks;
 };
 

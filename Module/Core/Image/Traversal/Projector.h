@@ -9,13 +9,12 @@
 #include "Image/Lattice/Ray.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Traversal/CellTraversal.h"
-#include "Rays/RayHits.h"
-#include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -56,6 +55,24 @@ void ForEachVisiblePiece(const Ray& ray, const CroppingRegions& regions, const V
   }
 }
 
+/// What is known of the extreme value of a ray.
+struct Projection
+{
+  /// The largest value that was found, directed (see Projector); only values above it matter.
+  double Best = -std::numeric_limits<double>::infinity();
+  /// Where it is; without a surface as long as there is none.
+  Hit Found = GetNoHit();
+
+  static Hit GetNoHit()
+  {
+    Hit hit;
+    hit.Surface = Hit::NoSurface;
+    return hit;
+  }
+
+  bool Exists() const { return this->Found.Surface != Hit::NoSurface; }
+};
+
 /// Finds the extreme values of rays: in every cell that may exceed the largest value so far, the
 /// largest value of the cubic. Macrocells that cannot exceed it are skipped, on all levels. The
 /// smallest value is minus the largest of the negated samples, to the last bit.
@@ -66,6 +83,8 @@ template <typename T, typename Layout, Extremum Kind>
 class Projector
 {
 public:
+  static constexpr bool IsLargest = Kind == Extremum::Largest;
+
   /// All must outlive the projector, which is for one thread.
   Projector(const MacrocellHierarchy<T>& hierarchy, Layout& bricks, const CellLattice& lattice,
     const Visibility& visible)
@@ -77,67 +96,54 @@ public:
   {
   }
 
-  /// Appends the hits of rays that are cut to what is visible, at most one each.
-  void Project(const RayPacket& rays, RayHits& hits)
-  {
-    for (int i = 0; i < rays.Count; ++i)
-    {
-      if (Has(rays.Exists, i))
-      {
-        Ray ray = GetRay(rays, i);
-        ray.Planes = this->Planes;
-        this->Project(ray, hits);
-      }
-      hits.EndRay();
-    }
-  }
+  static double Directed(double value) { return IsLargest ? value : -value; }
 
   // The interface of MacrocellTraversal.
   const MacrocellLattice& GetLattice() const { return this->Hierarchy.GetLattice(); }
   bool IsActive(std::size_t level, const Index3& macrocell) const
   {
-    const ValueRange<T>& range = this->Hierarchy.GetRange(level, macrocell);
-    return Directed(static_cast<double>(IsLargest ? range.Max : range.Min)) > this->Best;
+    return this->MayExceed(level, macrocell, this->Best);
   }
 
-private:
-  using Value = typename Layout::Value;
-  static constexpr bool IsLargest = Kind == Extremum::Largest;
-
-  static double Directed(double value) { return IsLargest ? value : -value; }
-
-  void Project(const Ray& ray, RayHits& hits)
+  bool MayExceed(std::size_t level, const Index3& macrocell, double best) const
   {
-    this->Best = -std::numeric_limits<double>::infinity();
-    Hit hit;
-    hit.Surface = Hit::NoSurface;
+    const ValueRange<T>& range = this->Hierarchy.GetRange(level, macrocell);
+    return Directed(static_cast<double>(IsLargest ? range.Max : range.Min)) > best;
+  }
+
+  /// Projects a ray that is cut to what is visible, cell by cell. This is the reference.
+  Projection Project(const Ray& ray)
+  {
+    Projection projection;
     ForEachVisiblePiece(ray, this->Visible.Regions,
-      [this, &hit](const Ray& piece)
+      [this, &projection](const Ray& piece)
       {
-        this->Guess(piece);
+        this->Guess(piece, projection);
+        this->Best = projection.Best;
         MacrocellTraversal<Projector> traversal(piece, *this);
         CellRegion region;
         while (traversal.Next(region))
         {
           VisitCells(piece, region,
-            [this, &piece, &hit](const Index3& cell)
+            [this, &piece, &projection](const Index3& cell)
             {
-              this->Visit(piece, cell, hit);
+              this->Visit(piece, cell, projection);
+              this->Best = projection.Best;
               return false;
             });
         }
       });
-    if (hit.Surface != Hit::NoSurface)
+    if (projection.Exists())
     {
-      hits.Hits.push_back(hit);
-      this->Last = this->Lattice.GetPoint(hit);
+      this->Last = this->Lattice.GetPoint(projection.Found);
     }
+    return projection;
   }
 
-  /// Starts where the ray before had its extreme value: the nearer that is to the value of this
-  /// ray, the more can be skipped. What is found is not the result yet, which may lie before it
-  /// with an equal value.
-  void Guess(const Ray& ray)
+  /// Starts where another ray had its extreme value: the nearer that is to the value of this ray,
+  /// the more can be skipped. What is found is not the result yet, which may lie before it with an
+  /// equal value. The next guess starts from it.
+  void Guess(const Ray& ray, Projection& projection)
   {
     const double t =
       Dot(this->Last - ray.Origin, ray.Direction) / Dot(ray.Direction, ray.Direction);
@@ -153,15 +159,17 @@ private:
                                 : static_cast<int>(std::clamp(std::floor(coordinate), 0.0,
                                     static_cast<double>(this->Lattice.GetCells()[axis] - 1)));
     }
-    Hit hit;
-    if (this->Visit(ray, cell, hit))
+    Projection guess;
+    guess.Best = projection.Best;
+    if (this->Visit(ray, cell, guess))
     {
-      this->Best = std::nextafter(this->Best, -std::numeric_limits<double>::infinity());
+      projection.Best = std::nextafter(guess.Best, -std::numeric_limits<double>::infinity());
+      this->Last = this->Lattice.GetPoint(guess.Found);
     }
   }
 
   /// Takes the largest value of a cell, if it exceeds the largest so far. Returns whether it does.
-  bool Visit(const Ray& ray, const Index3& cell, Hit& hit)
+  bool Visit(const Ray& ray, const Index3& cell, Projection& projection)
   {
     Value corners[8];
     this->Reader.Load(cell, corners);
@@ -172,7 +180,7 @@ private:
     }
     const double largest = Directed(static_cast<double>(outermost));
     CellSegment segment;
-    if (!(largest > this->Best) || !IsFinite(corners) ||
+    if (!(largest > projection.Best) || !IsFinite(corners) ||
       this->Visible.IsHidden(this->Lattice.GetNumber(cell)) || !SegmentInCell(ray, cell, segment))
     {
       return false;
@@ -181,22 +189,26 @@ private:
     std::transform(corners, corners + 8, values.begin(),
       [](Value value) { return Directed(static_cast<double>(value)); });
     const SegmentValue found = FindLargest(values, largest, segment);
-    if (!(found.Value > this->Best))
+    if (!(found.Value > projection.Best))
     {
       return false;
     }
-    this->Best = found.Value;
-    hit = MakeHit(ray, this->Lattice, cell, segment, found.Fraction, 0, false);
-    hit.Value = Directed(this->Best);
+    projection.Best = found.Value;
+    projection.Found =
+      MakeHit(ray, this->Lattice, cell, segment, found.Fraction, 0, false);
+    projection.Found.Value = Directed(found.Value);
     return true;
   }
+
+private:
+  using Value = typename Layout::Value;
 
   const MacrocellHierarchy<T>& Hierarchy;
   typename Layout::Reader Reader;
   const Visibility& Visible;
   const CellLattice& Lattice;
   const UnevenPlanes* Planes;
-  /// Only values above this matter.
+  /// Of the ray that is traced cell by cell: macrocells with no larger value are skipped.
   double Best = 0.0;
   /// Where the ray before had its extreme value.
   Vector3 Last = { 0.0, 0.0, 0.0 };
