@@ -18,6 +18,7 @@ set(core_sources
   Image/Tracers/RootTracing.cxx
   Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/Caps.cxx
+  Image/Traversal/CellQueueTracer.cxx
   Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
   Image/Traversal/RayFollower.cxx

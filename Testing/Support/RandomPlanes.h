@@ -31,8 +31,8 @@ inline std::vector<double> RandomPlaces(
   {
     const bool isFlat =
       unevenness.WithFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
-    coordinates.push_back(coordinates.back() +
-      (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, unevenness.Octaves))));
+    coordinates.push_back(
+      coordinates.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, unevenness.Octaves))));
   }
   const double scale = (count - 1) / coordinates.back();
   for (double& coordinate : coordinates)

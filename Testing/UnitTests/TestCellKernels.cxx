@@ -117,8 +117,7 @@ public:
         ++this->Rays;
       }
     }
-    const LatticePlanes planes =
-      this->Planes ? this->Planes->GetLatticePlanes() : LatticePlanes();
+    const LatticePlanes planes = this->Planes ? this->Planes->GetLatticePlanes() : LatticePlanes();
     ForEachPlace(BlocksCovering({ dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 }, 8),
       [&](const Index3& block)
       {

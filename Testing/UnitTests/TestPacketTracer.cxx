@@ -292,8 +292,7 @@ public:
       {
         const vtkIsosurfaceRayTracing::Rays rays =
           newRays(random, volume.GetLattice().GetDimensions());
-        ASSERT_NO_FATAL_FAILURE(
-          this->Check(volume, PlaceBetween(request.Planes, rays), request));
+        ASSERT_NO_FATAL_FAILURE(this->Check(volume, PlaceBetween(request.Planes, rays), request));
       }
     }
   }
@@ -422,8 +421,8 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitBetweenUnevenPlanes)
 {
   RandomNumbers random(8601);
   PacketChecks checks("uneven planes", this->TheKernels);
-  for (const Unevenness& unevenness : { Unevenness{ 0.5, false }, { 2.0, true }, { 10.0, false },
-         { 10.0, true }, { 40.0, true } })
+  for (const Unevenness& unevenness :
+    { Unevenness{ 0.5, false }, { 2.0, true }, { 10.0, false }, { 10.0, true }, { 40.0, true } })
   {
     for (const Index3& size :
       { Index3{ 2, 2, 2 }, { 10, 17, 18 }, { 35, 34, 33 }, { 600, 3, 4 }, { 2, 530, 9 } })
@@ -585,6 +584,41 @@ TEST_P(PacketTracing, FindTheExtremaThatSingleRaysFind)
   ASSERT_NO_FATAL_FAILURE(CheckProjections<std::uint16_t>(random, checks));
   ASSERT_NO_FATAL_FAILURE(CheckProjections<std::int64_t>(random, checks));
   ASSERT_NO_FATAL_FAILURE(CheckProjections<float>(random, checks));
+  EXPECT_GT(checks.GetNumberOfHits(), 20000U);
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void CheckBoxes(RandomNumbers& random, PacketChecks& checks)
+{
+  for (int round = 0; round < 16; ++round)
+  {
+    const Index3 size = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
+    const UnevenPlanes planes = RandomPlanes(random, size, { 2.0, true });
+    const TestVolume<T> volume = Plateaus<T>(random, size);
+    std::vector<unsigned char> hidden(Count(size));
+    std::generate(hidden.begin(), hidden.end(),
+      [&random] { return static_cast<unsigned char>(random.Integer(0, 5) == 0); });
+    const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
+    TestRequest request = OpaqueSurface(round % 5 == 0 ? 49.5 : 50.0);
+    request.Interpolation = Interpolant::Nearest;
+    request.Planes = round % 3 == 0 ? &planes : nullptr;
+    request.Visible.HiddenCells = round % 4 == 1 ? hidden.data() : nullptr;
+    if (round % 4 == 2)
+    {
+      request.Visible.Regions = RandomRegions(random, size, request.Planes);
+    }
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 4));
+  }
+}
+
+TEST_P(PacketTracing, HitWhatSingleRaysHitOfBoxes)
+{
+  RandomNumbers random(8605);
+  PacketChecks checks("boxes", this->TheKernels);
+  ASSERT_NO_FATAL_FAILURE(CheckBoxes<std::uint8_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckBoxes<std::int64_t>(random, checks));
+  ASSERT_NO_FATAL_FAILURE(CheckBoxes<double>(random, checks));
   EXPECT_GT(checks.GetNumberOfHits(), 20000U);
 }
 

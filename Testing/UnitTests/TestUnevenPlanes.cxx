@@ -7,8 +7,10 @@
 #include "Image/ImageField.h"
 #include "Image/Lattice/Ray.h"
 #include "Image/Lattice/UnevenPlanes.h"
+#include "Matrices.h"
 #include "RandomNumbers.h"
 #include "RandomPlanes.h"
+#include "Rays/Camera.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestRequest.h"
@@ -149,6 +151,54 @@ TEST(UnevenPlanes, EvenPlanesMatchNoPlanes)
       EXPECT_EQ(uneven->GetPoint(hits[k]), even->GetPoint(expected[k])) << ToText(line);
     }
   }
+}
+
+// Kernels make the rays of pixels. Those that are parallel to planes stay in the cells that single
+// rays stay in, in planes and between them.
+TEST(UnevenPlanes, RaysOfPixelsMatchSingleRays)
+{
+  RandomNumbers random(7);
+  const Index3 size = { 7, 7, 7 };
+  const TestVolume<double> volume = Noise(random, size, false);
+  const std::vector<double> coordinates = { 0.0, 0.5, 0.5, 1.0, 3.5, 5.5, 6.0 };
+  const UnevenPlanes planes({ coordinates, coordinates, coordinates });
+  TestRequest request({ { 0.0, 1.0 } });
+  request.Planes = &planes;
+  const auto byKernels = NewTraced(volume, request);
+  request.PacketKernels = nullptr;
+  const auto oneByOne = NewTraced(volume, request);
+  int parallel = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    // Along the axis, with pixels at every half.
+    Matrix4 indexFromClip = {};
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    indexFromClip[4 * u] = 4.0;
+    indexFromClip[4 * u + 3] = 3.25;
+    indexFromClip[4 * v + 1] = 2.0;
+    indexFromClip[4 * v + 3] = 2.25;
+    indexFromClip[4 * axis + 2] = 20.0;
+    indexFromClip[4 * axis + 3] = 3.0;
+    indexFromClip[15] = 1.0;
+    const Camera camera(Invert(indexFromClip), indexFromClip, {}, 16, 8);
+    RayPacket found;
+    RayPacket expected;
+    byKernels->MakeRays(camera, { 0, 0, 16, 8 }, {}, found);
+    oneByOne->MakeRays(camera, { 0, 0, 16, 8 }, {}, expected);
+    ASSERT_EQ(found.Count, expected.Count);
+    for (int i = 0; i < found.Count; ++i)
+    {
+      ASSERT_EQ(Has(found.Exists, i), Has(expected.Exists, i));
+      for (std::size_t across = 0; across < 3 && Has(found.Exists, i); ++across)
+      {
+        EXPECT_TRUE(AreSameBits(found.Origin[across][i], expected.Origin[across][i]));
+        EXPECT_TRUE(AreSameBits(found.Inverse[across][i], expected.Inverse[across][i]));
+        parallel += found.Direction[across][i] == 0.0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(parallel, 300);
 }
 
 // A closed surface is entered as often as left, whatever the planes, and the macrocells hide

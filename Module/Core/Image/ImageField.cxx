@@ -172,10 +172,9 @@ bool ImageField::MayHitBetween(RayPacket& lines, Beam* /*beam*/) const
   const TraceRequest& request = this->Selection.Request;
   const CellLattice& lattice = this->Selection.Lattice;
   const Kernels* kernels = this->Selection.PacketKernels;
-  const bool isInTree = this->Selection.Tree && kernels &&
-    !request.Projection && !request.Visible.HasCaps();
-  return !isInTree ||
-    PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice, lines);
+  const bool isInTree =
+    this->Selection.Tree && kernels && !request.Projection && !request.Visible.HasCaps();
+  return !isInTree || PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice, lines);
 }
 
 //------------------------------------------------------------------------------

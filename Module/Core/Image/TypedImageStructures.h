@@ -55,7 +55,7 @@ public:
     {
       case Interpolant::Nearest:
         return std::make_unique<NearestTracer<T, Layout>>(
-          selection, this->TheSamples, this->Hierarchy, this->Bricks);
+          selection, this->TheSamples, this->Hierarchy, this->Masks, this->Bricks);
       case Interpolant::Tricubic:
         return std::make_unique<TricubicTracer<T>>(
           selection, this->TheSamples, this->Hierarchy, this->Masks);

@@ -213,8 +213,8 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
   for (int k = 0; k < found.Count; ++k)
   {
     const int ray = found.Numbers[k];
-    const unsigned int any = FindCells(
-      place, found.Middles[ray], aligned.Slopes[ray], masks, passages.Cells[count]);
+    const unsigned int any =
+      FindCells(place, found.Middles[ray], aligned.Slopes[ray], masks, passages.Cells[count]);
     Passages::Segment& segment = passages.Segments[count];
     CopyPair(found.Middles[ray], segment.Line);
     CopyPair(aligned.Slopes[ray], segment.Line + 2);

@@ -85,7 +85,8 @@ SIMD_INLINE void InterpolateSlopes(const InnerCells& cells, const std::ptrdiff_t
       {
         const int corner = 2 * y + 4 * z;
         Doubles row[4];
-        LoadRow<T, 4>(corners, lanes, y * strides[1] + z * strides[2] - strides[0], strides[0], row);
+        LoadRow<T, 4>(
+          corners, lanes, y * strides[1] + z * strides[2] - strides[0], strides[0], row);
         samples[corner] = row[1];
         samples[corner + 1] = row[2];
         differences[0][corner] = slopes.Get(0, 0, row[0], row[1], row[2]);

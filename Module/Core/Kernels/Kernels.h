@@ -247,6 +247,11 @@ struct Kernels
   void (*Solve)(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
     const ScaledIsovalue& isovalue, Solutions& solutions);
 
+  /// Finds the first face between boxes in the cell of each candidate that is a surface, exactly as
+  /// AddFaceHits does. Begin and BeginAxis are those of its crossing.
+  void (*SolveBoxes)(const RayPacket& packet, const Candidates& candidates,
+    const LatticePlanes* planes, const ScaledIsovalue& isovalue, Solutions& solutions);
+
   /// Interpolates the central differences at the corners of cells, which makes the gradients of
   /// NormalMode::CentralDifferences. Strides are those of Samples. One for every ScalarType.
   void (*InterpolateDifferences[10])(const InnerCells& cells, const std::ptrdiff_t strides[3],

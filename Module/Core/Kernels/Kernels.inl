@@ -79,6 +79,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/AlignRays.inl"
 #include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
+
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindPassages.inl"
@@ -94,6 +95,8 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
+
+#include "Kernels/SolveBoxes.inl"
 #include "Kernels/SolveTetrahedra.inl"
 #include "Kernels/SolveTrilinear.inl"
 #include "Kernels/WeightGradients.inl"
@@ -108,7 +111,7 @@ SIMD_INLINE void LoadCorner(
 
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, MoveRays, Align,   \
-    FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve,                 \
+    FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,     \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \
     BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \

@@ -25,10 +25,10 @@ void LoadCorners(const std::ptrdiff_t strides[3], Candidates& candidates)
 }
 
 //------------------------------------------------------------------------------
-/// The segments of the rays of candidates in their cells. Returns which exist.
+/// The rays of a vector of candidates, with their cells.
 template <bool Even>
-SIMD_INLINE Mask FindSegments(const RayPacket& packet, const Candidates& candidates, int first,
-  const LatticePlanes* planes, CellSegments<Doubles>& segments)
+SIMD_INLINE RaysInCells<Doubles> LoadRaysInCells(
+  const RayPacket& packet, const Candidates& candidates, int first, const LatticePlanes* planes)
 {
   const int* numbers = &candidates.Ray[first];
   RaysInCells<Doubles> rays;
@@ -53,7 +53,7 @@ SIMD_INLINE Mask FindSegments(const RayPacket& packet, const Candidates& candida
   rays.Begin = Gather(packet.Begin, numbers);
   rays.End = Gather(packet.End, numbers);
   rays.Even = Even;
-  return segments.Find(rays);
+  return rays;
 }
 
 /// The first piece of each cubic in which its sign changes. Returns where there is one.
@@ -83,6 +83,14 @@ SIMD_INLINE void SetBits(unsigned int bits, int first, std::uint64_t* words)
   words[first >> 6] |= static_cast<std::uint64_t>(bits) << (first & 63);
 }
 
+SIMD_INLINE void ClearSolutions(Solutions& solutions)
+{
+  for (int i = 0; i < Solutions::Words; ++i)
+  {
+    solutions.Found[i] = solutions.Extreme[i] = solutions.Entering[i] = 0;
+  }
+}
+
 /// A vector of candidates that are being solved.
 struct CellCubics
 {
@@ -99,7 +107,7 @@ SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidate
   const LatticePlanes* planes, const ScaledIsovalue& isovalue, CellCubics& cubics,
   Solutions& solutions)
 {
-  const Mask exists = FindSegments<Even>(packet, candidates, first, planes, cubics.Segment);
+  const Mask exists = cubics.Segment.Find(LoadRaysInCells<Even>(packet, candidates, first, planes));
   Doubles corners[8];
   for (int i = 0; i < 8; ++i)
   {
@@ -161,10 +169,6 @@ template <bool Even>
 SIMD_INLINE void SolveBetween(const LatticePlanes* planes, const RayPacket& packet,
   const Candidates& candidates, const ScaledIsovalue& isovalue, Solutions& solutions)
 {
-  for (int i = 0; i < Solutions::Words; ++i)
-  {
-    solutions.Found[i] = solutions.Extreme[i] = solutions.Entering[i] = 0;
-  }
   // Two vectors at a time; see RefineRoots.
   for (int i = 0; i < candidates.Count; i += 2 * DoubleWidth)
   {
@@ -186,6 +190,7 @@ SIMD_INLINE void SolveBetween(const LatticePlanes* planes, const RayPacket& pack
 void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
   const ScaledIsovalue& isovalue, Solutions& solutions)
 {
+  ClearSolutions(solutions);
   if (planes)
   {
     SolveBetween<false>(planes, packet, candidates, isovalue, solutions);

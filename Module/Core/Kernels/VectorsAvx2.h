@@ -431,8 +431,8 @@ SIMD_INLINE unsigned int FindCellsOfRows(
 SIMD_INLINE unsigned int FindCellsOfRay(const float middle[2], const float slope[2], float margin,
   SliceMasks slices, std::uint64_t cells[8])
 {
-  return FindCellsOfRows(FindRow(middle[0], slope[0], margin), FindRow(middle[1], slope[1], margin),
-    slices, cells);
+  return FindCellsOfRows(
+    FindRow(middle[0], slope[0], margin), FindRow(middle[1], slope[1], margin), slices, cells);
 }
 
 /// The cells between planes that the coordinates of a ray along one axis across meet, one bit for
@@ -453,7 +453,8 @@ SIMD_INLINE __m256i FindRow(
     const __m256 met =
       _mm256_and_ps(_mm256_cmp_ps(least, _mm256_set1_ps(planes[i + 1]), _CMP_LE_OQ),
         _mm256_cmp_ps(_mm256_set1_ps(planes[i]), most, _CMP_LE_OQ));
-    row = _mm256_or_si256(row, _mm256_and_si256(_mm256_castps_si256(met), _mm256_set1_epi32(1 << i)));
+    row =
+      _mm256_or_si256(row, _mm256_and_si256(_mm256_castps_si256(met), _mm256_set1_epi32(1 << i)));
   }
   return row;
 }

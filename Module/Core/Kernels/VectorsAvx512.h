@@ -528,8 +528,8 @@ SIMD_INLINE unsigned int FindCellsBetweenPlanes(const float line[2], const float
   const __m512i ofSlices =
     _mm512_set_epi64(0x0707070707070707, 0x0606060606060606, 0x0505050505050505, 0x0404040404040404,
       0x0303030303030303, 0x0202020202020202, 0x0101010101010101, 0);
-  const __m512i met = _mm512_maskz_shuffle_epi8(
-    rows, _mm512_set1_epi64(static_cast<long long>(columns)), ofSlices);
+  const __m512i met =
+    _mm512_maskz_shuffle_epi8(rows, _mm512_set1_epi64(static_cast<long long>(columns)), ofSlices);
   const __m512i found = _mm512_and_si512(slices, met);
   _mm512_storeu_si512(cells, found);
   return _mm512_test_epi64_mask(found, found);

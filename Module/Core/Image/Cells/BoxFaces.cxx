@@ -110,8 +110,7 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
       Hit hit{ ray.Base + crossing.T, lattice.GetNumber(cell), 0,
         PointInCell(ray, cell, crossing.T), before < behind };
       hit.Parametric[axis] = 0.5;
-      const int jump = crossing.Axis + 1;
-      hit.Jump = static_cast<std::int8_t>(hit.Entering == (ray.Step[axis] > 0) ? jump : -jump);
+      hit.Jump = GetJump(crossing.Axis, hit.Entering, ray.Step[axis] > 0);
       const auto count = static_cast<int>(surfaces.size());
       for (int i = 0; i < count; ++i)
       {
@@ -128,10 +127,23 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
 }
 
 //------------------------------------------------------------------------------
+std::int8_t GetJump(int axis, bool isEntering, bool isUp)
+{
+  const int jump = axis + 1;
+  return static_cast<std::int8_t>(isEntering == isUp ? jump : -jump);
+}
+
+//------------------------------------------------------------------------------
+int GetAxisOfJump(const Hit& hit)
+{
+  return std::abs(hit.Jump) - 1;
+}
+
+//------------------------------------------------------------------------------
 Vector3 GetJumpDirection(const Hit& hit)
 {
   Vector3 direction = { 0.0, 0.0, 0.0 };
-  direction[static_cast<std::size_t>(std::abs(hit.Jump) - 1)] = hit.Jump > 0 ? 1.0 : -1.0;
+  direction[static_cast<std::size_t>(GetAxisOfJump(hit))] = hit.Jump > 0 ? 1.0 : -1.0;
   return direction;
 }
 

@@ -8,6 +8,7 @@
 #include "Math/TrilinearCell.h"
 #include "Rays/TraceRequest.h"
 
+#include <cstdint>
 #include <vector>
 
 // Interpolant::Nearest: every sample is a box of one value, which ends half way to the next sample,
@@ -30,6 +31,12 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& at);
 /// a box of no finite value there is no surface.
 bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
   const CellLattice& lattice, const std::vector<Isosurface>& surfaces, HitCollector& collector);
+
+/// Hit::Jump at a face across an axis that a ray goes up or down.
+std::int8_t GetJump(int axis, bool isEntering, bool isUp);
+
+/// The axis that the face of a hit is across.
+int GetAxisOfJump(const Hit& hit);
 
 /// The direction in which values rise at a hit with a face, of length one.
 Vector3 GetJumpDirection(const Hit& hit);

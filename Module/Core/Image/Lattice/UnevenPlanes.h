@@ -140,7 +140,8 @@ private:
   {
     const std::vector<int>& cells = this->FirstCells[axis];
     const double last = static_cast<double>(cells.size()) - 2.0;
-    const auto below = static_cast<std::size_t>(coordinate > 0.0 ? std::min(coordinate, last) : 0.0);
+    const auto below =
+      static_cast<std::size_t>(coordinate > 0.0 ? std::min(coordinate, last) : 0.0);
     return { cells[below], cells[below + 1] };
   }
 

@@ -69,6 +69,28 @@ public:
     return own;
   }
 
+  /// Finds the cells of a block with corners on both sides of an isovalue, in the slices across z
+  /// alone. A corner that is NaN is outside.
+  void FindStraddling(const Index3& block, BlockMask& mask) const
+  {
+    const BlockCells cells = this->GetCells(block);
+    std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
+    for (const double isovalue : this->Isovalues)
+    {
+      // A bound that no value reaches, or that all reach, may not be a number of the type; nor is
+      // NaN.
+      constexpr std::numeric_limits<Compared> limits;
+      if (!(isovalue > static_cast<double>(limits.lowest()) &&
+            isovalue <= static_cast<double>(limits.max())))
+      {
+        continue;
+      }
+      this->ForEachSlice(cells, IsAtLeast{ GetThreshold(isovalue) }, mask,
+        [&cells](std::uint64_t& slice, const Corners& inside)
+        { slice |= inside.Any & ~inside.All & cells.Slice; });
+    }
+  }
+
   /// Finds the cells of a block with a corner above (or below) a value and none that is NaN or
   /// infinite. The mask is not kept.
   void FindBeyond(const Index3& block, double value, bool isAbove, BlockMask& mask) const
@@ -235,8 +257,8 @@ private:
     cells.First = BlockMask::GetFirstCell(block);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      cells.Count[axis] = std::min(
-        BlockMask::Edge, this->TheSamples.GetDimensions()[axis] - 1 - cells.First[axis]);
+      cells.Count[axis] =
+        std::min(BlockMask::Edge, this->TheSamples.GetDimensions()[axis] - 1 - cells.First[axis]);
     }
     const std::uint64_t row = (1U << cells.Count[0]) - 1U;
     cells.Slice = 0;
@@ -282,23 +304,8 @@ private:
       mask.CompleteSlices();
       return;
     }
-    const BlockCells cells = this->GetCells(block);
-    std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
-    for (const double isovalue : this->Isovalues)
-    {
-      // A bound that no value reaches, or that all reach, may not be a number of the type; nor is
-      // NaN.
-      constexpr std::numeric_limits<Compared> limits;
-      if (!(isovalue > static_cast<double>(limits.lowest()) &&
-            isovalue <= static_cast<double>(limits.max())))
-      {
-        continue;
-      }
-      this->ForEachSlice(cells, IsAtLeast{ GetThreshold(isovalue) }, mask,
-        [&cells](std::uint64_t& slice, const Corners& inside)
-        { slice |= inside.Any & ~inside.All & cells.Slice; });
-    }
-    this->RemoveInfinite(cells, mask);
+    this->FindStraddling(block, mask);
+    this->RemoveInfinite(this->GetCells(block), mask);
     this->Hide(block, mask);
     mask.CompleteSlices();
   }

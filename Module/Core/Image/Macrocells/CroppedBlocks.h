@@ -84,9 +84,9 @@ private:
     const double low = lattice.GetPoint(place, end)[axis];
     end[axis] = 1.0;
     const double high = lattice.GetPoint(place, end)[axis];
-    return interval == 0 ? low < planes[0]
-                         : (interval == 2 ? high > planes[1]
-                                          : !(high < planes[0]) && !(low > planes[1]));
+    return interval == 0
+      ? low < planes[0]
+      : (interval == 2 ? high > planes[1] : !(high < planes[0]) && !(low > planes[1]));
   }
 
   bool Has(int region) const { return (this->Regions.Visible >> region & 1U) != 0; }

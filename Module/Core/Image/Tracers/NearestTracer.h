@@ -5,8 +5,10 @@
 #define NearestTracer_h
 
 #include "Image/Cells/BoxFaces.h"
+#include "Image/Macrocells/CellMasks.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/Unbricked.h"
+#include "Image/Tracers/BoxFirstHits.h"
 #include "Image/Tracers/SurfaceTracer.h"
 #include "Image/Traversal/CellTraversal.h"
 
@@ -16,29 +18,42 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Interpolant::Nearest: rays traverse the cells, and cross faces between boxes there.
+/// Interpolant::Nearest: rays traverse the cells, and cross faces between boxes there. First hits
+/// with one opaque surface are found in packets.
 template <typename T, typename Layout>
 class NearestTracer final : public SurfaceTracer
 {
 public:
   /// All must outlive the tracer.
   NearestTracer(const ImageSelection& selection, const Samples<T>& samples,
-    const MacrocellHierarchy<T>& hierarchy, Layout& bricks)
+    const MacrocellHierarchy<T>& hierarchy, CellMasks<T>& masks, Layout& bricks)
     : SurfaceTracer(selection)
     , TheSamples(samples)
     , Hierarchy(hierarchy)
+    , Masks(masks)
     , Bricks(bricks)
   {
   }
 
+  /// The masks have the cells with samples that are not finite, too: there may be faces between
+  /// others.
   ActiveMacrocells FindActive(int threads) override
   {
-    return this->Hierarchy.FindActive(this->GetIsovalues(), threads);
+    const std::vector<double> isovalues = this->GetIsovalues();
+    this->Masks.Select(isovalues, this->Selection.Request.Visible.HiddenCells,
+      [this](const Index3& block, BlockMask& mask) { this->Masks.FindStraddling(block, mask); });
+    return this->Hierarchy.FindActive(isovalues, threads);
   }
 
 protected:
   void TraceSurfaces(RayPacket& rays, RayHits& hits) override
   {
+    if (this->Selection.Isovalues.size() == 1 && this->Selection.IsOpaque(0) &&
+      this->Selection.CanTracePacket(rays))
+    {
+      this->TraceFirstHits(rays, hits);
+      return;
+    }
     typename Layout::Reader reader(this->Bricks);
     this->Selection.ForEachRay(rays, hits,
       [this, &reader, &hits](const Ray& ray)
@@ -85,6 +100,25 @@ protected:
 private:
   using Value = typename Layout::Value;
 
+  void TraceFirstHits(const RayPacket& rays, RayHits& hits)
+  {
+    FirstHitTracer tracer(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks());
+    BoxFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
+    const PacketHits& found = tracer.FindFirstHits(rays, cells, this->Selection.Isovalues[0]);
+    for (int i = 0; i < rays.Count; ++i)
+    {
+      if (Has(found.Found, i))
+      {
+        const auto number = static_cast<std::size_t>(i);
+        const int axis = found.Begin[number].Axis;
+        hits.Hits.push_back(found.Hits[number]);
+        Hit& hit = hits.Hits.back();
+        hit.Jump = GetJump(axis, hit.Entering, rays.Direction[axis][i] > 0.0);
+      }
+      hits.EndRay();
+    }
+  }
+
   /// Whether a face between the boxes of a cell's corners is a surface.
   bool HasFaces(const Value corners[8]) const
   {
@@ -100,6 +134,7 @@ private:
 
   const Samples<T>& TheSamples;
   const MacrocellHierarchy<T>& Hierarchy;
+  CellMasks<T>& Masks;
   Layout& Bricks;
 };
 

@@ -4,10 +4,12 @@
 #ifndef TrilinearFirstHits_h
 #define TrilinearFirstHits_h
 
+#include "Image/Tracers/CornerRows.h"
 #include "Image/Tracers/TrilinearCells.h"
 #include "Image/Traversal/FirstHitTracer.h"
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -23,7 +25,7 @@ public:
     : Selection(selection)
     , Rays(rays)
     , Cells(selection, masks, bricks)
-    , Reader(this->Cells.GetReader())
+    , Corners(this->Cells.GetReader())
   {
   }
 
@@ -34,55 +36,40 @@ public:
     return this->Cells.GetMask(block, own);
   }
 
-  const void* FindCorner(const Index3& block) override
-  {
-    return this->Reader.FindBlock(BlockMask::GetFirstCell(block), BlockMask::Edge);
-  }
+  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
 
-  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override
-  {
-    const std::ptrdiff_t* strides = this->Reader.GetStrides();
-    constexpr std::ptrdiff_t size = sizeof(typename Layout::Kept);
-    return { strides[0] * size, strides[1] * size, strides[2] * size };
-  }
+  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
 
   void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
   {
-    // Those behind the last, up to a full vector, repeat the first.
-    const int count = cells.Count + PassedCells::Spare;
-    this->Copies.resize(8 * static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-    {
-      const unsigned int code = cells.Codes[i];
-      const int* first = passages.First[passages.Segments[code & 0xFFFFU].Block];
-      Index3 cell = { first[0], first[1], first[2] };
-      cell[static_cast<std::size_t>(axis)] += static_cast<int>(code >> 16 & 7U);
-      cell[static_cast<std::size_t>(BlockMask::U[axis])] += static_cast<int>(code >> 24 & 7U);
-      cell[static_cast<std::size_t>(BlockMask::V[axis])] += static_cast<int>(code >> 27);
-      auto* corners = &this->Copies[8 * static_cast<std::size_t>(i)];
-      this->Reader.Load(cell, corners);
-      cells.First[i] = corners;
-    }
+    this->Corners.Copy(cells, axis, passages);
   }
 
   void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
     Candidates& candidates, RaySet hits[2]) override
   {
-    this->Selection.PacketKernels->ClassifyCells[GetType(areCopied)](cells, axis,
-      this->GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates, hits);
+    this->Selection.PacketKernels->ClassifyCells[Rows::GetType(areCopied)](cells, axis,
+      this->Corners.GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates,
+      hits);
   }
 
   void LoadCorners(bool areCopied, Candidates& candidates) override
   {
-    this->Selection.PacketKernels->LoadCorners[GetType(areCopied)](
-      this->GetStrides(areCopied), candidates);
+    this->Selection.PacketKernels->LoadCorners[Rows::GetType(areCopied)](
+      this->Corners.GetStrides(areCopied), candidates);
+  }
+
+  void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
+    const ScaledIsovalue& isovalue, Solutions& solutions) override
+  {
+    this->Selection.PacketKernels->Solve(packet, candidates, planes, isovalue, solutions);
   }
 
   void FindStops(
     int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) override
   {
-    FindStopsInCell(
-      ray, this->Selection.TakeRay(this->Rays, ray), cell, departure, this->Cells, this->Roots, stopped);
+    FindStopsInCell(ray, this->Selection.TakeRay(this->Rays, ray), cell, departure, this->Cells,
+      this->Roots, stopped);
   }
 
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
@@ -108,24 +95,12 @@ public:
   }
 
 private:
-  static std::size_t GetType(bool areCopied)
-  {
-    return static_cast<std::size_t>(
-      areCopied ? ScalarTypeOf<typename Layout::Value>() : ScalarTypeOf<typename Layout::Kept>());
-  }
-
-  const std::ptrdiff_t* GetStrides(bool areCopied) const
-  {
-    static constexpr std::ptrdiff_t ofCopies[3] = { 1, 2, 4 };
-    return areCopied ? ofCopies : this->Reader.GetStrides();
-  }
+  using Rows = CornerRows<Layout>;
 
   const ImageSelection& Selection;
   const RayPacket& Rays;
   TrilinearCells<T, Layout> Cells;
-  typename Layout::Reader& Reader;
-  /// The eight corners of each cell that is classified where there are no rows.
-  std::vector<typename Layout::Value> Copies;
+  Rows Corners;
   /// Kept for its memory.
   RootSet Roots;
 };

@@ -52,63 +52,33 @@ void FirstHitTracer::TraceSurface(
 {
   this->Source = &cells;
   this->Isovalue = isovalue;
-  this->CornerSteps = cells.GetCornerSteps();
-  this->Queue.Count = 0;
+  this->SolvesAtOnce = cells.SolvesAtOnce();
   this->Waiting.Count = 0;
   this->SurelyHit[0] = {};
   this->SurelyHit[1] = {};
   this->Stopped = {};
   this->Hits.Found = {};
-  this->Trace(packet, cells);
+  this->TraceQueued(packet, cells);
   this->SolveCandidates();
 }
 
 //------------------------------------------------------------------------------
-void FirstHitTracer::BeginFrustum(const Frustum& frustum)
-{
-  this->AllInRows = true;
-  const std::ptrdiff_t stepU =
-    this->CornerSteps[static_cast<std::size_t>(BlockMask::U[frustum.Axis])];
-  const std::ptrdiff_t stepV =
-    this->CornerSteps[static_cast<std::size_t>(BlockMask::V[frustum.Axis])];
-  for (int bit = 0; bit < 64; ++bit)
-  {
-    this->StepsInSlice[static_cast<std::size_t>(bit)] = bit % 8 * stepU + bit / 8 * stepV;
-  }
-}
-
-//------------------------------------------------------------------------------
-void FirstHitTracer::AddBlock(const Frustum& frustum, const Index3& block)
-{
-  const void* corner = this->Source->FindCorner(block);
-  this->AllInRows = this->AllInRows && corner;
-  this->Passed.Corner[this->Passed.BlockCount - 1] = static_cast<const char*>(corner);
-  if (this->Passed.Count >= Passages::Batch)
-  {
-    this->ClassifyPassages(frustum);
-  }
-}
-
-//------------------------------------------------------------------------------
 /// There are so few that they are solved one by one.
-void FirstHitTracer::AddCroppedCells(
-  const Frustum& frustum, const Index3& /*block*/, int first)
+void FirstHitTracer::AddCroppedCells(const Frustum& frustum, const Index3& /*block*/, int first)
 {
   for (int passage = first; passage < this->Passed.Count; ++passage)
   {
     const int ray = this->Passed.Segments[passage].Ray;
-    this->ForEachCell(frustum.Axis, passage,
-      [this, ray](const Index3& cell) { this->FindFirstHit(ray, cell); });
+    this->ForEachCell(
+      frustum.Axis, passage, [this, ray](const Index3& cell) { this->FindFirstHit(ray, cell); });
   }
   this->Passed.Count = first;
   --this->Passed.BlockCount;
 }
 
 //------------------------------------------------------------------------------
-/// Processes the rays in a slice of blocks.
-void FirstHitTracer::EndSlice(const Frustum& frustum)
+void FirstHitTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 {
-  this->ClassifyPassages(frustum);
   for (int word = 0; word < 2; ++word)
   {
     this->Going.Words[word] &= ~(this->Departures ? this->Stopped.Stopped.Words[word]
@@ -118,95 +88,33 @@ void FirstHitTracer::EndSlice(const Frustum& frustum)
 }
 
 //------------------------------------------------------------------------------
-/// Finds the candidates of every passage, up to where it surely hits the surface. A ray needs the
-/// cells of a slice only if it has no sure hit in the slices before. (Whether a ray needs more is
-/// unpredictable: counting is faster than branching.)
-void FirstHitTracer::ClassifyPassages(const Frustum& frustum)
-{
-  int waiting[Passages::Capacity];
-  int left = this->Passed.Count;
-  for (int i = 0; i < left; ++i)
-  {
-    waiting[i] = i;
-  }
-  while (left > 0)
-  {
-    int next = 0;
-    for (int i = 0; i < left; ++i)
-    {
-      const int passage = waiting[i];
-      const unsigned int slices = this->Passed.Slices[passage];
-      const int slice = frustum.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
-      const unsigned int others = slices & ~(1U << slice);
-      this->Passed.Slices[passage] = others;
-      this->AddCellsOfSlice(frustum.Axis, passage, slice);
-      waiting[next] = passage;
-      next += others != 0 ? 1 : 0;
-      if (this->Queue.Count >= PassedCells::Batch)
-      {
-        this->ClassifyQueue(frustum);
-      }
-    }
-    this->ClassifyQueue(frustum);
-    left = 0;
-    for (int i = 0; i < next; ++i)
-    {
-      waiting[left] = waiting[i];
-      left += this->IsOver(waiting[i]) ? 0 : 1;
-    }
-  }
-  this->ClearPassages();
-  this->AllInRows = true;
-}
-
-//------------------------------------------------------------------------------
 /// Whether the rest of a passage is not needed.
-bool FirstHitTracer::IsOver(int passage) const
+bool FirstHitTracer::IsOver(const Frustum& frustum, int passage) const
 {
-  return this->Departures ? Has(this->Stopped.Stopped, this->Passed.Segments[passage].Ray)
-                          : this->Passed.Hits[passage];
+  const int ray = this->Passed.Segments[passage].Ray;
+  return this->Departures ? Has(this->Stopped.Stopped, ray)
+                          : this->Passed.Hits[passage] ||
+      (this->SolvesAtOnce && Has(this->Hits.Found, ray) && this->IsBehindHit(frustum, passage));
 }
 
 //------------------------------------------------------------------------------
-void FirstHitTracer::AddCellsOfSlice(int axis, int passage, int slice)
+/// Whether the slices that are left of a passage are behind the one in which the ray has a hit,
+/// which may be in another block.
+bool FirstHitTracer::IsBehindHit(const Frustum& frustum, int passage) const
 {
-  PassedCells& queue = this->Queue;
-  const unsigned int code =
-    static_cast<unsigned int>(passage) | static_cast<unsigned int>(slice) << 16;
-  // Corners that are not kept in rows are copied later.
-  const char* block = this->AllInRows ? this->Passed.Corner[this->Passed.Segments[passage].Block]
-                                      : reinterpret_cast<const char*>(this);
-  const char* corner = block + slice * this->CornerSteps[static_cast<std::size_t>(axis)];
-  const auto put = [&](int index, std::uint64_t cells)
-  {
-    const int bit = __builtin_ctzll(cells);
-    queue.Codes[index] = code | static_cast<unsigned int>(bit) << 24;
-    queue.First[index] = corner + this->StepsInSlice[static_cast<std::size_t>(bit)];
-    __builtin_prefetch(queue.First[index]);
-    __builtin_prefetch(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
-  };
-  // Mostly there are one or two cells. Both are written, and then counted.
-  std::uint64_t cells = this->Passed.Cells[passage][slice];
-  put(queue.Count, cells);
-  cells &= cells - 1;
-  put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
-  queue.Count += cells != 0 ? 2 : 1;
-  for (cells &= cells - 1; cells != 0; cells &= cells - 1)
-  {
-    put(queue.Count++, cells);
-  }
+  const auto axis = static_cast<std::size_t>(frustum.Axis);
+  const Passages::Segment& segment = this->Passed.Segments[passage];
+  const unsigned int slices = this->Passed.Slices[passage];
+  const int next = this->Passed.First[segment.Block][axis] +
+    (frustum.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices));
+  const int hit =
+    this->Lattice.GetCell(this->Hits.Hits[static_cast<std::size_t>(segment.Ray)])[axis];
+  return frustum.IsUp ? hit < next : next < hit;
 }
 
 //------------------------------------------------------------------------------
-void FirstHitTracer::ClassifyQueue(const Frustum& frustum)
+void FirstHitTracer::TakeQueue(const Frustum& frustum)
 {
-  if (this->Queue.Count == 0)
-  {
-    return;
-  }
-  // The lanes behind the last cell repeat the first.
-  std::fill_n(this->Queue.Codes + this->Queue.Count, PassedCells::Spare, this->Queue.Codes[0]);
-  std::fill_n(this->Queue.First + this->Queue.Count, PassedCells::Spare, this->Queue.First[0]);
   if (!this->AllInRows)
   {
     // Waiting candidates are read from rows, new ones from copies.
@@ -216,12 +124,11 @@ void FirstHitTracer::ClassifyQueue(const Frustum& frustum)
   }
   this->Source->ClassifyCells(
     this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
-  this->Queue.Count = 0;
   if (this->Departures)
   {
     this->StopAtSureHits(frustum);
   }
-  if (this->AreCopied || this->Waiting.Count >= Candidates::Batch)
+  if (this->AreCopied || this->SolvesAtOnce || this->Waiting.Count >= Candidates::Batch)
   {
     this->SolveCandidates();
     this->AreCopied = false;
@@ -249,8 +156,7 @@ void FirstHitTracer::SolveCandidates()
     }
   }
   this->Source->LoadCorners(this->AreCopied, this->Waiting);
-  this->TheKernels.Solve(
-    *this->Packet, this->Waiting, this->Planes, this->Isovalue, this->Solved);
+  this->Source->Solve(*this->Packet, this->Waiting, this->Planes, this->Isovalue, this->Solved);
   if (this->Departures)
   {
     this->StopAtSolutions();

@@ -7,11 +7,10 @@
 #include "Field/Departure.h"
 #include "Image/Lattice/CellLattice.h"
 #include "Image/Lattice/Ray.h"
-#include "Image/Traversal/PacketTracer.h"
+#include "Image/Traversal/CellQueueTracer.h"
 #include "Rays/Hit.h"
 
 #include <array>
-#include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -30,24 +29,24 @@ struct PacketHits
 ///
 /// Single precision classifies most of the cells that the rays pass as sure misses or sure hits;
 /// the remaining candidates are solved together, exactly as for a single ray.
-class FirstHitTracer final : public PacketTracer
+class FirstHitTracer final : public CellQueueTracer
 {
 public:
   /// Cells in which the first hits with one surface are found.
-  class FirstHitCells : public Cells
+  class FirstHitCells : public CornerCells
   {
   public:
-    /// The address of the first corner of the first cell of a block; null unless all its corners
-    /// are kept in rows.
-    virtual const void* FindCorner(const Index3& block) = 0;
-    /// The strides from there to the next corner along each axis, in bytes.
-    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
-    /// Copies the corners of cells, wherever they are kept; valid until the next copy.
-    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
     /// Calls the kernels for corners that are kept in rows, or were copied.
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
       Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
     virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
+    /// Finds the first hit in each candidate; a ray of the packet that has one needs no cells of
+    /// later slices.
+    virtual void Solve(const RayPacket& packet, const Candidates& candidates,
+      const LatticePlanes* planes, const ScaledIsovalue& isovalue, Solutions& solutions) = 0;
+    /// Whether cells are not classified: then candidates are solved before the next slice, so that
+    /// a ray that hits needs no more.
+    virtual bool SolvesAtOnce() const { return false; }
     /// Adds the effect of the crossings of the surface in a cell to a ray of the packet.
     virtual void FindStops(
       int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) = 0;
@@ -58,7 +57,7 @@ public:
 
   /// The kernels must outlive the tracer.
   FirstHitTracer(const Kernels& kernels, const TracedBlocks& blocks)
-    : PacketTracer(kernels, blocks)
+    : CellQueueTracer(kernels, blocks)
   {
   }
 
@@ -74,14 +73,11 @@ public:
 
 private:
   void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
-  void BeginFrustum(const Frustum& frustum) override;
-  void AddBlock(const Frustum& frustum, const Index3& block) override;
   void AddCroppedCells(const Frustum& frustum, const Index3& block, int first) override;
-  void EndSlice(const Frustum& frustum) override;
-  void ClassifyPassages(const Frustum& frustum);
-  bool IsOver(int passage) const;
-  void AddCellsOfSlice(int axis, int passage, int slice);
-  void ClassifyQueue(const Frustum& frustum);
+  void EndQueuedSlice(const Frustum& frustum) override;
+  bool IsOver(const Frustum& frustum, int passage) const override;
+  bool IsBehindHit(const Frustum& frustum, int passage) const;
+  void TakeQueue(const Frustum& frustum) override;
   void SolveCandidates();
   void KeepSolutions();
   void StopAtSolutions();
@@ -103,16 +99,11 @@ private:
   /// The rays that surely hit something, at any t: where values fall, and where they rise along the
   /// axis of the frustum.
   RaySet SurelyHit[2] = {};
-  /// Whether the corners of all passages are kept in rows.
-  bool AllInRows = true;
-  PassedCells Queue;
+  bool SolvesAtOnce = false;
   /// Whether the corners of the candidates were copied.
   bool AreCopied = false;
   Candidates Waiting;
   Solutions Solved;
-  std::array<std::ptrdiff_t, 3> CornerSteps = {};
-  /// From the first corner of a slice of cells to that of each of its cells.
-  std::array<std::ptrdiff_t, 64> StepsInSlice = {};
 };
 
 }

@@ -161,10 +161,9 @@ private:
   int FindMember(int axis, double coordinate, std::size_t level) const
   {
     static_assert(BlockMask::Edge == 1 << 3);
-    return this->Planes
-      ? this->Planes->FindBlock(
-          static_cast<std::size_t>(axis), coordinate, 3 * (static_cast<int>(level) + 1))
-      : static_cast<int>(coordinate / this->Tree.GetLevels()[level].MemberEdge);
+    return this->Planes ? this->Planes->FindBlock(static_cast<std::size_t>(axis), coordinate,
+                            3 * (static_cast<int>(level) + 1))
+                        : static_cast<int>(coordinate / this->Tree.GetLevels()[level].MemberEdge);
   }
 
   void FindMembers(
@@ -174,8 +173,7 @@ private:
     const Frustum& frustum = this->TheFrustum;
     const int axis = frustum.Axis;
     const int edge = level.MemberEdge;
-    const double begin =
-      std::max(this->GetPlane(axis, slice * edge), frustum.Low) - frustum.Low;
+    const double begin = std::max(this->GetPlane(axis, slice * edge), frustum.Low) - frustum.Low;
     const double end =
       std::min(this->GetPlane(axis, (slice + 1) * edge), frustum.High) - frustum.Low;
     if (begin > end)

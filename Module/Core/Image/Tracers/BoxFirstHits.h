@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BoxFirstHits_h
+#define BoxFirstHits_h
+
+#include "Image/Cells/BoxFaces.h"
+#include "Image/Macrocells/CellMasks.h"
+#include "Image/Tracers/CornerRows.h"
+#include "Image/Tracers/ImageSelection.h"
+#include "Image/Traversal/FirstHitTracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The cells of an image for a packet of rays, of which the packet tracer finds the first hits with
+/// the faces between boxes. To solve them takes no longer than to classify them.
+template <typename T, typename Layout>
+class BoxFirstHits final : public FirstHitTracer::FirstHitCells
+{
+public:
+  BoxFirstHits(
+    const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, Layout& bricks)
+    : Selection(selection)
+    , Rays(rays)
+    , Masks(masks)
+    , Reader(bricks)
+    , Corners(this->Reader)
+  {
+  }
+  BoxFirstHits(const BoxFirstHits&) = delete;
+  BoxFirstHits& operator=(const BoxFirstHits&) = delete;
+
+  void Prefetch(const Index3& block) override
+  {
+    this->Masks.Prefetch(block);
+    this->Reader.Prefetch(BlockMask::GetFirstCell(block));
+  }
+
+  const BlockMask& GetMask(const Index3& block, BlockMask& own) override
+  {
+    return this->Masks.Get(block, own);
+  }
+
+  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
+
+  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
+
+  void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
+  {
+    this->Corners.Copy(cells, axis, passages);
+  }
+
+  /// All of them are candidates.
+  void ClassifyCells(const PassedCells& cells, int axis, bool /*areCopied*/, Passages& passages,
+    Candidates& candidates, RaySet /*hits*/[2]) override
+  {
+    for (int i = 0; i < cells.Count; ++i)
+    {
+      const int index = candidates.Count++;
+      const Index3 cell = Rows::GetPassedCell(cells.Codes[i], axis, passages);
+      candidates.Ray[index] = passages.Segments[cells.Codes[i] & 0xFFFFU].Ray;
+      candidates.Cell[0][index] = cell[0];
+      candidates.Cell[1][index] = cell[1];
+      candidates.Cell[2][index] = cell[2];
+      candidates.First[index] = cells.First[i];
+    }
+  }
+
+  void LoadCorners(bool areCopied, Candidates& candidates) override
+  {
+    this->Selection.PacketKernels->LoadCorners[Rows::GetType(areCopied)](
+      this->Corners.GetStrides(areCopied), candidates);
+  }
+
+  void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
+    const ScaledIsovalue& isovalue, Solutions& solutions) override
+  {
+    this->Selection.PacketKernels->SolveBoxes(packet, candidates, planes, isovalue, solutions);
+  }
+
+  bool SolvesAtOnce() const override { return true; }
+
+  /// Only hits are requested.
+  void FindStops(int /*ray*/, const Index3& /*cell*/, const Departure& /*departure*/,
+    StoppedRays& /*stopped*/) override
+  {
+  }
+
+  bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
+  {
+    const Ray own = this->Selection.TakeRay(this->Rays, ray);
+    typename Layout::Value corners[8];
+    this->Reader.Load(cell, corners);
+    CellCorners values;
+    std::copy(corners, corners + 8, values.begin());
+    std::vector<Hit> hits;
+    HitCollector collector = this->Selection.NewCollector(hits);
+    CellSegment segment;
+    if (!SegmentInCell(own, cell, segment) ||
+      !AddFaceHits(
+        own, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, collector))
+    {
+      return false;
+    }
+    hit = hits.front();
+    const auto axis = static_cast<std::size_t>(GetAxisOfJump(hit));
+    begin = { own.MiddleCrossingT(axis, cell[axis]), static_cast<int>(axis) };
+    return true;
+  }
+
+private:
+  using Rows = CornerRows<Layout>;
+
+  const ImageSelection& Selection;
+  const RayPacket& Rays;
+  CellMasks<T>& Masks;
+  typename Layout::Reader Reader;
+  Rows Corners;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef CellQueueTracer_h
+#define CellQueueTracer_h
+
+#include "Image/Traversal/PacketTracer.h"
+
+#include <array>
+#include <cstddef>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Queues the cells that the rays of a packet may pass, slice by slice, with the addresses of their
+/// corners, for kernels that classify many of them at once.
+class CellQueueTracer : public PacketTracer
+{
+public:
+  /// Cells whose corners are read.
+  class CornerCells : public Cells
+  {
+  public:
+    /// The address of the first corner of the first cell of a block; null unless all its corners
+    /// are kept in rows.
+    virtual const void* FindCorner(const Index3& block) = 0;
+    /// The strides from there to the next corner along each axis, in bytes.
+    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
+    /// Copies the corners of cells, wherever they are kept; valid until the next copy.
+    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
+  };
+
+protected:
+  using PacketTracer::PacketTracer;
+
+  /// Takes all rays of a packet that exist to their ends.
+  void TraceQueued(const RayPacket& packet, CornerCells& cells);
+
+  /// Takes the queued cells, which are left to it afterwards. The lanes of a vector behind the last
+  /// repeat the first.
+  virtual void TakeQueue(const Frustum& frustum) = 0;
+  /// Whether the rest of a passage is not needed.
+  virtual bool IsOver(const Frustum& frustum, int passage) const = 0;
+  /// Called behind the last cell of a slice of blocks.
+  virtual void EndQueuedSlice(const Frustum& frustum) = 0;
+
+  void AddBlock(const Frustum& frustum, const Index3& block) override;
+
+  PassedCells Queue;
+  /// Whether the corners of all passages are kept in rows.
+  bool AllInRows = true;
+
+private:
+  void BeginFrustum(const Frustum& frustum) override;
+  void EndSlice(const Frustum& frustum) override;
+  void TakePassages(const Frustum& frustum);
+  void AddCellsOfSlice(int axis, int passage, int slice);
+  void EndQueue(const Frustum& frustum);
+
+  CornerCells* Corners = nullptr;
+  std::array<std::ptrdiff_t, 3> CornerSteps = {};
+  /// From the first corner of a slice of cells to that of each of its cells.
+  std::array<std::ptrdiff_t, 64> StepsInSlice = {};
+};
+
+}
+
+#endif
