@@ -142,6 +142,20 @@ struct Classification
   FloatMask Rise;
 };
 
+template <bool Even>
+SIMD_INLINE RoughCells LoadCells(
+  const Passages& passages, const unsigned int* codes, const int order[3])
+{
+  if constexpr (Even)
+  {
+    return LoadRoughCells(passages, codes);
+  }
+  else
+  {
+    return LoadUnevenCells(passages, codes, order);
+  }
+}
+
 /// The planes between which rays are in cells, taken a little too wide; by how much the ends may
 /// be off, and whether there is surely something between them.
 struct RoughSegments
@@ -203,6 +217,8 @@ struct RoughPlaces
   Floats Error;
   /// A bound on how far a point moves in its cell, along all axes together, for one along the axis.
   Floats Reach;
+
+  SIMD_INLINE FloatMask AreKnown() const { return this->Error < 0x1p-6F; }
 };
 
 template <bool Even>
@@ -216,18 +232,23 @@ SIMD_INLINE RoughPlaces FindPlaces(const RoughCells& cells)
   else
   {
     const Floats reach = Floats(1.0F) + Abs(cells.Slope[0]) + Abs(cells.Slope[1]);
-    return { MultiplyAdd(
-               cells.PlaneError, reach, cells.CrossingError[0] + cells.CrossingError[1]),
+    return { MultiplyAdd(cells.PlaneError, reach, cells.CrossingError[0] + cells.CrossingError[1]),
       reach * 1.25F };
   }
 }
 
-/// Classifies the cubics along rays in cells, of values less the isovalue; largest is the largest
-/// magnitude of each cell's. The error of single precision is less than 2^-16 of it, and that of
-/// the isovalue. Nothing is known where points are off by much, as in flat cells.
-template <bool Even>
-SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
-  const int order[3], const RoughCells& cells, const RoughSegments& segments)
+/// The cubics along rays in cells: the values at both ends, and three times the Bernstein
+/// coefficients between them.
+struct RoughCubics
+{
+  Floats Begin;
+  Floats Once;
+  Floats Twice;
+  Floats End;
+};
+
+SIMD_INLINE RoughCubics FindRoughCubics(
+  const Floats v[8], const int order[3], const RoughCells& cells, const RoughSegments& segments)
 {
   // The points in the cell at both ends of the segment.
   Floats p[3];
@@ -263,30 +284,45 @@ SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats is
       b[i][j][1] = MultiplyAdd(difference, q[2], xy[j][0]);
     }
   }
-  const Floats begin = b[0][0][0];
-  const Floats end = b[1][1][1];
-  const Floats once = b[1][0][0] + b[0][1][0] + b[0][0][1];
-  const Floats twice = b[1][1][0] + b[1][0][1] + b[0][1][1];
+  return { b[0][0][0], b[1][0][0] + b[0][1][0] + b[0][0][1], b[1][1][0] + b[1][0][1] + b[0][1][1],
+    b[1][1][1] };
+}
+
+/// A bound on the error of the cubics, where those of points are given: largest is the largest
+/// magnitude of each cell's values. The error of single precision is less than 2^-16 of it.
+template <bool Even>
+SIMD_INLINE Floats FindError(Floats largest, Floats ofValues, const RoughPlaces& places)
+{
   // Where values are so large that differences overflow, the square does too, and nothing is known.
   const Floats part = largest * 0x1p-36F;
-  const RoughPlaces places = FindPlaces<Even>(cells);
+  const Floats error = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, ofValues));
   // A value changes by at most twice the largest size for a cell along each axis.
-  const Floats ownError = MultiplyAdd(part, part, MultiplyAdd(largest, 0x1p-15F, isovalueError));
-  const Floats error = Even ? ownError : MultiplyAdd(largest * 4.0F, places.Error, ownError);
+  return Even ? error : MultiplyAdd(largest * 4.0F, places.Error, error);
+}
+
+/// Classifies the cubics along rays in cells, of values less the isovalue; largest is the largest
+/// magnitude of each cell's. Nothing is known where points are off by much, as in flat cells.
+template <bool Even>
+SIMD_INLINE Classification Classify(const Floats v[8], Floats largest, Floats isovalueError,
+  const int order[3], const RoughCells& cells, const RoughSegments& segments)
+{
+  const RoughCubics cubics = FindRoughCubics(v, order, cells, segments);
+  const RoughPlaces places = FindPlaces<Even>(cells);
+  const Floats error = FindError<Even>(largest, isovalueError, places);
   const Floats errorOfEnds = MultiplyAdd(largest * segments.Error, places.Reach * 2.0F, error);
-  const Floats nearer = Min(Abs(begin), Abs(end));
+  const Floats nearer = Min(Abs(cubics.Begin), Abs(cubics.End));
   const Floats third = 1.0F / 3.0F;
-  const Floats nearest = Min(nearer, Min(Abs(once), Abs(twice)) * third);
-  const FloatMask changes = HaveDifferentSigns(begin, end);
-  const FloatMask mayChange =
-    changes | HaveDifferentSigns(begin, once) | HaveDifferentSigns(begin, twice);
+  const Floats nearest = Min(nearer, Min(Abs(cubics.Once), Abs(cubics.Twice)) * third);
+  const FloatMask changes = HaveDifferentSigns(cubics.Begin, cubics.End);
+  const FloatMask mayChange = changes | HaveDifferentSigns(cubics.Begin, cubics.Once) |
+    HaveDifferentSigns(cubics.Begin, cubics.Twice);
   Classification result;
   result.Misses = AndNot(error < nearest, mayChange) | (segments.High < segments.Low);
   result.Hits = segments.Exist & changes & (errorOfEnds < nearer);
-  result.Rise = begin < 0.0F;
+  result.Rise = cubics.Begin < 0.0F;
   if constexpr (!Even)
   {
-    const FloatMask isKnown = places.Error < 0x1p-6F;
+    const FloatMask isKnown = places.AreKnown();
     result.Misses = result.Misses & isKnown;
     result.Hits = result.Hits & isKnown;
   }
@@ -325,15 +361,7 @@ SIMD_INLINE void ClassifyBetween(const PassedCells& cells, int axis,
   const int order[3] = { axis, AxisU[axis], AxisV[axis] };
   for (int i = 0; i < cells.Count; i += FloatWidth)
   {
-    RoughCells rough;
-    if constexpr (Even)
-    {
-      rough = LoadRoughCells(passages, &cells.Codes[i]);
-    }
-    else
-    {
-      rough = LoadUnevenCells(passages, &cells.Codes[i], order);
-    }
+    const RoughCells rough = LoadCells<Even>(passages, &cells.Codes[i], order);
     const RoughSegments segments = FindRoughSegments<Even>(rough);
     Floats values[8];
     const Floats largest = LoadRoughDifferences<T>(&cells.First[i], strides, rounded, values);

@@ -239,6 +239,13 @@ struct Kernels
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
     const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
 
+  /// Bounds the largest values of rays in cells in single precision, or those of the negated
+  /// values: none is above the bound, which is NaN or infinite where nothing is known. There is
+  /// room for PassedCells::Capacity of them; strides are as for ClassifyCells. One for every
+  /// ScalarType.
+  void (*BoundCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
+    bool areNegated, const Passages& passages, float* bounds);
+
   /// Loads the corners of candidates from rows; strides are as for ClassifyCells. One for every
   /// ScalarType.
   void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);

@@ -80,6 +80,8 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/BeamPieces.inl"
 #include "Kernels/ClassifyCells.inl"
 
+#include "Kernels/BoundCells.inl"
+
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindPassages.inl"
@@ -111,8 +113,9 @@ SIMD_INLINE void LoadCorner(
 
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, MoveRays, Align,   \
-    FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,     \
-    FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients, PackPolygons,     \
-    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \
-    ProjectTetrahedra, FindSegments, IntegrateSegments }
+    FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(BoundCells),                         \
+    FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
+    MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
+    FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
+    FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra, FindSegments,                   \
+    IntegrateSegments }

@@ -5,34 +5,41 @@
 #define PacketProjector_h
 
 #include "Image/Macrocells/CellMasks.h"
+#include "Image/Tracers/CornerRows.h"
 #include "Image/Tracers/ImageSelection.h"
+#include "Image/Traversal/CellQueueTracer.h"
 #include "Image/Traversal/Projector.h"
-#include "Image/Traversal/RayFollower.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Finds the extreme values of the rays of a packet. Some rays are projected by themselves, the
-/// others start from what their neighbours found and are followed together: in each block only
-/// through cells that exceed the smallest value so far of all rays.
+/// Finds the extreme values of the rays of a packet. Some rays are projected by themselves; the
+/// others start from what their neighbours found, and are taken through the volume together. In
+/// each block only the cells with a corner beyond the least extreme value so far count; of these,
+/// single precision leaves the few in which a ray may come to a value beyond its own.
 template <typename T, typename Layout, Extremum Kind>
-class PacketProjector final : public RayFollower::FollowedCells
+class PacketProjector final
+  : private CellQueueTracer
+  , private CellQueueTracer::CornerCells
 {
 public:
   using RayProjector = Projector<T, Layout, Kind>;
 
   /// All must outlive the projector.
   PacketProjector(const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks,
-    RayProjector& projector)
-    : Selection(selection)
+    Layout& bricks, RayProjector& projector)
+    : CellQueueTracer(*selection.PacketKernels, selection.GetTracedBlocks())
+    , Selection(selection)
     , Rays(rays)
     , Masks(masks)
+    , Reader(bricks)
+    , Corners(this->Reader)
     , TheProjector(projector)
   {
   }
@@ -41,6 +48,7 @@ public:
   void Project(RayHits& hits)
   {
     RayPacket others = this->Rays;
+    this->Bounds.fill(std::numeric_limits<float>::infinity());
     for (int i = 0; i < this->Rays.Count; ++i)
     {
       if (!Has(this->Rays.Exists, i))
@@ -56,11 +64,11 @@ public:
       else
       {
         this->TheProjector.Guess(ray, this->GetProjection(i));
+        this->SetBound(i);
       }
     }
-    this->Going = others.Exists;
-    RayFollower(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks())
-      .Follow(others, *this);
+    this->FindLeast();
+    this->TraceQueued(others, *this);
     for (int i = 0; i < this->Rays.Count; ++i)
     {
       if (this->GetProjection(i).Exists())
@@ -71,15 +79,22 @@ public:
     }
   }
 
+private:
+  using Rows = CornerRows<Layout>;
+
+  /// One ray of so many is projected by itself.
+  static constexpr int Spacing = 16;
+
+  // The cells.
   /// Most blocks of a frustum are skipped.
   void Prefetch(const Index3& /*block*/) override {}
 
   const BlockMask& GetMask(const Index3& block, BlockMask& own) override
   {
-    const double least = this->GetLeast();
-    if (this->TheProjector.MayExceed(0, block, least))
+    if (this->TheProjector.GetMost(0, block) > this->Least)
     {
-      this->Masks.FindBeyond(block, RayProjector::Directed(least), RayProjector::IsLargest, own);
+      this->Masks.FindBeyond(
+        block, RayProjector::Directed(this->Least), RayProjector::IsLargest, own);
     }
     else
     {
@@ -88,62 +103,78 @@ public:
     return own;
   }
 
-  /// A ray comes to its cells in the order of their coordinates: at each plane one of these changes
-  /// by one.
-  bool Follow(int ray, const std::vector<Index3>& cells) override
+  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
+
+  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
+
+  void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
   {
-    const Ray own = this->Selection.TakeRay(this->Rays, ray);
-    this->InOrder.clear();
-    for (const Index3& cell : cells)
-    {
-      const int place = own.Step[0] * cell[0] + own.Step[1] * cell[1] + own.Step[2] * cell[2];
-      this->InOrder.emplace_back(place, cell);
-    }
-    std::sort(this->InOrder.begin(), this->InOrder.end());
-    for (const auto& [place, cell] : this->InOrder)
-    {
-      if (this->TheProjector.Visit(own, cell, this->GetProjection(ray)))
-      {
-        this->IsLeastKnown = false;
-      }
-    }
-    return false;
+    this->Corners.Copy(cells, axis, passages);
   }
 
-private:
-  /// One ray of so many is projected by itself.
-  static constexpr int Spacing = 8;
+  // The tracer.
+  void TakeQueue(const Frustum& frustum) override
+  {
+    const bool areCopied = !this->AllInRows;
+    if (areCopied)
+    {
+      this->CopyCorners(this->Queue, frustum.Axis, this->Passed);
+    }
+    float bounds[PassedCells::Capacity];
+    this->TheKernels.BoundCells[Rows::GetType(areCopied)](this->Queue, frustum.Axis,
+      this->Corners.GetStrides(areCopied), !RayProjector::IsLargest, this->Passed, bounds);
+    for (int i = 0; i < this->Queue.Count; ++i)
+    {
+      const unsigned int code = this->Queue.Codes[i];
+      const int ray = this->Passed.Segments[code & 0xFFFFU].Ray;
+      // What is NaN is not below.
+      if (!(bounds[i] < this->Bounds[static_cast<std::size_t>(ray)]))
+      {
+        this->Visit(ray, Rows::GetPassedCell(code, frustum.Axis, this->Passed));
+      }
+    }
+  }
+
+  void Visit(int ray, const Index3& cell)
+  {
+    if (this->TheProjector.Visit(
+          this->Selection.TakeRay(this->Rays, ray), cell, this->GetProjection(ray)))
+    {
+      this->SetBound(ray);
+    }
+  }
+
+  bool IsOver(const Frustum& /*frustum*/, int /*passage*/) const override { return false; }
+
+  // In a slice the cells of a ray come in no order: one with an equal value, which lies before,
+  // must not be left out.
+  void EndQueuedSlice(const Frustum& /*frustum*/) override { this->FindLeast(); }
 
   Projection& GetProjection(int ray) { return this->Projections[static_cast<std::size_t>(ray)]; }
 
-  /// The smallest value that any ray has found so far.
-  double GetLeast()
+  /// Rounded down.
+  void SetBound(int ray)
   {
-    if (!std::exchange(this->IsLeastKnown, true))
-    {
-      this->Least = std::numeric_limits<double>::infinity();
-      for (int i = 0; i < this->Rays.Count; ++i)
-      {
-        if (Has(this->Going, i))
-        {
-          this->Least = std::min(this->Least, this->GetProjection(i).Best);
-        }
-      }
-    }
-    return this->Least;
+    this->Bounds[static_cast<std::size_t>(ray)] = std::nextafter(
+      static_cast<float>(this->GetProjection(ray).Best), -std::numeric_limits<float>::infinity());
+  }
+
+  void FindLeast()
+  {
+    this->Least = static_cast<double>(*std::min_element(this->Bounds.begin(), this->Bounds.end()));
   }
 
   const ImageSelection& Selection;
   const RayPacket& Rays;
   CellMasks<T>& Masks;
+  typename Layout::Reader Reader;
+  Rows Corners;
   RayProjector& TheProjector;
   std::array<Projection, RayPacket::Capacity> Projections;
-  /// The rays that are followed.
-  RaySet Going = {};
-  bool IsLeastKnown = false;
+  /// Not above the values that rays have found; infinite for rays that are not followed.
+  std::array<float, RayPacket::Capacity> Bounds;
+  /// The smallest of them before the slice.
   double Least = 0.0;
-  /// Kept for its memory.
-  std::vector<std::pair<int, Index3>> InOrder;
 };
 
 }

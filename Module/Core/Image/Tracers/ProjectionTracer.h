@@ -45,7 +45,7 @@ public:
       this->Hierarchy, this->Bricks, this->Selection.Lattice, this->Selection.Request.Visible);
     if (this->Selection.CanTracePacket(rays) && !this->Selection.Cropped)
     {
-      PacketProjector<T, Layout, Kind>(this->Selection, rays, this->Masks, projector)
+      PacketProjector<T, Layout, Kind>(this->Selection, rays, this->Masks, this->Bricks, projector)
         .Project(hits);
       return;
     }

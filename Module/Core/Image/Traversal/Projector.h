@@ -62,6 +62,9 @@ struct Projection
   double Best = -std::numeric_limits<double>::infinity();
   /// Where it is; without a surface as long as there is none.
   Hit Found = GetNoHit();
+  /// The number of planes between the first cell of the volume, seen along the ray, and that of the
+  /// hit, up to a constant.
+  int Place = 0;
 
   static Hit GetNoHit()
   {
@@ -102,13 +105,14 @@ public:
   const MacrocellLattice& GetLattice() const { return this->Hierarchy.GetLattice(); }
   bool IsActive(std::size_t level, const Index3& macrocell) const
   {
-    return this->MayExceed(level, macrocell, this->Best);
+    return this->GetMost(level, macrocell) > this->Best;
   }
 
-  bool MayExceed(std::size_t level, const Index3& macrocell, double best) const
+  /// The largest value in a macrocell, directed.
+  double GetMost(std::size_t level, const Index3& macrocell) const
   {
     const ValueRange<T>& range = this->Hierarchy.GetRange(level, macrocell);
-    return Directed(static_cast<double>(IsLargest ? range.Max : range.Min)) > best;
+    return Directed(static_cast<double>(IsLargest ? range.Max : range.Min));
   }
 
   /// Projects a ray that is cut to what is visible, cell by cell. This is the reference.
@@ -168,9 +172,16 @@ public:
     }
   }
 
-  /// Takes the largest value of a cell, if it exceeds the largest so far. Returns whether it does.
+  /// Takes the largest value of a cell, if it exceeds the largest so far, or equals it and lies
+  /// before it. Returns whether it does.
   bool Visit(const Ray& ray, const Index3& cell, Projection& projection)
   {
+    // At each plane that a ray crosses, one coordinate changes by one.
+    const int place = ray.Step[0] * cell[0] + ray.Step[1] * cell[1] + ray.Step[2] * cell[2];
+    const bool isBefore = projection.Exists() && place < projection.Place;
+    const auto isBetter = [&projection, isBefore](double value)
+    { return value > projection.Best || (isBefore && value == projection.Best); };
+
     Value corners[8];
     this->Reader.Load(cell, corners);
     Value outermost = corners[0];
@@ -180,7 +191,7 @@ public:
     }
     const double largest = Directed(static_cast<double>(outermost));
     CellSegment segment;
-    if (!(largest > projection.Best) || !IsFinite(corners) ||
+    if (!isBetter(largest) || !IsFinite(corners) ||
       this->Visible.IsHidden(this->Lattice.GetNumber(cell)) || !SegmentInCell(ray, cell, segment))
     {
       return false;
@@ -189,13 +200,13 @@ public:
     std::transform(corners, corners + 8, values.begin(),
       [](Value value) { return Directed(static_cast<double>(value)); });
     const SegmentValue found = FindLargest(values, largest, segment);
-    if (!(found.Value > projection.Best))
+    if (!isBetter(found.Value))
     {
       return false;
     }
     projection.Best = found.Value;
-    projection.Found =
-      MakeHit(ray, this->Lattice, cell, segment, found.Fraction, 0, false);
+    projection.Place = place;
+    projection.Found = MakeHit(ray, this->Lattice, cell, segment, found.Fraction, 0, false);
     projection.Found.Value = Directed(found.Value);
     return true;
   }
