@@ -144,7 +144,10 @@ private:
     }
   }
 
-  bool IsOver(const Frustum& /*frustum*/, int /*passage*/) const override { return false; }
+  int KeepNeeded(const Frustum& /*frustum*/, int* /*passages*/, int count) const override
+  {
+    return count;
+  }
 
   // In a slice the cells of a ray come in no order: one with an equal value, which lies before,
   // must not be left out.

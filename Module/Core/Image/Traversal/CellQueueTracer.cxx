@@ -52,7 +52,7 @@ void CellQueueTracer::EndSlice(const Frustum& frustum)
 
 //------------------------------------------------------------------------------
 /// Queues the cells of every passage, slice by slice, up to where it is over. (Whether a ray needs
-/// more is unpredictable: counting is faster than branching.)
+/// more is unpredictable: counting is faster than branching, here and in KeepNeeded.)
 void CellQueueTracer::TakePassages(const Frustum& frustum)
 {
   int waiting[Passages::Capacity];
@@ -80,12 +80,7 @@ void CellQueueTracer::TakePassages(const Frustum& frustum)
       }
     }
     this->EndQueue(frustum);
-    left = 0;
-    for (int i = 0; i < next; ++i)
-    {
-      waiting[left] = waiting[i];
-      left += this->IsOver(frustum, waiting[i]) ? 0 : 1;
-    }
+    left = this->KeepNeeded(frustum, waiting, next);
   }
   this->ClearPassages();
   this->AllInRows = true;

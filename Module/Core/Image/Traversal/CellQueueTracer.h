@@ -39,8 +39,8 @@ protected:
   /// Takes the queued cells, which are left to it afterwards. The lanes of a vector behind the last
   /// repeat the first.
   virtual void TakeQueue(const Frustum& frustum) = 0;
-  /// Whether the rest of a passage is not needed.
-  virtual bool IsOver(const Frustum& frustum, int passage) const = 0;
+  /// Keeps those of some passages whose rest is needed. Returns how many there are.
+  virtual int KeepNeeded(const Frustum& frustum, int* passages, int count) const = 0;
   /// Called behind the last cell of a slice of blocks.
   virtual void EndQueuedSlice(const Frustum& frustum) = 0;
 

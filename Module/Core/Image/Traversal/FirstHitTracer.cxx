@@ -88,13 +88,40 @@ void FirstHitTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 }
 
 //------------------------------------------------------------------------------
-/// Whether the rest of a passage is not needed.
-bool FirstHitTracer::IsOver(const Frustum& frustum, int passage) const
+int FirstHitTracer::KeepNeeded(const Frustum& frustum, int* passages, int count) const
 {
-  const int ray = this->Passed.Segments[passage].Ray;
-  return this->Departures ? Has(this->Stopped.Stopped, ray)
-                          : this->Passed.Hits[passage] ||
-      (this->SolvesAtOnce && Has(this->Hits.Found, ray) && this->IsBehindHit(frustum, passage));
+  if (this->Departures)
+  {
+    return this->KeepOthers([this](int passage)
+      { return Has(this->Stopped.Stopped, this->Passed.Segments[passage].Ray); },
+      passages, count);
+  }
+  if (this->SolvesAtOnce)
+  {
+    return this->KeepOthers(
+      [this, &frustum](int passage)
+      {
+        return this->Passed.Hits[passage] ||
+          (Has(this->Hits.Found, this->Passed.Segments[passage].Ray) &&
+            this->IsBehindHit(frustum, passage));
+      },
+      passages, count);
+  }
+  return this->KeepOthers(
+    [this](int passage) { return this->Passed.Hits[passage]; }, passages, count);
+}
+
+//------------------------------------------------------------------------------
+template <typename IsOver>
+int FirstHitTracer::KeepOthers(const IsOver& isOver, int* passages, int count) const
+{
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    passages[kept] = passages[i];
+    kept += isOver(passages[i]) ? 0 : 1;
+  }
+  return kept;
 }
 
 //------------------------------------------------------------------------------
@@ -297,10 +324,12 @@ void FirstHitTracer::FindFirstHit(int ray, const Index3& cell)
 void FirstHitTracer::Keep(int ray, const Hit& hit, const Crossing& begin)
 {
   const auto number = static_cast<std::size_t>(ray);
-  if (!Has(this->Hits.Found, ray) ||
-    IsEnteredBefore(this->Lattice.GetCell(hit), begin,
-      this->Lattice.GetCell(this->Hits.Hits[number]), this->Hits.Begin[number],
-      this->Packet->GetDirection(ray)))
+  // To find cells takes divisions: only for those that are entered at one place.
+  if (!Has(this->Hits.Found, ray) || begin < this->Hits.Begin[number] ||
+    (!(this->Hits.Begin[number] < begin) &&
+      IsEnteredBefore(this->Lattice.GetCell(hit), begin,
+        this->Lattice.GetCell(this->Hits.Hits[number]), this->Hits.Begin[number],
+        this->Packet->GetDirection(ray))))
   {
     Add(ray, this->Hits.Found);
     this->Hits.Hits[number] = hit;

@@ -75,7 +75,9 @@ private:
   void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
   void AddCroppedCells(const Frustum& frustum, const Index3& block, int first) override;
   void EndQueuedSlice(const Frustum& frustum) override;
-  bool IsOver(const Frustum& frustum, int passage) const override;
+  int KeepNeeded(const Frustum& frustum, int* passages, int count) const override;
+  template <typename IsOver>
+  int KeepOthers(const IsOver& isOver, int* passages, int count) const;
   bool IsBehindHit(const Frustum& frustum, int passage) const;
   void TakeQueue(const Frustum& frustum) override;
   void SolveCandidates();
