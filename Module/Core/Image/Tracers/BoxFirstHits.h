@@ -11,8 +11,6 @@
 #include "Image/Traversal/FirstHitTracer.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -47,14 +45,7 @@ public:
     return this->Masks.Get(block, own);
   }
 
-  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
-
-  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
-
-  void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
-  {
-    this->Corners.Copy(cells, axis, passages);
-  }
+  CellQueueTracer::CornerSource& GetCorners() override { return this->Corners; }
 
   /// All of them are candidates.
   void ClassifyCells(const PassedCells& cells, int axis, bool /*areCopied*/, Passages& passages,
@@ -70,12 +61,6 @@ public:
       candidates.Cell[2][index] = cell[2];
       candidates.First[index] = cells.First[i];
     }
-  }
-
-  void LoadCorners(bool areCopied, Candidates& candidates) override
-  {
-    this->Selection.PacketKernels->LoadCorners[Rows::GetType(areCopied)](
-      this->Corners.GetStrides(areCopied), candidates);
   }
 
   void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,

@@ -6,6 +6,7 @@
 
 #include "Image/Macrocells/BlockMask.h"
 #include "Image/Samples/VolumeView.h"
+#include "Image/Traversal/CellQueueTracer.h"
 #include "Kernels/Kernels.h"
 
 #include <array>
@@ -17,7 +18,7 @@ namespace vtkIsosurfaceRayTracing
 
 /// The corners of cells for kernels: in the rows of a layout or, where it has none, in copies.
 template <typename Layout>
-class CornerRows
+class CornerRows final : public CellQueueTracer::CornerSource
 {
 public:
   using Reader = typename Layout::Reader;
@@ -28,20 +29,19 @@ public:
   {
   }
 
-  const void* FindCorner(const Index3& block)
+  const void* FindCorner(const Index3& block) override
   {
     return this->TheReader.FindBlock(BlockMask::GetFirstCell(block), BlockMask::Edge);
   }
 
-  std::array<std::ptrdiff_t, 3> GetSteps() const
+  std::array<std::ptrdiff_t, 3> GetSteps() const override
   {
     const std::ptrdiff_t* strides = this->TheReader.GetStrides();
     constexpr std::ptrdiff_t size = sizeof(typename Layout::Kept);
     return { strides[0] * size, strides[1] * size, strides[2] * size };
   }
 
-  /// Copies the corners of cells; valid until the next copy.
-  void Copy(PassedCells& cells, int axis, const Passages& passages)
+  void Copy(PassedCells& cells, int axis, const Passages& passages) override
   {
     // Those behind the last, up to a full vector, repeat the first.
     const int count = cells.Count + PassedCells::Spare;
@@ -65,14 +65,13 @@ public:
     return cell;
   }
 
-  /// Of the corners in rows, or of copies, as kernels want them.
-  static std::size_t GetType(bool areCopied)
+  std::size_t GetType(bool areCopied) const override
   {
     return static_cast<std::size_t>(
       areCopied ? ScalarTypeOf<typename Layout::Value>() : ScalarTypeOf<typename Layout::Kept>());
   }
 
-  const std::ptrdiff_t* GetStrides(bool areCopied) const
+  const std::ptrdiff_t* GetStrides(bool areCopied) const override
   {
     static constexpr std::ptrdiff_t ofCopies[3] = { 1, 2, 4 };
     return areCopied ? ofCopies : this->TheReader.GetStrides();

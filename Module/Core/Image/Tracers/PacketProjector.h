@@ -26,7 +26,7 @@ namespace vtkIsosurfaceRayTracing
 template <typename T, typename Layout, Extremum Kind>
 class PacketProjector final
   : private CellQueueTracer
-  , private CellQueueTracer::CornerCells
+  , private PacketTracer::Cells
 {
 public:
   using RayProjector = Projector<T, Layout, Kind>;
@@ -39,7 +39,7 @@ public:
     , Rays(rays)
     , Masks(masks)
     , Reader(bricks)
-    , Corners(this->Reader)
+    , CornersInRows(this->Reader)
     , TheProjector(projector)
   {
   }
@@ -68,7 +68,7 @@ public:
       }
     }
     this->FindLeast();
-    this->TraceQueued(others, *this);
+    this->TraceQueued(others, *this, this->CornersInRows);
     for (int i = 0; i < this->Rays.Count; ++i)
     {
       if (this->GetProjection(i).Exists())
@@ -103,26 +103,17 @@ private:
     return own;
   }
 
-  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
-
-  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
-
-  void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
-  {
-    this->Corners.Copy(cells, axis, passages);
-  }
-
   // The tracer.
   void TakeQueue(const Frustum& frustum) override
   {
     const bool areCopied = !this->AllInRows;
     if (areCopied)
     {
-      this->CopyCorners(this->Queue, frustum.Axis, this->Passed);
+      this->CornersInRows.Copy(this->Queue, frustum.Axis, this->Passed);
     }
     float bounds[PassedCells::Capacity];
-    this->TheKernels.BoundCells[Rows::GetType(areCopied)](this->Queue, frustum.Axis,
-      this->Corners.GetStrides(areCopied), !RayProjector::IsLargest, this->Passed, bounds);
+    this->TheKernels.BoundCells[this->CornersInRows.GetType(areCopied)](this->Queue, frustum.Axis,
+      this->CornersInRows.GetStrides(areCopied), !RayProjector::IsLargest, this->Passed, bounds);
     for (int i = 0; i < this->Queue.Count; ++i)
     {
       const unsigned int code = this->Queue.Codes[i];
@@ -171,7 +162,7 @@ private:
   const RayPacket& Rays;
   CellMasks<T>& Masks;
   typename Layout::Reader Reader;
-  Rows Corners;
+  Rows CornersInRows;
   RayProjector& TheProjector;
   std::array<Projection, RayPacket::Capacity> Projections;
   /// Not above the values that rays have found; infinite for rays that are not followed.

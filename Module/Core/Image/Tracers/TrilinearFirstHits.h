@@ -8,9 +8,6 @@
 #include "Image/Tracers/TrilinearCells.h"
 #include "Image/Traversal/FirstHitTracer.h"
 
-#include <array>
-#include <cstddef>
-
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -36,27 +33,14 @@ public:
     return this->Cells.GetMask(block, own);
   }
 
-  const void* FindCorner(const Index3& block) override { return this->Corners.FindCorner(block); }
-
-  std::array<std::ptrdiff_t, 3> GetCornerSteps() const override { return this->Corners.GetSteps(); }
-
-  void CopyCorners(PassedCells& cells, int axis, const Passages& passages) override
-  {
-    this->Corners.Copy(cells, axis, passages);
-  }
+  CellQueueTracer::CornerSource& GetCorners() override { return this->Corners; }
 
   void ClassifyCells(const PassedCells& cells, int axis, bool areCopied, Passages& passages,
     Candidates& candidates, RaySet hits[2]) override
   {
-    this->Selection.PacketKernels->ClassifyCells[Rows::GetType(areCopied)](cells, axis,
+    this->Selection.PacketKernels->ClassifyCells[this->Corners.GetType(areCopied)](cells, axis,
       this->Corners.GetStrides(areCopied), this->Selection.Isovalues[0], passages, candidates,
       hits);
-  }
-
-  void LoadCorners(bool areCopied, Candidates& candidates) override
-  {
-    this->Selection.PacketKernels->LoadCorners[Rows::GetType(areCopied)](
-      this->Corners.GetStrides(areCopied), candidates);
   }
 
   void Solve(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
@@ -95,12 +79,10 @@ public:
   }
 
 private:
-  using Rows = CornerRows<Layout>;
-
   const ImageSelection& Selection;
   const RayPacket& Rays;
   TrilinearCells<T, Layout> Cells;
-  Rows Corners;
+  CornerRows<Layout> Corners;
   /// Kept for its memory.
   RootSet Roots;
 };

@@ -9,10 +9,10 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-void CellQueueTracer::TraceQueued(const RayPacket& packet, CornerCells& cells)
+void CellQueueTracer::TraceQueued(const RayPacket& packet, Cells& cells, CornerSource& corners)
 {
-  this->Corners = &cells;
-  this->CornerSteps = cells.GetCornerSteps();
+  this->Corners = &corners;
+  this->CornerSteps = corners.GetSteps();
   this->Queue.Count = 0;
   this->Trace(packet, cells);
 }

@@ -17,24 +17,31 @@ namespace vtkIsosurfaceRayTracing
 class CellQueueTracer : public PacketTracer
 {
 public:
-  /// Cells whose corners are read.
-  class CornerCells : public Cells
+  /// What the corners of cells are read from.
+  class CornerSource
   {
   public:
+    virtual ~CornerSource() = default;
     /// The address of the first corner of the first cell of a block; null unless all its corners
     /// are kept in rows.
     virtual const void* FindCorner(const Index3& block) = 0;
     /// The strides from there to the next corner along each axis, in bytes.
-    virtual std::array<std::ptrdiff_t, 3> GetCornerSteps() const = 0;
+    virtual std::array<std::ptrdiff_t, 3> GetSteps() const = 0;
     /// Copies the corners of cells, wherever they are kept; valid until the next copy.
-    virtual void CopyCorners(PassedCells& cells, int axis, const Passages& passages) = 0;
+    virtual void Copy(PassedCells& cells, int axis, const Passages& passages) = 0;
+    ///@{
+    /// The number of the ScalarType and the strides of the corners in rows, or of copies, as
+    /// kernels take them.
+    virtual std::size_t GetType(bool areCopied) const = 0;
+    virtual const std::ptrdiff_t* GetStrides(bool areCopied) const = 0;
+    ///@}
   };
 
 protected:
   using PacketTracer::PacketTracer;
 
   /// Takes all rays of a packet that exist to their ends.
-  void TraceQueued(const RayPacket& packet, CornerCells& cells);
+  void TraceQueued(const RayPacket& packet, Cells& cells, CornerSource& corners);
 
   /// Takes the queued cells, which are left to it afterwards. The lanes of a vector behind the last
   /// repeat the first.
@@ -46,6 +53,7 @@ protected:
 
   void AddBlock(const Frustum& frustum, const Index3& block) override;
 
+  CornerSource* Corners = nullptr;
   PassedCells Queue;
   /// Whether the corners of all passages are kept in rows.
   bool AllInRows = true;
@@ -57,7 +65,6 @@ private:
   void AddCellsOfSlice(int axis, int passage, int slice);
   void EndQueue(const Frustum& frustum);
 
-  CornerCells* Corners = nullptr;
   std::array<std::ptrdiff_t, 3> CornerSteps = {};
   /// From the first corner of a slice of cells to that of each of its cells.
   std::array<std::ptrdiff_t, 64> StepsInSlice = {};

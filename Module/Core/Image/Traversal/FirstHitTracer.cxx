@@ -58,7 +58,7 @@ void FirstHitTracer::TraceSurface(
   this->SurelyHit[1] = {};
   this->Stopped = {};
   this->Hits.Found = {};
-  this->TraceQueued(packet, cells);
+  this->TraceQueued(packet, cells, cells.GetCorners());
   this->SolveCandidates();
 }
 
@@ -146,7 +146,7 @@ void FirstHitTracer::TakeQueue(const Frustum& frustum)
   {
     // Waiting candidates are read from rows, new ones from copies.
     this->SolveCandidates();
-    this->Source->CopyCorners(this->Queue, frustum.Axis, this->Passed);
+    this->Corners->Copy(this->Queue, frustum.Axis, this->Passed);
     this->AreCopied = true;
   }
   this->Source->ClassifyCells(
@@ -182,7 +182,8 @@ void FirstHitTracer::SolveCandidates()
       coordinates[i] = coordinates[0];
     }
   }
-  this->Source->LoadCorners(this->AreCopied, this->Waiting);
+  this->TheKernels.LoadCorners[this->Corners->GetType(this->AreCopied)](
+    this->Corners->GetStrides(this->AreCopied), this->Waiting);
   this->Source->Solve(*this->Packet, this->Waiting, this->Planes, this->Isovalue, this->Solved);
   if (this->Departures)
   {

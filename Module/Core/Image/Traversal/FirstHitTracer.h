@@ -33,13 +33,13 @@ class FirstHitTracer final : public CellQueueTracer
 {
 public:
   /// Cells in which the first hits with one surface are found.
-  class FirstHitCells : public CornerCells
+  class FirstHitCells : public Cells
   {
   public:
-    /// Calls the kernels for corners that are kept in rows, or were copied.
+    virtual CornerSource& GetCorners() = 0;
+    /// Finds the candidates among cells, whose corners are kept in rows or were copied.
     virtual void ClassifyCells(const PassedCells& cells, int axis, bool areCopied,
       Passages& passages, Candidates& candidates, RaySet hits[2]) = 0;
-    virtual void LoadCorners(bool areCopied, Candidates& candidates) = 0;
     /// Finds the first hit in each candidate; a ray of the packet that has one needs no cells of
     /// later slices.
     virtual void Solve(const RayPacket& packet, const Candidates& candidates,
