@@ -172,6 +172,22 @@ private:
   vtkNew<vtkFloatArray> Depths;
 };
 
+/// Calls visit(to, from) with the number of each pixel that was rendered, in a picture of a width
+/// and in that of the scene.
+template <typename Visit>
+void ForEachPixel(const vtkIsosurfaceRayTracePicture& picture, int width, const Visit& visit)
+{
+  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
+  std::size_t from = 0;
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    for (int x = 0; x < pixels.Width; ++x)
+    {
+      visit(pixels.X + x + static_cast<vtkIdType>(pixels.Y + y) * width, from++);
+    }
+  }
+}
+
 }
 
 namespace vtkIsosurfaceRayTraceOutput
@@ -202,20 +218,15 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   output->Initialize();
   output->SetDimensions(width, height, 1);
   PixelArrays arrays(output->GetNumberOfPoints(), isProjection, output);
-  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
-  for (int y = 0; y < pixels.Height; ++y)
-  {
-    for (int x = 0; x < pixels.Width; ++x)
+  ForEachPixel(picture, width,
+    [&](vtkIdType to, std::size_t from)
     {
-      const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
-      const auto to = static_cast<vtkIdType>(
-        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
       // A cloud, or the mean of several frames, has a colour where the first frame has no hit.
       arrays.SetColor(to, &picture.Frame.Colors[4 * from]);
       const vtkirt::Hit& hit = picture.Frame.Hits[from];
       if (hit.Surface == vtkirt::Hit::NoSurface)
       {
-        continue;
+        return;
       }
       const Description description = traced.Describe(hit);
       // A projection hides nothing in a window, and so has no depth there; but each value has a
@@ -231,8 +242,7 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
       {
         arrays.SetIsovalueId(to, request.GetVolume(hit).FindIsovalue(description.Value));
       }
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -247,18 +257,12 @@ void WriteColors(
   AddArray(depths, "Depth", 1, output->GetNumberOfPoints(), output);
   colors->Fill(0.0);
   depths->Fill(1.0);
-  const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
-  for (int y = 0; y < pixels.Height; ++y)
-  {
-    for (int x = 0; x < pixels.Width; ++x)
+  ForEachPixel(picture, width,
+    [&](vtkIdType to, std::size_t from)
     {
-      const std::size_t from = vtkirt::Offset({ x, y, 0 }, { pixels.Width, pixels.Height, 1 });
-      const auto to = static_cast<vtkIdType>(
-        vtkirt::Offset({ pixels.X + x, pixels.Y + y, 0 }, { width, height, 1 }));
       colors->SetTypedTuple(to, &picture.Frame.Colors[4 * from]);
       depths->SetValue(to, std::min(picture.Frame.Depths[from], 1.0F));
-    }
-  }
+    });
   output->GetPointData()->SetActiveScalars("Colors");
 }
 
