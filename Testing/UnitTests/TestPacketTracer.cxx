@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -549,10 +550,13 @@ TestVolume<T> Plateaus(RandomNumbers& random, const Index3& size)
   return volume;
 }
 
+/// Checks requests of images with plateaus, some of them between uneven planes, with hidden cells
+/// or cropped.
 template <typename T>
-void CheckProjections(RandomNumbers& random, PacketChecks& checks)
+void CheckPlateaus(RandomNumbers& random, int rounds, PacketChecks& checks, int repeats,
+  const std::function<std::vector<TestRequest>(int round)>& makeRequests)
 {
-  for (int round = 0; round < 12; ++round)
+  for (int round = 0; round < rounds; ++round)
   {
     const Index3 size = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
     const UnevenPlanes planes = RandomPlanes(random, size, { 2.0, true });
@@ -561,19 +565,30 @@ void CheckProjections(RandomNumbers& random, PacketChecks& checks)
     std::generate(hidden.begin(), hidden.end(),
       [&random] { return static_cast<unsigned char>(random.Integer(0, 5) == 0); });
     const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
-    for (const Extremum kind : { Extremum::Largest, Extremum::Smallest })
+    for (TestRequest& request : makeRequests(round))
     {
-      TestRequest request;
-      request.Projection = kind;
       request.Planes = round % 3 == 0 ? &planes : nullptr;
       request.Visible.HiddenCells = round % 4 == 1 ? hidden.data() : nullptr;
       if (round % 4 == 2)
       {
         request.Visible.Regions = RandomRegions(random, size, request.Planes);
       }
-      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 2));
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, repeats));
     }
   }
+}
+
+template <typename T>
+void CheckProjections(RandomNumbers& random, PacketChecks& checks)
+{
+  CheckPlateaus<T>(random, 12, checks, 2,
+    [](int /*round*/)
+    {
+      std::vector<TestRequest> requests(2);
+      requests[0].Projection = Extremum::Largest;
+      requests[1].Projection = Extremum::Smallest;
+      return requests;
+    });
 }
 
 TEST_P(PacketTracing, FindTheExtremaThatSingleRaysFind)
@@ -591,25 +606,13 @@ TEST_P(PacketTracing, FindTheExtremaThatSingleRaysFind)
 template <typename T>
 void CheckBoxes(RandomNumbers& random, PacketChecks& checks)
 {
-  for (int round = 0; round < 16; ++round)
-  {
-    const Index3 size = { random.Integer(2, 40), random.Integer(2, 40), random.Integer(2, 40) };
-    const UnevenPlanes planes = RandomPlanes(random, size, { 2.0, true });
-    const TestVolume<T> volume = Plateaus<T>(random, size);
-    std::vector<unsigned char> hidden(Count(size));
-    std::generate(hidden.begin(), hidden.end(),
-      [&random] { return static_cast<unsigned char>(random.Integer(0, 5) == 0); });
-    const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
-    TestRequest request = OpaqueSurface(round % 5 == 0 ? 49.5 : 50.0);
-    request.Interpolation = Interpolant::Nearest;
-    request.Planes = round % 3 == 0 ? &planes : nullptr;
-    request.Visible.HiddenCells = round % 4 == 1 ? hidden.data() : nullptr;
-    if (round % 4 == 2)
+  CheckPlateaus<T>(random, 16, checks, 4,
+    [](int round)
     {
-      request.Visible.Regions = RandomRegions(random, size, request.Planes);
-    }
-    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 4));
-  }
+      TestRequest request = OpaqueSurface(round % 5 == 0 ? 49.5 : 50.0);
+      request.Interpolation = Interpolant::Nearest;
+      return std::vector<TestRequest>{ request };
+    });
 }
 
 TEST_P(PacketTracing, HitWhatSingleRaysHitOfBoxes)
