@@ -437,11 +437,6 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
   const int hasData = HasData(mapper) ? 1 : 0;
   int withData = 0;
   controller->AllReduce(&hasData, &withData, 1, vtkCommunicator::SUM_OP);
-  const auto renderAlone = [&]
-  {
-    return !hasData ||
-      mapper->RenderToImage(view.Volume, view.Camera, view.Lights, view.Width, view.Height, own);
-  };
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
   if (withData > 1)
   {
@@ -468,7 +463,8 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
     return isRendered;
   }
 #endif
-  return renderAlone();
+  return !hasData ||
+    mapper->RenderToImage(view.Volume, view.Camera, view.Lights, view.Width, view.Height, own);
 }
 
 //------------------------------------------------------------------------------

@@ -192,10 +192,15 @@ int MeshCloud::KeepShown(int count)
     const auto& corners = this->Corners[this->Loaded + i];
     const double low = std::min({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
     const double high = std::max({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
-    if (this->IsShown(low, high))
+    if (!this->IsShown(low, high))
     {
-      std::copy_n(&corners[0][0], 16, &this->Corners[this->Loaded + kept++][0][0]);
+      continue;
     }
+    if (kept < i)
+    {
+      std::copy_n(&corners[0][0], 16, &this->Corners[this->Loaded + kept][0][0]);
+    }
+    ++kept;
   }
   return kept;
 }

@@ -633,7 +633,6 @@ void SharedRenderer::Communicate(bool sendsAll)
       message.clear();
       message.swap(outgoing);
     }
-    ++this->Counts.Messages;
     this->Counts.Bytes += static_cast<std::int64_t>(message.size());
     this->Exchange.Send(process, message);
   }

@@ -34,7 +34,6 @@ struct SharingCounts
   /// Those of its own tiles, and how many of them were there at once, at most.
   std::int64_t SegmentsDrawn = 0;
   std::int64_t MostStored = 0;
-  std::int64_t Messages = 0;
   std::int64_t Bytes = 0;
 };
 
