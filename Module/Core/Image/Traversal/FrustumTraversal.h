@@ -133,7 +133,14 @@ private:
   bool EnterSlice(std::size_t level, int slice, const Members& blocks, const Visit& visit) const
   {
     Members members;
-    this->FindMembers(level, slice, blocks, members);
+    if (this->Planes)
+    {
+      this->FindMembers<true>(level, slice, blocks, members);
+    }
+    else
+    {
+      this->FindMembers<false>(level, slice, blocks, members);
+    }
     if (members.GetCount() == 0)
     {
       return false;
@@ -152,20 +159,23 @@ private:
     return member;
   }
 
+  template <bool AreUneven>
   double GetPlane(int axis, int plane) const
   {
-    return this->Planes ? this->Planes->Get(static_cast<std::size_t>(axis), plane) : plane;
+    return AreUneven ? this->Planes->Get(static_cast<std::size_t>(axis), plane) : plane;
   }
 
   /// The member of a level that has a coordinate, which is in the volume.
+  template <bool AreUneven>
   int FindMember(int axis, double coordinate, std::size_t level) const
   {
     static_assert(BlockMask::Edge == 1 << 3);
-    return this->Planes ? this->Planes->FindBlock(static_cast<std::size_t>(axis), coordinate,
-                            3 * (static_cast<int>(level) + 1))
-                        : static_cast<int>(coordinate / this->Tree.GetLevels()[level].MemberEdge);
+    return AreUneven ? this->Planes->FindBlock(static_cast<std::size_t>(axis), coordinate,
+                         3 * (static_cast<int>(level) + 1))
+                     : static_cast<int>(coordinate / this->Tree.GetLevels()[level].MemberEdge);
   }
 
+  template <bool AreUneven>
   void FindMembers(
     std::size_t levelNumber, int slice, const Members& blocks, Members& members) const
   {
@@ -173,9 +183,10 @@ private:
     const Frustum& frustum = this->TheFrustum;
     const int axis = frustum.Axis;
     const int edge = level.MemberEdge;
-    const double begin = std::max(this->GetPlane(axis, slice * edge), frustum.Low) - frustum.Low;
+    const double begin =
+      std::max(this->GetPlane<AreUneven>(axis, slice * edge), frustum.Low) - frustum.Low;
     const double end =
-      std::min(this->GetPlane(axis, (slice + 1) * edge), frustum.High) - frustum.Low;
+      std::min(this->GetPlane<AreUneven>(axis, (slice + 1) * edge), frustum.High) - frustum.Low;
     if (begin > end)
     {
       return;
@@ -194,8 +205,9 @@ private:
       {
         return;
       }
-      first[j] = this->FindMember(across, std::max(least, 0.0), levelNumber);
-      last[j] = this->FindMember(across, std::min(most, (count - 0.5) * edge), levelNumber);
+      first[j] = this->FindMember<AreUneven>(across, std::max(least, 0.0), levelNumber);
+      last[j] =
+        this->FindMember<AreUneven>(across, std::min(most, (count - 0.5) * edge), levelNumber);
     }
     const int u = BlockMask::U[axis];
     const int v = BlockMask::V[axis];
