@@ -26,7 +26,8 @@ public:
   /// The alignment must divide the size of a slot.
   BlockCache(std::size_t blocks, std::size_t slotSize)
     : SlotSize(slotSize)
-    , SlotsPerChunk(std::max<std::size_t>(ChunkSize / slotSize, 1))
+    , SlotsPerChunk(
+        std::clamp<std::size_t>(ChunkSize / slotSize, 1, std::max<std::size_t>(blocks, 1)))
     , States(blocks)
     , Chunks((blocks + this->SlotsPerChunk - 1) / this->SlotsPerChunk)
   {
