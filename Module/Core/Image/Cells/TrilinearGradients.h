@@ -68,46 +68,59 @@ public:
     return DivideByWidths(InterpolantGradient(values, hit.Parametric), planes, cell);
   }
 
-  /// Whether all corners of a cell have neighbours on both sides.
-  bool IsInner(const Index3& cell) const
-  {
-    const Index3& dimensions = this->TheSamples.GetDimensions();
-    return cell[0] > 0 && cell[1] > 0 && cell[2] > 0 && cell[0] < dimensions[0] - 2 &&
-      cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
-  }
-
-  /// Interpolates central differences with a kernel, where there are inner cells. Returns the hits
-  /// whose gradients must be found in other ways.
+  /// Interpolates central differences with a kernel. Returns the hits whose gradients must be found
+  /// in other ways.
   RaySet InterpolateDifferences(const Hit* hits, const Index3* cellsOfHits, int count,
     const Kernels& kernels, const UnevenPlanes* planes,
     double (*gradients)[RayPacket::Capacity]) const
   {
-    RaySet others = {};
     InnerCells cells;
-    cells.Count = count;
     cells.AreUneven = planes != nullptr;
+    cells.Count = 0;
+    RaySet others = {};
+    int inner[RayPacket::Capacity];
+    int atBorder[RayPacket::Capacity];
+    int borderCount = 0;
     for (int i = 0; i < count; ++i)
     {
-      const Hit& hit = hits[i];
-      const bool isInner = this->IsInner(cellsOfHits[i]);
-      const Index3 cell = isInner ? cellsOfHits[i] : Index3{ 1, 1, 1 };
-      cells.First[i] = this->TheSamples.At(cell);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        cells.Parametric[axis][i] = hit.Parametric[axis];
-        if (planes)
-        {
-          cells.Weights[axis][i] = &planes->GetSlopeWeights(axis, cell[axis]).Below;
-        }
-      }
-      const bool isFlat = planes && planes->IsFlat(cell);
-      if (!isInner || isFlat || hit.Plane != Hit::NoPlane)
+      if (hits[i].Plane != Hit::NoPlane || (planes && planes->IsFlat(cellsOfHits[i])))
       {
         Add(i, others);
       }
+      else if (this->IsInner(cellsOfHits[i]))
+      {
+        inner[cells.Count] = i;
+        AddCell(this->TheSamples.At(cellsOfHits[i]), hits[i], cellsOfHits[i], planes, cells);
+      }
+      else
+      {
+        atBorder[borderCount++] = i;
+      }
     }
-    const auto type = static_cast<std::size_t>(ScalarTypeOf<T>());
-    kernels.InterpolateDifferences[type](cells, this->TheSamples.GetStrides(), gradients);
+    alignas(64) double found[3][RayPacket::Capacity];
+    if (cells.Count == count)
+    {
+      Call<T>(kernels, cells, this->TheSamples.GetStrides(), gradients);
+    }
+    else if (cells.Count > 0)
+    {
+      Call<T>(kernels, cells, this->TheSamples.GetStrides(), found);
+      Scatter(found, inner, cells.Count, gradients);
+    }
+    for (int first = 0; first < borderCount; first += Batch)
+    {
+      Neighbourhood copies[Batch];
+      cells.Count = 0;
+      for (const int* i = atBorder + first; i < atBorder + std::min(first + Batch, borderCount);
+           ++i)
+      {
+        Neighbourhood& copy = copies[cells.Count];
+        this->Copy(cellsOfHits[*i], copy);
+        AddCell(copy + FirstCorner, hits[*i], cellsOfHits[*i], planes, cells);
+      }
+      Call<double>(kernels, cells, Steps, found);
+      Scatter(found, atBorder + first, cells.Count, gradients);
+    }
     const bool mayBeInfinite = std::is_floating_point_v<T> || planes;
     for (int i = 0; mayBeInfinite && i < count; ++i)
     {
@@ -120,66 +133,153 @@ public:
   }
 
 private:
+  /// The corners of a cell and their neighbours, x fastest: those that central differences at the
+  /// corners need; the others have no defined values.
+  using Neighbourhood = double[64];
+  static constexpr std::ptrdiff_t Steps[3] = { 1, 4, 16 };
+  static constexpr int FirstCorner = 21;
+  /// Cells whose samples are copied at once.
+  static constexpr int Batch = 16;
+
   static bool IsFinite(const Vector3& gradient)
   {
     return std::isfinite(gradient[0]) && std::isfinite(gradient[1]) && std::isfinite(gradient[2]);
   }
 
-  /// Central differences at the corners of a cell, interpolated. At the border of the image they
-  /// are one-sided.
-  Vector3 InterpolateDifferences(
-    const Index3& cell, const Vector3& parametric, const UnevenPlanes* planes) const
+  /// Whether all corners of a cell have neighbours on both sides.
+  bool IsInner(const Index3& cell) const
   {
-    // The steps from the first corner to the sample before it, to the two corners, and to the
-    // sample behind, if there are such.
+    const Index3& dimensions = this->TheSamples.GetDimensions();
+    return cell[0] > 0 && cell[1] > 0 && cell[2] > 0 && cell[0] < dimensions[0] - 2 &&
+      cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
+  }
+
+  static void AddCell(const void* corner, const Hit& hit, const Index3& cell,
+    const UnevenPlanes* planes, InnerCells& cells)
+  {
+    const int i = cells.Count++;
+    cells.First[i] = corner;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      cells.Parametric[axis][i] = hit.Parametric[axis];
+      if (planes)
+      {
+        cells.Weights[axis][i] = &planes->GetSlopeWeights(axis, cell[axis]).Below;
+      }
+    }
+  }
+
+  template <typename Sample>
+  static void Call(const Kernels& kernels, const InnerCells& cells, const std::ptrdiff_t* strides,
+    double (*gradients)[RayPacket::Capacity])
+  {
+    kernels.InterpolateDifferences[static_cast<std::size_t>(ScalarTypeOf<Sample>())](
+      cells, strides, gradients);
+  }
+
+  static void Scatter(const double (*found)[RayPacket::Capacity], const int* places, int count,
+    double (*gradients)[RayPacket::Capacity])
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < count; ++i)
+      {
+        gradients[axis][places[i]] = found[axis][i];
+      }
+    }
+  }
+
+  /// Copies the samples around a cell. Behind the border of the image they are continued linearly,
+  /// so that central differences there are one-sided.
+  void Copy(const Index3& cell, Neighbourhood& copy) const
+  {
+    // From the first corner to the sample before it, to the two corners, and to the one behind.
     std::ptrdiff_t steps[3][4];
+    bool hasBefore[3];
+    bool hasBehind[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::ptrdiff_t stride = this->TheSamples.GetStrides()[axis];
-      const bool hasPrevious = cell[axis] > 0;
-      const bool hasNext = cell[axis] + 2 < this->TheSamples.GetDimensions()[axis];
-      steps[axis][0] = hasPrevious ? -stride : 0;
+      hasBefore[axis] = cell[axis] > 0;
+      hasBehind[axis] = cell[axis] + 2 < this->TheSamples.GetDimensions()[axis];
+      steps[axis][0] = hasBefore[axis] ? -stride : 0;
       steps[axis][1] = 0;
       steps[axis][2] = stride;
-      steps[axis][3] = hasNext ? 2 * stride : stride;
+      steps[axis][3] = hasBehind[axis] ? 2 * stride : stride;
     }
     const T* first = this->TheSamples.At(cell);
+    for (int z = 0; z < 4; ++z)
+    {
+      for (int y = 0; y < 4; ++y)
+      {
+        const T* row = first + steps[1][y] + steps[2][z];
+        for (int x = 0; x < 4; ++x)
+        {
+          copy[x + 4 * y + 16 * z] = static_cast<double>(row[steps[0][x]]);
+        }
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (!hasBefore[axis])
+      {
+        Continue(axis, 1, -Steps[axis], copy);
+      }
+      if (!hasBehind[axis])
+      {
+        Continue(axis, 2, Steps[axis], copy);
+      }
+    }
+  }
+
+  /// Continues samples behind the corners of a cell on one side along an axis.
+  static void Continue(
+    std::size_t axis, std::ptrdiff_t side, std::ptrdiff_t step, Neighbourhood& copy)
+  {
+    const std::ptrdiff_t u = Steps[(axis + 1) % 3];
+    const std::ptrdiff_t v = Steps[(axis + 2) % 3];
+    for (const std::ptrdiff_t across : { u + v, 2 * u + v, u + 2 * v, 2 * u + 2 * v })
+    {
+      double* corner = copy + side * Steps[axis] + across;
+      corner[step] = corner[0] - (corner[-step] - corner[0]);
+    }
+  }
+
+  /// Central differences at the corners of a cell, interpolated.
+  Vector3 InterpolateDifferences(
+    const Index3& cell, const Vector3& parametric, const UnevenPlanes* planes) const
+  {
+    Neighbourhood copy;
+    this->Copy(cell, copy);
     Vector3 gradient;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       CellCorners differences;
-      for (std::size_t corner = 0; corner < 8; ++corner)
+      for (int corner = 0; corner < 8; ++corner)
       {
-        const T* sample = first;
-        for (const std::size_t other : { (axis + 1) % 3, (axis + 2) % 3 })
-        {
-          sample += steps[other][1 + (corner >> other & 1)];
-        }
-        differences[corner] =
-          this->GetDifference(sample, cell, axis, corner >> axis & 1, steps[axis], planes);
+        const double* sample =
+          copy + FirstCorner + (corner & 1) + 4 * (corner >> 1 & 1) + 16 * (corner >> 2);
+        differences[static_cast<std::size_t>(corner)] =
+          GetSlope(sample, axis, cell[axis] + (corner >> axis & 1), planes);
       }
       gradient[axis] = Interpolate(differences, parametric);
     }
     return gradient;
   }
 
-  /// The slope at one of two corners along an axis, of which the sample is the first: the central
-  /// difference, or its equivalent for uneven spacing.
-  static double GetDifference(const T* sample, const Index3& cell, std::size_t axis,
-    std::size_t corner, const std::ptrdiff_t steps[4], const UnevenPlanes* planes)
+  /// The slope at a sample along an axis: the central difference, or its equivalent for uneven
+  /// spacing.
+  static double GetSlope(
+    const double* sample, std::size_t axis, int plane, const UnevenPlanes* planes)
   {
-    const auto low = static_cast<double>(sample[steps[corner]]);
-    const auto high = static_cast<double>(sample[steps[corner + 2]]);
-    if (planes)
+    const double below = sample[-Steps[axis]];
+    const double above = sample[Steps[axis]];
+    if (!planes)
     {
-      const auto middle = static_cast<double>(sample[steps[corner + 1]]);
-      const UnevenPlanes::SlopeWeights& weights =
-        planes->GetSlopeWeights(axis, cell[axis] + static_cast<int>(corner));
-      return weights.Below * (middle - low) + weights.Above * (high - middle);
+      return (above - below) * 0.5;
     }
-    const bool isCentral =
-      steps[corner] != steps[corner + 1] && steps[corner + 1] != steps[corner + 2];
-    return (high - low) * (isCentral ? 0.5 : 1.0);
+    const UnevenPlanes::SlopeWeights& weights = planes->GetSlopeWeights(axis, plane);
+    return weights.Below * (sample[0] - below) + weights.Above * (above - sample[0]);
   }
 
   Samples<T> TheSamples;

@@ -40,10 +40,8 @@ public:
   void GetGradients(const Hit* hits, const Index3* cells, int count,
     double (*gradients)[RayPacket::Capacity]) const override
   {
-    // Where no cell is inner, no kernel is called.
     const Kernels* kernels = this->Selection.PacketKernels;
-    if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences ||
-      !this->Gradients.IsInner({ 1, 1, 1 }))
+    if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences)
     {
       SurfaceTracer::GetGradients(hits, cells, count, gradients);
       return;
