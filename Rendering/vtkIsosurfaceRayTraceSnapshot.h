@@ -40,7 +40,14 @@ private:
     unsigned int FlatIndex;
     vtkMTimeType Time;
   };
+  /// A block, and the objects that are asked for their times where it is asked for its own. They
+  /// may be gone.
+  struct Block : Node
+  {
+    const void* Parts[6];
+  };
 
+  static Block MakeBlock(vtkDataObject* data, unsigned int flatIndex);
   bool HasBlocksOf(vtkCompositeDataSet* data) const;
   bool AreBlocksUnmodified(int threads) const;
 
@@ -49,7 +56,7 @@ private:
   /// the tree that has it. What has another one comes before it, so that no one that is gone is
   /// asked for its time.
   std::vector<Node> Trees;
-  std::vector<Node> Blocks;
+  std::vector<Block> Blocks;
 };
 
 VTK_ABI_NAMESPACE_END
