@@ -267,6 +267,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
   const auto whole = std::make_shared<Hierarchy>();
   whole->OfCells = scalars.AreOfCells;
   whole->Settings = settings;
+  whole->Settings.Layout = vtkirt::BrickLayout::Unbricked; // The nodes are a copy already.
   whole->Cropping = cropping;
   const Levels levels(leaves);
   std::vector<vtkirt::AmrPatch> patches;
@@ -371,11 +372,8 @@ bool vtkIsosurfaceRayTraceAmrPart::Update(int threads)
     return false;
   }
   this->Nodes = this->Whole->Patches->MakeNodes(this->Number);
-  vtkirt::VolumeView view;
-  view.Samples = this->Nodes.Values.data();
-  view.Type = vtkirt::ScalarType::Float64;
-  view.Dimensions = this->Nodes.Dimensions;
-  this->Field = vtkirt::ImageField::New(view, this->Whole->Settings, threads);
+  this->Nodes.Shorten();
+  this->Field = vtkirt::ImageField::New(this->Nodes.GetSamples(), this->Whole->Settings, threads);
   return true;
 }
 
@@ -394,7 +392,7 @@ vtkirt::Visibility vtkIsosurfaceRayTraceAmrPart::FindVisible() const
 //------------------------------------------------------------------------------
 std::size_t vtkIsosurfaceRayTraceAmrPart::GetMemory() const
 {
-  return this->Nodes.Values.size() * sizeof(double) + this->Nodes.HiddenCells.size();
+  return this->Nodes.GetMemory();
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,11 @@ void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTra
 //------------------------------------------------------------------------------
 vtkirt::TracedField& vtkIsosurfaceRayTraceGridPart::GetField()
 {
+  if (this->IsBuiltOnDemand())
+  {
+    // So few samples lie close together as they are, and shading reads them again.
+    this->Settings.Layout = vtkirt::BrickLayout::Unbricked;
+  }
   this->Update(1);
   return *this->Source.GetField();
 }

@@ -469,8 +469,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the layout of the samples. It affects speed and memory, never the picture. Default:
-   * APRON_BRICKS.
+   * Set/Get the layout of the samples. It affects speed and memory, never the picture. Blocks that
+   * are traced by themselves, of up to 2^18 samples each, and AMR data are read without bricks:
+   * their samples lie close together as they are. Default: APRON_BRICKS.
    */
   vtkSetClampMacro(BrickLayout, int, NO_BRICKS, TWO_LEVEL_BRICKS);
   vtkGetMacro(BrickLayout, int);

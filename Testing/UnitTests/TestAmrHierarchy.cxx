@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -492,6 +493,35 @@ TEST(AmrHierarchy, OfPatchesThatOverlapTheFirstCounts)
   for (int x = 0; x < 5; ++x)
   {
     EXPECT_EQ(grids.IsHidden(1, { 3.5 + x, 2.5, 4.5 }), x < 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AmrNodes, AreKeptInSinglePrecisionWhereItHoldsThem)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> exact = { 0.1F, -3.0, 1e38F, infinity, -infinity, 0.0, 1e-40F,
+    std::numeric_limits<double>::quiet_NaN() };
+  for (const double other : { 0.5, 0.1, 1e39, 1e-60, 16777217.0 })
+  {
+    AmrNodes nodes;
+    nodes.Dimensions = { 3, 3, 1 };
+    nodes.Values = exact;
+    nodes.Values.push_back(other);
+    nodes.Shorten();
+    const VolumeView samples = nodes.GetSamples();
+    const bool isShort = samples.Type == ScalarType::Float32;
+    EXPECT_EQ(isShort, other == 0.5) << other;
+    EXPECT_EQ(samples.Dimensions, nodes.Dimensions);
+    EXPECT_EQ(nodes.GetMemory(), 9 * (isShort ? sizeof(float) : sizeof(double)));
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      const double value = isShort
+        ? static_cast<double>(static_cast<const float*>(samples.Samples)[i])
+        : static_cast<const double*>(samples.Samples)[i];
+      const double expected = i < exact.size() ? exact[i] : other;
+      EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << i;
+    }
   }
 }
 

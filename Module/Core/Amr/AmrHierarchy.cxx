@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -312,6 +313,41 @@ private:
   std::vector<Likely> Lately;
   std::vector<std::map<Index3, std::optional<double>>> Coarser;
 };
+
+//------------------------------------------------------------------------------
+void AmrNodes::Shorten()
+{
+  const bool areSame = std::all_of(this->Values.begin(), this->Values.end(),
+    [](double value)
+    {
+      constexpr double largest = std::numeric_limits<float>::max();
+      return !std::isfinite(value) ||
+        (std::abs(value) <= largest && static_cast<double>(static_cast<float>(value)) == value);
+    });
+  if (areSame)
+  {
+    this->Singles.assign(this->Values.begin(), this->Values.end());
+    this->Values = {};
+  }
+}
+
+//------------------------------------------------------------------------------
+VolumeView AmrNodes::GetSamples() const
+{
+  VolumeView view;
+  const bool areSingle = this->Values.empty();
+  view.Type = areSingle ? ScalarType::Float32 : ScalarType::Float64;
+  view.Samples = areSingle ? static_cast<const void*>(this->Singles.data()) : this->Values.data();
+  view.Dimensions = this->Dimensions;
+  return view;
+}
+
+//------------------------------------------------------------------------------
+std::size_t AmrNodes::GetMemory() const
+{
+  return this->Values.size() * sizeof(double) + this->Singles.size() * sizeof(float) +
+    this->HiddenCells.size();
+}
 
 //------------------------------------------------------------------------------
 AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)

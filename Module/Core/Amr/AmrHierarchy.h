@@ -37,9 +37,18 @@ struct AmrPatch
 struct AmrNodes
 {
   Index3 Dimensions;
+  /// In double precision, or in single.
   std::vector<double> Values;
+  std::vector<float> Singles;
   /// One for each cell between nodes, not zero where finer cells count, or none.
   std::vector<unsigned char> HiddenCells;
+
+  /// Keeps the values in single precision, if that changes none of them: those of samples often
+  /// are of a smaller type, means of them are not.
+  void Shorten();
+
+  VolumeView GetSamples() const;
+  std::size_t GetMemory() const;
 };
 
 /// The least and the largest of some values; the largest is less if there are none.
