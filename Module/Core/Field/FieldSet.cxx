@@ -8,10 +8,12 @@
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
 #include "Math/Matrix.h"
+#include "Math/PrefetchLines.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/LineFrustum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <typeindex>
@@ -78,15 +80,21 @@ double FindNear(const RayPacket& packet, const RaysInBox& inside)
   return near;
 }
 
-/// The greatest T that one of the rays of a packet ends at, on the rays as they were given.
-double FindEnd(const RayPacket& packet)
+/// The largest number of an array as large as a packet: in eight parts, which take no longer than
+/// one.
+double FindLargest(const double* numbers)
 {
-  double end = -Infinity;
-  for (int i = 0; i < packet.Count; ++i)
+  constexpr int parts = 8;
+  double largest[parts];
+  std::copy_n(numbers, parts, largest);
+  for (int i = parts; i < RayPacket::Capacity; i += parts)
   {
-    end = Has(packet.Exists, i) ? std::max(end, packet.Base[i] + packet.End[i]) : end;
+    for (int k = 0; k < parts; ++k)
+    {
+      largest[k] = largest[k] > numbers[i + k] ? largest[k] : numbers[i + k];
+    }
   }
-  return end;
+  return *std::max_element(largest, largest + parts);
 }
 
 /// A half-space in another space, from which a transformation leads to its own.
@@ -141,15 +149,10 @@ struct alignas(64) FieldSet::Member
   /// The number of half-spaces that cut the member alone: those of the request follow.
   int OwnHalfSpaces = 0;
 
-  /// A hit, with the number that its half-space has in the member, or in the set.
+  /// A hit, with the number that its half-space has in the member.
   Hit ToOwn(Hit hit) const
   {
     hit.Plane += hit.Plane == Hit::NoPlane ? 0 : this->OwnHalfSpaces;
-    return hit;
-  }
-  Hit ToSet(Hit hit) const
-  {
-    hit.Plane -= hit.Plane == Hit::NoPlane ? 0 : this->OwnHalfSpaces;
     return hit;
   }
 
@@ -195,7 +198,8 @@ struct FieldSet::PacketOfSet
 {
   RayPacket* Rays;
   RayHits* Hits;
-  /// The greatest T that one of the rays ends at.
+  /// The T that each ray ends at, on the ray as it was given, and the greatest of them.
+  alignas(64) double Ends[RayPacket::Capacity];
   double End;
   /// The hits of each ray with all members so far.
   std::vector<Hit> Found[RayPacket::Capacity];
@@ -204,11 +208,13 @@ struct FieldSet::PacketOfSet
   {
     this->Rays = &rays;
     this->Hits = &hits;
-    this->End = FindEnd(rays);
+    std::fill_n(this->Ends, RayPacket::Capacity, -Infinity);
     for (int i = 0; i < rays.Count; ++i)
     {
+      this->Ends[i] = Has(rays.Exists, i) ? rays.Base[i] + rays.End[i] : -Infinity;
       this->Found[i].clear();
     }
+    this->End = FindLargest(this->Ends);
   }
 };
 
@@ -300,6 +306,7 @@ FieldSet::FieldSet(const std::vector<PlacedField>& fields)
         return boxes;
       }())
   , Box(this->Tree.GetBounds())
+  , Reach(Slack * Length(this->Box.Upper - this->Box.Lower))
 {
   for (std::size_t i = 0; i < fields.size(); ++i)
   {
@@ -577,8 +584,10 @@ void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
 void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const
 {
   const PacketOfSet* const first = beam.Packets;
-  for (const Candidate& candidate : candidates)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
+    const Candidate& candidate = candidates[i];
+    this->PrefetchNext(candidates, i);
     const bool isBehindAll = std::all_of(first, first + beam.PacketCount,
       [&candidate](const PacketOfSet& packet) { return candidate.Near > packet.End; });
     if (isBehindAll)
@@ -590,6 +599,34 @@ void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam
   for (int i = 0; i < beam.PacketCount; ++i)
   {
     this->JoinHits(beam.Packets[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Asks for the memory of members that are traced soon, thousands of which are far apart: first for
+/// the member, then for its field, then for what the field knows of.
+void FieldSet::PrefetchNext(const std::vector<Candidate>& candidates, std::size_t current) const
+{
+  constexpr std::size_t sizeOfField = 704; // Of an ImageField, about.
+  const auto find = [&](std::size_t ahead) -> const Member*
+  {
+    const std::size_t i = current + ahead;
+    // The others hit nothing, or another thread may be making them.
+    const bool isTraced = i < candidates.size() && candidates[i].Packets != 0 &&
+      this->IsSelected(candidates[i].Number) && this->MayHitMember(candidates[i].Number);
+    return isTraced ? &this->Members[candidates[i].Number] : nullptr;
+  };
+  if (const Member* member = find(6))
+  {
+    PrefetchLines(member, sizeof(Member));
+  }
+  if (const Member* member = find(4))
+  {
+    PrefetchLines(member->Field, sizeOfField);
+  }
+  if (const Member* member = find(2))
+  {
+    member->Field->Prefetch();
   }
 }
 
@@ -667,9 +704,7 @@ void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find
     for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
     {
       const auto [packet, place] = find(i);
-      Hit hit = member.ToSet(found.Hits[k]);
-      hit.Member = static_cast<int>(number);
-      if (this->TakeHit(hit, place, beam.Packets[packet]))
+      if (this->TakeHit(found.Hits[k], number, place, beam.Packets[packet]))
       {
         shortened |= 1U << packet;
       }
@@ -678,17 +713,21 @@ void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find
   for (; shortened != 0; shortened &= shortened - 1)
   {
     PacketOfSet& packet = beam.Packets[__builtin_ctz(shortened)];
-    packet.End = FindEnd(*packet.Rays);
+    packet.End = FindLargest(packet.Ends);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Takes a hit of a ray, which ends there if it is opaque: returns whether it is.
-bool FieldSet::TakeHit(Hit hit, int ray, PacketOfSet& packet) const
+/// Takes a hit of a ray with a member, where the ray ends if it is opaque: returns whether it is.
+bool FieldSet::TakeHit(
+  const Hit& hitOfMember, std::size_t number, int ray, PacketOfSet& packet) const
 {
   RayPacket& rays = *packet.Rays;
+  Hit& hit = packet.Found[ray].emplace_back(hitOfMember);
+  hit.Member = static_cast<int>(number);
   if (hit.Plane != Hit::NoPlane)
   {
+    hit.Plane -= this->Members[number].OwnHalfSpaces;
     // The same for all members with a cap there, whatever their arithmetic.
     hit.T = FindCrossing(this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)],
       rays.GetOrigin(ray), rays.GetDirection(ray))
@@ -697,13 +736,14 @@ bool FieldSet::TakeHit(Hit hit, int ray, PacketOfSet& packet) const
   const bool isOpaque = !this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0;
   if (isOpaque)
   {
-    // Another member may have a cap right there.
-    const double beyond =
-      Slack * Length(this->Box.Upper - this->Box.Lower) / Length(rays.GetDirection(ray));
+    // Another member may have a hit or a cap right there.
+    const Vector3 direction = rays.GetDirection(ray);
+    const double beyond = this->Reach /
+      std::max(std::max(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
     rays.End[ray] = std::min(rays.End[ray], hit.T + beyond);
+    packet.Ends[ray] = rays.Base[ray] + rays.End[ray];
   }
   hit.T += rays.Base[ray];
-  packet.Found[ray].push_back(hit);
   return isOpaque;
 }
 

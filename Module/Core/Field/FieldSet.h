@@ -127,11 +127,12 @@ private:
 
   std::vector<Candidate> FindCandidates(const RayPacket& packet) const;
   void TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const;
+  void PrefetchNext(const std::vector<Candidate>& candidates, std::size_t current) const;
   void TraceMember(const Candidate& candidate, ThreadBeam& beam) const;
   void TraceGathered(std::size_t number, ThreadBeam& beam) const;
   template <typename Find>
   void TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const;
-  bool TakeHit(Hit hit, int ray, PacketOfSet& packet) const;
+  bool TakeHit(const Hit& hitOfMember, std::size_t number, int ray, PacketOfSet& packet) const;
   void JoinHits(PacketOfSet& packet) const;
   void DropTwins(const Vector3& direction, std::vector<Hit>& found) const;
 
@@ -144,6 +145,8 @@ private:
   std::vector<std::size_t> Eager;
   BoundsTree Tree;
   Bounds Box;
+  /// How far, in the object space of the set, rays go on behind an opaque hit.
+  double Reach;
   TraceRequest Request;
   const Kernels* PacketKernels = nullptr;
   MemoryBudget Budget;

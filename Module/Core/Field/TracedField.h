@@ -126,6 +126,9 @@ public:
   virtual void Trace(RayPacket& packet, RayHits& hits, Beam* beam) = 0;
   void Trace(RayPacket& packet, RayHits& hits) { this->Trace(packet, hits, nullptr); }
 
+  /// Asks for the memory that Trace reads first.
+  virtual void Prefetch() const {}
+
   /// The number of neighbouring packets that are best traced together, up to 8.
   virtual int GetPacketsAtOnce() const { return 1; }
 

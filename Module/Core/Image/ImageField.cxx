@@ -7,6 +7,7 @@
 #include "Image/ImageStructures.h"
 #include "Image/Tracers/ImageTracer.h"
 #include "Image/Traversal/PacketTracer.h"
+#include "Math/PrefetchLines.h"
 #include "Math/TrilinearCell.h"
 
 #include <algorithm>
@@ -175,6 +176,15 @@ bool ImageField::MayHitBetween(RayPacket& lines, Beam* /*beam*/) const
   const bool isInTree =
     this->Selection.Tree && kernels && !request.Projection && !request.Visible.HasCaps();
   return !isInTree || PacketTracer::MayMeet(*kernels, *this->Selection.Tree, lattice, lines);
+}
+
+//------------------------------------------------------------------------------
+void ImageField::Prefetch() const
+{
+  constexpr std::size_t sizeOfTracer = 128; // About.
+  PrefetchLines(this->Tracer.get(), sizeOfTracer);
+  this->Selection.Prefetch();
+  this->Structures->Prefetch();
 }
 
 //------------------------------------------------------------------------------

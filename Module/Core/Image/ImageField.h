@@ -47,6 +47,7 @@ public:
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
+  void Prefetch() const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
   void FindTransmittance(

@@ -39,6 +39,8 @@ public:
   /// Begins a frame, in which bricks and masks may take up to a number of bytes.
   virtual void BeginFrame(std::size_t maximumMemory) = 0;
 
+  /// Asks for the memory of the structures, but not for what they refer to.
+  virtual void Prefetch() const = 0;
   virtual FieldStatistics GetStatistics() const = 0;
 };
 

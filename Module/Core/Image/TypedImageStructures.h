@@ -14,6 +14,7 @@
 #include "Image/Tracers/ProjectionTracer.h"
 #include "Image/Tracers/TricubicTracer.h"
 #include "Image/Tracers/TrilinearTracer.h"
+#include "Math/PrefetchLines.h"
 
 #include <vector>
 
@@ -74,6 +75,8 @@ public:
     this->Masks.BeginFrame(forMasks);
     this->Bricks.BeginFrame(maximumMemory - forMasks);
   }
+
+  void Prefetch() const override { PrefetchLines(this, sizeof(*this)); }
 
   FieldStatistics GetStatistics() const override
   {

@@ -12,6 +12,7 @@
 #include "Image/Macrocells/CroppedBlocks.h"
 #include "Image/Traversal/PacketTracer.h"
 #include "Kernels/Kernels.h"
+#include "Math/PrefetchLines.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
@@ -114,6 +115,18 @@ struct ImageSelection
         trace(this->TakeRay(rays, i));
       }
       hits.EndRay();
+    }
+  }
+
+  /// Asks for what the selection refers to.
+  void Prefetch() const
+  {
+    __builtin_prefetch(this->Request.Surfaces.data());
+    __builtin_prefetch(this->Isovalues.data());
+    if (this->Tree)
+    {
+      const std::vector<BlockTree::Level>& levels = this->Tree->GetLevels();
+      PrefetchLines(levels.data(), sizeof(levels[0]));
     }
   }
 
