@@ -118,6 +118,10 @@ class TestPythonDocument(unittest.TestCase):
         for name in ("skull.png", "brain.png", "frame3.png", "head.png", "half.png", "turn5.png", "flow.png", "frame2.png"):
             self.assertTrue(Path(name).exists(), name)
 
+    def test_version(self):
+        (command,) = re.findall(r"`python3 -c \"(.*)\"`", (DOCUMENTATION / "faq.md").read_text(encoding="utf-8"))
+        self.assertRegex(self.run_snippet(command)[1], r"^\d+\.\d+\.\d+\n$")
+
     def test_pictures(self):
         write_data()
         import pictures  # of the examples
