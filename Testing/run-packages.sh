@@ -12,7 +12,7 @@ skip() {
   exit 0
 }
 
-Utilities/install-dependencies.sh doxygen dpkg-dev help2man lintian mmdebstrap python3-numpy
+Utilities/install-dependencies.sh doxygen dpkg-dev file help2man lintian mmdebstrap python3-numpy
 cmake --preset debian
 cmake --build --preset debian --parallel 2
 

@@ -12,7 +12,7 @@ if [[ ! -d ${config[0]} ]]; then
   echo "error: ParaView is not in build/paraview-root. Call ParaView/Testing/run.sh before." >&2
   exit 1
 fi
-Utilities/install-dependencies.sh dpkg-dev lintian mmdebstrap
+Utilities/install-dependencies.sh dpkg-dev file lintian mmdebstrap
 
 cmake -S ParaView -B build/debian-paraview -G Ninja -DParaView_DIR="$PWD/${config[0]}" \
   -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_RPATH="\$ORIGIN" -DvtkIsosurfaceRayTracing_DEBIAN_PACKAGES=ON
