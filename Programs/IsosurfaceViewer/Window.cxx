@@ -43,7 +43,7 @@ a                add or remove the second surface
 c                next colour of the active surface
 x                clip plane on or off: drag its edge, its arrow or its centre
 k                caps, which close what is clipped, on or off
-s  o  i          shadows, ambient occlusion, cubic interpolation on or off
+s, o, i          shadows, ambient occlusion, cubic interpolation on or off
 r                show the surfaces whole, from the same side
 w                write a picture, vtkIsosurfaceViewer-<number>.png
 h, ?             this help on or off

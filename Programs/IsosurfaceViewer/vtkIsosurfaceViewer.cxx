@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,6 +53,8 @@ Arguments ParseArguments(int argc, char* argv[])
   commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
   if (!commandLine.Parse())
   {
+    // Indented as the options, which is how help2man tells a list.
+    const std::string controls = std::regex_replace(Viewer::Controls, std::regex(".+"), "  $&");
     std::printf(
       "Shows isosurfaces in a window, ray traced. Usage:\n\n"
       "  vtkIsosurfaceViewer FILE...\n"
@@ -62,7 +65,7 @@ Arguments ParseArguments(int argc, char* argv[])
       "%s\nIn the window:\n\n%s\n"
       "When the window is closed, the times of frames while something moved are printed, and the\n"
       "exit code is 0; after an error it is 1.\n",
-      commandLine.GetHelp().c_str(), Viewer::Controls);
+      commandLine.GetHelp().c_str(), controls.c_str());
     arguments.Help = true;
   }
   else if (arguments.Files.empty() == !arguments.Demo)

@@ -22,9 +22,20 @@ def run(*command):
         command, cwd=SOURCE, env=environment, check=True, capture_output=True, text=True, timeout=300).stdout
 
 
+def read_chapter(title):
+    return (SOURCE / "README.md").read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
+
+
 class TestReleasePreset(unittest.TestCase):
+    def test_readme_makes_packages_as_they_are_tested(self):
+        test = (SOURCE / "Testing" / "run-packages.sh").read_text(encoding="utf-8")
+        configure, build, install = re.search(r"```sh\n(.*?)```", read_chapter("Install"), re.S)[1].splitlines()
+        self.assertIn(configure + "\n", test)
+        self.assertIn(re.sub(r" --parallel \d+$", "", build), test)
+        self.assertEqual(install, "apt install ./build/debian/packages/*.deb")
+
     def test_readme_builds_by_it(self):
-        chapter = (SOURCE / "README.md").read_text(encoding="utf-8").split("\n## Build\n")[1].split("\n## ")[0]
+        chapter = read_chapter("Build")
         (commands,) = [block for block in re.findall(r"```sh\n(.*?)```", chapter, re.S) if "preset" in block]
         configure, build, install = commands.splitlines()
         self.assertEqual(configure, "cmake --preset release")

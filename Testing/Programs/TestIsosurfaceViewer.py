@@ -239,14 +239,23 @@ class TestIsosurfaceViewer(unittest.TestCase):
         covered = np.abs(picture - picture[:, :1]).max(axis=2).max(axis=0) > 30
         self.assertGreaterEqual(np.count_nonzero(np.diff(covered.astype(int)) == 1), 2)  # side by side
 
-    def test_readme(self):
-        """Each of its commands shows something."""
+    def test_pages(self):
+        """Each command of README.md and of the tutorials shows something."""
         self.write(vtkMetaImageWriter(), "volume.mhd", make_waves())
+        slices = self.folder / "ct"
+        slices.mkdir()
+        write_dicom_slices(make_waves(), slices)
         mesh = make_grid(VTK_TETRA, ball)
         mesh.GetPointData().GetArray(0).SetName("pressure")
+        speed = mesh.GetPointData().GetArray(0).NewInstance()
+        speed.DeepCopy(mesh.GetPointData().GetArray(0))
+        speed.SetName("speed")
+        mesh.GetPointData().AddArray(speed)
         self.write(vtkXMLUnstructuredGridWriter(), "flow.vtu", mesh)
-        commands = re.findall(r"^vtkIsosurfaceViewer .*$", (SOURCE / "README.md").read_text(encoding="utf-8"), re.M)
-        self.assertGreater(len(commands), 1)
+        pages = [SOURCE / "README.md", *sorted((SOURCE / "Documentation").glob("tutorial-*.md"))]
+        text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
+        commands = re.findall(r"^vtkIsosurfaceViewer .*$", text, re.M)
+        self.assertEqual(len(commands), 5)
         for i, command in enumerate(commands):
             with self.subTest(command):
                 viewer = self.start(*shlex.split(command, comments=True)[1:])

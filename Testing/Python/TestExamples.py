@@ -3,6 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The scripts of Examples/Python that have no test of their own, and README.md's snippet."""
 
+import contextlib
+import io
+import itertools
 import os
 import plistlib
 import re
@@ -17,12 +20,24 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from vtkmodules.vtkCommonDataModel import VTK_TETRA
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkMetaImageWriter, vtkNIFTIImageWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
+from vtkIsosurfaceRayTracing import render
 
-from PictureTesting import EXAMPLES, ISOVALUE, difference, make_waves, read, write_bad_volumes, write_waves
+from MeshTesting import ball, make_grid
+from PictureTesting import (
+    EXAMPLES,
+    ISOVALUE,
+    count_colored,
+    difference,
+    make_waves,
+    read,
+    write_bad_volumes,
+    write_waves,
+)
 
 METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D", "vtkContourFilter",
            "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
@@ -135,6 +150,81 @@ class TestExamples(unittest.TestCase):
         isovalue = names["volume"].GetProperty().GetIsoSurfaceValues().GetValue(0)
         self.assertAlmostEqual(isovalue, ISOVALUE + 106 / 640 * (286.341 - 34.0153), delta=3.0)
         self.assertIn("isosurface_slider.py VOLUME ISOVALUE", self.run_script("isosurface_slider.py").stderr)
+
+    def test_pick(self):
+        """A click tells where the surface is."""
+
+        class Interactor:
+            def __new__(cls):
+                interactor = vtkRenderWindowInteractor()
+                interactor.AddObserver("StartEvent", cls.click)  # in place of the loop over events
+                return interactor
+
+            @staticmethod
+            def click(interactor, _):
+                for position in itertools.product(range(100, 800, 120), repeat=2):
+                    interactor.SetEventInformation(*position)
+                    interactor.InvokeEvent("LeftButtonPressEvent")
+                    interactor.InvokeEvent("LeftButtonReleaseEvent")
+
+        arguments, printed = [os.path.join(EXAMPLES, "pick.py"), write_waves(self.folder), str(ISOVALUE)], io.StringIO()
+        with mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", Interactor):
+            with mock.patch.object(sys, "argv", arguments), contextlib.redirect_stdout(printed):
+                runpy.run_path(arguments[0])
+        lines = printed.getvalue().splitlines()
+        self.assertIn(len(lines), range(3, 34))
+        for line in lines:
+            self.assertRegex(line, r"^position( -?[0-9.e+-]+){3} normal( -?[0-9.e+-]+){3} cell \d+$")
+
+    def run_with_small_pictures(self, script, *arguments):
+        """In less time."""
+        small = mock.patch.dict(render.__kwdefaults__, size=(100, 80))
+        with small, mock.patch.object(sys, "argv", [script, *arguments]):
+            runpy.run_path(os.path.join(EXAMPLES, script))
+
+    def test_numpy_to_png(self):
+        picture = os.path.join(self.folder, "picture.png")
+        self.run_with_small_pictures("numpy_to_png.py", picture)
+        self.assertGreater(count_colored(picture), 3000)
+
+    def test_ct(self):
+        volume = vtkImageShiftScale()  # as Hounsfield units
+        volume.SetInputData(make_waves())
+        volume.SetShift(-ISOVALUE)
+        volume.SetScale(10.0)
+        writer = vtkMetaImageWriter()
+        writer.SetInputConnection(volume.GetOutputPort())
+        writer.SetFileName(os.path.join(self.folder, "ct.mhd"))
+        writer.Write()
+        self.run_with_small_pictures("ct.py", os.path.join(self.folder, "ct.mhd"), self.folder)
+        for name in ("skin_and_bone", "slices", "caps"):
+            self.assertGreater(len(set(read(os.path.join(self.folder, f"{name}.png")))), 10, name)
+
+    def test_simulation(self):
+        """Its pictures change with the time, but not the camera and the scalar bar."""
+        names = [os.path.join(self.folder, f"flow{step}") for step in range(2)]
+        for step, name in enumerate(names):
+            mesh = make_grid(VTK_TETRA, lambda point, step=step: ball(point) - 0.2 * step)
+            pressure = mesh.GetPointData().GetArray(0).NewInstance()
+            pressure.DeepCopy(mesh.GetPointData().GetArray(0))
+            mesh.GetPointData().GetArray(0).SetName("speed")
+            pressure.SetName("pressure")
+            mesh.GetPointData().AddArray(pressure)
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetInputData(mesh)
+            writer.SetFileName(f"{name}.vtu")
+            writer.Write()
+        self.check_script("simulation.py", "speed", "0.2", "pressure", *(f"{name}.vtu" for name in names))
+        first, second = (read(f"{name}.png") for name in names)
+        different = sum(a != b for a, b in zip(first, second))
+        self.assertGreater(different, 100)
+        self.assertLess(different, 0.5 * len(first))
+        self.assertGreater(count_colored(f"{names[0]}.png"), 1000)
+
+    def test_small_ones_are_small(self):
+        scripts = [Path(EXAMPLES, f"{name}.py") for name in ("ct", "isosurface_slider", "mpi", "numpy_to_png", "pick", "simulation")]
+        for path in (*scripts, Path(EXAMPLES, "../Cxx/Minimal/Minimal.cxx")):
+            self.assertLess(len(path.read_text(encoding="utf-8").splitlines()), 40, path.name)
 
     def test_formats_of_volumes(self):
         """The same volume in each makes the same picture."""

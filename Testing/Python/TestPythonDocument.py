@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every snippet of Documentation/python.md and README.md's line run, with data of the names that they read, and so does
-pictures.py."""
+"""Every snippet of Documentation/python.md and of the tutorials, and README.md's line, run with data of the names that they
+read, and so does pictures.py."""
 
 import contextlib
 import io
@@ -29,7 +29,9 @@ from PictureTesting import EXAMPLES
 from TestExamples import write_dicom_slices
 from TestIsosurface import PlotterOfPyVista
 
-DOCUMENT = Path(EXAMPLES, "../../Documentation/python.md")
+DOCUMENTATION = Path(EXAMPLES, "../../Documentation")
+DOCUMENT = DOCUMENTATION / "python.md"
+TUTORIALS = sorted(DOCUMENTATION.glob("tutorial-*.md"))
 README = Path(EXAMPLES, "../../README.md")
 
 
@@ -39,7 +41,7 @@ def snippets_of(document):
 
 def snippets():
     """The second one of README.md is tested in TestExamples.py."""
-    return snippets_of(DOCUMENT) + snippets_of(README)[:1]
+    return sum(map(snippets_of, TUTORIALS), snippets_of(DOCUMENT) + snippets_of(README)[:1])
 
 
 def make_ct():
@@ -65,8 +67,9 @@ def write_data():
         mesh.GetPointData().AddArray(array)
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetInputData(mesh)
-    writer.SetFileName("flow.vtu")
-    writer.Write()
+    for name in ("flow.vtu", "flow0.vtu", "flow1.vtu", "flow2.vtu"):
+        writer.SetFileName(name)
+        writer.Write()
 
 
 def make_pyvista():
@@ -101,18 +104,23 @@ class TestPythonDocument(unittest.TestCase):
 
     def test_snippets(self):
         write_data()
-        self.assertGreater(len(snippets()), 12)
+        self.assertGreater(len(snippets()), 20)
         small = mock.patch.dict(render.__kwdefaults__, size=(100, 80))  # in less time
         users = mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", make_interactor)
         with mock.patch.dict(sys.modules, pyvista=make_pyvista()), small, users:
             for number, snippet in enumerate(snippets()):
                 with self.subTest(number=number):
-                    scope, printed = self.run_snippet(snippet)
+                    scope, printed = self.run_snippet(re.sub(r"size=\(\d+, \d+\)", "size=(100, 80)", snippet))
                     for line in re.findall(r"print\(.*\)  # (.*)", snippet):
                         self.assertEqual(printed, line + "\n")
                     if "hits" in scope:
                         self.assertGreater(max(scope["depths"]), 20.0)
-        self.assertTrue(all(Path(name).exists() for name in ("skull.png", "brain.png", "frame3.png", "head.png")))
+        for name in ("skull.png", "brain.png", "frame3.png", "head.png", "half.png", "turn5.png", "flow.png", "frame2.png"):
+            self.assertTrue(Path(name).exists(), name)
+
+    def test_version(self):
+        (command,) = re.findall(r"`python3 -c \"(.*)\"`", (DOCUMENTATION / "faq.md").read_text(encoding="utf-8"))
+        self.assertRegex(self.run_snippet(command)[1], r"^\d+\.\d+\.\d+\n$")
 
     def test_pictures(self):
         write_data()

@@ -28,6 +28,13 @@ class TestWheel(unittest.TestCase):
         found = re.search(self.settings["metadata"]["version"]["regex"], self.cmake)
         self.assertEqual(found["value"], vtkIsosurfaceRayTracing.__version__)
 
+    def test_version_is_everywhere(self):
+        version = re.escape(vtkIsosurfaceRayTracing.__version__)
+        for file, expected in (("CHANGELOG.md", rf"\n## {version} - "),
+                               ("Packages/Debian/changelog", rf"^vtkisosurfaceraytracing \({version}-\d+\)"),
+                               ("ParaView/CMakeLists.txt", rf"VERSION {version} ")):  # fmt: skip
+            self.assertRegex((ROOT / file).read_text(encoding="utf-8"), expected)
+
     def test_vtk_is_that_of_the_sdk(self):
         (sdk,) = (name for name in self.project["build-system"]["requires"] if name.startswith("vtk-sdk=="))
         self.assertIn(sdk.replace("vtk-sdk", "vtk"), self.project["project"]["dependencies"])
