@@ -6,6 +6,7 @@
 #include "FileMapping.h"
 #include "ImageFormats.h"
 #include "MappableImage.h"
+#include "MappingsInUse.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -18,53 +19,16 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
 
 using ImageFiles::FileMapping;
 using ImageFiles::MappableImage;
-
-//------------------------------------------------------------------------------
-/// The mappings that arrays use. When the last copy of an array gives its memory back, all that VTK
-/// tells is the address.
-class MappingsInUse
-{
-public:
-  static void* Keep(std::unique_ptr<FileMapping> mapping)
-  {
-    void* bytes = mapping->GetBytes();
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    GetAll().OfAddress[bytes] = std::move(mapping);
-    return bytes;
-  }
-
-  static bool Has(void* bytes)
-  {
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    return GetAll().OfAddress.count(bytes) > 0;
-  }
-
-  static void GiveBack(void* bytes)
-  {
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    GetAll().OfAddress.erase(bytes);
-  }
-
-private:
-  static MappingsInUse& GetAll()
-  {
-    // Never destroyed: arrays may be given back after all static objects.
-    static auto* all = new MappingsInUse;
-    return *all;
-  }
-
-  std::mutex Mutex;
-  std::map<void*, std::unique_ptr<FileMapping>> OfAddress;
-};
+using ImageFiles::MappingsInUse;
 
 }
 
@@ -101,7 +65,7 @@ int vtkMappedImageReader::CanReadFile(const char* fileName)
 bool vtkMappedImageReader::IsMapped(vtkDataArray* array)
 {
   return array && array->HasStandardMemoryLayout() && array->GetNumberOfValues() > 0 &&
-    MappingsInUse::Has(array->GetVoidPointer(0));
+    MappingsInUse::Find(array->GetVoidPointer(0)) != nullptr;
 }
 
 //------------------------------------------------------------------------------
