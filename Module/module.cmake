@@ -197,6 +197,7 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
     Rendering/vtkIsosurfaceRayTraceSetMacros.h
   SOURCES         IO/AppendedSamples.cxx
                   IO/FileMapping.cxx
+                  IO/FilePrefetch.cxx
                   IO/FileState.cxx
                   IO/ImageFormats.cxx
                   IO/MappableImage.cxx

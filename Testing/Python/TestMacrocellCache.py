@@ -224,6 +224,24 @@ class TestMacrocellCache(unittest.TestCase):
                 self.assertFalse(View(volume, self.cache).has_read_all)
                 self.assertEqual(self.get_kept(), [kept])  # It is replaced.
 
+    def test_file_that_is_changed_before_it_is_drawn(self):
+        """After it was mapped: nothing is kept by its name."""
+        folder = self.cache.parent.parent
+        volume, new = write_volume(folder), write_volume(folder, "new", 200)
+        samples, others = volume.with_suffix(".raw"), new.with_suffix(".raw")
+        os.utime(samples, (1, 1))
+        time.sleep(SETTLED)
+
+        def rewrite(memory):
+            with open(samples, "r+b") as file:
+                file.write(others.read_bytes())
+            os.utime(samples, (1, 1))
+
+        for change in (rewrite, lambda memory: os.rename(others, samples), lambda memory: samples.unlink()):
+            View(volume, self.cache, change)
+            self.assertEqual(self.get_kept(), [])
+            time.sleep(SETTLED)
+
     def test_file_that_has_just_been_changed(self):
         """Its time may be that of a later change, too."""
         volume = write_volume(self.cache.parent.parent)
