@@ -27,7 +27,11 @@ void Ask(const std::string& fileName, std::int64_t offset, std::int64_t size)
 {
   constexpr std::int64_t piece = std::int64_t{ 128 } << 10;
   const int file = open(fileName.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  for (std::int64_t done = 0; file >= 0 && done < size; done += piece)
+  if (file < 0)
+  {
+    return;
+  }
+  for (std::int64_t done = 0; done < size; done += piece)
   {
     posix_fadvise(file, offset + done, piece, POSIX_FADV_WILLNEED);
   }

@@ -206,10 +206,16 @@ class TestTimeSteps(unittest.TestCase):
 
     @unittest.skipUnless(hasattr(LIBC, "mincore"), "this system does not tell what it has in memory")
     def test_prefetch(self):
-        """Of the next file in the direction of time."""
+        """Of the whole next file in the direction of time: more than systems read ahead."""
+        for path in self.paths:
+            os.truncate(path.with_suffix(".raw"), 384 << 16)
         if not self.drop():
             self.skipTest("the files are in memory alone")
-        reader = new_reader(self.paths)
+        reader = new_reader(path.with_suffix(".raw") for path in self.paths)
+        reader.SetDataExtent(0, 255, 0, 255, 0, 383)
+        reader.SetDataScalarTypeToUnsignedChar()
+        reader.SetFileDimensionality(3)
+        reader.FileLowerLeftOn()
         for step, following in ((2, 3), (1, 0), (2, 3), (3, None), (0, None)):
             self.assertTrue(self.drop())
             reader.UpdateTimeStep(step)
