@@ -3,14 +3,16 @@
 
 #include "FileMapping.h"
 
+#include "OwnPages.h"
+
 #include <cerrno>
+#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
 #ifndef _WIN32
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -49,14 +51,14 @@ public:
 
   int Get() const { return this->Descriptor; }
 
-  std::int64_t GetSize() const
+  FileState GetState() const
   {
-    struct stat status = {};
-    if (fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    const std::optional<FileState> state = FindFileState(this->Descriptor);
+    if (!state)
     {
       Throw(this->FileName, "it is not a file");
     }
-    return status.st_size;
+    return *state;
   }
 
 private:
@@ -69,14 +71,18 @@ private:
 //------------------------------------------------------------------------------
 std::int64_t GetSizeOfFile(const std::string& fileName)
 {
-  return OpenFile(fileName).GetSize();
+  return OpenFile(fileName).GetState().Size;
 }
 
 //------------------------------------------------------------------------------
 FileMapping::FileMapping(const std::string& fileName, std::int64_t offset, std::size_t size)
+  : Offset(offset)
 {
   const OpenFile file(fileName);
-  const std::int64_t sizeOfFile = file.GetSize();
+  std::error_code error;
+  this->FileName = std::filesystem::canonical(fileName, error).string();
+  this->State = file.GetState();
+  const std::int64_t sizeOfFile = this->State.Size;
   if (offset < 0 || offset > sizeOfFile || size > static_cast<std::uint64_t>(sizeOfFile - offset))
   {
     Throw(fileName, "it has become shorter since its header was read");
@@ -97,6 +103,13 @@ FileMapping::FileMapping(const std::string& fileName, std::int64_t offset, std::
 }
 
 //------------------------------------------------------------------------------
+bool FileMapping::IsUnchanged() const
+{
+  const std::optional<FileState> state = FindFileState(this->FileName);
+  return state && *state == this->State && AreAllOfFile(this->Pages, this->SizeOfPages);
+}
+
+//------------------------------------------------------------------------------
 FileMapping::~FileMapping()
 {
   munmap(this->Pages, this->SizeOfPages);
@@ -114,6 +127,12 @@ std::int64_t GetSizeOfFile(const std::string& fileName)
 FileMapping::FileMapping(const std::string& fileName, std::int64_t, std::size_t)
 {
   Throw(fileName, "there is no code for this system yet");
+}
+
+//------------------------------------------------------------------------------
+bool FileMapping::IsUnchanged() const
+{
+  return false;
 }
 
 //------------------------------------------------------------------------------

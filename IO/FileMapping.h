@@ -4,6 +4,8 @@
 #ifndef FileMapping_h
 #define FileMapping_h
 
+#include "FileState.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -28,7 +30,21 @@ public:
 
   void* GetBytes() const { return this->Bytes; }
 
+  /// The file, by a name that any program knows it by, and the number of bytes before those that
+  /// are mapped.
+  const std::string& GetFileName() const { return this->FileName; }
+  std::int64_t GetOffset() const { return this->Offset; }
+  const FileState& GetState() const { return this->State; }
+
+  /// Whether the bytes are known to be those that the file had when it was mapped: neither the file
+  /// nor its name nor the bytes have changed.
+  bool IsUnchanged() const;
+
 private:
+  std::string FileName;
+  std::int64_t Offset;
+  /// When it was mapped.
+  FileState State;
   /// Pages, of which the bytes begin in the first.
   void* Pages = nullptr;
   std::size_t SizeOfPages = 0;

@@ -54,6 +54,15 @@ double MappableImage::GetSize() const
 }
 
 //------------------------------------------------------------------------------
+bool MappableImage::IsLike(const MappableImage& other) const
+{
+  return this->ArrayName == other.ArrayName && this->ScalarType == other.ScalarType &&
+    this->NumberOfComponents == other.NumberOfComponents && this->Extent == other.Extent &&
+    this->Spacing == other.Spacing && this->Origin == other.Origin &&
+    this->Direction == other.Direction;
+}
+
+//------------------------------------------------------------------------------
 void MappableImage::Reverse(std::size_t axis)
 {
   const double first = this->Extent[2 * axis];

@@ -34,6 +34,9 @@ struct MappableImage
   /// In bytes.
   double GetSize() const;
 
+  /// Whether it differs from another in nothing but its values.
+  bool IsLike(const MappableImage& other) const;
+
   /// Counts the samples along an axis from its other end, so that each stays where it is in space.
   /// For files whose samples VTK's readers reverse.
   void Reverse(std::size_t axis);

@@ -4,8 +4,10 @@
 #include "vtkMappedImageReader.h"
 
 #include "FileMapping.h"
+#include "FilePrefetch.h"
 #include "ImageFormats.h"
 #include "MappableImage.h"
+#include "MappingsInUse.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -16,55 +18,23 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace
 {
 
 using ImageFiles::FileMapping;
 using ImageFiles::MappableImage;
-
-//------------------------------------------------------------------------------
-/// The mappings that arrays use. When the last copy of an array gives its memory back, all that VTK
-/// tells is the address.
-class MappingsInUse
-{
-public:
-  static void* Keep(std::unique_ptr<FileMapping> mapping)
-  {
-    void* bytes = mapping->GetBytes();
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    GetAll().OfAddress[bytes] = std::move(mapping);
-    return bytes;
-  }
-
-  static bool Has(void* bytes)
-  {
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    return GetAll().OfAddress.count(bytes) > 0;
-  }
-
-  static void GiveBack(void* bytes)
-  {
-    const std::lock_guard<std::mutex> lock(GetAll().Mutex);
-    GetAll().OfAddress.erase(bytes);
-  }
-
-private:
-  static MappingsInUse& GetAll()
-  {
-    // Never destroyed: arrays may be given back after all static objects.
-    static auto* all = new MappingsInUse;
-    return *all;
-  }
-
-  std::mutex Mutex;
-  std::map<void*, std::unique_ptr<FileMapping>> OfAddress;
-};
+using ImageFiles::MappingsInUse;
 
 }
 
@@ -74,7 +44,10 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkMappedImageReader);
 
 //------------------------------------------------------------------------------
-vtkMappedImageReader::vtkMappedImageReader() = default;
+vtkMappedImageReader::vtkMappedImageReader()
+  : Prefetch(std::make_unique<ImageFiles::FilePrefetch>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkMappedImageReader::~vtkMappedImageReader() = default;
@@ -101,15 +74,39 @@ int vtkMappedImageReader::CanReadFile(const char* fileName)
 bool vtkMappedImageReader::IsMapped(vtkDataArray* array)
 {
   return array && array->HasStandardMemoryLayout() && array->GetNumberOfValues() > 0 &&
-    MappingsInUse::Has(array->GetVoidPointer(0));
+    MappingsInUse::Find(array->GetVoidPointer(0)) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// The superclass takes the files for slices, and their number for the extent.
+void vtkMappedImageReader::SetFileNames(vtkStringArray* names)
+{
+  const int first = this->DataExtent[4];
+  const int last = this->DataExtent[5];
+  this->Superclass::SetFileNames(names);
+  this->DataExtent[4] = first;
+  this->DataExtent[5] = last;
+}
+
+//------------------------------------------------------------------------------
+int vtkMappedImageReader::GetNumberOfSteps()
+{
+  const int files = this->FileNames ? static_cast<int>(this->FileNames->GetNumberOfValues()) : 0;
+  return this->FileName ? 1 : files;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMappedImageReader::GetFileNameOfStep(int step)
+{
+  return this->FileName ? std::string(this->FileName) : this->FileNames->GetValue(step);
 }
 
 //------------------------------------------------------------------------------
 /// What is set, as vtkImageReader2 takes it.
-MappableImage vtkMappedImageReader::FindRawImage()
+MappableImage vtkMappedImageReader::FindRawImage(const std::string& fileName)
 {
   MappableImage image;
-  image.Samples.FileName = this->FileName;
+  image.Samples.FileName = fileName;
   image.Samples.Offset =
     this->ManualHeaderSize ? static_cast<std::int64_t>(this->HeaderSize) : std::int64_t{ -1 };
   image.Samples.AreBigEndian = this->GetDataByteOrder() == VTK_FILE_BYTE_ORDER_BIG_ENDIAN;
@@ -133,25 +130,58 @@ MappableImage vtkMappedImageReader::FindRawImage()
 }
 
 //------------------------------------------------------------------------------
+MappableImage vtkMappedImageReader::FindImage(const std::string& fileName)
+{
+  MappableImage image = ImageFiles::HasHeader(fileName) ? ImageFiles::FindImage(fileName)
+                                                        : this->FindRawImage(fileName);
+  image.Check();
+  return image;
+}
+
+//------------------------------------------------------------------------------
+MappableImage vtkMappedImageReader::FindImageOfStep(int step)
+{
+  if (step == 0)
+  {
+    return *this->Image;
+  }
+  MappableImage image = this->FindImage(this->GetFileNameOfStep(step));
+  if (!image.IsLike(*this->Image))
+  {
+    image.Throw("its size, type, array or geometry is not that of the first time step, " +
+      this->Image->Samples.FileName + ". Read it with a reader of its own.");
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+/// The one that is nearest to the time that is asked for.
+int vtkMappedImageReader::ChooseStep(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const double time =
+    output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
+  const double last = this->GetNumberOfSteps() - 1.0;
+  return time > 0.0 ? static_cast<int>(std::round(std::min(time, last))) : 0;
+}
+
+//------------------------------------------------------------------------------
 int vtkMappedImageReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->Image.reset();
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName)
+  const int steps = this->GetNumberOfSteps();
+  if (steps == 0)
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro(
-      "A file name must be set (SetFileName): a volume in several files is not mapped.");
+    vtkErrorMacro("A file name must be set (SetFileName), or those of time steps (SetFileNames). "
+                  "A volume in several files is not mapped.");
     return 0;
   }
   try
   {
-    MappableImage image = ImageFiles::HasHeader(this->FileName)
-      ? ImageFiles::FindImage(this->FileName)
-      : this->FindRawImage();
-    image.Check();
-    this->Image = std::make_unique<MappableImage>(std::move(image));
+    this->Image = std::make_unique<MappableImage>(this->FindImage(this->GetFileNameOfStep(0)));
   }
   catch (const std::exception& problem)
   {
@@ -167,13 +197,23 @@ int vtkMappedImageReader::RequestInformation(
   output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   vtkDataObject::SetPointDataActiveScalarInfo(
     output, this->Image->ScalarType, this->Image->NumberOfComponents);
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (!this->FileName)
+  {
+    std::vector<double> times(static_cast<std::size_t>(steps));
+    std::iota(times.begin(), times.end(), 0.0);
+    const double range[2] = { times.front(), times.back() };
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), steps);
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkMappedImageReader::MapSlices(const int extent[6], vtkImageData* output)
+void vtkMappedImageReader::MapSlices(
+  const MappableImage& image, const int extent[6], vtkImageData* output)
 {
-  const MappableImage& image = *this->Image;
   vtkSmartPointer<vtkDataArray> scalars;
   scalars.TakeReference(vtkDataArray::CreateDataArray(image.ScalarType));
   scalars->SetName(image.ArrayName.c_str());
@@ -195,6 +235,27 @@ void vtkMappedImageReader::MapSlices(const int extent[6], vtkImageData* output)
 }
 
 //------------------------------------------------------------------------------
+/// If the next one is damaged, that is told when it is asked for.
+void vtkMappedImageReader::PrefetchAfter(int step)
+{
+  const int next = step + (step < this->Step ? -1 : 1);
+  this->Step = step;
+  if (next < 0 || next >= this->GetNumberOfSteps())
+  {
+    return;
+  }
+  try
+  {
+    const MappableImage image = this->FindImageOfStep(next);
+    this->Prefetch->Start(
+      image.Samples.FileName, image.Samples.Offset, static_cast<std::int64_t>(image.GetSize()));
+  }
+  catch (const std::exception&)
+  {
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkMappedImageReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -205,15 +266,22 @@ int vtkMappedImageReader::RequestData(
   vtkInformation* information = outputVector->GetInformationObject(0);
   int extent[6];
   information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  const int step = this->ChooseStep(information);
+  vtkImageData* output = vtkImageData::GetData(information);
   try
   {
-    this->MapSlices(extent, vtkImageData::GetData(information));
+    this->MapSlices(this->FindImageOfStep(step), extent, output);
   }
   catch (const std::exception& problem)
   {
     this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     vtkErrorMacro(<< problem.what());
     return 0;
+  }
+  if (!this->FileName)
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step);
+    this->PrefetchAfter(step);
   }
   return 1;
 }

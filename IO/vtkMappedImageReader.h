@@ -33,6 +33,12 @@
  * of the output is not written to the file. Each page that is written to becomes memory of the
  * process.
  *
+ * SetFileNames() takes the time steps of a volume, each in a file of its own (not slices, which are
+ * not mapped): all of one format, size, type and geometry. Their times are 0, 1, 2, ...
+ * (TIME_STEPS); a time in between is that of the nearest step, and without UpdateTimeStep() it is
+ * the first. While a step is in use, the system reads the one that follows in the direction of the
+ * last two, unless it takes more than a quarter of the memory: so it is there when it is asked for.
+ *
  * An update extent gives whole slices. Memory is mapped on POSIX systems; on others there is an
  * error.
  *
@@ -47,9 +53,11 @@
 #include "vtkIsosurfaceRayTracingModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 namespace ImageFiles
 {
+class FilePrefetch;
 struct MappableImage;
 }
 
@@ -68,6 +76,11 @@ public:
    * of files without a header.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName) override;
+
+  /**
+   * Set the files of the time steps of a volume. The settings of raw samples stay as they are.
+   */
+  void SetFileNames(vtkStringArray* names) override;
 
   /**
    * Returns whether the values of an array are in a file that a reader of this class has mapped.
@@ -90,11 +103,20 @@ private:
   vtkMappedImageReader(const vtkMappedImageReader&) = delete;
   void operator=(const vtkMappedImageReader&) = delete;
 
-  ImageFiles::MappableImage FindRawImage();
-  void MapSlices(const int extent[6], vtkImageData* output);
+  int GetNumberOfSteps();
+  std::string GetFileNameOfStep(int step);
+  ImageFiles::MappableImage FindRawImage(const std::string& fileName);
+  ImageFiles::MappableImage FindImage(const std::string& fileName);
+  ImageFiles::MappableImage FindImageOfStep(int step);
+  int ChooseStep(vtkInformation* output);
+  void MapSlices(const ImageFiles::MappableImage& image, const int extent[6], vtkImageData* output);
+  void PrefetchAfter(int step);
 
-  /// What the file has, once its header was read.
+  /// What the file has, or the first of them, once its header was read.
   std::unique_ptr<ImageFiles::MappableImage> Image;
+  std::unique_ptr<ImageFiles::FilePrefetch> Prefetch;
+  /// The one that was mapped last.
+  int Step = 0;
 };
 
 VTK_ABI_NAMESPACE_END

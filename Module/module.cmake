@@ -106,6 +106,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceInputs
   Rendering/vtkIsosurfaceRayTraceLattices
   Rendering/vtkIsosurfaceRayTraceLeaves
+  Rendering/vtkIsosurfaceRayTraceMacrocellCache
   Rendering/vtkIsosurfaceRayTraceMesh
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
@@ -196,11 +197,15 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
     Rendering/vtkIsosurfaceRayTraceSetMacros.h
   SOURCES         IO/AppendedSamples.cxx
                   IO/FileMapping.cxx
+                  IO/FilePrefetch.cxx
+                  IO/FileState.cxx
                   IO/ImageFormats.cxx
                   IO/MappableImage.cxx
+                  IO/MappingsInUse.cxx
                   IO/MetaImageHeader.cxx
                   IO/NiftiHeader.cxx
                   IO/NrrdHeader.cxx
+                  IO/OwnPages.cxx
                   Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
                   $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)

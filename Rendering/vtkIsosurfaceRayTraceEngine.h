@@ -172,6 +172,7 @@ private:
   std::vector<BlocksOfConnection> Blocks;
   std::string LastProblem;
   std::string LastLeftOut;
+  std::string LastWarning;
   std::string LastHint;
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;

@@ -40,7 +40,7 @@ bool vtkIsosurfaceRayTraceGridPart::IsOf(const std::vector<vtkIsosurfaceRayTrace
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
   const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
-  vtkVolumeMapper* cropping)
+  const std::string& cacheDirectory, vtkVolumeMapper* cropping)
 {
   this->IsBuilt = false;
   this->Blocks.Update(leaves, scalars.AreOfCells);
@@ -50,6 +50,7 @@ void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTra
   this->Colors = this->Blocks.GetColors();
   this->NumberOfColors = this->Colors ? this->Colors->GetNumberOfTuples() : 0;
   this->Settings = settings;
+  this->CacheDirectory = cacheDirectory;
   this->Cropping = cropping;
 }
 
@@ -66,10 +67,12 @@ vtkirt::TracedField& vtkIsosurfaceRayTraceGridPart::GetField()
 }
 
 //------------------------------------------------------------------------------
+/// A small part is built faster than a file is opened.
 bool vtkIsosurfaceRayTraceGridPart::Update(int threads)
 {
+  const std::string directory = this->IsBuiltOnDemand() ? "" : this->CacheDirectory;
   const bool hadToBeBuilt = !this->IsBuilt &&
-    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, threads);
+    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, directory, threads);
   this->IsBuilt = true;
   return hadToBeBuilt;
 }

@@ -34,13 +34,15 @@ public:
   /// The mapper that crops may be null.
   void Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceScalars& scalars,
-    const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping);
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory,
+    vtkVolumeMapper* cropping);
 
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
   bool IsBuiltOnDemand() const override;
   bool Update(int threads) override;
+  std::string GetWarning() const override { return this->Source.GetCacheProblem(); }
   vtkIsosurfaceRayTracing::Bounds FindBox() const override;
   double FindCellSize() const override { return 1.0; }
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
@@ -60,6 +62,7 @@ private:
   vtkDataArray* Colors = nullptr;
   vtkIdType NumberOfColors = 0;
   vtkIsosurfaceRayTracing::ImageSettings Settings;
+  std::string CacheDirectory;
   vtkVolumeMapper* Cropping = nullptr;
   vtkIsosurfaceRayTraceSource Source;
   /// Whether the field is that of the last selection.

@@ -315,7 +315,8 @@ void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
       return grid && grid->IsOf(leaves);
     });
   std::unique_ptr<Part> part = found != before.end() ? std::move(*found) : std::make_unique<Grid>();
-  static_cast<Grid&>(*part).Select(leaves, scalars, settings.Image, settings.Cropping);
+  static_cast<Grid&>(*part).Select(
+    leaves, scalars, settings.Image, settings.CacheDirectory, settings.Cropping);
   this->Parts.push_back(std::move(part));
 }
 
@@ -354,6 +355,17 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
   this->PhysicalFromObject = part.FindPhysicalFromObject();
   this->CellSize = part.FindCellSize();
   return isBuilt;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInput::GetWarning() const
+{
+  std::string warning;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    warning = warning.empty() ? part->GetWarning() : warning;
+  }
+  return warning;
 }
 
 //------------------------------------------------------------------------------

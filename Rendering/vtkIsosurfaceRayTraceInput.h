@@ -49,6 +49,7 @@ struct vtkIsosurfaceRayTraceInputSettings
   vtkImageData* ColorImage = nullptr;
   bool Tetrahedralize = false;
   vtkIsosurfaceRayTracing::ImageSettings Image;
+  std::string CacheDirectory;
   /// How blocks are displayed; may be null.
   vtkCompositeDataDisplayAttributes* Attributes = nullptr;
   /// Crops images; may be null.
@@ -79,6 +80,9 @@ public:
 
   /// Builds what tracing the selection needs. Returns whether a hierarchy had to be built.
   bool Update(int threads);
+
+  /// What went wrong when it was built, without harm to pictures; empty if nothing did.
+  std::string GetWarning() const;
 
   /// The field of the input; null before the input is first traced.
   vtkIsosurfaceRayTracing::TracedField* GetField() const { return this->Field; }

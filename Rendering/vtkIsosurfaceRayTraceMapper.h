@@ -534,6 +534,28 @@ public:
 
   ///@{
   /**
+   * Set/Get a directory in which macrocells of samples in files (see vtkMappedImageReader) are
+   * kept, for the mappers of this program and of others: who opens such a file again needs no pass
+   * over its samples before the first picture. It is made if there is none. For each file, and
+   * component of it that was drawn, it has a file of about 0.4 % of the size, which may be deleted
+   * at any time. Default: an empty name, for none.
+   *
+   * Pictures are the same, bit for bit. What is kept is used if the file of samples is as it was
+   * (by path, size, number of its inode, and times, which must be older than two seconds when the
+   * samples are read: else nothing is kept), nobody has written to the samples in memory, and the
+   * file in the directory is complete and undamaged, by a checksum. Otherwise macrocells are built,
+   * and replace it. A directory that cannot be written to is a warning, once, and macrocells are
+   * built in each program. On systems other than Linux, which do not tell whether samples have been
+   * written to, and of volumes of up to 2^18 samples, nothing is kept.
+   *
+   * Whoever may write to the directory may change pictures: let that be you alone.
+   */
+  void SetCacheDirectory(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetCacheDirectory() const { return this->CacheDirectory.c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
    * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
    * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
@@ -850,6 +872,7 @@ private:
   int MaximumBrickMemory = 0;
   int NumberOfMacrocellLevels = 2;
   int MacrocellBranching[MaximumNumberOfMacrocellLevels] = { 8, 8, 8, 8, 8, 8, 8, 8 };
+  std::string CacheDirectory;
   int TileSize[2] = { 16, 8 };
   vtkTypeBool AutoAdjustSampleDistances = 1;
   float ImageSampleDistance = 1.0F;

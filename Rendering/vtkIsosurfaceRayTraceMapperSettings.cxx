@@ -41,6 +41,7 @@ void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
   visit("MaximumBrickMemory", &Self::MaximumBrickMemory);
   visit("NumberOfMacrocellLevels", &Self::NumberOfMacrocellLevels);
   visit("MacrocellBranching", &Self::MacrocellBranching);
+  visit("CacheDirectory", &Self::CacheDirectory);
 }
 
 //------------------------------------------------------------------------------
@@ -110,6 +111,15 @@ void vtkIsosurfaceRayTraceMapper::SetColorArrayName(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceMapper::SetCacheDirectory(const char* name)
+{
+  if (vtkIsosurfaceRayTraceSharedSettings::SetName(name, this->CacheDirectory))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::HasMacrocellLevel(int level)
 {
   if (level < 0 || level >= MaximumNumberOfMacrocellLevels)
@@ -161,6 +171,7 @@ vtkIsosurfaceRayTraceInputSettings vtkIsosurfaceRayTraceMapper::GetInputSettings
   settings.Image.Layout = vtkIsosurfaceRayTraceEnumerators::ToBrickLayout(this->BrickLayout);
   settings.Image.BrickSize = this->BrickSize;
   settings.Image.BrickGroupSize = this->BrickGroupSize;
+  settings.CacheDirectory = this->CacheDirectory;
   settings.Cropping = self;
   return settings;
 }

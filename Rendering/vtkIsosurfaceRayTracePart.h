@@ -12,6 +12,7 @@
 
 #include "Field/FieldSet.h"
 
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,6 +34,9 @@ public:
 
   /// Builds the field, with all threads. Returns whether it had to be built.
   virtual bool Update(int threads) = 0;
+
+  /// What went wrong when it was built, without harm to pictures; empty if nothing did.
+  virtual std::string GetWarning() const { return ""; }
 
   /// The box of the field and the size of its cells, about, in its object space. The field must be
   /// there, unless it is built on demand.

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceSource.h"
 
+#include "MappingsInUse.h"
 #include "vtkIsosurfaceRayTraceGhosts.h"
+#include "vtkIsosurfaceRayTraceMacrocellCache.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
-#include "vtkMappedImageReader.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -69,7 +70,8 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
-  const vtkIsosurfaceRayTraceScalars& selection, const vtkirt::ImageSettings& settings, int threads)
+  const vtkIsosurfaceRayTraceScalars& selection, const vtkirt::ImageSettings& settings,
+  const std::string& cacheDirectory, int threads)
 {
   vtkDataArray* scalars = selection.Array;
   Key key;
@@ -111,17 +113,34 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   }
 
   this->Field.reset(); // Its memory first.
+  this->Build(selection, cacheDirectory, key, threads);
+  this->Field->SetPlanes(this->Geometry.GetPlanes());
+  this->Built = std::make_unique<Key>(key);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceSource::Build(const vtkIsosurfaceRayTraceScalars& selection,
+  const std::string& cacheDirectory, const Key& key, int threads)
+{
+  this->CacheProblem.clear();
   const vtkIsosurfaceRayTraceScalars::View samples = selection.MakeView(this->PlainScalars);
   vtkirt::VolumeView view;
   view.Type = samples.Type;
   view.Samples = samples.Values;
   view.Stride = samples.Stride;
   view.Dimensions = key.Dimensions;
-  view.AreInFile = !this->PlainScalars && vtkMappedImageReader::IsMapped(key.Array);
-  this->Field = vtkirt::ImageField::New(view, settings, threads);
-  this->Field->SetPlanes(this->Geometry.GetPlanes());
-  this->Built = std::make_unique<Key>(key);
-  return true;
+  const ImageFiles::FileMapping* mapping =
+    this->PlainScalars ? nullptr : ImageFiles::MappingsInUse::Find(key.Buffer);
+  view.AreInFile = mapping != nullptr;
+  if (!mapping || cacheDirectory.empty())
+  {
+    this->Field = vtkirt::ImageField::New(view, key.Settings, threads);
+    return;
+  }
+  vtkIsosurfaceRayTraceMacrocellCache cache(cacheDirectory, *mapping, view);
+  this->Field = vtkirt::ImageField::New(view, key.Settings, threads, &cache);
+  this->CacheProblem = cache.GetProblem();
 }
 
 //------------------------------------------------------------------------------

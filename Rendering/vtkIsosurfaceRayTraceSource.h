@@ -36,9 +36,14 @@ public:
   static std::string FindProblem(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection);
 
   /// Builds the field of the input, which must have no problem, unless it is up to date. Returns
-  /// whether it had to be built.
+  /// whether it had to be built. Where the samples are in a file, macrocells are kept in a
+  /// directory and taken from there, unless it has no name.
   bool Update(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection,
-    const vtkIsosurfaceRayTracing::ImageSettings& settings, int threads);
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory,
+    int threads);
+
+  /// Why macrocells could not be kept when the field was built; empty if they could be.
+  const std::string& GetCacheProblem() const { return this->CacheProblem; }
 
   /// Whether the samples are still where they were at the last update, and as many. Their array
   /// must exist.
@@ -75,9 +80,12 @@ private:
   struct Key;
 
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
+  void Build(const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory,
+    const Key& key, int threads);
 
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
   std::unique_ptr<Key> Built;
+  std::string CacheProblem;
   vtkIsosurfaceRayTraceGeometry Geometry;
   vtkMTimeType GridTime = 0;
   /// The number of cells of the grid.

@@ -46,7 +46,7 @@ def make_rules():
     rules = {folder: CORE_FOLDERS[: i + 1] for i, folder in enumerate(CORE_FOLDERS)}
     rules[CORE] = []  # for folders that are not in the order
     compat = "Module/vtkIsosurfaceRayTracingCompat.h"
-    rules["Rendering"] = [compat, CORE, "Rendering", "IO/vtkMappedImageReader.h"]
+    rules["Rendering"] = [compat, CORE, "Rendering", "IO/FileMapping.h", "IO/MappingsInUse.h"]
     mappers = [f"Rendering/vtkIsosurfaceRayTrace{kind}Mapper.h" for kind in ("", "Mesh")]
     rules["Filters"] = [compat, CORE, "Filters", *mappers]
     rules["Parallel"] = [compat, CORE, "Parallel", *mappers, "Rendering/vtkCellProjectionMapper.h"]

@@ -53,6 +53,7 @@ struct Arguments
   double Azimuth = 30.0;
   double Elevation = 20.0;
   double MaxMemory = Programs::GetDefaultMaxMemory();
+  std::string Cache;
   bool Help = false;
 };
 
@@ -80,6 +81,10 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   const std::string maxMemoryHelp =
     std::string(Programs::MaxMemoryHelp) + " Raw samples stay in their file and take none.";
   commandLine.Add("--max-memory", &arguments.MaxMemory, maxMemoryHelp.c_str());
+  commandLine.Add("--cache", &arguments.Cache,
+    "A directory for macrocells of raw samples, with which the file is drawn at once the next "
+    "time. "
+    "It is made if there is none. Default: none.");
   arguments.Help = !commandLine.Parse();
   help = commandLine.GetHelp();
   if (arguments.Help)
@@ -323,6 +328,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
   }
   vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
   mapper->SetInputData(piece.Image);
+  mapper->SetCacheDirectory(arguments.Cache.c_str());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
   SetProperty(arguments, volume->GetProperty());

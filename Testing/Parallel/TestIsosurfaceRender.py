@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -121,6 +122,19 @@ class TestIsosurfaceRender(unittest.TestCase):
         write(make_image(), compressed)
         result = run("--input", str(compressed), "--output", str(self.picture), *memory)
         self.check_failure(result, "compressed.mha.*--max-memory sets this limit")
+
+    def test_cache(self):
+        """Of macrocells: one file of each process."""
+        volume, cache = self.folder / "volume.mhd", self.folder / "cache"
+        write(make_image(last=400), volume)
+        alone = self.render(volume, "--isovalue", "157")
+        time.sleep(2.2)  # Files that have just been written are not kept.
+        for processes, files in ((None, 1), (1, 1), (2, 3), (2, 3)):
+            self.assertEqual(self.render(volume, "--isovalue", "157", "--cache", str(cache), processes=processes), alone)
+            self.assertEqual(len(list(cache.iterdir())), files)
+        result = run("--input", str(volume), "--output", str(self.picture), "--isovalue", "157", "--cache", str(volume))
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count("cannot be kept"), 1)
 
     def test_more_processes_than_layers(self):
         volume = self.folder / "thin.vti"

@@ -189,6 +189,63 @@ TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
 }
 
 //------------------------------------------------------------------------------
+/// One that may find out that it is damaged when ranges have been overwritten.
+struct RangesInMemory : RangeStore
+{
+  bool IsDamaged = false;
+  std::vector<unsigned char> Bytes;
+
+  bool Read(int edge, void* ranges, std::size_t size) override
+  {
+    EXPECT_EQ(edge, 4);
+    if (size == this->Bytes.size())
+    {
+      std::memcpy(ranges, this->Bytes.data(), size);
+      return !this->IsDamaged;
+    }
+    return false;
+  }
+
+  void Write(int edge, const void* ranges, std::size_t size) override
+  {
+    EXPECT_EQ(edge, 4);
+    const auto* bytes = static_cast<const unsigned char*>(ranges);
+    this->Bytes.assign(bytes, bytes + size);
+  }
+};
+
+TEST(MacrocellHierarchy, IdenticalFromAStore)
+{
+  RandomNumbers random(503);
+  const Index3 size = { 37, 26, 41 };
+  const auto volume = RandomVolume<float>(random, size, 1);
+  const auto other = RandomVolume<float>(random, size, 1);
+  const std::vector<int> branching = { 4, 3 };
+  RangesInMemory store;
+  const auto expectSame = [&](const TestVolume<float>& built, const TestVolume<float>& expected)
+  {
+    const MacrocellHierarchy<float> hierarchy(Samples<float>(built.View()), branching, 2, &store);
+    const MacrocellHierarchy<float> reference(Samples<float>(expected.View()), branching, 1);
+    for (std::size_t level = 0; level < 2; ++level)
+    {
+      ForEachPlace(reference.GetLattice().Levels[level].Size,
+        [&](const Index3& macrocell)
+        {
+          const auto& a = hierarchy.GetRange(level, macrocell);
+          const auto& b = reference.GetRange(level, macrocell);
+          ASSERT_TRUE(a.Min == b.Min && a.Max == b.Max);
+        });
+    }
+  };
+  expectSame(volume, volume);
+  expectSame(other, volume); // The samples are not looked at.
+  store.IsDamaged = true;
+  expectSame(other, other);
+  store.IsDamaged = false;
+  expectSame(volume, other);
+}
+
+//------------------------------------------------------------------------------
 // Two values, 3 and 4: equal to the isovalue is inside.
 TEST(MacrocellHierarchy, ActiveByTheSignRule)
 {

@@ -46,11 +46,11 @@ void SetCellsOfParallelRays(const UnevenPlanes* planes, RayPacket& rays)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<ImageField> ImageField::New(
-  const VolumeView& view, const ImageSettings& settings, int threads)
+  const VolumeView& view, const ImageSettings& settings, int threads, RangeStore* store)
 {
   auto structures = DispatchScalarType(view,
-    [&settings, threads](const auto& samples)
-    { return NewImageStructures(samples, settings, threads); });
+    [&settings, threads, store](const auto& samples)
+    { return NewImageStructures(samples, settings, threads, store); });
   return std::unique_ptr<ImageField>(new ImageField(std::move(structures)));
 }
 

@@ -16,6 +16,7 @@ namespace vtkIsosurfaceRayTracing
 
 class ImageStructures;
 class ImageTracer;
+class RangeStore;
 
 /// An image, or a rectilinear grid, as a field: macrocells are built at once, bricks as rays need
 /// them. It depends on the samples and the settings alone; the samples must outlive it and not
@@ -24,9 +25,9 @@ class ImageTracer;
 class ImageField final : public TracedField
 {
 public:
-  /// Builds the macrocells, with the given number of threads.
-  static std::unique_ptr<ImageField> New(
-    const VolumeView& view, const ImageSettings& settings, int threads);
+  /// Builds the macrocells, with the given number of threads, or takes them from a store.
+  static std::unique_ptr<ImageField> New(const VolumeView& view, const ImageSettings& settings,
+    int threads, RangeStore* store = nullptr);
   ~ImageField() override;
 
   /// Sets the lattice planes; null, as at first, stands for whole numbers. The planes must outlive

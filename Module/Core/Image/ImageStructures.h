@@ -6,6 +6,7 @@
 
 #include "Field/TracedField.h"
 #include "Image/ImageSettings.h"
+#include "Image/Macrocells/RangeStore.h"
 #include "Image/Samples/VolumeView.h"
 #include "Image/Tracers/ImageTracer.h"
 
@@ -44,11 +45,11 @@ public:
   virtual FieldStatistics GetStatistics() const = 0;
 };
 
-/// Builds the macrocells, with the given number of threads. Each type of samples is compiled
-/// separately: see TypedImageStructures.cxx.in.
+/// Builds the macrocells, with the given number of threads, or takes them from the store, which may
+/// be null. Each type of samples is compiled separately: see TypedImageStructures.cxx.in.
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
-  const Samples<T>& samples, const ImageSettings& settings, int threads);
+  const Samples<T>& samples, const ImageSettings& settings, int threads, RangeStore* store);
 
 }
 

@@ -27,9 +27,9 @@ class TypedImageStructures final : public ImageStructures
 public:
   template <typename... LayoutArguments>
   TypedImageStructures(const Samples<T>& samples, const std::vector<int>& branching, int threads,
-    LayoutArguments... arguments)
+    RangeStore* store, LayoutArguments... arguments)
     : TheSamples(samples)
-    , Hierarchy(samples, branching, threads)
+    , Hierarchy(samples, branching, threads, store)
     , Masks(samples)
     , Bricks(samples, arguments...)
   {
@@ -101,21 +101,22 @@ private:
 //------------------------------------------------------------------------------
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
-  const Samples<T>& samples, const ImageSettings& settings, int threads)
+  const Samples<T>& samples, const ImageSettings& settings, int threads, RangeStore* store)
 {
   const std::vector<int>& branching = settings.MacrocellBranching;
   switch (settings.Layout)
   {
     case BrickLayout::Unbricked:
-      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(samples, branching, threads);
+      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(
+        samples, branching, threads, store);
     case BrickLayout::TwoLevel:
       return std::make_unique<TypedImageStructures<T, TwoLevelBricks<T>>>(
-        samples, branching, threads, settings.BrickSize, settings.BrickGroupSize);
+        samples, branching, threads, store, settings.BrickSize, settings.BrickGroupSize);
     case BrickLayout::Apron:
       break;
   }
   return std::make_unique<TypedImageStructures<T, ApronBricks<T>>>(
-    samples, branching, threads, settings.BrickSize);
+    samples, branching, threads, store, settings.BrickSize);
 }
 
 }

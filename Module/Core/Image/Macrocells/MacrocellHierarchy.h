@@ -5,6 +5,7 @@
 #define MacrocellHierarchy_h
 
 #include "Image/Macrocells/ActiveMacrocells.h"
+#include "Image/Macrocells/RangeStore.h"
 #include "Image/Samples/FilePages.h"
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
@@ -27,8 +28,10 @@ class MacrocellHierarchy
 {
 public:
   /// Branching, finest level first: the edge of the macrocells of a level in those of the level
-  /// below; the finest are made of cells. Builds all levels, in parallel.
-  MacrocellHierarchy(const Samples<T>& samples, const std::vector<int>& branching, int threads);
+  /// below; the finest are made of cells. Builds all levels, in parallel. The finest are those of
+  /// the store, unless there is none (null), or nothing in it.
+  MacrocellHierarchy(const Samples<T>& samples, const std::vector<int>& branching, int threads,
+    RangeStore* store = nullptr);
 
   const MacrocellLattice& GetLattice() const { return this->Lattice; }
 
@@ -53,6 +56,7 @@ public:
 
 private:
   ValueRange<T> GetRangeAround(std::size_t level, std::size_t macrocell) const;
+  void FindFinestLevel(const Samples<T>& samples, int threads, RangeStore* store);
   void BuildFinestLevel(const Samples<T>& samples, int threads);
   void BuildLevel(std::size_t level, int threads);
 
@@ -64,7 +68,7 @@ private:
 //------------------------------------------------------------------------------
 template <typename T>
 MacrocellHierarchy<T>::MacrocellHierarchy(
-  const Samples<T>& samples, const std::vector<int>& branching, int threads)
+  const Samples<T>& samples, const std::vector<int>& branching, int threads, RangeStore* store)
   : Lattice(samples.GetDimensions(), branching)
   , Ranges(branching.size())
 {
@@ -73,7 +77,7 @@ MacrocellHierarchy<T>::MacrocellHierarchy(
     this->Ranges[level].resize(Count(this->Lattice.Levels[level].Size));
     if (level == 0)
     {
-      this->BuildFinestLevel(samples, threads);
+      this->FindFinestLevel(samples, threads, store);
     }
     else
     {
@@ -84,15 +88,36 @@ MacrocellHierarchy<T>::MacrocellHierarchy(
   {
     // One macrocell of all cells, which is not kept.
     const Index3& cells = this->Lattice.Cells;
-    this->Range =
-      MacrocellHierarchy<T>(samples, { 8, std::max({ cells[0], cells[1], cells[2] }) }, threads)
-        .GetRange();
+    this->Range = MacrocellHierarchy<T>(
+      samples, { 8, std::max({ cells[0], cells[1], cells[2] }) }, threads, store)
+                    .GetRange();
     return;
   }
   for (const ValueRange<T>& range : this->Ranges.back())
   {
     this->Range.Include(range.Min, range.Max);
   }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void MacrocellHierarchy<T>::FindFinestLevel(
+  const Samples<T>& samples, int threads, RangeStore* store)
+{
+  std::vector<ValueRange<T>>& ranges = this->Ranges[0];
+  const int edge = this->Lattice.Levels[0].Edge;
+  const std::size_t size = ranges.size() * sizeof(ValueRange<T>);
+  if (!store || !store->Read(edge, ranges.data(), size))
+  {
+    ExpectReading(Reading::InOrder, samples);
+    this->BuildFinestLevel(samples, threads);
+    if (store)
+    {
+      store->Write(edge, ranges.data(), size);
+    }
+  }
+  // From here on, what is next to surfaces.
+  ExpectReading(Reading::Scattered, samples);
 }
 
 //------------------------------------------------------------------------------
@@ -113,7 +138,6 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
   std::vector<std::vector<T>> lows(static_cast<std::size_t>(threads), std::vector<T>(length));
   std::vector<std::vector<T>> highs = lows;
 
-  ExpectReading(Reading::InOrder, samples);
 #pragma omp parallel num_threads(threads)
   {
     std::vector<T>& low = lows[static_cast<std::size_t>(omp_get_thread_num())];
@@ -149,6 +173,7 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
       for (int i = 0; i < size[0]; ++i)
       {
         const int xEnd = std::min((i + 1) * edge, dimensions[0] - 1);
+        ranges[i] = {};
         for (int x = i * edge; x <= xEnd; ++x)
         {
           const auto index = static_cast<std::size_t>(x);
@@ -157,8 +182,6 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
       }
     }
   }
-  // From here on, what is next to surfaces.
-  ExpectReading(Reading::Scattered, samples);
 }
 
 //------------------------------------------------------------------------------
