@@ -763,13 +763,17 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
         { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
       this->DropTwins(packet.Rays->GetDirection(i), found);
     }
-    if (this->Request.Projection)
+    if (found.size() <= 1)
+    {
+      hits.Hits.insert(hits.Hits.end(), found.begin(), found.end());
+    }
+    else if (this->Request.Projection)
     {
       const bool isLargest = this->Request.Projection == Extremum::Largest;
       const auto extreme = std::min_element(found.begin(), found.end(),
         [isLargest](const Hit& a, const Hit& b)
         { return isLargest ? a.Value > b.Value : a.Value < b.Value; });
-      hits.Hits.insert(hits.Hits.end(), extreme, extreme + (extreme == found.end() ? 0 : 1));
+      hits.Hits.insert(hits.Hits.end(), extreme, extreme + 1);
     }
     else
     {
