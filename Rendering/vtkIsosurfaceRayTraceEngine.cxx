@@ -326,19 +326,23 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   const vtkirt::Stopwatch watch;
   bool isBuilt = false;
   std::string leftOut;
-  std::string warning;
   for (int i = 0; i < inputs.GetNumber(); ++i)
   {
     leftOut = leftOut.empty() ? inputs.Get(i).DescribeLeftOut() : leftOut;
     isBuilt = inputs.Get(i).Update(settings.NumberOfThreads) || isBuilt;
-    warning = warning.empty() ? inputs.Get(i).GetWarning() : warning;
   }
   if (isBuilt)
   {
     this->HierarchyTime = watch.GetSeconds();
+    // Thousands of blocks are not asked in every frame.
+    std::string warning;
+    for (int i = 0; i < inputs.GetNumber() && warning.empty(); ++i)
+    {
+      warning = inputs.Get(i).GetWarning();
+    }
+    this->WarnOnce(warning, this->LastWarning);
   }
   this->WarnOnce(leftOut, this->LastLeftOut);
-  this->WarnOnce(warning, this->LastWarning);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
   const double gradients = inputs.GetGradientSeconds();

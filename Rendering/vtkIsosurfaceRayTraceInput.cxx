@@ -361,9 +361,9 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
 std::string vtkIsosurfaceRayTraceInput::GetWarning() const
 {
   std::string warning;
-  for (const std::unique_ptr<Part>& part : this->Parts)
+  for (std::size_t i = 0; i < this->Parts.size() && warning.empty(); ++i)
   {
-    warning = warning.empty() ? part->GetWarning() : warning;
+    warning = this->Parts[i]->GetWarning();
   }
   return warning;
 }
