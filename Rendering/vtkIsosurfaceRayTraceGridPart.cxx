@@ -57,9 +57,9 @@ void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTra
 //------------------------------------------------------------------------------
 vtkirt::TracedField& vtkIsosurfaceRayTraceGridPart::GetField()
 {
-  if (this->IsBuiltOnDemand())
+  if (!this->IsBuilt)
   {
-    // So few samples lie close together as they are, and shading reads them again.
+    // It is on demand: so few samples lie close together as they are, and shading reads them again.
     this->Settings.Layout = vtkirt::BrickLayout::Unbricked;
   }
   this->Update(1);

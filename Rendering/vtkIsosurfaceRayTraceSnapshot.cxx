@@ -13,6 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include "Math/PrefetchLines.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -115,6 +117,7 @@ bool vtkIsosurfaceRayTraceSnapshot::AreBlocksUnmodified(int threads) const
 {
   constexpr std::int64_t many = 256;
   constexpr std::int64_t ahead = 8;
+  constexpr std::size_t sizeOfPart = 128; // What is read of it, about.
   const auto count = static_cast<std::int64_t>(this->Blocks.size());
   bool areUnmodified = true;
 #pragma omp parallel for num_threads(threads) if (count > many) reduction(&& : areUnmodified)
@@ -123,8 +126,7 @@ bool vtkIsosurfaceRayTraceSnapshot::AreBlocksUnmodified(int threads) const
     const Block& next = this->Blocks[static_cast<std::size_t>(std::min(i + ahead, count - 1))];
     for (const void* part : next.Parts)
     {
-      __builtin_prefetch(part);
-      __builtin_prefetch(static_cast<const char*>(part) + 64);
+      vtkIsosurfaceRayTracing::PrefetchLines(part, sizeOfPart);
     }
     const Node& block = this->Blocks[static_cast<std::size_t>(i)];
     areUnmodified = areUnmodified && block.Data->GetMTime() == block.Time;
