@@ -123,29 +123,32 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(background, (41.0, 46.0, 56.0))
         self.assertGreater(surface[0], 100.0)
 
-    def test_isosurface_slider(self):
-        """The mouse drags its knob."""
+    def run_with_events(self, script, act):
+        """Runs an example with act(interactor) in place of the loop over events. Returns its names."""
 
         class Interactor:
             def __new__(cls):
                 interactor = vtkRenderWindowInteractor()
-                interactor.AddObserver("StartEvent", cls.drag)  # in place of the loop over events
+                interactor.AddObserver("StartEvent", lambda *_: act(interactor))
                 return interactor
 
-            @staticmethod
-            def drag(interactor, _):
-                before.append(interactor.GetRenderWindow().GetRenderers().GetFirstRenderer().GetVolumes()
-                              .GetLastProp().GetProperty().GetIsoSurfaceValues().GetValue(0))
-                for x, event in ((374, "LeftButtonPressEvent"), (480, "MouseMoveEvent"), (480, "LeftButtonReleaseEvent")):
-                    interactor.SetEventInformation(x, 80)
-                    interactor.InvokeEvent(event)
-
-        before = []
-        script = os.path.join(EXAMPLES, "isosurface_slider.py")
-        arguments = [script, write_waves(self.folder), str(ISOVALUE)]
+        arguments = [os.path.join(EXAMPLES, script), write_waves(self.folder), str(ISOVALUE)]
         with mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", Interactor):
             with mock.patch.object(sys, "argv", arguments):
-                names = runpy.run_path(script)
+                return runpy.run_path(arguments[0])
+
+    def test_isosurface_slider(self):
+        """The mouse drags its knob."""
+
+        def drag(interactor):
+            before.append(interactor.GetRenderWindow().GetRenderers().GetFirstRenderer().GetVolumes()
+                          .GetLastProp().GetProperty().GetIsoSurfaceValues().GetValue(0))
+            for x, event in ((374, "LeftButtonPressEvent"), (480, "MouseMoveEvent"), (480, "LeftButtonReleaseEvent")):
+                interactor.SetEventInformation(x, 80)
+                interactor.InvokeEvent(event)
+
+        before = []
+        names = self.run_with_events("isosurface_slider.py", drag)
         self.assertEqual(before, [ISOVALUE])
         isovalue = names["volume"].GetProperty().GetIsoSurfaceValues().GetValue(0)
         self.assertAlmostEqual(isovalue, ISOVALUE + 106 / 640 * (286.341 - 34.0153), delta=3.0)
@@ -154,23 +157,15 @@ class TestExamples(unittest.TestCase):
     def test_pick(self):
         """A click tells where the surface is."""
 
-        class Interactor:
-            def __new__(cls):
-                interactor = vtkRenderWindowInteractor()
-                interactor.AddObserver("StartEvent", cls.click)  # in place of the loop over events
-                return interactor
+        def click(interactor):
+            for position in itertools.product(range(100, 800, 120), repeat=2):
+                interactor.SetEventInformation(*position)
+                interactor.InvokeEvent("LeftButtonPressEvent")
+                interactor.InvokeEvent("LeftButtonReleaseEvent")
 
-            @staticmethod
-            def click(interactor, _):
-                for position in itertools.product(range(100, 800, 120), repeat=2):
-                    interactor.SetEventInformation(*position)
-                    interactor.InvokeEvent("LeftButtonPressEvent")
-                    interactor.InvokeEvent("LeftButtonReleaseEvent")
-
-        arguments, printed = [os.path.join(EXAMPLES, "pick.py"), write_waves(self.folder), str(ISOVALUE)], io.StringIO()
-        with mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", Interactor):
-            with mock.patch.object(sys, "argv", arguments), contextlib.redirect_stdout(printed):
-                runpy.run_path(arguments[0])
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            self.run_with_events("pick.py", click)
         lines = printed.getvalue().splitlines()
         self.assertIn(len(lines), range(3, 34))
         for line in lines:

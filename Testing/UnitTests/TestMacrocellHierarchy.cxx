@@ -162,6 +162,21 @@ TYPED_TEST(MacrocellHierarchyOf, RangesAndActivityMatchTheSamples)
 }
 
 //------------------------------------------------------------------------------
+void ExpectSameRanges(
+  const MacrocellHierarchy<float>& hierarchy, const MacrocellHierarchy<float>& reference)
+{
+  for (std::size_t level = 0; level < 2; ++level)
+  {
+    ForEachPlace(reference.GetLattice().Levels[level].Size,
+      [&](const Index3& macrocell)
+      {
+        const auto& a = hierarchy.GetRange(level, macrocell);
+        const auto& b = reference.GetRange(level, macrocell);
+        ASSERT_TRUE(a.Min == b.Min && a.Max == b.Max);
+      });
+  }
+}
+
 TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
 {
   RandomNumbers random(502);
@@ -172,18 +187,14 @@ TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
   for (const int threads : { 2, 3, 7, 16 })
   {
     const MacrocellHierarchy<float> hierarchy(samples, branching, threads);
+    ExpectSameRanges(hierarchy, reference);
     const ActiveMacrocells expected = reference.FindActive({ 17.0 }, 1);
     const ActiveMacrocells active = hierarchy.FindActive({ 17.0 }, threads);
     for (std::size_t level = 0; level < 2; ++level)
     {
       ForEachPlace(reference.GetLattice().Levels[level].Size,
         [&](const Index3& macrocell)
-        {
-          const auto& a = hierarchy.GetRange(level, macrocell);
-          const auto& b = reference.GetRange(level, macrocell);
-          ASSERT_TRUE(a.Min == b.Min && a.Max == b.Max);
-          ASSERT_EQ(active.IsActive(level, macrocell), expected.IsActive(level, macrocell));
-        });
+        { ASSERT_EQ(active.IsActive(level, macrocell), expected.IsActive(level, macrocell)); });
     }
   }
 }
@@ -226,16 +237,7 @@ TEST(MacrocellHierarchy, IdenticalFromAStore)
   {
     const MacrocellHierarchy<float> hierarchy(Samples<float>(built.View()), branching, 2, &store);
     const MacrocellHierarchy<float> reference(Samples<float>(expected.View()), branching, 1);
-    for (std::size_t level = 0; level < 2; ++level)
-    {
-      ForEachPlace(reference.GetLattice().Levels[level].Size,
-        [&](const Index3& macrocell)
-        {
-          const auto& a = hierarchy.GetRange(level, macrocell);
-          const auto& b = reference.GetRange(level, macrocell);
-          ASSERT_TRUE(a.Min == b.Min && a.Max == b.Max);
-        });
-    }
+    ExpectSameRanges(hierarchy, reference);
   };
   expectSame(volume, volume);
   expectSame(other, volume); // The samples are not looked at.
