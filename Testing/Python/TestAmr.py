@@ -316,6 +316,18 @@ class TestAmr(unittest.TestCase):
             memory.append(mapper.GetMacrocellMemory())
         self.assertLess(memory[1], 0.5 * memory[0])
 
+    def test_samples_are_kept_once_and_in_single_precision_where_that_holds_them(self):
+        memory = []
+        for scale in (1.0, 1.0 / 3.0):
+            amr = vtkOverlappingAMR()
+            blocks = [(0, (0, 0, 0), (8, 8, 8)), (1, (4, 4, 4), (6, 6, 6))]
+            fill(amr, blocks, False, lambda point, scale=scale: scale * (point[0] - 4.25))
+            mapper, volume = make_mapper(amr, opacity=1.0)
+            self.assertGreater(len(cast(mapper, volume, random_rays(500))), 50)
+            self.assertEqual(mapper.GetNumberOfBricks(), 0)
+            memory.append(mapper.GetMacrocellMemory())
+        self.assertLess(memory[0], 0.8 * memory[1])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -201,6 +201,7 @@ class TestManyGrids(unittest.TestCase):
         mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.01)
         self.assertGreater(len(cast(mapper, volume, rays)), 500)
         self.assertLess(mapper.GetMacrocellMemory() + mapper.GetBrickMemory(), 200000)
+        self.assertEqual(mapper.GetNumberOfBricks(), 0)
         self.check_hits(multi_block(blocks), blocks, rays, vtkIsosurfaceRayTraceMapper)
 
     def test_a_block_that_changes(self):
