@@ -18,6 +18,16 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
 //------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceHits::vtkIsosurfaceRayTraceHits(const vtkIsosurfaceRayTraceRequest& request)
+  : Request(request)
+{
+  for (const vtkIsosurfaceRayTraceRequest::Volume& volume : request.Volumes)
+  {
+    this->WorldFromGradient.push_back(vtkirt::NormalMatrix(volume.WorldFromObject));
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector3>& origins,
   const std::vector<vtkirt::Vector3>& directions, double tEnd, int threads) const
 {
@@ -43,32 +53,38 @@ vtkirt::RayHits vtkIsosurfaceRayTraceHits::Cast(const std::vector<vtkirt::Vector
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetPosition(const vtkirt::Hit& hit) const
-{
-  const vtkIsosurfaceRayTraceRequest::Volume& volume = this->Request.GetVolume(hit);
-  return vtkirt::TransformPoint(volume.WorldFromObject, volume.GetField().GetPoint(hit));
-}
-
-//------------------------------------------------------------------------------
-vtkirt::Vector3 vtkIsosurfaceRayTraceHits::GetNormal(const vtkirt::Hit& hit) const
-{
-  using vtkirt::operator*;
-  const vtkIsosurfaceRayTraceRequest::Volume& volume = this->Request.GetVolume(hit);
-  const vtkirt::TracedField& field = volume.GetField();
-  const vtkirt::Vector3 gradient = field.GetGradient(hit, field.GetRequest().Normals);
-  return vtkirt::Normalized(vtkirt::GradientToWorld(volume.WorldFromObject, gradient)) * -1.0;
-}
-
-//------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   const vtkirt::Hit& hit) const
 {
+  Batch batch;
+  batch.Add(0, hit);
   Description description;
-  description.CellId = this->Request.Inputs.FindCell(hit, description.Parametric);
-  description.Position = this->GetPosition(hit);
-  description.Normal = this->GetNormal(hit);
-  description.Value = this->Request.GetVolume(hit).GetField().GetValue(hit);
+  this->Describe(batch, &description);
   return description;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceHits::Describe(const Batch& batch, Description* descriptions) const
+{
+  using vtkirt::operator*;
+  const vtkIsosurfaceRayTraceRequest::Volume& volume = this->Request.GetVolume(batch.Hits[0]);
+  const vtkirt::Matrix4& worldFromGradient =
+    this->WorldFromGradient[static_cast<std::size_t>(batch.Hits[0].Field)];
+  const vtkirt::TracedField& field = volume.GetField();
+  alignas(64) double points[3][Batch::Capacity];
+  alignas(64) double gradients[3][Batch::Capacity];
+  field.GetPointsAndGradients(batch.Hits, static_cast<int>(batch.Count), points, gradients);
+  for (std::size_t i = 0; i < batch.Count; ++i)
+  {
+    Description& description = descriptions[i];
+    description.CellId = this->Request.Inputs.FindCell(batch.Hits[i], description.Parametric);
+    description.Position =
+      vtkirt::TransformPoint(volume.WorldFromObject, { points[0][i], points[1][i], points[2][i] });
+    const vtkirt::Vector3 gradient = vtkirt::TransformDirection(
+      worldFromGradient, { gradients[0][i], gradients[1][i], gradients[2][i] });
+    description.Normal = vtkirt::Normalized(gradient) * -1.0;
+    description.Value = field.GetValue(batch.Hits[i]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -78,30 +94,28 @@ void vtkIsosurfaceRayTraceHits::GetGeometry(const std::vector<vtkirt::Hit>& hits
   vtkirt::Matrix4 viewFromWorld;
   std::copy_n(
     camera->GetModelViewTransformMatrix()->GetData(), viewFromWorld.size(), viewFromWorld.data());
-  const auto count = static_cast<int>(hits.size());
+  const vtkirt::Matrix4 viewFromNormal = vtkirt::NormalMatrix(viewFromWorld);
   positions.assign(3 * hits.size(), 0.0F);
   normals.assign(3 * hits.size(), 0.0F);
-#pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
-  for (int i = 0; i < count; ++i)
-  {
-    const auto pixel = static_cast<std::size_t>(i);
-    const vtkirt::Hit& hit = hits[pixel];
-    if (hit.Surface == vtkirt::Hit::NoSurface)
+  ForEachShare(hits.size(), threads,
+    [&](std::size_t begin, std::size_t count)
     {
-      continue;
-    }
-    using vtkirt::operator*;
-    const vtkirt::Vector3 position = vtkirt::TransformPoint(viewFromWorld, this->GetPosition(hit));
-    vtkirt::Vector3 normal =
-      vtkirt::Normalized(vtkirt::GradientToWorld(viewFromWorld, this->GetNormal(hit)));
-    // As for polygons: towards the viewer, on the side of positive z.
-    normal = normal[2] < 0.0 ? normal * -1.0 : normal;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      positions[3 * pixel + axis] = static_cast<float>(position[axis]);
-      normals[3 * pixel + axis] = static_cast<float>(normal[axis]);
-    }
-  }
+      this->DescribeEach(&hits[begin], count,
+        [&](std::size_t i, const Description& hit)
+        {
+          using vtkirt::operator*;
+          const vtkirt::Vector3 position = vtkirt::TransformPoint(viewFromWorld, hit.Position);
+          vtkirt::Vector3 normal =
+            vtkirt::Normalized(vtkirt::TransformDirection(viewFromNormal, hit.Normal));
+          // As for polygons: towards the viewer, on the side of positive z.
+          normal = normal[2] < 0.0 ? normal * -1.0 : normal;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            positions[3 * (begin + i) + axis] = static_cast<float>(position[axis]);
+            normals[3 * (begin + i) + axis] = static_cast<float>(normal[axis]);
+          }
+        });
+    });
 }
 
 VTK_ABI_NAMESPACE_END

@@ -61,10 +61,13 @@ public:
     output->SetPoints(this->Points);
   }
 
-  void Set(vtkIdType row, std::size_t ray, double t, const Description& hit)
+  void SetRay(vtkIdType row, std::size_t ray)
+  {
+    this->RayIds->SetValue(row, static_cast<vtkIdType>(ray));
+  }
+  void Set(vtkIdType row, double t, const Description& hit)
   {
     this->Points->SetPoint(row, hit.Position.data());
-    this->RayIds->SetValue(row, static_cast<vtkIdType>(ray));
     this->Ts->SetValue(row, t);
     this->CellIds->SetValue(row, hit.CellId);
     this->Parametric->SetTypedTuple(row, hit.Parametric.data());
@@ -111,9 +114,9 @@ public:
     output->GetPointData()->SetActiveScalars("Colors");
   }
 
-  void SetColor(vtkIdType pixel, const unsigned char* color)
+  void SetColors(vtkIdType first, const unsigned char* colors, std::size_t count)
   {
-    this->Colors->SetTypedTuple(pixel, color);
+    std::copy_n(colors, 4 * count, this->Colors->GetPointer(4 * first));
   }
   void Set(vtkIdType pixel, float depth, const Description& hit)
   {
@@ -172,19 +175,19 @@ private:
   vtkNew<vtkFloatArray> Depths;
 };
 
-/// Calls visit(to, from) with the number of each pixel that was rendered, in a picture of a width
-/// and in that of the scene.
+/// Calls visit(to, from, count) for each row of the pixels that were rendered, with the number of
+/// its first in a picture of a width and in that of the scene, and how many they are.
 template <typename Visit>
-void ForEachPixel(const vtkIsosurfaceRayTracePicture& picture, int width, const Visit& visit)
+void ForEachRow(
+  const vtkIsosurfaceRayTracePicture& picture, int width, int threads, const Visit& visit)
 {
   const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
-  std::size_t from = 0;
+  const auto count = static_cast<std::size_t>(pixels.Width);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (int y = 0; y < pixels.Height; ++y)
   {
-    for (int x = 0; x < pixels.Width; ++x)
-    {
-      visit(pixels.X + x + static_cast<vtkIdType>(pixels.Y + y) * width, from++);
-    }
+    visit(pixels.X + static_cast<vtkIdType>(pixels.Y + y) * width,
+      static_cast<std::size_t>(y) * count, count);
   }
 }
 
@@ -203,10 +206,16 @@ void WriteHits(
   {
     for (std::size_t i = hits.First[ray]; i < hits.First[ray + 1]; ++i)
     {
-      const vtkirt::Hit& hit = hits.Hits[i];
-      arrays.Set(static_cast<vtkIdType>(i), ray, hit.T, traced.Describe(hit));
+      arrays.SetRay(static_cast<vtkIdType>(i), ray);
     }
   }
+  vtkIsosurfaceRayTraceHits::ForEachShare(hits.Hits.size(), request.Execution.Threads,
+    [&](std::size_t begin, std::size_t count)
+    {
+      traced.DescribeEach(&hits.Hits[begin], count,
+        [&](std::size_t i, const Description& hit)
+        { arrays.Set(static_cast<vtkIdType>(begin + i), hits.Hits[begin + i].T, hit); });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -218,30 +227,30 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
   output->Initialize();
   output->SetDimensions(width, height, 1);
   PixelArrays arrays(output->GetNumberOfPoints(), isProjection, output);
-  ForEachPixel(picture, width,
-    [&](vtkIdType to, std::size_t from)
+  ForEachRow(picture, width, request.Execution.Threads,
+    [&](vtkIdType to, std::size_t from, std::size_t count)
     {
       // A cloud, or the mean of several frames, has a colour where the first frame has no hit.
-      arrays.SetColor(to, &picture.Frame.Colors[4 * from]);
-      const vtkirt::Hit& hit = picture.Frame.Hits[from];
-      if (hit.Surface == vtkirt::Hit::NoSurface)
-      {
-        return;
-      }
-      const Description description = traced.Describe(hit);
-      // A projection hides nothing in a window, and so has no depth there; but each value has a
-      // position.
-      const float depth =
-        isProjection ? picture.GetDepth(hit) : std::min(picture.Frame.Depths[from], 1.0F);
-      arrays.Set(to, depth, description);
-      if (isProjection)
-      {
-        arrays.SetValue(to, description.Value);
-      }
-      else
-      {
-        arrays.SetIsovalueId(to, request.GetVolume(hit).FindIsovalue(description.Value));
-      }
+      arrays.SetColors(to, &picture.Frame.Colors[4 * from], count);
+      const vtkirt::Hit* const hits = &picture.Frame.Hits[from];
+      traced.DescribeEach(hits, count,
+        [&](std::size_t i, const Description& hit)
+        {
+          const vtkIdType pixel = to + static_cast<vtkIdType>(i);
+          // A projection hides nothing in a window, and so has no depth there; but each value has a
+          // position.
+          const float depth = isProjection ? picture.GetDepth(hits[i])
+                                           : std::min(picture.Frame.Depths[from + i], 1.0F);
+          arrays.Set(pixel, depth, hit);
+          if (isProjection)
+          {
+            arrays.SetValue(pixel, hit.Value);
+          }
+          else
+          {
+            arrays.SetIsovalueId(pixel, request.GetVolume(hits[i]).FindIsovalue(hit.Value));
+          }
+        });
     });
 }
 
@@ -257,11 +266,12 @@ void WriteColors(
   AddArray(depths, "Depth", 1, output->GetNumberOfPoints(), output);
   colors->Fill(0.0);
   depths->Fill(1.0);
-  ForEachPixel(picture, width,
-    [&](vtkIdType to, std::size_t from)
+  ForEachRow(picture, width, 1, // It copies, as fast as memory is.
+    [&](vtkIdType to, std::size_t from, std::size_t count)
     {
-      colors->SetTypedTuple(to, &picture.Frame.Colors[4 * from]);
-      depths->SetValue(to, std::min(picture.Frame.Depths[from], 1.0F));
+      std::copy_n(&picture.Frame.Colors[4 * from], 4 * count, colors->GetPointer(4 * to));
+      std::transform(&picture.Frame.Depths[from], &picture.Frame.Depths[from] + count,
+        depths->GetPointer(to), [](float depth) { return std::min(depth, 1.0F); });
     });
   output->GetPointData()->SetActiveScalars("Colors");
 }

@@ -234,7 +234,8 @@ TEST(TestRays, AnisotropicSpacing)
     {
       const Triple gradient = tracer.GetField().GetGradient(
         hit, vtkIsosurfaceRayTracing::NormalMode::InterpolantGradient);
-      const Triple normal = vtkIsosurfaceRayTracing::GradientToWorld(toWorld, gradient);
+      const Triple normal = vtkIsosurfaceRayTracing::TransformDirection(
+        vtkIsosurfaceRayTracing::NormalMatrix(toWorld), gradient);
       const Oracle::QuadTriple exact = { gradient[0] / Oracle::Quad(spacing[0]),
         gradient[1] / Oracle::Quad(spacing[1]), gradient[2] / Oracle::Quad(spacing[2]) };
       largest = std::max(largest, Oracle::AngleBetween(normal, exact));

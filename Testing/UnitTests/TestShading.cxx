@@ -60,7 +60,7 @@ TEST(Shading, NormalsAreTransformedByTheInverseTranspose)
       m[3] = random.Uniform(-1e3, 1e3);
       const Vector3 gradient = random.Direction();
       const Vector3 expected = Unit(TransposeTransformDirection(Invert(m), gradient));
-      const double error = Length(Unit(GradientToWorld(m, gradient)) - expected);
+      const double error = Length(Unit(TransformDirection(NormalMatrix(m), gradient)) - expected);
       worst = std::max(worst, error);
       ++tried;
       ASSERT_LT(error, 1e-11) << ratio;
@@ -74,11 +74,11 @@ TEST(Shading, NormalsAtAnySpacing)
 {
   for (const double spacing : { 1e-300, 1e-200, 1e-100, 1e-9, 1e9, 1e100, 1e200, 1e300 })
   {
-    const Vector3 normal =
-      GradientToWorld(Scaling({ spacing, -spacing, 2.0 * spacing }), { 1.0, 1.0, 1.0 });
+    const Vector3 normal = TransformDirection(
+      NormalMatrix(Scaling({ spacing, -spacing, 2.0 * spacing })), { 1.0, 1.0, 1.0 });
     ExpectNear(Unit(normal), Unit({ 1.0, -1.0, 0.5 }), 1e-14);
   }
-  ExpectNear(Unit(GradientToWorld(Scaling({ 1.0, 1e4, 1.0 }), { 1.0, 1.0, 0.0 })),
+  ExpectNear(Unit(TransformDirection(NormalMatrix(Scaling({ 1.0, 1e4, 1.0 })), { 1.0, 1.0, 0.0 })),
     Unit({ 1.0, 1e-4, 0.0 }), 1e-15);
 }
 

@@ -92,12 +92,6 @@ inline Matrix4 NormalMatrix(const Matrix4& m)
   return result;
 }
 
-/// A gradient in the world, up to a positive factor.
-inline Vector3 GradientToWorld(const Matrix4& worldFromObject, const Vector3& gradient)
-{
-  return TransformDirection(NormalMatrix(worldFromObject), gradient);
-}
-
 }
 
 #endif
