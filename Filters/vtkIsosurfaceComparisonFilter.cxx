@@ -226,10 +226,12 @@ public:
 private:
   // These return false when aborted: the row is not finished.
   bool MeasureTriangles(const ExtractionMethod& method, Row& row);
+  bool MeasureCastVolume(Row& row);
   bool MeasureRayTracing(Row& row);
   bool MeasurePictures(const std::function<std::unique_ptr<Drawing>()>& newDrawing, Row& row);
   bool MeasureAccuracyOfTriangles(vtkPolyData* extracted, Row& row);
   bool MeasureAccuracyOfHits(Row& row);
+  void ComparePixels(const std::vector<double>& ts, Row& row) const;
 
   std::string WhyNoSurface(double isovalue) const;
   bool FinishStep();
@@ -286,10 +288,23 @@ bool vtkIsosurfaceComparisonFilter::Comparison::FinishStep()
 void vtkIsosurfaceComparisonFilter::Comparison::Run(
   const std::vector<const ExtractionMethod*>& methods, vtkTable* table)
 {
-  const int rowsOfIsovalue = static_cast<int>(methods.size()) + (this->Self->RayTracing ? 1 : 0);
+  std::vector<std::function<bool(Row&)>> measurements;
+  for (const ExtractionMethod* method : methods)
+  {
+    measurements.emplace_back(
+      [this, method](Row& row) { return this->MeasureTriangles(*method, row); });
+  }
+  if (this->Self->MeasuresCastVolume(this->Data))
+  {
+    measurements.emplace_back([this](Row& row) { return this->MeasureCastVolume(row); });
+  }
+  if (this->Self->RayTracing)
+  {
+    measurements.emplace_back([this](Row& row) { return this->MeasureRayTracing(row); });
+  }
   // For each row the repeats, the pictures and the accuracy.
-  this->NumberOfSteps =
-    this->Self->GetNumberOfContours() * rowsOfIsovalue * (this->Self->NumberOfRepeats + 2);
+  this->NumberOfSteps = this->Self->GetNumberOfContours() * static_cast<int>(measurements.size()) *
+    (this->Self->NumberOfRepeats + 2);
   for (int i = 0; i < this->Self->GetNumberOfContours(); ++i)
   {
     const double isovalue = this->Self->GetValue(i);
@@ -298,16 +313,13 @@ void vtkIsosurfaceComparisonFilter::Comparison::Run(
     {
       this->ReferenceTs = this->Rays->CastAt(*this->Reference);
     }
-    for (int method = 0; method < rowsOfIsovalue && !this->Self->IsAborted(); ++method)
+    for (const std::function<bool(Row&)>& measure : measurements)
     {
       Row row;
       row.Isovalue = isovalue;
       row.AddNote(this->WhyNoSurface(isovalue));
       row.AddNote(this->WhyNoPictures);
-      const bool isFinished = method < static_cast<int>(methods.size())
-        ? this->MeasureTriangles(*methods[method], row)
-        : this->MeasureRayTracing(row);
-      if (!isFinished)
+      if (this->Self->IsAborted() || !measure(row))
       {
         return;
       }
@@ -360,6 +372,28 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
   return this->MeasurePictures(
            [this, &method]() { return NewTriangles(method, this->Extracted); }, row) &&
     this->MeasureAccuracyOfTriangles(mesh, row);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::Comparison::MeasureCastVolume(Row& row)
+{
+  row.Method = CastVolumeName;
+  this->Step += this->Self->NumberOfRepeats; // Nothing is extracted.
+  if (!this->MeasurePictures([this]() { return NewCastVolume(this->Data, true); }, row))
+  {
+    return false;
+  }
+  if (this->Self->Accuracy && this->Window)
+  {
+    const std::unique_ptr<Drawing> volume = NewCastVolume(this->Data, false);
+    const std::vector<double> covered = this->Window->FindCovered(*volume, row.Isovalue);
+    this->ComparePixels(covered, row);
+    if (this->IsOutputRow())
+    {
+      WriteDifference(*this->Rays, this->ReferenceTs, covered, this->Difference);
+    }
+  }
+  return this->FinishStep();
 }
 
 //------------------------------------------------------------------------------
@@ -425,10 +459,7 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
     Summarize(errors, static_cast<std::size_t>(mesh->GetNumberOfPoints()), row);
 
     const std::vector<double> ts = this->Rays->CastAt(mesh);
-    row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
-    row.IsosurfaceAlonePixels = CountPixelsAlone(this->ReferenceTs, ts);
-    row.MeshAlonePixels = CountPixelsAlone(ts, this->ReferenceTs);
-    row.DifferentPixels = row.IsosurfaceAlonePixels + row.MeshAlonePixels;
+    this->ComparePixels(ts, row);
 
     if (auto* image = vtkImageData::SafeDownCast(this->Data))
     {
@@ -444,6 +475,16 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureAccuracyOfTriangles(
     }
   }
   return this->FinishStep();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceComparisonFilter::Comparison::ComparePixels(
+  const std::vector<double>& ts, Row& row) const
+{
+  row.CoveredPixels = CountCoveredPixels(this->ReferenceTs);
+  row.IsosurfaceAlonePixels = CountPixelsAlone(this->ReferenceTs, ts);
+  row.MeshAlonePixels = CountPixelsAlone(ts, this->ReferenceTs);
+  row.DifferentPixels = row.IsosurfaceAlonePixels + row.MeshAlonePixels;
 }
 
 //------------------------------------------------------------------------------
@@ -641,6 +682,12 @@ int vtkIsosurfaceComparisonFilter::RequestUpdateExtent(vtkInformation* vtkNotUse
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceComparisonFilter::MeasuresCastVolume(vtkDataSet* data) const
+{
+  return this->GPUVolumeRayCast && vtkImageData::SafeDownCast(data);
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceComparisonFilter::IsAborted()
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -674,7 +721,8 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
   choose(isImage && this->SpanSpace, vtkIsosurfaceComparison::SpanSpace);
   choose(!isImage && this->ContourGrid, vtkIsosurfaceComparison::ContourGrid);
   choose(!isImage && this->Contour3DLinearGrid, vtkIsosurfaceComparison::Contour3DLinearGrid);
-  if (this->GetNumberOfContours() == 0 || (methods.empty() && !this->RayTracing))
+  const bool castsVolume = this->MeasuresCastVolume(input);
+  if (this->GetNumberOfContours() == 0 || (methods.empty() && !castsVolume && !this->RayTracing))
   {
     vtkWarningMacro("There is nothing to measure: set an isovalue with SetValue, and switch on "
                     "a method for this input, for example with RayTracingOn.");
@@ -694,6 +742,11 @@ int vtkIsosurfaceComparisonFilter::RequestData(vtkInformation* vtkNotUsed(reques
       for (const ExtractionMethod* method : methods)
       {
         row.Method = method->Name;
+        AddRow(table, row);
+      }
+      if (castsVolume)
+      {
+        row.Method = CastVolumeName;
         AddRow(table, row);
       }
       if (this->RayTracing)
@@ -725,6 +778,7 @@ void vtkIsosurfaceComparisonFilter::PrintSelf(ostream& os, vtkIndent indent)
   print("SpanSpace", this->SpanSpace);
   print("ContourGrid", this->ContourGrid);
   print("Contour3DLinearGrid", this->Contour3DLinearGrid);
+  print("GPUVolumeRayCast", this->GPUVolumeRayCast);
   print("RayTracing", this->RayTracing);
   print("Pictures", this->Pictures);
   print("Accuracy", this->Accuracy);

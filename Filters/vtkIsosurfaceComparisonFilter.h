@@ -33,7 +33,8 @@
  * |                        | triangles and those of the isosurface, in degrees, 0 to 90          |
  * | LostPoints             | measured points from which no isosurface was found                  |
  * | CoveredPixels          | pixels that show the isosurface                                     |
- * | DifferentPixels        | pixels that show either the isosurface or the mesh, but not both    |
+ * | DifferentPixels        | pixels that show either the isosurface or the mesh, but not both:   |
+ * |                        | of vtkGPUVolumeRayCastMapper, what its picture shows                |
  * | IsosurfaceAlonePixels, MeshAlonePixels | of them, those that show the isosurface, and those  |
  * |                        | that show the mesh                                                  |
  * | AmbiguousCells         | cells whose signs do not determine the topology, see below          |
@@ -54,7 +55,9 @@
  * the mean length of the edges of that cell; points that are in no cell are lost.
  *
  * *Pixels* are compared by casting the rays of the picture at the isosurface and at the triangles,
- * in double precision and without OpenGL.
+ * in double precision and without OpenGL. vtkGPUVolumeRayCastMapper keeps no surface that rays
+ * could be cast at, or whose distance could be measured: its pixels are those of its picture, and
+ * it has no triangles, no memory but the driver's, and no distances.
  *
  * *Ambiguous cells* have inside corners, or outside corners, that are not all connected by edges
  * between them. The topology is different if two corners can be connected by a path that does not
@@ -210,6 +213,18 @@ public:
 
   ///@{
   /**
+   * Set/Get whether vtkGPUVolumeRayCastMapper is measured, for images, in its isosurface mode, with
+   * its default settings: the times of pictures and the pixels that show the surface. It is what
+   * vtkSmartVolumeMapper draws isosurfaces by. Without a GPU a picture takes OpenGL about a second.
+   * Default: false.
+   */
+  vtkSetMacro(GPUVolumeRayCast, bool);
+  vtkGetMacro(GPUVolumeRayCast, bool);
+  vtkBooleanMacro(GPUVolumeRayCast, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether vtkIsosurfaceRayTraceMapper is measured, or vtkIsosurfaceRayTraceMeshMapper for
    * meshes. Default: true.
    */
@@ -307,6 +322,7 @@ private:
   vtkIsosurfaceComparisonFilter(const vtkIsosurfaceComparisonFilter&) = delete;
   void operator=(const vtkIsosurfaceComparisonFilter&) = delete;
 
+  bool MeasuresCastVolume(vtkDataSet* data) const;
   bool IsAborted();
 
   vtkNew<vtkContourValues> ContourValues;
@@ -317,6 +333,7 @@ private:
   bool SpanSpace = true;
   bool ContourGrid = true;
   bool Contour3DLinearGrid = true;
+  bool GPUVolumeRayCast = false;
   bool RayTracing = true;
   bool Pictures = true;
   bool Accuracy = true;

@@ -234,7 +234,13 @@ std::unique_ptr<TracedIsosurface> TracedIsosurface::New(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-TracedIsosurface::TracedIsosurface()
+TracedIsosurface::TracedIsosurface() = default;
+
+//------------------------------------------------------------------------------
+TracedIsosurface::~TracedIsosurface() = default;
+
+//------------------------------------------------------------------------------
+SurfaceVolume::SurfaceVolume()
 {
   vtkNew<vtkColorTransferFunction> white;
   white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
@@ -247,10 +253,7 @@ TracedIsosurface::TracedIsosurface()
 }
 
 //------------------------------------------------------------------------------
-TracedIsosurface::~TracedIsosurface() = default;
-
-//------------------------------------------------------------------------------
-void TracedIsosurface::SetIsovalue(double isovalue)
+void SurfaceVolume::SetIsovalue(double isovalue)
 {
   this->Volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
 }

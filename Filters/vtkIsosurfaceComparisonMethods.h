@@ -62,6 +62,18 @@ extern const ExtractionMethod SpanSpace;
 extern const ExtractionMethod ContourGrid;
 extern const ExtractionMethod Contour3DLinearGrid;
 
+/// A volume that shows an isosurface, white, opaque and shaded, once it has a mapper.
+class SurfaceVolume
+{
+public:
+  SurfaceVolume();
+  vtkVolume* Get() { return this->Volume; }
+  void SetIsovalue(double isovalue);
+
+private:
+  vtkNew<vtkVolume> Volume;
+};
+
 /// The isosurface of the interpolant: a volume with a mapper of this module.
 class TracedIsosurface
 {
@@ -72,8 +84,8 @@ public:
   TracedIsosurface(const TracedIsosurface&) = delete;
   TracedIsosurface& operator=(const TracedIsosurface&) = delete;
 
-  vtkVolume* GetVolume() { return this->Volume; }
-  void SetIsovalue(double isovalue);
+  vtkVolume* GetVolume() { return this->Surface.Get(); }
+  void SetIsovalue(double isovalue) { this->Surface.SetIsovalue(isovalue); }
 
   /// The name of the class of the mapper.
   virtual const char* GetName() const = 0;
@@ -92,7 +104,7 @@ protected:
   TracedIsosurface();
 
 private:
-  vtkNew<vtkVolume> Volume;
+  SurfaceVolume Surface;
 };
 
 }

@@ -10,11 +10,15 @@
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 #include "vtksys/DynamicLoader.hxx"
 
 #include <chrono>
@@ -101,6 +105,25 @@ private:
   std::unique_ptr<TracedIsosurface> Isosurface;
 };
 
+class CastVolume : public Drawing
+{
+public:
+  CastVolume(vtkDataSet* image, bool isShaded)
+  {
+    this->Mapper->SetInputDataObject(image);
+    this->Mapper->SetBlendModeToIsoSurface();
+    this->Surface.Get()->SetMapper(this->Mapper);
+    this->Surface.Get()->GetProperty()->SetShade(isShaded);
+  }
+
+  vtkProp* GetProp() override { return this->Surface.Get(); }
+  void SetIsovalue(double isovalue) override { this->Surface.SetIsovalue(isovalue); }
+
+private:
+  vtkNew<vtkGPUVolumeRayCastMapper> Mapper;
+  SurfaceVolume Surface;
+};
+
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +169,12 @@ std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkDataSet
 std::unique_ptr<Drawing> NewTracedIsosurface(vtkDataSet* data)
 {
   return std::make_unique<IsosurfaceDrawing>(data);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Drawing> NewCastVolume(vtkDataSet* image, bool isShaded)
+{
+  return std::make_unique<CastVolume>(image, isShaded);
 }
 
 //------------------------------------------------------------------------------
@@ -204,6 +233,25 @@ void PictureWindow::Measure(const std::function<std::unique_ptr<Drawing>()>& new
   row.FirstPictureTime = Median(first);
   row.NextPictureTime = Median(next);
   row.NewIsovaluePictureTime = Median(newIsovalue);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PictureWindow::FindCovered(Drawing& drawing, double isovalue)
+{
+  drawing.SetIsovalue(isovalue);
+  this->Renderer->AddViewProp(drawing.GetProp());
+  this->Window->Render();
+  this->Renderer->RemoveViewProp(drawing.GetProp());
+  const int* size = this->Window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  std::vector<double> covered;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  {
+    const bool isBackground = pixels->GetValue(3 * i) == 0;
+    covered.push_back(isBackground ? NotMeasured : 0.0);
+  }
+  return covered;
 }
 
 }

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
@@ -42,8 +43,13 @@ public:
   virtual void Prepare() {}
 };
 
+/// The method of NewCastVolume, in the table.
+constexpr const char* CastVolumeName = "vtkGPUVolumeRayCastMapper";
+
 std::unique_ptr<Drawing> NewTriangles(const ExtractionMethod& method, vtkDataSet* data);
 std::unique_ptr<Drawing> NewTracedIsosurface(vtkDataSet* data);
+/// By vtkGPUVolumeRayCastMapper; white throughout if it is not shaded.
+std::unique_ptr<Drawing> NewCastVolume(vtkDataSet* image, bool isShaded);
 
 /// An off-screen window, initialized.
 class PictureWindow
@@ -58,6 +64,10 @@ public:
   /// Returns early if it is told to stop.
   void Measure(const std::function<std::unique_ptr<Drawing>()>& newDrawing, double isovalue,
     double otherIsovalue, int repeats, const std::function<bool()>& isAborted, Row& row);
+
+  /// Which pixels show a white drawing, rows from the bottom: 0 for those that do, NaN for the
+  /// others, so that they can be compared with the Ts of PictureRays.
+  std::vector<double> FindCovered(Drawing& drawing, double isovalue);
 
 private:
   double TimeOfPicture();

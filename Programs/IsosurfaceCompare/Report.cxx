@@ -149,20 +149,34 @@ void WriteNotes(std::ostream& out, vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-/// The fastest row of the first isovalue, among ray traced or extracted ones; -1 if nothing was
-/// measured.
-vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
+/// What a method makes pictures of.
+enum class Kind
+{
+  Rays,
+  Triangles,
+  Samples
+};
+
+Kind GetKind(vtkTable* table, vtkIdType row)
+{
+  const std::string method = table->GetValueByName(row, "Method").ToString();
+  if (method == "vtkGPUVolumeRayCastMapper")
+  {
+    return Kind::Samples;
+  }
+  return method.rfind("vtkIsosurfaceRayTrace", 0) == 0 ? Kind::Rays : Kind::Triangles;
+}
+
+//------------------------------------------------------------------------------
+/// The fastest row of the first isovalue, among those of a kind; -1 if nothing was measured.
+vtkIdType FindFastest(vtkTable* table, Kind kind)
 {
   vtkIdType fastest = -1;
   double least = std::numeric_limits<double>::max();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    // Of both mappers.
-    const bool isRay =
-      table->GetValueByName(row, "Method").ToString().rfind("vtkIsosurfaceRayTrace", 0) == 0;
-    const bool isRequested = isRayTraced == isRay;
     const double seconds = table->GetValueByName(row, "NewIsovaluePictureTime").ToDouble();
-    if (isRequested &&
+    if (GetKind(table, row) == kind &&
       table->GetValueByName(row, "Isovalue") == table->GetValueByName(0, "Isovalue") &&
       seconds < least)
     {
@@ -177,8 +191,9 @@ vtkIdType FindFastest(vtkTable* table, bool isRayTraced)
 /// The most important results, for the first isovalue.
 void WriteSummary(std::ostream& out, vtkTable* table)
 {
-  const vtkIdType rays = FindFastest(table, true);
-  const vtkIdType mesh = FindFastest(table, false);
+  const vtkIdType rays = FindFastest(table, Kind::Rays);
+  const vtkIdType mesh = FindFastest(table, Kind::Triangles);
+  const vtkIdType samples = FindFastest(table, Kind::Samples);
   if (rays < 0 || mesh < 0 || !(table->GetValueByName(mesh, "Triangles").ToDouble() > 0.0))
   {
     return;
@@ -203,8 +218,15 @@ void WriteSummary(std::ostream& out, vtkTable* table)
     out << "in " << get(mesh, "TopologyDifferences") << " of " << get(mesh, "AmbiguousCells")
         << " ambiguous cells they connect corners that it separates, or the reverse; ";
   }
-  out << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels")
-      << " pixels differ.</p>\n";
+  out << get(mesh, "DifferentPixels") << " of " << get(mesh, "CoveredPixels") << " pixels differ.";
+  if (samples >= 0)
+  {
+    out << " vtkGPUVolumeRayCastMapper, drawn by " << Escape(GetOpenGLRenderer()) << ", takes "
+        << get(samples, "NewIsovaluePictureTime", milli) << " ms for a new isovalue and "
+        << get(samples, "NextPictureTime", milli) << " ms for the next frame; "
+        << get(samples, "DifferentPixels") << " of its pixels differ.";
+  }
+  out << "</p>\n";
 }
 
 //------------------------------------------------------------------------------
@@ -247,7 +269,7 @@ void WriteTables(std::ostream& out, vtkTable* table)
          "centroids of the triangles (at the hits of the picture for ray tracing). Angles between "
          "the normals of the triangles and those of the isosurface. Lost points: points from which "
          "no isosurface was found. Different pixels show one surface and not the other: the "
-         "isosurface alone, or the mesh alone. Different "
+         "isosurface alone, or the mesh (or what the GPU's samples find) alone. Different "
          "topology: ambiguous cells in which the mesh connects corners that the isosurface "
          "separates, or the reverse.</p>\n";
   WriteNotes(out, table);

@@ -62,6 +62,7 @@ const MethodSwitch Methods[] = {
   { "span-space", &Filter::SetSpanSpace, false },
   { "contour-grid", &Filter::SetContourGrid, true },
   { "contour-3d-linear-grid", &Filter::SetContour3DLinearGrid, true },
+  { "gpu-ray-cast", &Filter::SetGPUVolumeRayCast, true },
   { "ray-tracing", &Filter::SetRayTracing, true },
 };
 
@@ -92,7 +93,8 @@ Arguments ParseArguments(int argc, char* argv[])
   }
   methods +=
     ". Those with grid in their names are for meshes, ray-tracing is for both, the others are for "
-    "images. Default: flying-edges, marching-cubes and ray-tracing, or those for meshes.";
+    "images. Default: flying-edges, marching-cubes, gpu-ray-cast (vtkGPUVolumeRayCastMapper) and "
+    "ray-tracing, or those for meshes.";
 
   Arguments arguments;
   Programs::CommandLine commandLine(argc, argv);

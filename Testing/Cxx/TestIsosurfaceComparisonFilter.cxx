@@ -568,6 +568,7 @@ void TestSettings()
       comparison->GetSynchronizedTemplates() && comparison->GetContourFilter() &&
       comparison->GetSpanSpace() && comparison->GetRayTracing(),
     "a method is off");
+  Check(!comparison->GetGPUVolumeRayCast(), "the volume mapper of the GPU is on");
   Check(comparison->GetPictures() && comparison->GetAccuracy(), "a measurement is off");
   CheckEqual(comparison->GetImageSize()[1], 512, "default height of the picture");
   comparison->SetImageSize(0, 100000);
@@ -615,6 +616,49 @@ void TestPictures(bool isPossible)
     Check(table->GetValueByName(row, "PeakBytes").ToDouble() >= 0.0, "PeakBytes is not measured");
 #endif
   }
+}
+
+//------------------------------------------------------------------------------
+// Of a sphere to one side, the GPU shows the same pixels, and some more along its edge.
+void TestGPUVolumeRayCast(bool isPossible)
+{
+  vtkNew<vtkIsosurfaceComparisonFilter> comparison;
+  comparison->SetInputData(NewImage(
+    VTK_FLOAT, 16, [](int x, int y, int z) { return std::hypot(x - 5.0, y - 6.0, z - 10.0); }));
+  comparison->SetNumberOfContours(2);
+  comparison->SetValue(0, 5.0);
+  comparison->SetValue(1, 4.0);
+  comparison->SetImageSize(64, 64);
+  comparison->FlyingEdgesOff();
+  comparison->MarchingCubesOff();
+  comparison->SynchronizedTemplatesOff();
+  comparison->ContourFilterOff();
+  comparison->SpanSpaceOff();
+  comparison->RayTracingOff();
+  comparison->GPUVolumeRayCastOn();
+  comparison->SetOutputRow(1);
+  comparison->Update();
+  vtkTable* table = comparison->GetOutput();
+  CheckEqual(table->GetNumberOfRows(), 2, "rows of the volume mapper of the GPU");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto get = [table, row](const char* column)
+    { return table->GetValueByName(row, column).ToDouble(); };
+    CheckEqual(table->GetValueByName(row, "Method").ToString(),
+      std::string("vtkGPUVolumeRayCastMapper"), "method");
+    Check(isPossible ? get("FirstPictureTime") > 0.0 : std::isnan(get("FirstPictureTime")),
+      "time of the first picture");
+    Check(std::isnan(get("ExtractionTime")) && std::isnan(get("MedianDistance")) &&
+        get("Triangles") == 0.0,
+      "a triangle of the volume mapper of the GPU");
+    const double different = get("DifferentPixels");
+    Check(isPossible ? get("CoveredPixels") > 300.0 && different < 0.2 * get("CoveredPixels")
+                     : std::isnan(different),
+      "pixels of the volume mapper of the GPU: " + std::to_string(different));
+  }
+  const vtkIdType pixels =
+    vtkImageData::SafeDownCast(comparison->GetOutputDataObject(2))->GetNumberOfPoints();
+  CheckEqual<vtkIdType>(pixels, isPossible ? 64 * 64 : 0, "pixels of the difference");
 }
 
 //------------------------------------------------------------------------------
@@ -713,6 +757,7 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   TestSettings();
   CheckEqual(vtkIsosurfaceComparisonFilter::WhyNoPictures(), std::string(), "why no pictures");
   TestPictures(true);
+  TestGPUVolumeRayCast(true);
   TestOtherWindows();
 #ifdef __linux__
   // Newer VTK may have a window all the same, by EGL or OSMesa.
@@ -720,6 +765,7 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   TestPictures(vtkIsosurfaceComparisonFilter::WhyNoPictures().empty());
   unsetenv("DISPLAY");
   TestPictures(vtkIsosurfaceComparisonFilter::WhyNoPictures().empty());
+  TestGPUVolumeRayCast(vtkIsosurfaceComparisonFilter::WhyNoPictures().empty());
 #endif
   return Passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
