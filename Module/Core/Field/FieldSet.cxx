@@ -779,8 +779,13 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
     {
       // What is hidden in the members is not among them.
       HitCollector collector(*this, hits.Hits);
-      std::any_of(found.begin(), found.end(),
-        [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+      for (const Hit& hit : found)
+      {
+        if (collector.AddVisible(hit))
+        {
+          break;
+        }
+      }
     }
     hits.EndRay();
   }
