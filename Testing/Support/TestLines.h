@@ -4,17 +4,15 @@
 #ifndef TestLines_h
 #define TestLines_h
 
+#include "Math/Arithmetic.h"
 #include "RandomNumbers.h"
 
 #include <cstddef>
-#include <limits>
 #include <sstream>
 #include <string>
 
 namespace vtkIsosurfaceRayTracing
 {
-
-inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 struct Line
 {

@@ -7,6 +7,7 @@
 
 #include "AllKernels.h"
 #include "CloudReference.h"
+#include "Math/Arithmetic.h"
 #include "Math/Matrix.h"
 #include "Matrices.h"
 #include "Mesh/CellBoxes.h"
@@ -25,7 +26,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -39,7 +39,6 @@ namespace
 {
 
 using Extended = long double;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr Index3 Cubes = { 5, 4, 6 };
 
 /// Transfer functions with some nodes in [-1, 1], jumps among them.

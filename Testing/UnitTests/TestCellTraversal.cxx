@@ -6,6 +6,7 @@
 
 #include "Image/Cells/CellSegment.h"
 #include "Image/Traversal/CellTraversal.h"
+#include "Math/Arithmetic.h"
 #include "RandomNumbers.h"
 #include "TestVolume.h"
 
@@ -27,8 +28,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 std::string ToText(const Ray& ray)
 {

@@ -5,6 +5,7 @@
 #define BoundsTree_h
 
 #include "Math/Bounds.h"
+#include "Math/Compiler.h"
 #include "Rays/BoxGroup.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ private:
     const unsigned int all = (1U << boxes.GetSizeOfGroup(group)) - 1;
     for (unsigned int met = meet(boxes.Groups[group]) & all; met != 0; met &= met - 1)
     {
-      const auto i = static_cast<std::size_t>(__builtin_ctz(met));
+      const auto i = static_cast<std::size_t>(LowestBit(met));
       if (level == 0)
       {
         visit(this->Order[group * Width + i], GetBox(boxes.Groups[group], i));

@@ -7,6 +7,8 @@
 #include "Field/GatheredRays.h"
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
 #include "Math/Matrix.h"
 #include "Math/PrefetchLines.h"
 #include "Rays/AppendBoxedRay.h"
@@ -14,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <typeindex>
 #include <unordered_map>
@@ -27,7 +28,6 @@ namespace
 
 /// More than what rounding may move rays, hits and boxes by, as a part of their distance or size.
 constexpr double Slack = 1e-9;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Narrows the rays of a packet to a box.
 void Cut(const Kernels* kernels, const RayPacket& packet, const Bounds& box, RaysInBox& inside)
@@ -572,7 +572,7 @@ void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
       unsigned int met = Meet(this->PacketKernels, frustum, boxes) & ((1U << size) - 1);
       for (; met != 0; met &= met - 1)
       {
-        thread->InBeam[first + static_cast<std::size_t>(__builtin_ctz(met))].Packets |= 1U << i;
+        thread->InBeam[first + static_cast<std::size_t>(LowestBit(met))].Packets |= 1U << i;
       }
     }
   }
@@ -640,7 +640,7 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
   const Member* member = nullptr;
   for (unsigned int left = candidate.Packets; left != 0; left &= left - 1)
   {
-    const int number = __builtin_ctz(left);
+    const int number = LowestBit(left);
     PacketOfSet& packet = beam.Packets[number];
     if (candidate.Near > packet.End)
     {
@@ -712,7 +712,7 @@ void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find
   }
   for (; shortened != 0; shortened &= shortened - 1)
   {
-    PacketOfSet& packet = beam.Packets[__builtin_ctz(shortened)];
+    PacketOfSet& packet = beam.Packets[LowestBit(shortened)];
     packet.End = FindLargest(packet.Ends);
   }
 }
@@ -779,8 +779,13 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
     {
       // What is hidden in the members is not among them.
       HitCollector collector(*this, hits.Hits);
-      std::any_of(found.begin(), found.end(),
-        [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+      for (const Hit& hit : found)
+      {
+        if (collector.AddVisible(hit))
+        {
+          break;
+        }
+      }
     }
     hits.EndRay();
   }

@@ -4,6 +4,7 @@
 #ifndef GatheredRays_h
 #define GatheredRays_h
 
+#include "Math/Compiler.h"
 #include "Rays/RayPacket.h"
 #include "Rays/RaysInBox.h"
 
@@ -36,7 +37,7 @@ struct GatheredRays
     {
       for (std::uint64_t bits = inside.Rays.Words[word]; bits != 0; bits &= bits - 1)
       {
-        this->Add(packet, rays, inside, 64 * word + __builtin_ctzll(bits));
+        this->Add(packet, rays, inside, 64 * word + LowestBit(bits));
       }
     }
   }

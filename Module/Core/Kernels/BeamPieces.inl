@@ -35,7 +35,6 @@ SIMD_INLINE unsigned int FindActive(
 unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& beam,
   const IsovalueSpan* isovalues, int count, LabelBounds& bounds)
 {
-  constexpr auto infinity = static_cast<float>(Infinity);
   unsigned int found = 0;
   for (int i = 0; i < CellTreeNode::Width; i += FloatWidth)
   {
@@ -62,8 +61,8 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
       const Floats shift[2] = { beam.Slope[k] * z[0], beam.Slope[k] * z[1] };
       Floats lower = Min((lowest - shift[0]) * inverse[0], (lowest - shift[1]) * inverse[1]);
       Floats upper = Max((highest - shift[0]) * inverse[0], (highest - shift[1]) * inverse[1]);
-      lower = Select(isNear, -infinity, lower - beam.RelativeError * Abs(lower));
-      upper = Select(isNear, infinity, upper + beam.RelativeError * Abs(upper));
+      lower = Select(isNear, -FloatInfinity, lower - beam.RelativeError * Abs(lower));
+      upper = Select(isNear, FloatInfinity, upper + beam.RelativeError * Abs(upper));
       isOutside = isOutside | (1.0F < lower) | (upper < -1.0F);
       StoreFloats(lower, &bounds.Lower[k][i]);
       StoreFloats(upper, &bounds.Upper[k][i]);
@@ -243,15 +242,15 @@ SIMD_INLINE void StoreLine(Floats a, Floats b, Floats c, int line, int first, Be
 
 SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pieces)
 {
-  constexpr auto infinity = static_cast<float>(Infinity);
+  constexpr float largest = std::numeric_limits<float>::max();
   for (; unbounded != 0; unbounded &= unbounded - 1)
   {
-    const int i = first + __builtin_ctz(unbounded);
+    const int i = first + LowestBit(unbounded);
     LabelBounds& bounds = pieces.Bounds;
-    bounds.Lower[0][i] = bounds.Lower[1][i] = -infinity;
-    bounds.Upper[0][i] = bounds.Upper[1][i] = infinity;
+    bounds.Lower[0][i] = bounds.Lower[1][i] = -FloatInfinity;
+    bounds.Upper[0][i] = bounds.Upper[1][i] = FloatInfinity;
     // Behind the end of rays that are not there.
-    bounds.Near[i] = -__FLT_MAX__;
+    bounds.Near[i] = -largest;
     for (auto& line : pieces.Line)
     {
       line[0][i] = line[1][i] = line[2][i] = 0.0F;
@@ -306,9 +305,9 @@ struct StepFunction
     , Along(static_cast<float>(along))
   {
     // Points are half a step off at most; and what rounding to single precision takes off.
-    const double perStep = __builtin_fabs(across) + __builtin_fabs(along);
+    const double perStep = std::fabs(across) + std::fabs(along);
     this->Error = static_cast<float>(0.51 * perStep +
-      0x1p-21 * (__builtin_fabs(start) + static_cast<double>(PackedPieces::Steps) * perStep));
+      0x1p-21 * (std::fabs(start) + static_cast<double>(PackedPieces::Steps) * perStep));
   }
 
   SIMD_INLINE Floats Get(Floats across, Floats along) const
@@ -478,7 +477,7 @@ unsigned int FindPassed(const LabelBounds& bounds, unsigned int among, const Bea
   unsigned int passed = 0;
   for (unsigned int near = FindNear(bounds, among, rays); near != 0; near &= near - 1)
   {
-    const int number = __builtin_ctz(near);
+    const int number = LowestBit(near);
     passed |= static_cast<unsigned int>(FindGroups(bounds, number, rays) != 0) << number;
   }
   return passed;
@@ -520,11 +519,11 @@ void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, B
   for (unsigned int near = FindNear(pieces.Bounds, (1U << pieces.Count) - 1U, rays); near != 0;
        near &= near - 1)
   {
-    const int piece = __builtin_ctz(near);
+    const int piece = LowestBit(near);
     for (unsigned int groups = FindGroups(pieces.Bounds, piece, rays); groups != 0;
          groups &= groups - 1)
     {
-      AddPairs(pieces, piece, firstPiece + piece, rays, __builtin_ctz(groups), pairs);
+      AddPairs(pieces, piece, firstPiece + piece, rays, LowestBit(groups), pairs);
     }
   }
 }

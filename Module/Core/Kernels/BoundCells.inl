@@ -19,9 +19,9 @@ SIMD_INLINE Floats BoundCubics(const Floats v[8], Floats largest, const int orde
   const Floats third = 1.0F / 3.0F;
   const Floats most = Max(Max(cubics.Begin, cubics.End), Max(cubics.Once, cubics.Twice) * third);
   // Numbers of the smallest magnitudes vanish.
-  const Floats bound = Select(segments.High < segments.Low, -__builtin_inff(),
+  const Floats bound = Select(segments.High < segments.Low, -FloatInfinity,
     most + FindError<Even>(largest, 0x1p-100F, places));
-  return Even ? bound : Select(places.AreKnown(), bound, __builtin_inff());
+  return Even ? bound : Select(places.AreKnown(), bound, FloatInfinity);
 }
 
 template <typename T, bool Even>

@@ -354,7 +354,7 @@ SIMD_INLINE void ClassifyBetween(const PassedCells& cells, int axis,
   Candidates& candidates, RaySet hits[2])
 {
   // For other magnitudes nothing is known.
-  const float least = isovalue.Scale == 1.0 ? 0x1p-100F : __builtin_inff();
+  const float least = isovalue.Scale == 1.0 ? 0x1p-100F : FloatInfinity;
   const auto rounded = static_cast<float>(isovalue.Isovalue);
   const Floats isovalueError = least + 0x1p-22F * (rounded < 0.0F ? -rounded : rounded);
   // The order of the axis and those across, in that of the corners.
@@ -372,7 +372,7 @@ SIMD_INLINE void ClassifyBetween(const PassedCells& cells, int axis,
     const unsigned int rising = ToBits(classification.Rise);
     for (unsigned int left = lanes & ~ToBits(classification.Misses); left != 0; left &= left - 1)
     {
-      const int lane = __builtin_ctz(left);
+      const int lane = LowestBit(left);
       const unsigned int code = cells.Codes[i + lane];
       const unsigned int passage = code & 0xFFFFU;
       const unsigned int bit = code >> 24;

@@ -88,10 +88,8 @@ SIMD_INLINE Box FindBox(const std::uint64_t slices[8], const BlockPlace& place)
   std::uint64_t columns = any | any >> 32;
   columns |= columns >> 16;
   columns = (columns | columns >> 8) & 0xFFU;
-  const int first[3] = { __builtin_ctz(occupied), __builtin_ctzll(columns),
-    __builtin_ctzll(any) / 8 };
-  const int last[3] = { 31 - __builtin_clz(occupied), 63 - __builtin_clzll(columns),
-    (63 - __builtin_clzll(any)) / 8 };
+  const int first[3] = { LowestBit(occupied), LowestBit(columns), LowestBit(any) / 8 };
+  const int last[3] = { HighestBit(occupied), HighestBit(columns), HighestBit(any) / 8 };
   Box box;
   for (int i = 0; i < 3; ++i)
   {
@@ -106,7 +104,7 @@ SIMD_INLINE Box FindBox(const std::uint64_t slices[8], const BlockPlace& place)
 
 SIMD_INLINE void CopyPair(const float from[2], float to[2])
 {
-  __builtin_memcpy(to, from, 2 * sizeof(float));
+  std::memcpy(to, from, 2 * sizeof(float));
 }
 
 /// Rays that may meet a box, with their segments as in Passages::Segment.
@@ -147,7 +145,7 @@ SIMD_INLINE void FindRays(const AlignedRays& aligned, const RaySet& rays, const 
   for (unsigned int subpackets = FindSubpackets(aligned, box); subpackets != 0;
        subpackets &= subpackets - 1)
   {
-    const int firstRay = __builtin_ctz(subpackets) * AlignedRays::SubpacketSize;
+    const int firstRay = LowestBit(subpackets) * AlignedRays::SubpacketSize;
     for (int i = firstRay; i < firstRay + AlignedRays::SubpacketSize; i += DoubleWidth)
     {
       const Doubles slopeU = Load(&aligned.Slope[0][i]);

@@ -55,8 +55,8 @@ private:
     const double a = one * projected.A[edge][number];
     const double b = one * projected.B[edge][number];
     const double c = one * projected.C[edge][number];
-    const double across = __builtin_fabs(a) + __builtin_fabs(b);
-    const double margin = 0x1p-20 * (__builtin_fabs(c) + CloudTile::Middle * across);
+    const double across = std::fabs(a) + std::fabs(b);
+    const double margin = 0x1p-20 * (std::fabs(c) + CloudTile::Middle * across);
     // Single precision has no room for every scale.
     const double scale = 1.0 / (margin + 0x1p-1000);
     this->A[this->Count] = static_cast<float>(a * scale);

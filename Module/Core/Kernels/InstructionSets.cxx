@@ -4,6 +4,7 @@
 #include "Kernels/InstructionSets.h"
 
 #include "Kernels/Kernels.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,12 +19,11 @@ std::vector<const Kernels*> GetKernels()
 {
   std::vector<const Kernels*> kernels = { &BaselineKernels };
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (HasAvx2())
   {
     kernels.push_back(&Avx2Kernels);
   }
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-    __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+  if (HasAvx512())
   {
     kernels.push_back(&Avx512Kernels);
   }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The kernels, included once for every instruction set. They call nothing of the standard library,
-// and of other headers of the core only what is always inlined (see Math/Arithmetic.h): the linker
-// keeps one copy of a function that several files compile, which might be the one for an
-// instruction set that the processor does not have.
+// The kernels, included once for every instruction set. They call nothing of the standard library
+// but C's functions, and of other headers of the core only what is always inlined (see
+// Math/Arithmetic.h): the linker keeps one copy of a function that several files compile, which
+// might be the one for an instruction set that the processor does not have.
 
 #include "Kernels/BeamPieces.h"
 #include "Kernels/Kernels.h"
@@ -26,12 +26,15 @@
 #include "Rays/TrilinearHits.h"
 #include "Rays/TrilinearSearch.h"
 
+#include <cmath>
+#include <cstring>
+#include <limits>
+
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
 
-constexpr double Infinity = __builtin_inf();
 /// The margin around rays, in cells: more than all rounding.
 constexpr double Margin = 0x1p-9;
 /// Beyond any block.

@@ -86,7 +86,7 @@ SIMD_INLINE float MoveDown(double number)
 {
   constexpr double least = 0x1p-140;
   constexpr double largest = 0x1.fffffep127;
-  const double lower = number - (__builtin_fabs(number) * 0x1p-22 + least);
+  const double lower = number - (std::fabs(number) * 0x1p-22 + least);
   return static_cast<float>(lower < largest ? lower : largest);
 }
 

@@ -4,15 +4,22 @@
 #ifndef Arithmetic_h
 #define Arithmetic_h
 
-/// What the kernels share with the rest of the core is written once, as templates of a Number: a
-/// double, or a SIMD vector of doubles (Kernels/Vectors.h), with a comparison for each lane. It is
-/// always inlined, without optimization too: otherwise the linker might keep the copy that was
-/// compiled for a processor which is not there. For the same reason it calls nothing of the
-/// standard library.
-#define SIMD_INLINE inline __attribute__((always_inline))
+#include "Math/Compiler.h"
+
+#include <cmath>
+#include <limits>
+
+// What the kernels share with the rest of the core is written once, as templates of a Number: a
+// double, or a SIMD vector of doubles (Kernels/Vectors.h), with a comparison for each lane. It is
+// SIMD_INLINE, always: otherwise the linker might keep the copy that was compiled for a processor
+// which is not there. For the same reason it calls nothing of the standard library but C's
+// functions.
 
 namespace vtkIsosurfaceRayTracing
 {
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
 // The operations of a Number, for double. Those of vectors have the same names and give the same
 // bits, of NaN and of the signs of zeros too.
@@ -56,29 +63,29 @@ SIMD_INLINE double Max(double a, double b)
 
 SIMD_INLINE double Abs(double a)
 {
-  return __builtin_fabs(a);
+  return std::fabs(a);
 }
 
 /// The first with the sign of the second.
 SIMD_INLINE double CopySign(double a, double b)
 {
-  return __builtin_copysign(a, b);
+  return std::copysign(a, b);
 }
 
 SIMD_INLINE double Sqrt(double a)
 {
-  return __builtin_sqrt(a);
+  return std::sqrt(a);
 }
 
 SIMD_INLINE double Floor(double a)
 {
-  return __builtin_floor(a);
+  return std::floor(a);
 }
 
 /// a b + c, rounded once.
 SIMD_INLINE double FusedMultiplyAdd(double a, double b, double c)
 {
-  return __builtin_fma(a, b, c);
+  return std::fma(a, b, c);
 }
 
 /// As std::clamp chooses: NaN stays.

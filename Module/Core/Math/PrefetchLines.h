@@ -4,18 +4,20 @@
 #ifndef PrefetchLines_h
 #define PrefetchLines_h
 
+#include "Math/Compiler.h"
+
 #include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Asks for memory that is read soon, in lines of the cache. It is not read now, so it may be gone.
+/// Asks for memory that is read soon, in lines of the cache.
 inline void PrefetchLines(const void* begin, std::size_t bytes)
 {
   constexpr std::size_t line = 64;
   for (std::size_t i = 0; i < bytes; i += line)
   {
-    __builtin_prefetch(static_cast<const char*>(begin) + i);
+    PrefetchLine(static_cast<const char*>(begin) + i);
   }
 }
 

@@ -3,15 +3,16 @@
 
 #include "Mesh/BeamTracer.h"
 
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
 
-constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 constexpr int GroupSize = BeamRays::GroupSize;
 
 RayFrame GetFrame(const RayPacket& packet, int ray)
@@ -44,7 +45,7 @@ RaySet BeamTracer::Trace(
         this->Solve(selection, beam, hits);
         beam.Forget();
       }
-      const int set = beam.Load(selection, first + static_cast<std::size_t>(__builtin_ctz(passed)));
+      const int set = beam.Load(selection, first + static_cast<std::size_t>(LowestBit(passed)));
       selection.PacketKernels->FindPairs(
         beam.GetPieces(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
       if (this->Pairs.Count >= BeamPairs::Batch)
@@ -133,7 +134,7 @@ void BeamTracer::FindEnds()
 {
   for (; this->Shortened != 0; this->Shortened &= this->Shortened - 1)
   {
-    const int group = __builtin_ctz(this->Shortened);
+    const int group = LowestBit(this->Shortened);
     const float* ends = this->Rays.End + group * GroupSize;
     this->Rays.GroupEnd[group] = *std::max_element(ends, ends + GroupSize);
   }
@@ -234,7 +235,7 @@ void BeamTracer::SolveTetrahedra(
   selection.PacketKernels->SolveTetrahedra(this->Framed, pairs);
   for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
   {
-    const int pair = __builtin_ctzll(left);
+    const int pair = LowestBit(left);
     const int ray = pairs.Ray[pair];
     RayPart& part = this->Parts[ray];
     if (part.Has(pairs.T[pair]))
@@ -254,7 +255,7 @@ void BeamTracer::SolveTetrahedra(
   }
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
-    const int pair = __builtin_ctzll(left);
+    const int pair = LowestBit(left);
     this->SolveByItself(selection, beam, cells.Pieces[pairs.Cell[pair]], cells.Places[pair], hits);
   }
   pairs.Count = 0;

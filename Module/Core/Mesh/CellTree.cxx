@@ -5,6 +5,8 @@
 
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
 #include "Math/RoundOutward.h"
 
 #include <algorithm>
@@ -18,8 +20,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Behind all keys.
 constexpr std::uint64_t NoKey = std::numeric_limits<std::uint64_t>::max();
@@ -310,7 +310,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
   const auto getExtent = [this, &extents](std::size_t block)
   {
     constexpr std::size_t ahead = 16;
-    __builtin_prefetch(&extents[this->Order[std::min(block + ahead, this->Blocks - 1)]]);
+    PrefetchLine(&extents[this->Order[std::min(block + ahead, this->Blocks - 1)]]);
     return extents[this->Order[block]];
   };
   this->BuildLevel(this->Blocks, this->GetMargin(), getExtent, threads);

@@ -6,6 +6,7 @@
 
 #include "Field/TracedField.h"
 #include "Kernels/CellTreeNode.h"
+#include "Math/PrefetchLines.h"
 #include "Mesh/MeshCells.h"
 
 #include <algorithm>
@@ -60,11 +61,7 @@ public:
   /// Begins to fetch a node.
   void Prefetch(int level, std::size_t node) const
   {
-    const auto* first = reinterpret_cast<const char*>(&this->GetNode(level, node));
-    for (std::size_t line = 0; line < sizeof(CellTreeNode); line += 64)
-    {
-      __builtin_prefetch(first + line);
-    }
+    PrefetchLines(&this->GetNode(level, node), sizeof(CellTreeNode));
   }
 
   /// Whether all cells that are traced are finite.

@@ -3,9 +3,11 @@
 
 #include "Mesh/MeshBeam.h"
 
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -14,8 +16,6 @@ namespace
 
 /// The nodes that hold blocks of cells.
 constexpr int LevelOfLeaves = 0;
-
-constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
 IsovalueSpan FindSpan(double isovalue)
 {
@@ -136,7 +136,7 @@ void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
       this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
   for (; found != 0; found &= found - 1)
   {
-    const int child = __builtin_ctz(found);
+    const int child = LowestBit(found);
     const std::size_t number = node.Number * CellTree::Width + static_cast<std::size_t>(child);
     this->Prefetch(selection, node.Level - 1, number);
     this->Heap.push_back({ bounds.Near[child], node.Level - 1, number });
@@ -201,7 +201,7 @@ void MeshBeam::AddSets(const MeshSelection& selection, std::size_t leaf, int sur
   int passed = 0;
   for (found &= (1U << count) - 1U; found != 0; found &= found - 1)
   {
-    order[passed++] = __builtin_ctz(found);
+    order[passed++] = LowestBit(found);
   }
   std::sort(order, order + passed, [&](int a, int b) { return bounds.Near[a] < bounds.Near[b]; });
   for (int i = 0; i < passed; ++i)
@@ -215,7 +215,7 @@ void MeshBeam::AddSets(const MeshSelection& selection, std::size_t leaf, int sur
     const PackedPieces* set = first + order[i];
     for (const auto& corners : set->Polygons)
     {
-      __builtin_prefetch(corners);
+      PrefetchLine(corners);
     }
     this->Sets.push_back({ set, leaf, surface, NotSeen });
   }

@@ -5,6 +5,7 @@
 #define MeshCells_h
 
 #include "Kernels/BeamPieces.h"
+#include "Math/Compiler.h"
 #include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"
 #include "Mesh/MeshView.h"
@@ -55,8 +56,7 @@ public:
   /// Begins to fetch the ids of a cell's corners, if they are where they should be.
   void Prefetch(std::int64_t number) const
   {
-    __builtin_prefetch(
-      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
+    PrefetchLine(static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
   }
 
   /// Reads cells that are traced and finite: their corners, and in place of differences the values.

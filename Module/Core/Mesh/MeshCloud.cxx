@@ -3,19 +3,17 @@
 
 #include "Mesh/MeshCloud.h"
 
+#include "Math/Arithmetic.h"
 #include "Math/Matrix.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The largest product of a row with the points (x, y, z, 1) of a child of a node.
 double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)

@@ -3,15 +3,15 @@
 
 #include "Mesh/MeshRay.h"
 
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A part of a ray.
 struct Slab
@@ -126,7 +126,7 @@ void MeshRay::VisitBlock(std::size_t block, CellHits& inCell, std::vector<Hit>& 
     for (unsigned int active = this->Selection->Cells->FindStraddling(numbers, count, isovalue);
          active != 0; active &= active - 1)
     {
-      KeepHitsInCell(*this->Selection, this->Frame, numbers[__builtin_ctz(active)],
+      KeepHitsInCell(*this->Selection, this->Frame, numbers[LowestBit(active)],
         static_cast<int>(surface), inCell, this->Part, hits);
     }
   }

@@ -6,6 +6,8 @@
 #include "Field/FirstException.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +17,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
 {
@@ -265,7 +265,7 @@ PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int thre
          active &= active - 1)
     {
       MeshCell cell;
-      this->Cells->LoadIds(numbers[__builtin_ctz(active)], cell);
+      this->Cells->LoadIds(numbers[LowestBit(active)], cell);
       if (this->Tree->AreAllFinite())
       {
         this->Cells->LoadValues(cell);

@@ -4,6 +4,7 @@
 #ifndef PointGradients_h
 #define PointGradients_h
 
+#include "Math/Compiler.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/ShapeFunctions.h"
@@ -42,7 +43,7 @@ public:
   {
     for (int i = 0; i < cell.Count; ++i)
     {
-      __builtin_prefetch(&this->Gradients[static_cast<std::size_t>(cell.Ids[i])]);
+      PrefetchLine(&this->Gradients[static_cast<std::size_t>(cell.Ids[i])]);
     }
   }
 

@@ -3,18 +3,17 @@
 
 #include "Mesh/SurfacePieces.h"
 
+#include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
 #include "Math/RoundOutward.h"
 #include "Math/TrilinearCell.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Of leaves without any.
 constexpr PackedPieces NoPieces = {};
@@ -114,7 +113,7 @@ void SurfacePieces::FindPassedCells(
     for (unsigned int active = this->Cells->FindStraddling(numbers, count, this->Isovalue);
          active != 0; active &= active - 1)
     {
-      const int i = __builtin_ctz(active);
+      const int i = LowestBit(active);
       MeshCell cell;
       if (!this->Tree->AreAllFinite() && !this->Cells->Load(numbers[i], cell))
       {

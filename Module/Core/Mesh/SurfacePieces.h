@@ -5,6 +5,8 @@
 #define SurfacePieces_h
 
 #include "Kernels/Kernels.h"
+#include "Math/Compiler.h"
+#include "Math/PrefetchLines.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 
@@ -40,11 +42,7 @@ public:
   /// Begins to fetch what is known of some consecutive leaves...
   void Prefetch(std::size_t leaf, std::size_t count) const
   {
-    const auto* first = reinterpret_cast<const char*>(&this->Leaves[leaf]);
-    for (std::size_t byte = 0; byte < count * sizeof(this->Leaves[0]); byte += 64)
-    {
-      __builtin_prefetch(first + byte);
-    }
+    PrefetchLines(&this->Leaves[leaf], count * sizeof(this->Leaves[0]));
   }
   /// ...and the boxes of most sets of a leaf.
   void PrefetchBoxes(std::size_t leaf) const
@@ -53,7 +51,7 @@ public:
     const PackedPieces* made = this->Leaves[leaf].load(std::memory_order_relaxed);
     for (int i = 0; i < most && made; ++i)
     {
-      __builtin_prefetch(made + i);
+      PrefetchLine(made + i);
     }
   }
 

@@ -4,19 +4,17 @@
 #include "Picture/CloudFinder.h"
 
 #include "Kernels/Kernels.h"
+#include "Math/Arithmetic.h"
 #include "Math/Matrix.h"
 #include "Picture/CloudTransfer.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 PixelRectangle InViewport(const Scene& scene, const PixelRectangle& tile)
 {

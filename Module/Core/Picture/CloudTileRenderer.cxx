@@ -11,15 +11,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <tuple>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A ray ends where less of the light behind is seen.
 constexpr double NegligibleLight = 0x1p-15;

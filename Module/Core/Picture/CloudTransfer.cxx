@@ -3,18 +3,13 @@
 
 #include "Picture/CloudTransfer.h"
 
+#include "Math/Arithmetic.h"
+
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
-namespace
-{
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-}
 
 //------------------------------------------------------------------------------
 CloudTransfer::CloudTransfer(const std::vector<CloudNode>& nodes)

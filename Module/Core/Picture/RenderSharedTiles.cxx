@@ -4,6 +4,7 @@
 #include "Picture/RenderSharedTiles.h"
 
 #include "Field/FirstException.h"
+#include "Math/Arithmetic.h"
 #include "Picture/CloudFinder.h"
 #include "Picture/CloudTileRenderer.h"
 #include "Picture/PixelBlockRenderer.h"
@@ -31,8 +32,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 using Message = MessageExchange::Message;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The time between two reports of progress, as in RenderTiles.
 constexpr std::chrono::milliseconds ReportInterval{ 20 };

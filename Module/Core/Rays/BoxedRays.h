@@ -27,7 +27,7 @@ template <typename Number>
 SIMD_INLINE auto MoveToBox(const double lower[3], const double upper[3], BoxedRays<Number>& rays)
 {
   using Mask = decltype(Number() < Number());
-  const Number infinity = __builtin_inf();
+  const Number infinity = Infinity;
   const Number zero = 0.0;
   const Number one = 1.0;
   Mask isRay = zero < infinity;

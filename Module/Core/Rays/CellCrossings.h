@@ -36,9 +36,9 @@ struct CellCrossings
 {
   using Mask = decltype(Number() < Number());
 
-  Number Begin = -__builtin_inf();
+  Number Begin = -Infinity;
   Number BeginAxis = 0.0;
-  Number End = __builtin_inf();
+  Number End = Infinity;
   Number EndAxis = Crossing::StartAxis;
 
   /// Narrows the part of rays to what is between the two planes of an axis that they move along.

@@ -59,7 +59,7 @@ SIMD_INLINE auto ClipToVolume(
 {
   using Mask = typename ClippedRays<Number>::Mask;
   const Number zero = 0.0;
-  const Number infinity = __builtin_inf();
+  const Number infinity = Infinity;
   Mask isFinite = zero < infinity;
   Mask isRay = infinity < zero;
   for (int axis = 0; axis < 3; ++axis)

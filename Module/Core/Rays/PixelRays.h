@@ -36,7 +36,7 @@ SIMD_INLINE void MakePixelRays(const double* objectFromClip, double width, doubl
   }
   const Number z = 2.0 * depth - 1.0;
   end = (z + 1.0) / ((wa + z * wb) * wNear);
-  end = Select(0.0 <= end, end, __builtin_inf());
+  end = Select(0.0 <= end, end, Infinity);
 }
 
 /// The depth in [0, 1] of a point in object space.

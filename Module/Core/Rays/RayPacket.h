@@ -4,6 +4,7 @@
 #ifndef RayPacket_h
 #define RayPacket_h
 
+#include "Math/Compiler.h"
 #include "Math/Vector.h"
 
 #include <cstdint>
@@ -77,7 +78,7 @@ inline bool IsEmpty(const RaySet& set)
 
 inline int CountOf(const RaySet& set)
 {
-  return __builtin_popcountll(set.Words[0]) + __builtin_popcountll(set.Words[1]);
+  return CountBits(set.Words[0]) + CountBits(set.Words[1]);
 }
 
 }

@@ -5,6 +5,7 @@
 #define TrilinearSearch_h
 
 #include "Math/Arithmetic.h"
+#include "Math/Compiler.h"
 #include "Rays/TrilinearHits.h"
 
 namespace vtkIsosurfaceRayTracing
@@ -123,7 +124,7 @@ private:
     const LaneSet entering = ToBits(hits.Entering);
     for (; found != 0; found &= found - 1)
     {
-      const int lane = __builtin_ctz(found);
+      const int lane = LowestBit(found);
       TrilinearSolutions& solutions = this->Solutions[this->Parts[lane].Pair];
       if (solutions.Count == TrilinearSolutions::Capacity)
       {
@@ -157,7 +158,7 @@ private:
     const LaneSet smaller = ToBits(hits.IsSmaller);
     for (; open != 0; open &= open - 1)
     {
-      const int lane = __builtin_ctz(open);
+      const int lane = LowestBit(open);
       const TrilinearPart& part = this->Parts[lane];
       if (part.Cuts == TrilinearPart::MaximumCuts)
       {
@@ -187,7 +188,7 @@ private:
   {
     for (; lanes != 0; lanes &= lanes - 1)
     {
-      this->Solutions[this->Parts[__builtin_ctz(lanes)].Pair].AreCertain = false;
+      this->Solutions[this->Parts[LowestBit(lanes)].Pair].AreCertain = false;
     }
   }
 

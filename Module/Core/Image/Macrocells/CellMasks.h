@@ -7,6 +7,7 @@
 #include "Image/Macrocells/BlockMask.h"
 #include "Image/Samples/BlockCache.h"
 #include "Image/Samples/VolumeView.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,8 +155,7 @@ private:
     }
   };
 
-  // Tests of a sample, and of eight at once, whose answers are 0 or -1 each. (Vectors are passed by
-  // reference: without AVX there is no other agreed way to pass some of them.)
+  // Tests of a sample, and of eight at once, whose answers are 0 or -1 each.
   struct IsAtLeast
   {
     Compared Threshold;
@@ -165,7 +165,7 @@ private:
     template <typename Values, typename Answers>
     void Test(const Values& values, Answers& answers) const
     {
-      answers = __builtin_convertvector(values >= this->Threshold, Answers);
+      Convert(values >= this->Threshold, answers);
     }
   };
 
@@ -176,7 +176,7 @@ private:
     template <typename Values, typename Answers>
     void Test(const Values& values, Answers& answers) const
     {
-      answers = __builtin_convertvector(values - values == 0, Answers);
+      Convert(values - values == 0, answers);
     }
   };
 
@@ -190,12 +190,9 @@ private:
     {
       if (stride == 1 && count == BlockMask::Edge)
       {
-        // GCC wants the attribute of a dependent type at the end of a typedef.
-        typedef T Vector __attribute__((vector_size(8 * sizeof(T)))); // NOLINT(modernize-use-using)
-        using Bytes = signed char __attribute__((vector_size(8)));
-        Vector values;
+        typename ShortVector<T, 8>::Type values;
         std::memcpy(&values, row, sizeof(values));
-        Bytes answers;
+        ShortVector<signed char, 8>::Type answers;
         test.Test(values, answers);
         unsigned char bytes[8];
         std::memcpy(bytes, &answers, sizeof(bytes));
@@ -236,10 +233,7 @@ private:
   {
     std::uint64_t word;
     std::memcpy(&word, bytes, sizeof(word));
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    word = __builtin_bswap64(word);
-#endif
-    return word;
+    return FromLittleEndian(word);
   }
 
   /// The cells of a block: less than 8^3 at the border of the volume.
@@ -325,7 +319,7 @@ private:
       std::uint64_t& slice = mask.Slices[2][z];
       for (std::uint64_t left = slice; left != 0; left &= left - 1)
       {
-        const int bit = __builtin_ctzll(left);
+        const int bit = LowestBit(left);
         const Index3 cell = { first[0] + bit % BlockMask::Edge, first[1] + bit / BlockMask::Edge,
           first[2] + z };
         if (this->HiddenCells[Offset(cell, cells)] != 0)

@@ -4,6 +4,8 @@
 #ifndef BlockCache_h
 #define BlockCache_h
 
+#include "Math/Compiler.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -109,7 +111,7 @@ public:
     return memory;
   }
 
-  void Prefetch(std::size_t block) const { __builtin_prefetch(&this->States[block]); }
+  void Prefetch(std::size_t block) const { PrefetchLine(&this->States[block]); }
 
   /// The number of blocks that are kept.
   std::size_t GetNumberOfBlocks() const { return this->Used.load(); }

@@ -12,6 +12,7 @@
 #include "Image/Macrocells/CroppedBlocks.h"
 #include "Image/Traversal/PacketTracer.h"
 #include "Kernels/Kernels.h"
+#include "Math/Compiler.h"
 #include "Math/PrefetchLines.h"
 #include "Rays/RayHits.h"
 #include "Rays/RayPacket.h"
@@ -121,8 +122,8 @@ struct ImageSelection
   /// Asks for what the selection refers to.
   void Prefetch() const
   {
-    __builtin_prefetch(this->Request.Surfaces.data());
-    __builtin_prefetch(this->Isovalues.data());
+    PrefetchLine(this->Request.Surfaces.data());
+    PrefetchLine(this->Isovalues.data());
     if (this->Tree)
     {
       const std::vector<BlockTree::Level>& levels = this->Tree->GetLevels();

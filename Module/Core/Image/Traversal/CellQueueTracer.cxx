@@ -3,6 +3,8 @@
 
 #include "Image/Traversal/CellQueueTracer.h"
 
+#include "Math/Compiler.h"
+
 #include <algorithm>
 
 namespace vtkIsosurfaceRayTracing
@@ -68,7 +70,7 @@ void CellQueueTracer::TakePassages(const Frustum& frustum)
     {
       const int passage = waiting[i];
       const unsigned int slices = this->Passed.Slices[passage];
-      const int slice = frustum.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices);
+      const int slice = frustum.IsUp ? LowestBit(slices) : HighestBit(slices);
       const unsigned int others = slices & ~(1U << slice);
       this->Passed.Slices[passage] = others;
       this->AddCellsOfSlice(frustum.Axis, passage, slice);
@@ -98,11 +100,11 @@ void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
   const char* corner = block + slice * this->CornerSteps[static_cast<std::size_t>(axis)];
   const auto put = [&](int index, std::uint64_t cells)
   {
-    const int bit = __builtin_ctzll(cells);
+    const int bit = LowestBit(cells);
     queue.Codes[index] = code | static_cast<unsigned int>(bit) << 24;
     queue.First[index] = corner + this->StepsInSlice[static_cast<std::size_t>(bit)];
-    __builtin_prefetch(queue.First[index]);
-    __builtin_prefetch(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
+    PrefetchLine(queue.First[index]);
+    PrefetchLine(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
   };
   // Mostly there are one or two cells. Both are written, and then counted.
   std::uint64_t cells = this->Passed.Cells[passage][slice];

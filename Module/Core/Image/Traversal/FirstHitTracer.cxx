@@ -4,6 +4,7 @@
 #include "Image/Traversal/FirstHitTracer.h"
 
 #include "Image/Cells/CellSegment.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,7 +22,7 @@ void ForEachCandidate(const std::uint64_t (&set)[Solutions::Words], const Visit&
   {
     for (std::uint64_t bits = set[word]; bits != 0; bits &= bits - 1)
     {
-      visit(64 * word + __builtin_ctzll(bits));
+      visit(64 * word + LowestBit(bits));
     }
   }
 }
@@ -133,7 +134,7 @@ bool FirstHitTracer::IsBehindHit(const Frustum& frustum, int passage) const
   const Passages::Segment& segment = this->Passed.Segments[passage];
   const unsigned int slices = this->Passed.Slices[passage];
   const int next = this->Passed.First[segment.Block][axis] +
-    (frustum.IsUp ? __builtin_ctz(slices) : 31 - __builtin_clz(slices));
+    (frustum.IsUp ? LowestBit(slices) : HighestBit(slices));
   const int hit =
     this->Lattice.GetCell(this->Hits.Hits[static_cast<std::size_t>(segment.Ray)])[axis];
   return frustum.IsUp ? hit < next : next < hit;
@@ -252,7 +253,7 @@ void FirstHitTracer::StopAtSureHits(const Frustum& frustum)
       std::uint64_t bits = hits.Words[word] & ~this->Stopped.Stopped.Words[word];
       for (; bits != 0; bits &= bits - 1)
       {
-        const int ray = 64 * word + __builtin_ctzll(bits);
+        const int ray = 64 * word + LowestBit(bits);
         if (!this->Departures[ray].Is(0, entering))
         {
           Add(ray, this->Stopped.Stopped);

@@ -7,6 +7,7 @@
 #include "Image/Lattice/UnevenPlanes.h"
 #include "Image/Macrocells/BlockTree.h"
 #include "Kernels/Kernels.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -232,7 +233,7 @@ private:
         (columns * 0x0101010101010101U);
       for (; active != 0; active &= active - 1)
       {
-        const int bit = __builtin_ctzll(active);
+        const int bit = LowestBit(active);
         members.Add(this->GetMember(slice, firstU + bit % 8, firstV + bit / 8));
       }
     }

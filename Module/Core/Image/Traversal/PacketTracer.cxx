@@ -4,6 +4,7 @@
 #include "Image/Traversal/PacketTracer.h"
 
 #include "Image/Traversal/FrustumTraversal.h"
+#include "Math/Compiler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace
 
 int FirstOf(const RaySet& set)
 {
-  return set.Words[0] != 0 ? __builtin_ctzll(set.Words[0]) : 64 + __builtin_ctzll(set.Words[1]);
+  return set.Words[0] != 0 ? LowestBit(set.Words[0]) : 64 + LowestBit(set.Words[1]);
 }
 
 /// The major axis of a ray of a packet.

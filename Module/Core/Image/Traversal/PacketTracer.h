@@ -9,6 +9,7 @@
 #include "Image/Macrocells/CroppedBlocks.h"
 #include "Image/Traversal/FrustumTraversal.h"
 #include "Kernels/Kernels.h"
+#include "Math/Compiler.h"
 #include "Rays/RayPacket.h"
 
 namespace vtkIsosurfaceRayTracing
@@ -115,10 +116,10 @@ void PacketTracer::ForEachCell(int axis, int passage, const Visit& visit) const
   const int* first = this->Passed.First[this->Passed.Segments[passage].Block];
   for (unsigned int slices = this->Passed.Slices[passage]; slices != 0; slices &= slices - 1)
   {
-    const int slice = __builtin_ctz(slices);
+    const int slice = LowestBit(slices);
     for (std::uint64_t bits = this->Passed.Cells[passage][slice]; bits != 0; bits &= bits - 1)
     {
-      const int bit = __builtin_ctzll(bits);
+      const int bit = LowestBit(bits);
       Index3 cell = { first[0], first[1], first[2] };
       cell[static_cast<std::size_t>(axis)] += slice;
       cell[static_cast<std::size_t>(BlockMask::U[axis])] += bit % 8;
