@@ -14,7 +14,7 @@ from Programs import ProgramTest, new_folder
 
 BENCHMARK = "vtkIsosurfaceCloudBenchmark"
 FOLDER = new_folder("cloud")
-PAGE = Path(__file__).resolve().parents[2] / "Documentation" / "performance.md"
+PAGE = Path(__file__).resolve().parents[2] / "Documentation" / "measurements.md"
 SMALL = "--cells 3000 --size 64 --step 8"
 
 
@@ -28,7 +28,7 @@ class TestCloudBenchmark(ProgramTest):
         self.assertRegex(text, r"\d+ tetrahedra, 64 x 64 pixels, \d+ segments, [0-9.]+ ns .* bytes a cell")
 
     def get_commands(self):
-        """Those of Documentation/performance.md."""
+        """Those of Documentation/measurements.md."""
         return re.findall(rf"^    (?:xvfb-run -a )?build/developer/bin/{BENCHMARK} (.*)$", PAGE.read_text(), re.M)
 
     @unittest.skipIf(why_no_pictures(dict(os.environ)), "there is no display")

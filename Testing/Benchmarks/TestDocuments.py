@@ -47,8 +47,8 @@ class TestDocuments(unittest.TestCase):
         colors = {pixels.GetTuple3(i) for i in range(0, pixels.GetNumberOfTuples(), 7)}
         self.assertGreater(len(colors), 5, name)
 
-    def test_performance(self):
-        text, tables = self.document("performance", RESULTS / "isosurface" / "cranium.json")
+    def test_measurements(self):
+        text, tables = self.document("measurements", RESULTS / "isosurface" / "cranium.json")
         self.assertIn("- volume: large.mhd, 40 x 50 x 600, short", text)
         self.assertIn("### Isovalue 2000: memory\n", text)
         self.assertNotIn("- volume: cranium.mhd", text)
@@ -56,8 +56,8 @@ class TestDocuments(unittest.TestCase):
         goals = next(t for t in tables if t[0][:2] == ["goal", "what"])
         self.assertTrue(all(row[4] in ("met", "**missed**") for row in goals[2:]))
 
-    def test_performance_of_meshes(self):
-        text, tables = self.document("performance", RESULTS / "mesh" / "meshes.json")
+    def test_measurements_of_meshes(self):
+        text, tables = self.document("measurements", RESULTS / "mesh" / "meshes.json")
         self.assertIn("### First hits of rays, 64 x 64 pixels\n", text)
         self.assertIn("## Meshes: hexahedra\n", text)
         goals = [t for t in tables if t[0][:2] == ["goal", "what"]]

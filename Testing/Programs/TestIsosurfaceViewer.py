@@ -265,7 +265,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
                 self.assertGreater(differ(picture, picture[:, :1]), 0.1)
 
     def test_time_dragging(self):
-        """The benchmark of Documentation/performance.md measures frames of both."""
+        """The benchmark of Documentation/measurements.md measures frames of both."""
         script = SOURCE / "Testing" / "Benchmarks" / "time_dragging.py"
         result = subprocess.run(
             [sys.executable, script, PROGRAM, write_waves(self.folder), "150", "100"],

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Write the results of vtkIsosurfaceBenchmark, vtkIsosurfaceMeshBenchmark and
-vtkIsosurfaceBlocksBenchmark into Documentation/performance.md.
+vtkIsosurfaceBlocksBenchmark into Documentation/measurements.md.
 
-    document_performance.py cranium.json large.json growth.json
+    document_measurements.py cranium.json large.json growth.json
 
 replaces the text below the commands of the page that write files of these names. Check afterwards
 that the text around it still holds."""
@@ -79,7 +79,7 @@ def describe(measured):
 
 def main():
     arguments = parse_arguments(__doc__, "results+")
-    path = arguments.documentation / "performance.md"
+    path = arguments.documentation / "measurements.md"
     page = path.read_text(encoding="utf-8")
     for results in arguments.results:
         command = re.escape(f"--json {results.name}\n\n")
