@@ -220,6 +220,9 @@ struct vtkIsosurfaceRayTraceCompositor::View
   vtkLightCollection* Lights;
   int Width;
   int Height;
+  vtkFloatArray* Depths;
+
+  vtkIdType GetNumberOfPixels() const { return static_cast<vtkIdType>(this->Width) * this->Height; }
 
   std::vector<vtkIsosurfaceRayTraceAgreement::Item> Describe() const
   {
@@ -336,10 +339,10 @@ void vtkIsosurfaceRayTraceCompositor::BroadcastCamera(vtkCamera* camera)
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+  vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
 {
   const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController();
-  const View view = { volume, camera, lights, width, height };
+  View view = { volume, camera, lights, width, height, depths };
   this->RenderTime = 0.0;
   this->CompositeTime = 0.0;
   this->BytesSent = 0;
@@ -358,6 +361,8 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   {
     return false;
   }
+  const vtkSmartPointer<vtkFloatArray> nearest = FindNearestDepths(view, controller);
+  view.Depths = nearest;
   Pixels pixels{ width, 0, height, {}, {} };
   const bool isMade = vtkCellProjectionMapper::SafeDownCast(volume->GetMapper())
     ? this->MakeCloud(view, controller, pixels)
@@ -374,6 +379,30 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   pixels.Write(output);
   this->CompositeTime += ofPicture.GetSeconds();
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// The nearest depths of all processes; null if none has any.
+vtkSmartPointer<vtkFloatArray> vtkIsosurfaceRayTraceCompositor::FindNearestDepths(
+  const View& view, vtkMultiProcessController* controller)
+{
+  const int hasOwn = view.Depths ? 1 : 0;
+  int hasAny = 0;
+  controller->AllReduce(&hasOwn, &hasAny, 1, vtkCommunicator::MAX_OP);
+  if (!hasAny)
+  {
+    return nullptr;
+  }
+  auto nearest = vtkSmartPointer<vtkFloatArray>::New();
+  nearest->SetNumberOfValues(view.GetNumberOfPixels());
+  std::vector<float> none;
+  if (!hasOwn)
+  {
+    none.assign(static_cast<std::size_t>(view.GetNumberOfPixels()), 1.0F);
+  }
+  controller->AllReduce(hasOwn ? view.Depths->GetPointer(0) : none.data(), nearest->GetPointer(0),
+    view.GetNumberOfPixels(), vtkCommunicator::MIN_OP);
+  return nearest;
 }
 
 //------------------------------------------------------------------------------
@@ -455,7 +484,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
     const bool isRendered =
       mapper->RenderOwnTiles(view.Volume, view.Camera, view.Lights, view.Width, view.Height,
         { static_cast<std::size_t>(this->BufferDepth), this->PollingInterval }, exchange, counts,
-        own);
+        own, view.Depths);
     this->SegmentsFound = counts.SegmentsFound;
     this->SegmentsDrawn = counts.SegmentsDrawn;
     this->MostSegmentsStored = counts.MostStored;
@@ -464,7 +493,8 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
   }
 #endif
   return !hasData ||
-    mapper->RenderToImage(view.Volume, view.Camera, view.Lights, view.Width, view.Height, own);
+    mapper->RenderToImage(
+      view.Volume, view.Camera, view.Lights, view.Width, view.Height, own, view.Depths);
 }
 
 //------------------------------------------------------------------------------
@@ -474,10 +504,17 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
 {
   constexpr vtkTypeInt64 most = VTK_UNSIGNED_INT_MAX;
   if (!view.Volume || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
-    static_cast<vtkTypeInt64>(view.Width) * view.Height > most)
+    view.GetNumberOfPixels() > most)
   {
     return "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and no more than 2^32 "
            "pixels, and an output.";
+  }
+  if (view.Depths &&
+    (view.Depths->GetNumberOfComponents() != 1 ||
+      view.Depths->GetNumberOfTuples() != view.GetNumberOfPixels()))
+  {
+    return "RenderToImage needs a depth for each pixel, or null where this process has drawn "
+           "nothing.";
   }
   const bool isCloud = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper()) != nullptr;
   if (isCloud && controller->GetNumberOfProcesses() > 1 && !SendsByMPI(controller))
@@ -561,7 +598,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, vtkTable* fr
       [&](auto* tracing)
       {
         return tracing->RenderToFragments(
-          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments);
+          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments, view.Depths);
       });
 }
 

@@ -67,6 +67,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
+class vtkFloatArray;
 class vtkImageData;
 class vtkLightCollection;
 class vtkMultiProcessController;
@@ -111,11 +112,16 @@ public:
    * the arrays Colors and Depth of vtkIsosurfaceRayTraceMapper::RenderToImage, which has the other
    * arguments, too.
    *
+   * The depths are those of the opaque geometry that this process has drawn; null, the default,
+   * where it has none. Rays end at the nearest of all processes: translucent surfaces and clouds
+   * are seen before it, and nothing behind it. A scene that process 0 draws alone needs them there
+   * alone (vtkIsosurfacePicture says how to get them).
+   *
    * Returns whether there is a picture: the same in all processes. If not, an error of process 0
    * names the processes whose errors report why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
-    int height, vtkImageData* output);
+    int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
   ///@{
   /**
@@ -144,7 +150,8 @@ public:
   /**
    * Get what the last picture took in this process: the time to render its piece and to composite
    * the pixels, including waiting for others, in seconds of wall-clock time, and the number of
-   * bytes sent for it. (Of a cloud, drawing is rendering, too.)
+   * bytes sent for it, without those that find the nearest depths. (Of a cloud, drawing is
+   * rendering, too.)
    */
   vtkGetMacro(RenderTime, double);
   vtkGetMacro(CompositeTime, double);
@@ -167,6 +174,8 @@ private:
     const View& view, vtkMultiProcessController* controller, vtkImageData* output);
   static std::string FindDisagreement(const View* view, vtkMultiProcessController* controller);
   bool IsFineEverywhere(bool isFine, vtkMultiProcessController* controller);
+  static vtkSmartPointer<vtkFloatArray> FindNearestDepths(
+    const View& view, vtkMultiProcessController* controller);
   static bool RenderPiece(const View& view, vtkTable* fragments);
   bool MakeIsosurfaces(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool MakeCloud(const View& view, vtkMultiProcessController* controller, Pixels& pixels);

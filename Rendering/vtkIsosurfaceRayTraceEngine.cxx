@@ -24,6 +24,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -738,6 +739,10 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
         picture.Scene.Pixels = {};
         return true;
       }
+      if (view.Depths)
+      {
+        picture.SetDepths(view.Depths->GetPointer(0), view.Width); // The rectangle is that of all.
+      }
       const vtkirt::Stopwatch stopwatch;
       const bool isComplete = agreement == vtkirt::Agreement::Fine &&
         vtkirt::RenderSharedTiles(
@@ -756,6 +761,21 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::HasFittingDepths(const char* name, const PictureView& view) const
+{
+  const bool isFitting = !view.Depths ||
+    (view.Depths->GetNumberOfComponents() == 1 &&
+      view.Depths->GetNumberOfTuples() == static_cast<vtkIdType>(view.Width) * view.Height);
+  if (!isFitting)
+  {
+    vtkErrorWithObjectMacro(this->Mapper, << name << " needs a depth for each of the " << view.Width
+                                          << " x " << view.Height
+                                          << " pixels, or null where nothing is drawn already.");
+  }
+  return isFitting;
+}
+
+//------------------------------------------------------------------------------
 /// Has a picture traced, and written to an output.
 template <typename Trace, typename Write>
 bool vtkIsosurfaceRayTraceEngine::RenderPicture(const char* name, vtkVolume* volume,
@@ -766,6 +786,10 @@ try
   {
     vtkErrorWithObjectMacro(this->Mapper,
       << name << " needs a volume, a camera, a size of at least 1 x 1 and an output.");
+    return false;
+  }
+  if (!this->HasFittingDepths(name, view))
+  {
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
@@ -792,6 +816,10 @@ try
   }
   vtkIsosurfaceRayTraceScene::AddLights(
     view.Lights ? view.Lights : headlight, view.Camera, true, picture.Scene);
+  if (view.Depths)
+  {
+    picture.SetDepths(view.Depths->GetPointer(0), view.Width);
+  }
   const KeepGoing keepGoing = [this, &use, &request](double fraction) {
     return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
   };

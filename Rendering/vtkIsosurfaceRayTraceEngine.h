@@ -34,6 +34,7 @@ class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
+class vtkFloatArray;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
 class vtkLightCollection;
@@ -63,13 +64,15 @@ public:
     const char* MemoryRemedy;
   };
 
-  /// The view of a picture that needs no window. Without lights there is a headlight.
+  /// The view of a picture that needs no window. Without lights there is a headlight. The depths
+  /// are those of what is drawn already, for each pixel; null where there is nothing.
   struct PictureView
   {
     vtkCamera* Camera;
     vtkLightCollection* Lights;
     int Width;
     int Height;
+    vtkFloatArray* Depths;
   };
 
   /// The mapper owns the engine.
@@ -150,6 +153,8 @@ private:
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
     const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+  /// Whether a view has a depth for each pixel, or none; if not, that is reported.
+  bool HasFittingDepths(const char* name, const PictureView& view) const;
   template <typename Trace, typename Write>
   bool RenderPicture(const char* name, vtkVolume* volume, const PictureView& view,
     vtkDataObject* output, const Trace& trace, const Write& write);

@@ -7,7 +7,7 @@ import unittest
 
 from mpi4py import MPI
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -113,10 +113,17 @@ def pixels_of(picture):
     return [(colors.GetTuple(i), depths.GetValue(i)) for i in range(picture.GetNumberOfPoints())]
 
 
-def render(volume, camera, size, lights=None, compositor=None):
+def make_plane():
+    plane = vtkPlane()
+    plane.SetOrigin(1.3, 0.2, 0.4)
+    plane.SetNormal(-1.0, -0.7, -0.2)
+    return plane
+
+
+def render(volume, camera, size, lights=None, compositor=None, depths=None):
     picture = vtkImageData()
     compositor = compositor or vtkIsosurfaceRayTraceCompositor()
-    return compositor.RenderToImage(volume, camera, lights, *size, picture), picture
+    return compositor.RenderToImage(volume, camera, lights, *size, picture, depths), picture
 
 
 def whole_picture(volume, camera, size, lights=None):
@@ -163,11 +170,11 @@ class PicturesOfMany(unittest.TestCase):
 
         self.assertIsNone(on_first(compare))
 
-    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30)):
+    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30), depths=None):
         """No process has a picture; one says why, and process 0 says which one does."""
         compositor = vtkIsosurfaceRayTraceCompositor()
         errors = Errors(compositor, volume.GetMapper())
-        is_rendered, _ = render(volume, camera, size, compositor=compositor)
+        is_rendered, _ = render(volume, camera, size, compositor=compositor, depths=depths)
         self.assertFalse(is_rendered)
         if RANK == of_process:
             self.assertRegex(errors.texts[0], pattern)

@@ -6,7 +6,7 @@
 import os
 import unittest
 
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -36,6 +36,7 @@ from Pieces import (
     as_mesh,
     make_camera,
     make_piece,
+    make_plane,
     make_volume,
     on_first,
     pixels_of,
@@ -44,13 +45,6 @@ from Pieces import (
     whole_picture,
     with_cell_scalars,
 )
-
-
-def cut():
-    plane = vtkPlane()
-    plane.SetOrigin(1.3, 0.2, 0.4)
-    plane.SetNormal(-1.0, -0.7, -0.2)
-    return plane
 
 
 MESHES = {"convert": as_mesh, "mapper_class": vtkIsosurfaceRayTraceMeshMapper}
@@ -64,7 +58,7 @@ SCENES = {
     "translucent": {**THREE, "opacities": (0.3, 0.4, 0.5)},
     "opaque within translucent": {**THREE, "opacities": (0.3, 0.4, 1.0)},
     "cells": {"ghosts": 2, "convert": with_cell_scalars},
-    "caps": {"settings": [("AddClippingPlane", cut()), ("SetCapClippingPlanes", True)]},
+    "caps": {"settings": [("AddClippingPlane", make_plane()), ("SetCapClippingPlanes", True)]},
     "parallel projection": {"camera": make_camera(True), "size": (131, 97)},
     "mesh": {**MESHES},
     "translucent mesh": {**MESHES, **THREE, "opacities": (0.3, 0.4, 1.0)},
@@ -252,7 +246,7 @@ class TestCompositor(PicturesOfMany):
         check("transfer functions", lambda volume: volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 0.5))
         check("materials", lambda volume: volume.GetProperty().SetSpecular(0.7))
         check("settings of the mappers", lambda volume: volume.GetMapper().ShadowsOn())
-        check("clipping planes", lambda volume: volume.GetMapper().AddClippingPlane(cut()))
+        check("clipping planes", lambda volume: volume.GetMapper().AddClippingPlane(make_plane()))
         check("matrices of the volumes", lambda volume: volume.SetPosition(1.0, 0.0, 0.0))
         check("sizes", size=(41, 30) if RANK == last else (40, 30))
         check("cameras", camera=make_camera(RANK == last))
