@@ -22,6 +22,11 @@
  *   none with NormalMode INTERPOLANT_GRADIENT and scalars of points, one with central differences
  *   or cubic interpolation; one more with scalars of cells.
  *   (Where meshes are of another centre than the whole, the depth may differ in its last bits.)
+ * - The same for projections (blend modes MAXIMUM_INTENSITY_BLEND and MINIMUM_INTENSITY_BLEND of
+ *   vtkIsosurfaceRayTraceMapper) of mappers with one connection: each pixel shows the most extreme
+ *   value of all pieces, whose last bits may differ, but not its colour. (Where a ray has several
+ *   equal ones, the depth may be that of another.) They need a layer of ghosts for scalars of cells
+ *   alone.
  * - Shadows and ambient occlusion end at the pieces: a piece casts none on another.
  *
  * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A
@@ -110,7 +115,7 @@ public:
    * Makes the picture of all pieces. To be called by all processes, with the same camera, lights
    * (null: a headlight) and size, and with volumes and mappers of the same settings. The output has
    * the arrays Colors and Depth of vtkIsosurfaceRayTraceMapper::RenderToImage, which has the other
-   * arguments, too.
+   * arguments, too, and of a projection Value.
    *
    * The depths are those of the opaque geometry that this process has drawn; null, the default,
    * where it has none. Rays end at the nearest of all processes: translucent surfaces and clouds
@@ -180,6 +185,8 @@ private:
   bool MakeIsosurfaces(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool MakeCloud(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool RenderTiles(const View& view, vtkMultiProcessController* controller, vtkImageData* own);
+  void CompositeFragments(
+    vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels);
   template <typename Record>
   void Composite(std::vector<Record>&& own, vtkMultiProcessController* controller, Pixels& pixels);
   void GatherPixels(int height, vtkMultiProcessController* controller, Pixels& pixels);

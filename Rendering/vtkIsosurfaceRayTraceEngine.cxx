@@ -704,15 +704,16 @@ bool vtkIsosurfaceRayTraceEngine::RenderToFragments(
   }
   return this->RenderPicture(
     "RenderToFragments", volume, view, output,
-    [](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
+    [this](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
       const KeepGoing& keepGoing)
     {
       picture.Scene.KeepFragments = true;
+      picture.Scene.KeepHits = this->TheClient.GetSettings().Projection.has_value();
       return picture.Trace(execution, keepGoing);
     },
     [&view, output](
-      const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)
-    { vtkIsosurfaceRayTraceOutput::WriteFragments(picture, view.Width, output); });
+      const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture)
+    { vtkIsosurfaceRayTraceOutput::WriteFragments(request, picture, view.Width, output); });
 }
 
 //------------------------------------------------------------------------------

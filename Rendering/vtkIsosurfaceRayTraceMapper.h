@@ -797,9 +797,10 @@ public:
    * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
    * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
    * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
-   * opaque surface, in the depth buffer; else 1). For a projection it is that of the extreme value.
-   * The depths are those of RenderToImage. Returns whether there is an output; if not, an error
-   * reports why.
+   * opaque surface, in the depth buffer; else 1). For a projection there is a row for each extreme
+   * value, whatever its opacity; if there is one connection, Depth is that of the value, and there
+   * is the column Value (double), too. The depths are those of RenderToImage. Returns whether there
+   * is an output; if not, an error reports why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */

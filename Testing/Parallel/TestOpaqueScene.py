@@ -47,6 +47,7 @@ SCENES = {
     "translucent": {**THREE, "settings": [EXACT]},
     "opaque within translucent": {**THREE, "opacities": (0.3, 0.4, 1.0), "settings": [EXACT]},
     "caps": {**THREE, "settings": CAPS},
+    "maximum": {**THREE, "settings": [("SetBlendModeToMaximumIntensity",)]},
     "mesh": {**THREE, **MESHES, "settings": [EXACT]},
     "mesh with caps": {**THREE, **MESHES, "settings": CAPS},
     "cloud": {**THREE, **CLOUDS, "settings": [EXACT]},

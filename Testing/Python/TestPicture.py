@@ -136,6 +136,15 @@ class TestPicture(unittest.TestCase):
         self.assertEqual(draw(make_picture(render(volume, depths=find_depths(sphere))), sphere), expected)
         self.assertNotEqual(draw(make_picture(render(volume)), sphere), expected)
 
+    def test_projection_hides_nothing_by_its_depths(self):
+        """It is opaque, and yet drawn over translucent polygons, as in a window."""
+        volume, sphere = make_volume((1.0, 1.0)), make_sphere((10.0, 6.0, 12.0), 6.0)
+        volume.GetMapper().SetBlendModeToMaximumIntensity()
+        sphere.GetProperty().SetOpacity(0.4)
+        expected = draw(volume, sphere)
+        self.assertEqual(draw(make_picture(render(volume)), sphere), expected)
+        self.assertNotEqual(draw(sphere), expected)
+
     def test_depths_that_are_not_of_the_pixels(self):
         volume = make_volume((0.3, 0.5))
         mapper = volume.GetMapper()
