@@ -22,6 +22,7 @@
  *   none with NormalMode INTERPOLANT_GRADIENT and scalars of points, one with central differences
  *   or cubic interpolation; one more with scalars of cells.
  *   (Where meshes are of another centre than the whole, the depth may differ in its last bits.)
+ *   AMR data need the blocks beside their own: vtkIsosurfaceGhostBlocks adds them.
  * - The same for projections (blend modes MAXIMUM_INTENSITY_BLEND and MINIMUM_INTENSITY_BLEND of
  *   vtkIsosurfaceRayTraceMapper) of mappers with one connection: each pixel shows the most extreme
  *   value of all pieces, whose last bits may differ, but not its colour. (Where a ray has several
@@ -55,7 +56,8 @@
  *
  * vtkIsosurfacePicture draws the picture into a window of process 0, among other props.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfacePicture vtkMultiProcessController
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceGhostBlocks vtkIsosurfacePicture
+ * vtkMultiProcessController
  */
 
 #ifndef vtkIsosurfaceRayTraceCompositor_h

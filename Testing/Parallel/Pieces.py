@@ -86,7 +86,7 @@ def as_mesh(piece):
 def make_volume(data, opacities=(1.0,), isovalues=(157.0,), mapper_class=vtkIsosurfaceRayTraceMapper, settings=()):
     mapper = mapper_class()
     if data:
-        mapper.SetInputData(data)
+        mapper.SetInputDataObject(data)
     mapper.SetNumberOfThreads(1)
     for name, *values in settings:
         getattr(mapper, name)(*values)
