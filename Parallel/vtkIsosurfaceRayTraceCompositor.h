@@ -33,7 +33,8 @@
  * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A
  * cell is of the piece in which it is no ghost (vtkDataSetAttributes::DUPLICATECELL); pieces whose
  * own cells overlap show the surface there twice, which is seen where it is translucent. A process
- * may have no data: give its mapper no input, or an empty one.
+ * may have no data: give its mapper no input, or an empty one; so may a connection of several have
+ * none in some processes: give it an empty input there, so that connections are the same in all.
  *
  * Clouds (vtkCellProjectionMapper) are drawn together, too, isosurfaces in them included, by the
  * processes of a vtkMPIController. Cells may be dealt out in any way; one by one, round robin,

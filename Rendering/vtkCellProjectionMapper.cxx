@@ -30,7 +30,7 @@ bool vtkCellProjectionMapper::RenderOwnTiles(vtkVolume* volume, vtkCamera* camer
   vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output, vtkFloatArray* depths)
 {
   return vtkIsosurfaceRayTraceEngine::Of(this)->RenderOwnTiles(
-    volume, { camera, lights, width, height, depths }, sharing, exchange, counts, output);
+    volume, { camera, lights, width, height, depths, true }, sharing, exchange, counts, output);
 }
 
 //------------------------------------------------------------------------------

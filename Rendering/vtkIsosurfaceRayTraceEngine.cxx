@@ -269,13 +269,18 @@ vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
 
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
-  const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const
+  const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece) const
 {
   std::string problem = vtkIsosurfaceRayTraceRequest::FindProblem(this->TheClient.GetSettings());
   inputs.SetNumber(static_cast<int>(volumes.OfConnections.size()));
   for (int i = 0; i < inputs.GetNumber() && problem.empty(); ++i)
   {
     vtkIsosurfaceRayTraceInput& input = inputs.Get(i);
+    if (isOfPiece && !input.HasData())
+    {
+      input.SelectNothing();
+      continue;
+    }
     vtkVolume* own = volumes.OfConnections[static_cast<std::size_t>(i)];
     problem = input.Select(volumes.GetProperty(i));
     if (problem.empty())
@@ -314,12 +319,12 @@ vtkIsosurfaceRayTraceRequest::DrawnVolumes vtkIsosurfaceRayTraceEngine::FindVolu
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeRequest(
-  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece)
 {
   this->Mapper->Update();
   vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
   const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
-  if (this->ReportOnce(this->SelectInputs(inputs, volumes)))
+  if (this->ReportOnce(this->SelectInputs(inputs, volumes, isOfPiece)))
   {
     return nullptr;
   }
@@ -794,7 +799,7 @@ try
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)
   {
     return false;

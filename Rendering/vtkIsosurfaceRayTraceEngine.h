@@ -65,7 +65,8 @@ public:
   };
 
   /// The view of a picture that needs no window. Without lights there is a headlight. The depths
-  /// are those of what is drawn already, for each pixel; null where there is nothing.
+  /// are those of what is drawn already, for each pixel; null where there is nothing. If the data
+  /// are a piece of those of many processes, there may be connections without data.
   struct PictureView
   {
     vtkCamera* Camera;
@@ -73,6 +74,7 @@ public:
     int Width;
     int Height;
     vtkFloatArray* Depths;
+    bool IsOfPiece = false;
   };
 
   /// The mapper owns the engine.
@@ -140,7 +142,7 @@ private:
   /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
   /// empty if they can.
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
-    const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const;
+    const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece = false) const;
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
@@ -152,7 +154,7 @@ private:
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
-    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);
   /// Whether a view has a depth for each pixel, or none; if not, that is reported.
   bool HasFittingDepths(const char* name, const PictureView& view) const;
   template <typename Trace, typename Write>

@@ -215,7 +215,8 @@ bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* ca
 bool vtkIsosurfaceRayTraceMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkTable* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToFragments(volume, { camera, lights, width, height, depths }, output);
+  return this->Engine->RenderToFragments(
+    volume, { camera, lights, width, height, depths, true }, output);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -799,8 +799,8 @@ public:
    * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
    * opaque surface, in the depth buffer; else 1). For a projection there is a row for each extreme
    * value, whatever its opacity; if there is one connection, Depth is that of the value, and there
-   * is the column Value (double), too. The depths are those of RenderToImage. Returns whether there
-   * is an output; if not, an error reports why.
+   * is the column Value (double), too. A connection without points has no rows. The depths are
+   * those of RenderToImage. Returns whether there is an output; if not, an error reports why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */

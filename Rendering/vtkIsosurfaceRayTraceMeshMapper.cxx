@@ -262,7 +262,8 @@ bool vtkIsosurfaceRayTraceMeshMapper::RenderToImage(vtkVolume* volume, vtkCamera
 bool vtkIsosurfaceRayTraceMeshMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkTable* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToFragments(volume, { camera, lights, width, height, depths }, output);
+  return this->Engine->RenderToFragments(
+    volume, { camera, lights, width, height, depths, true }, output);
 }
 
 //------------------------------------------------------------------------------

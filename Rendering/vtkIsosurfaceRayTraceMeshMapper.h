@@ -498,8 +498,9 @@ public:
    * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
    * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
    * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
-   * opaque surface, in the depth buffer; else 1). The depths are those of RenderToImage. Returns
-   * whether there is an output; if not, an error reports why.
+   * opaque surface, in the depth buffer; else 1). A connection without points has no rows. The
+   * depths are those of RenderToImage. Returns whether there is an output; if not, an error reports
+   * why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */

@@ -207,6 +207,48 @@ class TestCompositor(PicturesOfMany):
             volume.GetMapper().AddInputDataObject(moved(process))
         self.check_against_whole(picture, volume)
 
+    def test_connections_without_data(self):
+        """Each of two connections has data in some processes alone."""
+
+        def moved(has_data):
+            image = make_piece(CELLS, 0) if has_data else vtkImageData()
+            if has_data:
+                image.SetOrigin(4.3, -2.7, 1.9)
+            return image
+
+        for opacities in ((1.0, 1.0, 1.0), (0.3, 0.4, 0.5)):
+            scene = {**THREE, "opacities": opacities, "settings": EXACT}
+            boxes = split(CELLS, max(SIZE - 1, 1))
+            is_last = RANK == SIZE - 1
+            own = make_volume(make_piece(boxes[RANK], 0) if RANK < len(boxes) else vtkImageData(), **scene)
+            own.GetMapper().AddInputDataObject(moved(is_last))
+            is_rendered, picture = render(own, make_camera(), (160, 120))
+            self.assertTrue(is_rendered)
+            whole = make_volume(make_piece(CELLS, 0), **scene)
+            whole.GetMapper().AddInputDataObject(moved(True))
+            self.check_against_whole(picture, whole)
+
+    def test_data_that_come_and_go(self):
+        """A connection without data changes nothing; it has them in the next picture, and none in the one after it."""
+        settings = [*EXACT, ("ShadowsOn",), ("AmbientOcclusionOn",)]
+
+        def draw(*others):
+            volume.GetMapper().SetInputDataObject(make_own(0))
+            for other in others:
+                volume.GetMapper().AddInputDataObject(other)
+            is_rendered, picture = render(volume, make_camera(), (160, 120))
+            self.assertTrue(is_rendered)
+            return pixels_of(picture)
+
+        volume = make_volume(None, settings=settings)
+        expected = draw()
+        moved = make_piece(split(CELLS, SIZE)[RANK], 0)
+        moved.SetOrigin(5.0, 5.0, 5.0)
+        self.assertEqual(draw(vtkImageData()), expected)
+        with_other = draw(moved)
+        self.assertNotEqual(with_other, expected) if RANK == 0 else self.assertEqual(with_other, [])
+        self.assertEqual(draw(vtkImageData()), expected)
+
     def test_camera_of_process_0(self):
         camera = make_camera(True) if RANK == 0 else vtkCamera()
         if RANK == 0:
