@@ -110,7 +110,8 @@ Numbers DescribeMapper(vtkAbstractVolumeMapper* mapper)
   auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper);
   AppendSharedSettings(ofImages, numbers);
   numbers.insert(numbers.end(),
-    { static_cast<double>(ofImages->GetInterpolationMode()),
+    { static_cast<double>(ofImages->GetBlendMode()),
+      static_cast<double>(ofImages->GetInterpolationMode()),
       static_cast<double>(ofImages->GetRootSolver()),
       static_cast<double>(ofImages->GetNumberOfInterpolations()) });
   return numbers;

@@ -31,6 +31,20 @@ struct vtkIsosurfaceRayTraceOpaquePixel
   vtkIsosurfaceRayTracing::CompositedPixel Shown;
 
   double GetOpacity() const { return 1.0; }
+  auto GetOrder() const { return std::tie(this->Pixel, this->T); }
+};
+
+/// What is sent of the extreme value of a pixel. The most extreme one comes first, and hides the
+/// others; of equal ones the nearest does.
+struct vtkIsosurfaceRayTraceProjectedPixel
+{
+  /// Of a maximum minus the value.
+  double Rank;
+  std::uint32_t Pixel;
+  vtkIsosurfaceRayTracing::CompositedPixel Shown;
+
+  double GetOpacity() const { return 1.0; }
+  auto GetOrder() const { return std::tie(this->Pixel, this->Rank, this->Shown.Depth); }
 };
 
 /// What is sent of a fragment, translucent or not. Colours are not rounded on the way, so that it
@@ -44,9 +58,10 @@ struct vtkIsosurfaceRayTraceSentFragment
   float Depth;
 
   double GetOpacity() const { return this->Opacity; }
+  auto GetOrder() const { return std::tie(this->Pixel, this->T); }
 };
 
-/// The records of a process that are in some rows of the picture, by pixel and front to back.
+/// The records of a process that are in some rows of the picture, by pixel and in their order.
 template <typename Record>
 class vtkIsosurfaceRayTraceBinarySwap
 {
@@ -100,15 +115,15 @@ public:
   vtkTypeInt64 GetBytesSent() const { return this->BytesSent; }
 
 private:
-  /// The records of two groups of processes. Of equal T, those of the first come first.
+  /// The records of two groups of processes. Of those equal in order, those of the first come
+  /// first.
   static std::vector<Record> Merge(
     const std::vector<Record>& first, const std::vector<Record>& second)
   {
     std::vector<Record> all;
     all.reserve(first.size() + second.size());
     std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all),
-      [](const Record& a, const Record& b)
-      { return std::tie(a.Pixel, a.T) < std::tie(b.Pixel, b.T); });
+      [](const Record& a, const Record& b) { return a.GetOrder() < b.GetOrder(); });
     // What one process with all data would not see is dropped.
     std::size_t kept = 0;
     double transmittance = 1.0;

@@ -30,7 +30,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,7 @@ namespace
 {
 
 using OpaquePixel = vtkIsosurfaceRayTraceOpaquePixel;
+using ProjectedPixel = vtkIsosurfaceRayTraceProjectedPixel;
 using SentFragment = vtkIsosurfaceRayTraceSentFragment;
 
 constexpr int PixelsTag = 31415;
@@ -110,12 +113,35 @@ template <typename Record>
 std::vector<Record> MakeRecords(vtkTable* fragments)
 {
   std::vector<Record> records(static_cast<std::size_t>(fragments->GetNumberOfRows()));
+  if (records.empty())
+  {
+    return records; // The table may have no columns.
+  }
   const FragmentColumns columns(fragments);
   for (std::size_t i = 0; i < records.size(); ++i)
   {
     const auto row = static_cast<vtkIdType>(i);
     ToRecord(columns.Get(row), records[i]);
     records[i].Pixel = static_cast<std::uint32_t>(columns.Pixels->GetValue(row));
+  }
+  return records;
+}
+
+/// The extreme values that a mapper has found.
+std::vector<ProjectedPixel> MakeRecordsOfValues(vtkTable* fragments, double sign)
+{
+  std::vector<ProjectedPixel> records;
+  if (fragments->GetNumberOfRows() == 0)
+  {
+    return records;
+  }
+  const FragmentColumns columns(fragments);
+  auto* values = vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Value"));
+  for (vtkIdType row = 0; row < fragments->GetNumberOfRows(); ++row)
+  {
+    records.push_back(
+      { sign * values->GetValue(row), static_cast<std::uint32_t>(columns.Pixels->GetValue(row)),
+        vtkirt::ToPixel(columns.Get(row)) });
   }
   return records;
 }
@@ -143,8 +169,8 @@ std::vector<OpaquePixel> MakeRecords(vtkImageData* picture)
 
 //------------------------------------------------------------------------------
 /// Composites the records of one pixel, front to back. The fragments are memory for any use.
-vtkirt::CompositedPixel ToPixel(
-  const OpaquePixel* first, const OpaquePixel*, std::vector<vtkirt::Fragment>&)
+template <typename Record>
+vtkirt::CompositedPixel ToPixel(const Record* first, const Record*, std::vector<vtkirt::Fragment>&)
 {
   return first->Shown;
 }
@@ -186,6 +212,17 @@ bool SendsByMPI(vtkMultiProcessController* controller)
 #endif
 }
 
+/// Of a mapper that projects: 1 if it shows the smallest values, -1 if it shows the largest, so
+/// that these times the sign are the smallest; 0 if it does not project.
+double GetSignOfProjection(vtkAbstractMapper* mapper)
+{
+  auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper);
+  const int blendMode = ofImages ? ofImages->GetBlendMode() : vtkVolumeMapper::ISOSURFACE_BLEND;
+  return blendMode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ? -1.0
+    : blendMode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND    ? 1.0
+                                                               : 0.0;
+}
+
 bool DrawsIsosurfaces(vtkAbstractMapper* mapper)
 {
   if (auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
@@ -193,6 +230,37 @@ bool DrawsIsosurfaces(vtkAbstractMapper* mapper)
     return ofImages->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
   }
   return vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper) != nullptr;
+}
+
+/// Gives an array of all rows to process 0, and an empty one to the others. Each process has those
+/// from rows[2 * process] to rows[2 * process + 1] in the array. Returns the number of bytes sent.
+template <typename Number>
+vtkTypeInt64 GatherRows(const std::vector<int>& rows, vtkIdType numbersInRow, int height,
+  vtkMultiProcessController* controller, std::vector<Number>& array)
+{
+  if (controller->GetLocalProcessId() > 0)
+  {
+    const auto size = static_cast<vtkIdType>(array.size());
+    if (size > 0)
+    {
+      controller->Send(array.data(), size, 0, PixelsTag);
+    }
+    array.clear();
+    return size * static_cast<vtkTypeInt64>(sizeof(Number));
+  }
+  std::vector<Number> whole(static_cast<std::size_t>(height * numbersInRow));
+  std::copy(array.begin(), array.end(), whole.begin() + rows[0] * numbersInRow);
+  for (std::size_t i = 2; i < rows.size(); i += 2)
+  {
+    const vtkIdType size = (rows[i + 1] - rows[i]) * numbersInRow;
+    if (size > 0)
+    {
+      controller->Receive(
+        whole.data() + rows[i] * numbersInRow, size, static_cast<int>(i / 2), PixelsTag);
+    }
+  }
+  array = std::move(whole);
+  return 0;
 }
 
 /// Whether a process has any data at all.
@@ -220,6 +288,9 @@ struct vtkIsosurfaceRayTraceCompositor::View
   vtkLightCollection* Lights;
   int Width;
   int Height;
+  vtkFloatArray* Depths;
+
+  vtkIdType GetNumberOfPixels() const { return static_cast<vtkIdType>(this->Width) * this->Height; }
 
   std::vector<vtkIsosurfaceRayTraceAgreement::Item> Describe() const
   {
@@ -237,6 +308,9 @@ struct vtkIsosurfaceRayTraceCompositor::Pixels
   int EndRow;
   std::vector<unsigned char> Colors;
   std::vector<float> Depths;
+  /// Of a projection.
+  bool HaveValues;
+  std::vector<double> Values;
 
   void SetRows(int first, int end)
   {
@@ -246,6 +320,7 @@ struct vtkIsosurfaceRayTraceCompositor::Pixels
     this->EndRow = end;
     this->Colors.assign(4 * count, 0);
     this->Depths.assign(count, 1.0F);
+    this->Values.assign(this->HaveValues ? count : 0, std::numeric_limits<double>::quiet_NaN());
   }
 
   void Write(vtkImageData* output) const
@@ -267,6 +342,14 @@ struct vtkIsosurfaceRayTraceCompositor::Pixels
     std::copy(this->Depths.begin(), this->Depths.end(), depths->GetPointer(0));
     output->GetPointData()->SetScalars(colors);
     output->GetPointData()->AddArray(depths);
+    if (this->HaveValues)
+    {
+      vtkNew<vtkDoubleArray> values;
+      values->SetName("Value");
+      values->SetNumberOfTuples(output->GetNumberOfPoints());
+      std::copy(this->Values.begin(), this->Values.end(), values->GetPointer(0));
+      output->GetPointData()->AddArray(values);
+    }
   }
 };
 
@@ -336,10 +419,10 @@ void vtkIsosurfaceRayTraceCompositor::BroadcastCamera(vtkCamera* camera)
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+  vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
 {
   const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController();
-  const View view = { volume, camera, lights, width, height };
+  View view = { volume, camera, lights, width, height, depths };
   this->RenderTime = 0.0;
   this->CompositeTime = 0.0;
   this->BytesSent = 0;
@@ -358,7 +441,10 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   {
     return false;
   }
-  Pixels pixels{ width, 0, height, {}, {} };
+  const vtkSmartPointer<vtkFloatArray> nearest = FindNearestDepths(view, controller);
+  view.Depths = nearest;
+  const bool isProjection = GetSignOfProjection(volume->GetMapper()) != 0.0;
+  Pixels pixels{ width, 0, height, {}, {}, isProjection, {} };
   const bool isMade = vtkCellProjectionMapper::SafeDownCast(volume->GetMapper())
     ? this->MakeCloud(view, controller, pixels)
     : this->MakeIsosurfaces(view, controller, pixels);
@@ -377,7 +463,31 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
 }
 
 //------------------------------------------------------------------------------
-/// Renders the isosurfaces of the own piece and composites those of all.
+/// The nearest depths of all processes; null if none has any.
+vtkSmartPointer<vtkFloatArray> vtkIsosurfaceRayTraceCompositor::FindNearestDepths(
+  const View& view, vtkMultiProcessController* controller)
+{
+  const int hasOwn = view.Depths ? 1 : 0;
+  int hasAny = 0;
+  controller->AllReduce(&hasOwn, &hasAny, 1, vtkCommunicator::MAX_OP);
+  if (!hasAny)
+  {
+    return nullptr;
+  }
+  auto nearest = vtkSmartPointer<vtkFloatArray>::New();
+  nearest->SetNumberOfValues(view.GetNumberOfPixels());
+  std::vector<float> none;
+  if (!hasOwn)
+  {
+    none.assign(static_cast<std::size_t>(view.GetNumberOfPixels()), 1.0F);
+  }
+  controller->AllReduce(hasOwn ? view.Depths->GetPointer(0) : none.data(), nearest->GetPointer(0),
+    view.GetNumberOfPixels(), vtkCommunicator::MIN_OP);
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+/// Renders the isosurfaces or the projection of the own piece and composites those of all.
 bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
   const View& view, vtkMultiProcessController* controller, Pixels& pixels)
 {
@@ -390,22 +500,39 @@ bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
   {
     return false;
   }
-  const bool hasOwn = fragments->GetNumberOfRows() > 0;
+  if (pixels.HaveValues)
+  {
+    const double sign = GetSignOfProjection(view.Volume->GetMapper());
+    this->Composite(MakeRecordsOfValues(fragments, sign), controller, pixels);
+    for (double& value : pixels.Values)
+    {
+      value *= sign;
+    }
+  }
+  else
+  {
+    this->CompositeFragments(fragments, controller, pixels);
+  }
+  this->CompositeTime = ofPicture.GetSeconds();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Those that are opaque in all processes take fewer bytes.
+void vtkIsosurfaceRayTraceCompositor::CompositeFragments(
+  vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels)
+{
   const int isTranslucent = AreOpaque(fragments) ? 0 : 1;
   int isAnyTranslucent = 0;
   controller->AllReduce(&isTranslucent, &isAnyTranslucent, 1, vtkCommunicator::MAX_OP);
   if (isAnyTranslucent)
   {
-    this->Composite(hasOwn ? MakeRecords<SentFragment>(fragments) : std::vector<SentFragment>(),
-      controller, pixels);
+    this->Composite(MakeRecords<SentFragment>(fragments), controller, pixels);
   }
   else
   {
-    this->Composite(hasOwn ? MakeRecords<OpaquePixel>(fragments) : std::vector<OpaquePixel>(),
-      controller, pixels);
+    this->Composite(MakeRecords<OpaquePixel>(fragments), controller, pixels);
   }
-  this->CompositeTime = ofPicture.GetSeconds();
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -455,7 +582,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
     const bool isRendered =
       mapper->RenderOwnTiles(view.Volume, view.Camera, view.Lights, view.Width, view.Height,
         { static_cast<std::size_t>(this->BufferDepth), this->PollingInterval }, exchange, counts,
-        own);
+        own, view.Depths);
     this->SegmentsFound = counts.SegmentsFound;
     this->SegmentsDrawn = counts.SegmentsDrawn;
     this->MostSegmentsStored = counts.MostStored;
@@ -464,7 +591,8 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
   }
 #endif
   return !hasData ||
-    mapper->RenderToImage(view.Volume, view.Camera, view.Lights, view.Width, view.Height, own);
+    mapper->RenderToImage(
+      view.Volume, view.Camera, view.Lights, view.Width, view.Height, own, view.Depths);
 }
 
 //------------------------------------------------------------------------------
@@ -474,10 +602,17 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
 {
   constexpr vtkTypeInt64 most = VTK_UNSIGNED_INT_MAX;
   if (!view.Volume || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
-    static_cast<vtkTypeInt64>(view.Width) * view.Height > most)
+    view.GetNumberOfPixels() > most)
   {
     return "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and no more than 2^32 "
            "pixels, and an output.";
+  }
+  if (view.Depths &&
+    (view.Depths->GetNumberOfComponents() != 1 ||
+      view.Depths->GetNumberOfTuples() != view.GetNumberOfPixels()))
+  {
+    return "RenderToImage needs a depth for each pixel, or null where this process has drawn "
+           "nothing.";
   }
   const bool isCloud = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper()) != nullptr;
   if (isCloud && controller->GetNumberOfProcesses() > 1 && !SendsByMPI(controller))
@@ -485,10 +620,16 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
     return "Clouds of many processes are drawn by MPI alone: give the compositor a "
            "vtkMPIController, of a VTK with the module ParallelMPI.";
   }
-  return DrawsIsosurfaces(view.Volume->GetMapper())
+  const bool isProjection = GetSignOfProjection(view.Volume->GetMapper()) != 0.0;
+  if (isProjection && view.Volume->GetMapper()->GetNumberOfInputConnections(0) > 1)
+  {
+    return "Projections of several connections are not composited. Give the mapper one input, such "
+           "as a vtkPartitionedDataSet of all data.";
+  }
+  return isProjection || DrawsIsosurfaces(view.Volume->GetMapper())
     ? ""
-    : "The volume needs a vtkIsosurfaceRayTraceMapper or a vtkIsosurfaceRayTraceMeshMapper, with "
-      "the blend mode ISOSURFACE_BLEND: other projections are not composited.";
+    : "The volume needs a vtkIsosurfaceRayTraceMapper with the blend mode ISOSURFACE_BLEND, "
+      "MAXIMUM_INTENSITY_BLEND or MINIMUM_INTENSITY_BLEND, or a vtkIsosurfaceRayTraceMeshMapper.";
 }
 
 //------------------------------------------------------------------------------
@@ -561,7 +702,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, vtkTable* fr
       [&](auto* tracing)
       {
         return tracing->RenderToFragments(
-          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments);
+          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments, view.Depths);
       });
 }
 
@@ -587,6 +728,10 @@ void vtkIsosurfaceRayTraceCompositor::Composite(
       static_cast<std::size_t>(pixels.FirstRow) * static_cast<std::size_t>(pixels.Width);
     std::copy_n(made.Rgba, 4, &pixels.Colors[4 * place]);
     pixels.Depths[place] = std::min(made.Depth, 1.0F);
+    if constexpr (std::is_same_v<Record, ProjectedPixel>)
+    {
+      pixels.Values[place] = first->Rank;
+    }
     first = next;
   }
 }
@@ -600,39 +745,14 @@ void vtkIsosurfaceRayTraceCompositor::GatherPixels(
   const int own[2] = { pixels.FirstRow, pixels.EndRow };
   std::vector<int> rows(2 * static_cast<std::size_t>(processes));
   controller->AllGather(own, rows.data(), 2);
-  const auto colors = static_cast<vtkIdType>(pixels.Colors.size());
-  const auto depths = static_cast<vtkIdType>(pixels.Depths.size());
-  if (controller->GetLocalProcessId() > 0)
+  this->BytesSent += GatherRows(rows, 4 * pixels.Width, height, controller, pixels.Colors);
+  this->BytesSent += GatherRows(rows, pixels.Width, height, controller, pixels.Depths);
+  if (pixels.HaveValues)
   {
-    if (depths > 0)
-    {
-      controller->Send(pixels.Colors.data(), colors, 0, PixelsTag);
-      controller->Send(pixels.Depths.data(), depths, 0, PixelsTag);
-      this->BytesSent += colors + depths * static_cast<vtkIdType>(sizeof(float));
-    }
-    pixels.SetRows(0, 0);
-    return;
+    this->BytesSent += GatherRows(rows, pixels.Width, height, controller, pixels.Values);
   }
-  Pixels whole{ pixels.Width, 0, 0, {}, {} };
-  whole.SetRows(0, height);
-  for (int process = 0; process < processes; ++process)
-  {
-    const int first = rows[2 * static_cast<std::size_t>(process)];
-    const int count = rows[2 * static_cast<std::size_t>(process) + 1] - first;
-    const auto begin = static_cast<vtkIdType>(first) * pixels.Width;
-    const auto size = static_cast<vtkIdType>(count) * pixels.Width;
-    if (process == 0)
-    {
-      std::copy(pixels.Colors.begin(), pixels.Colors.end(), whole.Colors.begin() + 4 * begin);
-      std::copy(pixels.Depths.begin(), pixels.Depths.end(), whole.Depths.begin() + begin);
-    }
-    else if (size > 0)
-    {
-      controller->Receive(whole.Colors.data() + 4 * begin, 4 * size, process, PixelsTag);
-      controller->Receive(whole.Depths.data() + begin, size, process, PixelsTag);
-    }
-  }
-  pixels = std::move(whole);
+  pixels.FirstRow = 0;
+  pixels.EndRow = controller->GetLocalProcessId() == 0 ? height : 0;
 }
 
 //------------------------------------------------------------------------------

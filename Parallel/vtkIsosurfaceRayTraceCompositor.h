@@ -22,12 +22,19 @@
  *   none with NormalMode INTERPOLANT_GRADIENT and scalars of points, one with central differences
  *   or cubic interpolation; one more with scalars of cells.
  *   (Where meshes are of another centre than the whole, the depth may differ in its last bits.)
+ *   AMR data need the blocks beside their own: vtkIsosurfaceGhostBlocks adds them.
+ * - The same for projections (blend modes MAXIMUM_INTENSITY_BLEND and MINIMUM_INTENSITY_BLEND of
+ *   vtkIsosurfaceRayTraceMapper) of mappers with one connection: each pixel shows the most extreme
+ *   value of all pieces, whose last bits may differ, but not its colour. (Where a ray has several
+ *   equal ones, the depth may be that of another.) They need a layer of ghosts for scalars of cells
+ *   alone.
  * - Shadows and ambient occlusion end at the pieces: a piece casts none on another.
  *
  * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A
  * cell is of the piece in which it is no ghost (vtkDataSetAttributes::DUPLICATECELL); pieces whose
  * own cells overlap show the surface there twice, which is seen where it is translucent. A process
- * may have no data: give its mapper no input, or an empty one.
+ * may have no data: give its mapper no input, or an empty one; so may a connection of several have
+ * none in some processes: give it an empty input there, so that connections are the same in all.
  *
  * Clouds (vtkCellProjectionMapper) are drawn together, too, isosurfaces in them included, by the
  * processes of a vtkMPIController. Cells may be dealt out in any way; one by one, round robin,
@@ -50,7 +57,8 @@
  *
  * vtkIsosurfacePicture draws the picture into a window of process 0, among other props.
  *
- * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfacePicture vtkMultiProcessController
+ * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceGhostBlocks vtkIsosurfacePicture
+ * vtkMultiProcessController
  */
 
 #ifndef vtkIsosurfaceRayTraceCompositor_h
@@ -67,6 +75,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
+class vtkFloatArray;
 class vtkImageData;
 class vtkLightCollection;
 class vtkMultiProcessController;
@@ -109,13 +118,18 @@ public:
    * Makes the picture of all pieces. To be called by all processes, with the same camera, lights
    * (null: a headlight) and size, and with volumes and mappers of the same settings. The output has
    * the arrays Colors and Depth of vtkIsosurfaceRayTraceMapper::RenderToImage, which has the other
-   * arguments, too.
+   * arguments, too, and of a projection Value.
+   *
+   * The depths are those of the opaque geometry that this process has drawn; null, the default,
+   * where it has none. Rays end at the nearest of all processes: translucent surfaces and clouds
+   * are seen before it, and nothing behind it. A scene that process 0 draws alone needs them there
+   * alone (vtkIsosurfacePicture says how to get them).
    *
    * Returns whether there is a picture: the same in all processes. If not, an error of process 0
    * names the processes whose errors report why.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
-    int height, vtkImageData* output);
+    int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
   ///@{
   /**
@@ -144,7 +158,8 @@ public:
   /**
    * Get what the last picture took in this process: the time to render its piece and to composite
    * the pixels, including waiting for others, in seconds of wall-clock time, and the number of
-   * bytes sent for it. (Of a cloud, drawing is rendering, too.)
+   * bytes sent for it, without those that find the nearest depths. (Of a cloud, drawing is
+   * rendering, too.)
    */
   vtkGetMacro(RenderTime, double);
   vtkGetMacro(CompositeTime, double);
@@ -167,10 +182,14 @@ private:
     const View& view, vtkMultiProcessController* controller, vtkImageData* output);
   static std::string FindDisagreement(const View* view, vtkMultiProcessController* controller);
   bool IsFineEverywhere(bool isFine, vtkMultiProcessController* controller);
+  static vtkSmartPointer<vtkFloatArray> FindNearestDepths(
+    const View& view, vtkMultiProcessController* controller);
   static bool RenderPiece(const View& view, vtkTable* fragments);
   bool MakeIsosurfaces(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool MakeCloud(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool RenderTiles(const View& view, vtkMultiProcessController* controller, vtkImageData* own);
+  void CompositeFragments(
+    vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels);
   template <typename Record>
   void Composite(std::vector<Record>&& own, vtkMultiProcessController* controller, Pixels& pixels);
   void GatherPixels(int height, vtkMultiProcessController* controller, Pixels& pixels);

@@ -27,10 +27,10 @@ bool vtkCellProjectionMapper::RenderOwnTiles(vtkVolume* volume, vtkCamera* camer
   vtkLightCollection* lights, int width, int height,
   const vtkIsosurfaceRayTracing::Sharing& sharing,
   vtkIsosurfaceRayTracing::MessageExchange& exchange,
-  vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output)
+  vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output, vtkFloatArray* depths)
 {
   return vtkIsosurfaceRayTraceEngine::Of(this)->RenderOwnTiles(
-    volume, { camera, lights, width, height }, sharing, exchange, counts, output);
+    volume, { camera, lights, width, height, depths, true }, sharing, exchange, counts, output);
 }
 
 //------------------------------------------------------------------------------

@@ -85,15 +85,15 @@ public:
    * Draws a part of a picture of data that lie in many processes: the tiles that this process owns,
    * with what is seen in them of the data of all. All processes of the exchange must call it, each
    * with the same view and with a volume of the same property and matrix. The output has the arrays
-   * Colors and Depth of RenderToImage; pixels of other tiles are (0, 0, 0, 0) and 1. Returns
-   * whether this process could do its part; if not, an error reports why, and the others have no
-   * pixels. It is for vtkIsosurfaceRayTraceCompositor, which joins the parts: other code calls
-   * that.
+   * Colors and Depth of RenderToImage; pixels of other tiles are (0, 0, 0, 0) and 1. The depths are
+   * those of RenderToImage, the same in all processes. Returns whether this process could do its
+   * part; if not, an error reports why, and the others have no pixels. It is for
+   * vtkIsosurfaceRayTraceCompositor, which joins the parts: other code calls that.
    */
   bool RenderOwnTiles(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, const vtkIsosurfaceRayTracing::Sharing& sharing,
     vtkIsosurfaceRayTracing::MessageExchange& exchange,
-    vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output);
+    vtkIsosurfaceRayTracing::SharingCounts& counts, vtkImageData* output, vtkFloatArray* depths);
 #endif
 
   /**

@@ -185,9 +185,11 @@ bool vtkIsosurfacePicture::Update()
   const vtkIdType pixels = this->Picture->GetNumberOfPoints();
   this->Depths.resize(static_cast<std::size_t>(pixels));
   this->IsOpaque = true;
+  // Its depths are those of the values, which hide nothing.
+  const bool isProjection = this->Picture->GetPointData()->HasArray("Value") != 0;
   for (vtkIdType i = 0; i < pixels; ++i)
   {
-    const float depth = depths->GetValue(i);
+    const float depth = isProjection ? 1.0F : depths->GetValue(i);
     const unsigned char opacity = colors[4 * i + 3];
     this->Depths[static_cast<std::size_t>(i)] = depth < 1.0F ? depth : vtkirt::PixelWithoutDepth;
     this->IsOpaque = this->IsOpaque && (opacity == 0 || (opacity == 255 && depth < 1.0F));

@@ -23,8 +23,22 @@
  *
  * A picture whose pixels are opaque or empty is drawn with the opaque geometry; another one, after
  * translucent geometry, as volumes are, over everything that is not nearer than its opaque
- * surfaces. Props between translucent surfaces are not seen through those before them alone: the
- * picture has one colour for all.
+ * surfaces: it should show only what is before the opaque geometry. RenderToImage ends its rays
+ * there if it has the depths of the scene, in the process of the window:
+ *
+ * @code
+ * picture->VisibilityOff();
+ * window->Render();
+ * window->GetZbufferData(0, 0, width - 1, height - 1, depths); // a vtkFloatArray
+ * picture->VisibilityOn();
+ * compositor->RenderToImage(volume, camera, lights, width, height, image, depths);
+ * @endcode
+ *
+ * So is a projection, which has no depth: it is over all that is drawn, and what it shows ends at
+ * the opaque geometry if it was made with the depths.
+ *
+ * Translucent props between translucent surfaces look as if they were behind them: the picture has
+ * one colour for all.
  *
  * It has no bounds, and cannot be picked.
  *

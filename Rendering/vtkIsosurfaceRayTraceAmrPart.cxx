@@ -250,7 +250,8 @@ struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
   vtkVolumeMapper* Cropping;
   /// Copies of scalars that are not plain arrays in memory, and flags of cells, of each patch.
   std::vector<vtkSmartPointer<vtkDataArray>> PlainScalars;
-  std::vector<std::vector<unsigned char>> Flags;
+  std::vector<std::vector<unsigned char>> GhostCells;
+  std::vector<std::vector<unsigned char>> HiddenCells;
 };
 
 //------------------------------------------------------------------------------
@@ -290,14 +291,16 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
     {
       dimension += scalars.AreOfCells ? 0 : 1;
     }
-    const auto keep = [&whole](std::vector<unsigned char>&& flags) -> const unsigned char*
+    const auto keep = [](std::vector<unsigned char>&& flags,
+                        std::vector<std::vector<unsigned char>>& ofPatches) -> const unsigned char*
     {
       const bool hasAny = std::find(flags.begin(), flags.end(), 1) != flags.end();
-      whole->Flags.push_back(hasAny ? std::move(flags) : std::vector<unsigned char>{});
-      return hasAny ? whole->Flags.back().data() : nullptr;
+      ofPatches.push_back(hasAny ? std::move(flags) : std::vector<unsigned char>{});
+      return hasAny ? ofPatches.back().data() : nullptr;
     };
-    patch.GhostCells = keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate));
-    patch.HiddenCells = keep(FindHiddenCells(leaf));
+    patch.GhostCells =
+      keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate), whole->GhostCells);
+    patch.HiddenCells = keep(FindHiddenCells(leaf), whole->HiddenCells);
     patches.push_back(patch);
     placed.push_back(&leaf);
   }
@@ -340,9 +343,15 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
 }
 
 //------------------------------------------------------------------------------
-/// Most blocks of a simulation have nothing of a surface: they need no nodes.
+/// Most blocks of a simulation have nothing of a surface, and blocks whose cells are hidden lend
+/// others their samples alone: they need no nodes.
 bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
 {
+  const std::vector<unsigned char>& hidden = this->Whole->HiddenCells[this->Number];
+  if (!hidden.empty() && std::find(hidden.begin(), hidden.end(), 0) == hidden.end())
+  {
+    return false;
+  }
   // Between the samples the tricubic interpolant may have any value.
   if (request.Projection || request.Interpolation == vtkirt::Interpolant::Tricubic)
   {

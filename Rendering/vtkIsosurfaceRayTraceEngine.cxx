@@ -24,6 +24,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -268,13 +269,18 @@ vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
 
 //------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
-  const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const
+  const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece) const
 {
   std::string problem = vtkIsosurfaceRayTraceRequest::FindProblem(this->TheClient.GetSettings());
   inputs.SetNumber(static_cast<int>(volumes.OfConnections.size()));
   for (int i = 0; i < inputs.GetNumber() && problem.empty(); ++i)
   {
     vtkIsosurfaceRayTraceInput& input = inputs.Get(i);
+    if (isOfPiece && !input.HasData())
+    {
+      input.SelectNothing();
+      continue;
+    }
     vtkVolume* own = volumes.OfConnections[static_cast<std::size_t>(i)];
     problem = input.Select(volumes.GetProperty(i));
     if (problem.empty())
@@ -313,12 +319,12 @@ vtkIsosurfaceRayTraceRequest::DrawnVolumes vtkIsosurfaceRayTraceEngine::FindVolu
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeRequest(
-  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume)
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece)
 {
   this->Mapper->Update();
   vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
   const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
-  if (this->ReportOnce(this->SelectInputs(inputs, volumes)))
+  if (this->ReportOnce(this->SelectInputs(inputs, volumes, isOfPiece)))
   {
     return nullptr;
   }
@@ -703,15 +709,16 @@ bool vtkIsosurfaceRayTraceEngine::RenderToFragments(
   }
   return this->RenderPicture(
     "RenderToFragments", volume, view, output,
-    [](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
+    [this](vtkIsosurfaceRayTracePicture& picture, const vtkirt::Execution& execution,
       const KeepGoing& keepGoing)
     {
       picture.Scene.KeepFragments = true;
+      picture.Scene.KeepHits = this->TheClient.GetSettings().Projection.has_value();
       return picture.Trace(execution, keepGoing);
     },
     [&view, output](
-      const vtkIsosurfaceRayTraceRequest&, const vtkIsosurfaceRayTracePicture& picture)
-    { vtkIsosurfaceRayTraceOutput::WriteFragments(picture, view.Width, output); });
+      const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture)
+    { vtkIsosurfaceRayTraceOutput::WriteFragments(request, picture, view.Width, output); });
 }
 
 //------------------------------------------------------------------------------
@@ -738,6 +745,10 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
         picture.Scene.Pixels = {};
         return true;
       }
+      if (view.Depths)
+      {
+        picture.SetDepths(view.Depths->GetPointer(0), view.Width); // The rectangle is that of all.
+      }
       const vtkirt::Stopwatch stopwatch;
       const bool isComplete = agreement == vtkirt::Agreement::Fine &&
         vtkirt::RenderSharedTiles(
@@ -756,6 +767,21 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::HasFittingDepths(const char* name, const PictureView& view) const
+{
+  const bool isFitting = !view.Depths ||
+    (view.Depths->GetNumberOfComponents() == 1 &&
+      view.Depths->GetNumberOfTuples() == static_cast<vtkIdType>(view.Width) * view.Height);
+  if (!isFitting)
+  {
+    vtkErrorWithObjectMacro(this->Mapper, << name << " needs a depth for each of the " << view.Width
+                                          << " x " << view.Height
+                                          << " pixels, or null where nothing is drawn already.");
+  }
+  return isFitting;
+}
+
+//------------------------------------------------------------------------------
 /// Has a picture traced, and written to an output.
 template <typename Trace, typename Write>
 bool vtkIsosurfaceRayTraceEngine::RenderPicture(const char* name, vtkVolume* volume,
@@ -768,8 +794,12 @@ try
       << name << " needs a volume, a camera, a size of at least 1 x 1 and an output.");
     return false;
   }
+  if (!this->HasFittingDepths(name, view))
+  {
+    return false;
+  }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
+  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)
   {
     return false;
@@ -792,6 +822,10 @@ try
   }
   vtkIsosurfaceRayTraceScene::AddLights(
     view.Lights ? view.Lights : headlight, view.Camera, true, picture.Scene);
+  if (view.Depths)
+  {
+    picture.SetDepths(view.Depths->GetPointer(0), view.Width);
+  }
   const KeepGoing keepGoing = [this, &use, &request](double fraction) {
     return this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
   };

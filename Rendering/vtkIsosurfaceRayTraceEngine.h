@@ -34,6 +34,7 @@ class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
+class vtkFloatArray;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
 class vtkLightCollection;
@@ -63,13 +64,17 @@ public:
     const char* MemoryRemedy;
   };
 
-  /// The view of a picture that needs no window. Without lights there is a headlight.
+  /// The view of a picture that needs no window. Without lights there is a headlight. The depths
+  /// are those of what is drawn already, for each pixel; null where there is nothing. If the data
+  /// are a piece of those of many processes, there may be connections without data.
   struct PictureView
   {
     vtkCamera* Camera;
     vtkLightCollection* Lights;
     int Width;
     int Height;
+    vtkFloatArray* Depths;
+    bool IsOfPiece = false;
   };
 
   /// The mapper owns the engine.
@@ -137,7 +142,7 @@ private:
   /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
   /// empty if they can.
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
-    const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes) const;
+    const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece = false) const;
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
@@ -149,7 +154,9 @@ private:
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
-    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume);
+    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);
+  /// Whether a view has a depth for each pixel, or none; if not, that is reported.
+  bool HasFittingDepths(const char* name, const PictureView& view) const;
   template <typename Trace, typename Write>
   bool RenderPicture(const char* name, vtkVolume* volume, const PictureView& view,
     vtkDataObject* output, const Trace& trace, const Write& write);

@@ -139,6 +139,29 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::HasData() const
+{
+  vtkDataObject* data = this->GetData();
+  return data && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::SelectNothing()
+{
+  this->Leaves = {};
+  this->LeftOut = {};
+  this->Parts.clear();
+  this->Placed.clear();
+  this->Set.reset();
+  this->Objects = nullptr;
+  this->ArePartsKept = false;
+  this->IsComposite = false;
+  this->PropertyComponent = 0;
+  this->ColorImage = nullptr;
+  this->ColorArray = nullptr;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   const vtkIsosurfaceRayTraceInputSettings& settings)
 {
@@ -329,6 +352,13 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::Update(int threads)
 {
+  if (this->Parts.empty())
+  {
+    this->Field = &this->Empty;
+    this->PhysicalFromObject = Identity;
+    this->CellSize = 1.0;
+    return false;
+  }
   bool isBuilt = false;
   const bool isLone = this->IsLone();
   for (const std::unique_ptr<Part>& part : this->Parts)
@@ -475,7 +505,7 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
       this->ColorImage, this->ColorArray, *this->Field, this->PhysicalFromObject, colorsOfValues);
   }
   const std::vector<Leaf>& leaves = this->Leaves.Get();
-  if (!leaves.front().GetAnyColors())
+  if (leaves.empty() || !leaves.front().GetAnyColors())
   {
     return nullptr;
   }

@@ -11,6 +11,7 @@
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
+#include "Field/EmptyField.h"
 #include "Field/FieldSet.h"
 #include "Image/ImageSettings.h"
 #include "Picture/Scene.h"
@@ -70,6 +71,12 @@ public:
   /// Finds the data in the inputs of the mapper, which must be up to date, and their scalars.
   /// Returns why they cannot be traced; empty if they can.
   std::string Select(vtkVolumeProperty* property);
+
+  /// Whether the connection has any points.
+  bool HasData() const;
+
+  /// Instead of Select: the field has nothing.
+  void SelectNothing();
 
   /// What is wrong with blocks that the last selection left out; empty if there are none.
   std::string DescribeLeftOut() const { return this->LeftOut.Describe(); }
@@ -180,6 +187,8 @@ private:
   int Connection;
   std::function<vtkIsosurfaceRayTraceInputSettings()> GetSettings;
   bool IsComposite = false;
+  /// The field where nothing is selected.
+  vtkIsosurfaceRayTracing::EmptyField Empty;
   vtkIsosurfaceRayTraceLeaves Leaves;
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   PartList Parts;

@@ -206,16 +206,17 @@ int vtkIsosurfaceRayTraceMapper::PickPixel(vtkRenderer* renderer, vtkVolume* vol
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+  vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToImage(volume, { camera, lights, width, height }, output);
+  return this->Engine->RenderToImage(volume, { camera, lights, width, height, depths }, output);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkTable* output)
+  vtkLightCollection* lights, int width, int height, vtkTable* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToFragments(volume, { camera, lights, width, height }, output);
+  return this->Engine->RenderToFragments(
+    volume, { camera, lights, width, height, depths, true }, output);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -253,16 +253,17 @@ int vtkIsosurfaceRayTraceMeshMapper::PickPixel(vtkRenderer* renderer, vtkVolume*
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMeshMapper::RenderToImage(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkImageData* output)
+  vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToImage(volume, { camera, lights, width, height }, output);
+  return this->Engine->RenderToImage(volume, { camera, lights, width, height, depths }, output);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMeshMapper::RenderToFragments(vtkVolume* volume, vtkCamera* camera,
-  vtkLightCollection* lights, int width, int height, vtkTable* output)
+  vtkLightCollection* lights, int width, int height, vtkTable* output, vtkFloatArray* depths)
 {
-  return this->Engine->RenderToFragments(volume, { camera, lights, width, height }, output);
+  return this->Engine->RenderToFragments(
+    volume, { camera, lights, width, height, depths, true }, output);
 }
 
 //------------------------------------------------------------------------------

@@ -70,6 +70,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkDataArray;
 class vtkDataSet;
+class vtkFloatArray;
 class vtkImageData;
 class vtkIsosurfaceRayTraceEngine;
 class vtkLightCollection;
@@ -482,10 +483,14 @@ public:
    * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
    * as of a window that rests: edges are smooth. Everything else is that of the first of them.
    *
+   * The depths are those of opaque geometry that the picture is drawn over, a value from 0 to 1 for
+   * each pixel, in rows from the bottom, as vtkRenderWindow::GetZbufferData and the array Depth
+   * have them: rays end there. With null, the default, there is none.
+   *
    * vtkIsosurfacePicture::UnpremultiplyColors or FlattenColors makes an image for a file of it.
    */
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
-    int height, vtkImageData* output);
+    int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
   /**
    * Finds what the pixels of the picture of RenderToImage are made of, so that it can be composited
@@ -493,13 +498,14 @@ public:
    * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
    * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
    * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
-   * opaque surface, in the depth buffer; else 1). Returns whether
-   * there is an output; if not, an error reports why.
+   * opaque surface, in the depth buffer; else 1). A connection without points has no rows. The
+   * depths are those of RenderToImage. Returns whether there is an output; if not, an error reports
+   * why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */
   bool RenderToFragments(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights,
-    int width, int height, vtkTable* output);
+    int width, int height, vtkTable* output, vtkFloatArray* depths = nullptr);
 
   /**
    * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.

@@ -142,7 +142,7 @@ private:
 class FragmentColumns
 {
 public:
-  FragmentColumns(vtkIdType count, vtkTable* output)
+  FragmentColumns(vtkIdType count, bool haveValues, vtkTable* output)
   {
     const auto add = [count, output](vtkDataArray* column, const char* name, int components)
     {
@@ -156,6 +156,10 @@ public:
     add(this->Colors, "Color", 3);
     add(this->Opacities, "Opacity", 1);
     add(this->Depths, "Depth", 1);
+    if (haveValues)
+    {
+      add(this->Values, "Value", 1);
+    }
   }
 
   void Set(vtkIdType row, vtkIdType pixel, const vtkirt::Fragment& fragment)
@@ -166,6 +170,11 @@ public:
     this->Opacities->SetValue(row, fragment.Opacity);
     this->Depths->SetValue(row, fragment.Opacity >= 1.0 ? std::min(fragment.Depth, 1.0F) : 1.0F);
   }
+  void SetValue(vtkIdType row, double value, float depth)
+  {
+    this->Values->SetValue(row, value);
+    this->Depths->SetValue(row, depth);
+  }
 
 private:
   vtkNew<vtkIdTypeArray> Pixels;
@@ -173,7 +182,14 @@ private:
   vtkNew<vtkDoubleArray> Colors;
   vtkNew<vtkDoubleArray> Opacities;
   vtkNew<vtkFloatArray> Depths;
+  vtkNew<vtkDoubleArray> Values;
 };
+
+/// The depth of a value of a projection, which has none in a window.
+float GetDepthOfValue(const vtkIsosurfaceRayTracePicture& picture, const vtkirt::Hit& hit)
+{
+  return std::clamp(picture.GetDepth(hit), 0.0F, 1.0F);
+}
 
 /// Calls visit(to, from, count) for each row of the pixels that were rendered, with the number of
 /// its first in a picture of a width and in that of the scene, and how many they are.
@@ -239,7 +255,7 @@ void WriteImage(const vtkIsosurfaceRayTraceRequest& request,
           const vtkIdType pixel = to + static_cast<vtkIdType>(i);
           // A projection hides nothing in a window, and so has no depth there; but each value has a
           // position.
-          const float depth = isProjection ? picture.GetDepth(hits[i])
+          const float depth = isProjection ? GetDepthOfValue(picture, hits[i])
                                            : std::min(picture.Frame.Depths[from + i], 1.0F);
           arrays.Set(pixel, depth, hit);
           if (isProjection)
@@ -277,7 +293,8 @@ void WriteColors(
 }
 
 //------------------------------------------------------------------------------
-void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output)
+void WriteFragments(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output)
 {
   const vtkirt::PixelRectangle& pixels = picture.Scene.Pixels;
   const std::vector<vtkirt::FragmentOfPixel>& fragments = picture.Frame.Fragments;
@@ -289,13 +306,21 @@ void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkT
   }
   std::partial_sum(rows.begin(), rows.end(), rows.begin());
   output->Initialize();
-  FragmentColumns columns(static_cast<vtkIdType>(fragments.size()), output);
+  // The hit that was kept is that of the fragment if there is one field.
+  const bool haveValues = request.IsProjection() && request.Volumes.size() == 1;
+  FragmentColumns columns(static_cast<vtkIdType>(fragments.size()), haveValues, output);
   for (const vtkirt::FragmentOfPixel& fragment : fragments)
   {
     const auto inRow = static_cast<int>(fragment.Pixel % static_cast<std::size_t>(pixels.Width));
     const auto row = static_cast<int>(fragment.Pixel / static_cast<std::size_t>(pixels.Width));
-    columns.Set(rows[fragment.Pixel]++,
-      pixels.X + inRow + static_cast<vtkIdType>(pixels.Y + row) * width, fragment.Own);
+    const vtkIdType to = rows[fragment.Pixel]++;
+    columns.Set(
+      to, pixels.X + inRow + static_cast<vtkIdType>(pixels.Y + row) * width, fragment.Own);
+    if (haveValues)
+    {
+      const vtkirt::Hit& hit = picture.Frame.Hits[fragment.Pixel];
+      columns.SetValue(to, hit.Value, GetDepthOfValue(picture, hit));
+    }
   }
 }
 

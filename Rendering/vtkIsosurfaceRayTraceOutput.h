@@ -34,8 +34,9 @@ void WriteColors(
   const vtkIsosurfaceRayTracePicture& picture, int width, int height, vtkImageData* output);
 
 /// The output of vtkIsosurfaceRayTraceMapper::RenderToFragments. The picture must have kept its
-/// fragments.
-void WriteFragments(const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output);
+/// fragments, and of a projection its hits.
+void WriteFragments(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTracePicture& picture, int width, vtkTable* output);
 
 }
 

@@ -12,6 +12,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -64,7 +65,9 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
       scene.TileWidth = std::max(scene.TileWidth, least);
       scene.TileHeight = std::max(scene.TileHeight, least);
     }
-    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
+    shown.Pixels = volume.Input->GetNumberOfParts() > 0
+      ? vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds())
+      : vtkirt::PixelRectangle{};
     scene.Pixels = i > 0 ? vtkirt::Unite(scene.Pixels, shown.Pixels) : shown.Pixels;
     scene.Fields.push_back(shown);
   }
@@ -110,6 +113,20 @@ void vtkIsosurfaceRayTracePicture::AddLights(vtkRenderer* renderer)
   vtkIsosurfaceRayTraceScene::AddLights(
     renderer->GetLights(), renderer->GetActiveCamera(), false, this->Scene);
   this->Scene.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTracePicture::SetDepths(const float* depths, int width)
+{
+  const vtkirt::PixelRectangle& pixels = this->Scene.Pixels;
+  this->Depths.clear();
+  for (int y = 0; y < pixels.Height; ++y)
+  {
+    const float* row = depths + pixels.X +
+      static_cast<std::ptrdiff_t>(pixels.Y + y) * static_cast<std::ptrdiff_t>(width);
+    this->Depths.insert(this->Depths.end(), row, row + pixels.Width);
+  }
+  this->Scene.Depth = this->Depths.data();
 }
 
 //------------------------------------------------------------------------------

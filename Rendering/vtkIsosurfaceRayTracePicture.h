@@ -41,6 +41,10 @@ public:
   /// Adds the lights of a renderer.
   void AddLights(vtkRenderer* renderer);
 
+  /// Sets the depths of what is drawn already: a row of values for each row of the view, from the
+  /// bottom. Rays end there. To be called again when the rectangle of the scene has changed.
+  void SetDepths(const float* depths, int width);
+
   /// Renders the picture. Returns false if keepGoing, called with the fraction done, stopped it.
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution,
     const std::function<bool(double)>& keepGoing);
@@ -79,6 +83,8 @@ private:
     vtkIsosurfaceRayTracing::SceneField& shown);
 
   std::vector<ColorsOfField> Colors;
+  /// Of the rectangle of the scene.
+  std::vector<float> Depths;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -51,7 +51,7 @@ def make_rules():
     rules["Filters"] = [compat, CORE, "Filters", *mappers]
     rules["Parallel"] = [compat, CORE, "Parallel", *mappers, "Rendering/vtkCellProjectionMapper.h"]
     public_headers = find_public_headers()
-    public_headers.append("Parallel/vtkIsosurfaceRayTraceCompositor.h")
+    public_headers += [f"Parallel/vtkIsosurface{name}.h" for name in ("GhostBlocks", "RayTraceCompositor")]
     rules["IO"] = [compat, "IO"]
     headers_of_files = [f"IO/{name}.h" for name in ("MetaImageHeader", "NiftiHeader", "RawSamples")]
     rules["Programs"] = [compat, "Programs", *headers_of_files, *public_headers]

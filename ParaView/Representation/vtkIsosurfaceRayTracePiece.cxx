@@ -6,12 +6,15 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkIsosurfaceGhostBlocks.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkNonOverlappingAMR.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -164,12 +167,13 @@ vtkBoundingBox vtkIsosurfaceRayTracePiece::GetOwnBounds(vtkDataObject* data)
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTracePiece::Together vtkIsosurfaceRayTracePiece::Gather(
-  const double bounds[6], int numberOfComponents)
+  const double bounds[6], int numberOfComponents, bool isNewAmr)
 {
-  constexpr std::size_t count = 7;
+  constexpr std::size_t count = 8;
   std::array<double, count> own;
   std::copy_n(bounds, 6, own.begin());
   own[6] = numberOfComponents;
+  own[7] = isNewAmr ? 1.0 : 0.0;
   auto* controller = vtkMultiProcessController::GetGlobalController();
   std::vector<double> all(own.begin(), own.end());
   if (controller && controller->GetNumberOfProcesses() > 1)
@@ -183,6 +187,7 @@ vtkIsosurfaceRayTracePiece::Together vtkIsosurfaceRayTracePiece::Gather(
   {
     together.NumberOfComponents =
       std::max(together.NumberOfComponents, static_cast<int>(all[i + 6]));
+    together.HasNewAmr = together.HasNewAmr || all[i + 7] > 0.0;
     if (vtkMath::AreBoundsInitialized(&all[i]))
     {
       boxes.emplace_back(&all[i]);
@@ -195,6 +200,22 @@ vtkIsosurfaceRayTracePiece::Together vtkIsosurfaceRayTracePiece::Gather(
     together.DoOverlap = DoAnyOverlap(boxes, 1e-6 * together.Bounds.GetDiagonalLength());
   }
   return together;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTracePiece::IsAmr(vtkDataObject* data)
+{
+  return vtkUniformGridAMR::SafeDownCast(data) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> vtkIsosurfaceRayTracePiece::AddGhostBlocks(vtkDataObject* data)
+{
+  vtkNew<vtkNonOverlappingAMR> nothing;
+  vtkNew<vtkIsosurfaceGhostBlocks> ghosts;
+  ghosts->SetInputDataObject(IsAmr(data) ? data : nothing);
+  ghosts->Update();
+  return IsAmr(data) ? ghosts->GetOutputDataObject(0) : data;
 }
 
 //------------------------------------------------------------------------------

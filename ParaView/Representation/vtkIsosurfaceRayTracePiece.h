@@ -28,16 +28,24 @@ vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data);
 vtkBoundingBox GetOwnBounds(vtkDataObject* data);
 
 /// What is known of the pieces of all processes: the bounds of them together, whether those of two
-/// of them overlap by more than rounding, and the most components that an array has in one.
+/// of them overlap by more than rounding, the most components that an array has in one, and whether
+/// one has new AMR data.
 struct Together
 {
   vtkBoundingBox Bounds;
   bool DoOverlap = false;
   int NumberOfComponents = 0;
+  bool HasNewAmr = false;
 };
 
 /// Gathers it. To be called by all processes, with what each knows of its own piece.
-Together Gather(const double bounds[6], int numberOfComponents);
+Together Gather(const double bounds[6], int numberOfComponents, bool isNewAmr);
+
+bool IsAmr(vtkDataObject* data);
+
+/// AMR data with the blocks of other processes that are next to its own, hidden; other data as they
+/// are. To be called by all processes. The data may be null.
+vtkSmartPointer<vtkDataObject> AddGhostBlocks(vtkDataObject* data);
 
 /// The array of points or cells of the first block with cells that has it; null if none has it.
 vtkDataArray* FindArray(vtkDataObject* data, int association, const std::string& name);

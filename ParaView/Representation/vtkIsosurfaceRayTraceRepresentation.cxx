@@ -193,11 +193,11 @@ int vtkIsosurfaceRayTraceRepresentation::GetNumberOfGhostLevels()
 int vtkIsosurfaceRayTraceRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
-  this->Piece = nullptr;
+  this->OwnPiece = nullptr;
   vtkMath::UninitializeBounds(this->OwnBounds);
   if (vtkDataObject* input = vtkDataObject::GetData(in[0], 0))
   {
-    this->Piece = vtkIsosurfaceRayTracePiece::MakeInput(input);
+    this->OwnPiece = vtkIsosurfaceRayTracePiece::MakeInput(input);
     const vtkBoundingBox bounds = vtkIsosurfaceRayTracePiece::GetOwnBounds(input);
     if (bounds.IsValid())
     {
@@ -205,6 +205,7 @@ int vtkIsosurfaceRayTraceRepresentation::RequestData(
     }
     this->IsPieceNew = true;
   }
+  this->Piece = this->OwnPiece;
   return this->Superclass::RequestData(request, in, out);
 }
 
@@ -254,7 +255,12 @@ void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkI
   vtkDataArray* array = vtkIsosurfaceRayTracePiece::FindArray(
     this->Piece, this->GetContourAssociation(), this->GetContourArrayName());
   const vtkIsosurfaceRayTracePiece::Together together =
-    vtkIsosurfaceRayTracePiece::Gather(bounds, array ? array->GetNumberOfComponents() : 0);
+    vtkIsosurfaceRayTracePiece::Gather(bounds, array ? array->GetNumberOfComponents() : 0,
+      this->IsPieceNew && vtkIsosurfaceRayTracePiece::IsAmr(this->OwnPiece));
+  if (together.HasNewAmr)
+  {
+    this->Piece = vtkIsosurfaceRayTracePiece::AddGhostBlocks(this->OwnPiece);
+  }
   this->NumberOfComponents = together.NumberOfComponents;
   if (this->IsPieceNew && together.Bounds.IsValid())
   {

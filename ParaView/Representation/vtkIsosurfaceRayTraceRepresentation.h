@@ -172,7 +172,8 @@ private:
 
   vtkNew<vtkIsosurfaceRayTraceMapper> Mapper;
   vtkNew<vtkIsosurfaceVolume> Volume;
-  vtkSmartPointer<vtkDataObject> Piece;
+  vtkSmartPointer<vtkDataObject> OwnPiece;
+  vtkSmartPointer<vtkDataObject> Piece; // the same, or with blocks of other processes
   bool IsPieceNew = false;
   double OwnBounds[6];
   vtkNew<vtkIsosurfaceRayTraceSharedPicture> SharedPicture;

@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceCompositor.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -73,9 +74,11 @@ void vtkIsosurfaceRayTraceSharedPicture::Make(
   renderer->GetTiledSizeAndOrigin(&this->Size[0], &this->Size[1], &origin[0], &origin[1]);
   this->Size[0] /= reduction;
   this->Size[1] /= reduction;
-  if (!this->Compositor->RenderToImage(volume, camera, renderer->GetLights(),
-        GetNumberOfRays(this->Size[0], distance), GetNumberOfRays(this->Size[1], distance),
-        this->Image))
+  const int columns = GetNumberOfRays(this->Size[0], distance);
+  const int rows = GetNumberOfRays(this->Size[1], distance);
+  const vtkSmartPointer<vtkFloatArray> depths = this->Depths.Find(renderer, columns, rows);
+  if (!this->Compositor->RenderToImage(
+        volume, camera, renderer->GetLights(), columns, rows, this->Image, depths))
   {
     this->Image->Initialize();
   }
@@ -97,6 +100,13 @@ int vtkIsosurfaceRayTraceSharedPicture::RenderVolumetricGeometry(vtkViewport* vi
   const vtkOpenGLState::ScopedglViewport restoring(state);
   state->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
   return this->Superclass::RenderVolumetricGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceSharedPicture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depths.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 VTK_ABI_NAMESPACE_END

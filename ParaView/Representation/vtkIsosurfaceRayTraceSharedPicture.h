@@ -9,8 +9,9 @@
 
 #include "vtkBoundingBox.h" // for ivars
 #include "vtkIsosurfacePicture.h"
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkNew.h"                        // for ivars
+#include "vtkIsosurfaceRayTraceSceneDepths.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkNew.h"                           // for ivars
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -29,14 +30,16 @@ public:
   void SetBounds(const vtkBoundingBox& bounds);
   double* GetBounds() override;
 
-  /// Makes the picture for the camera that the renderer of process 0 has now. To be called by all
-  /// processes, whether they have data or not. The picture is smaller than the viewport by the
-  /// factor of reduction, for which IceT uses the lower left part of the viewport. A ray is traced
-  /// for each square of the given side, in pixels, if that is more than one.
+  /// Makes the picture for the camera that the renderer of process 0 has now, before and behind the
+  /// opaque geometry of the renderers of all processes. To be called by all processes, whether they
+  /// have data or not, while the renderers begin a frame. The picture is smaller than the viewport
+  /// by the factor of reduction, for which IceT uses the lower left part of the viewport. A ray is
+  /// traced for each square of the given side, in pixels, if that is more than one.
   void Make(vtkVolume* volume, vtkRenderer* renderer, int reduction, double distance);
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkIsosurfaceRayTraceSharedPicture();
@@ -47,6 +50,7 @@ private:
   void operator=(const vtkIsosurfaceRayTraceSharedPicture&) = delete;
 
   vtkNew<vtkIsosurfaceRayTraceCompositor> Compositor;
+  vtkIsosurfaceRayTraceSceneDepths Depths;
   vtkNew<vtkImageData> Image;
   double Bounds[6];
   int Size[2] = { 0, 0 }; // in pixels of the viewport

@@ -22,7 +22,9 @@ EXACT = (
     "hexahedra",
     "nearest",
     "rectilinear",
+    "shared_out_amr",
     "trilinear",
+    "unordered_around_ball",
     "unordered_grid",
     "unordered_in_glass",
     "unordered_mesh",
@@ -31,9 +33,8 @@ EXACT = (
 )
 # ParaView composites translucent pictures in 8 bits, from each process to the next.
 TRANSLUCENT = ("beside_glass", "moved", "opacity_function", "translucent", "unordered_around_glass")
-# A process knows the light that its own piece lets pass, and blends its edges with its own background. AMR has
-# no ghost cells. Where pieces have no order, surfaces are drawn over polygons.
-OF_PIECES = ("occlusion", "shadows", "shared_out_amr", "smooth_edges", "unordered_around_ball")
+# A process knows the light that its own piece lets pass, and blends its edges with its own background.
+OF_PIECES = ("occlusion", "shadows", "smooth_edges")
 OF_EIGHT = ("cell_blocks", "curvilinear", "trilinear", "unordered_mesh")
 
 

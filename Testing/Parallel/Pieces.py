@@ -7,7 +7,7 @@ import unittest
 
 from mpi4py import MPI
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -68,6 +68,14 @@ def with_cell_scalars(piece):
     return cells
 
 
+def with_few_values(piece):
+    """Rays have their largest value at many points."""
+    scalars = piece.GetPointData().GetScalars()
+    for i in range(scalars.GetNumberOfTuples()):
+        scalars.SetValue(i, min(200.0, 50.0 * round(scalars.GetValue(i) / 50.0)))
+    return piece
+
+
 def as_mesh(piece):
     append = vtkAppendFilter()
     append.AddInputData(piece)
@@ -78,7 +86,7 @@ def as_mesh(piece):
 def make_volume(data, opacities=(1.0,), isovalues=(157.0,), mapper_class=vtkIsosurfaceRayTraceMapper, settings=()):
     mapper = mapper_class()
     if data:
-        mapper.SetInputData(data)
+        mapper.SetInputDataObject(data)
     mapper.SetNumberOfThreads(1)
     for name, *values in settings:
         getattr(mapper, name)(*values)
@@ -113,10 +121,17 @@ def pixels_of(picture):
     return [(colors.GetTuple(i), depths.GetValue(i)) for i in range(picture.GetNumberOfPoints())]
 
 
-def render(volume, camera, size, lights=None, compositor=None):
+def make_plane():
+    plane = vtkPlane()
+    plane.SetOrigin(1.3, 0.2, 0.4)
+    plane.SetNormal(-1.0, -0.7, -0.2)
+    return plane
+
+
+def render(volume, camera, size, lights=None, compositor=None, depths=None):
     picture = vtkImageData()
     compositor = compositor or vtkIsosurfaceRayTraceCompositor()
-    return compositor.RenderToImage(volume, camera, lights, *size, picture), picture
+    return compositor.RenderToImage(volume, camera, lights, *size, picture, depths), picture
 
 
 def whole_picture(volume, camera, size, lights=None):
@@ -163,11 +178,11 @@ class PicturesOfMany(unittest.TestCase):
 
         self.assertIsNone(on_first(compare))
 
-    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30)):
+    def check_failure(self, volume, pattern, of_process, camera=make_camera(), size=(40, 30), depths=None):
         """No process has a picture; one says why, and process 0 says which one does."""
         compositor = vtkIsosurfaceRayTraceCompositor()
         errors = Errors(compositor, volume.GetMapper())
-        is_rendered, _ = render(volume, camera, size, compositor=compositor)
+        is_rendered, _ = render(volume, camera, size, compositor=compositor, depths=depths)
         self.assertFalse(is_rendered)
         if RANK == of_process:
             self.assertRegex(errors.texts[0], pattern)

@@ -166,6 +166,26 @@ class TestClouds(PicturesOfMany):
         expected = whole_picture(make_cloud(self.tetrahedra), make_camera(), PICTURE)
         self.assertEqual([pixel for part in parts for pixel in part[1]], expected)
 
+    def test_connections_without_data(self):
+        """Each of two connections has data in some processes alone."""
+        other = vtkUnstructuredGrid()
+        other.DeepCopy(self.cells)
+        for i in range(other.GetNumberOfPoints()):
+            x, y, z = other.GetPoint(i)
+            other.GetPoints().SetPoint(i, x + 6.3, y - 3.1, 1.1 * z)
+        first = SIZE // 2  # the processes from it on have the second mesh, those before it the first
+        for surfaces in (False, True):
+            own = make_cloud(self.tetrahedra if RANK == 0 else vtkUnstructuredGrid(), surfaces)
+            count = other.GetNumberOfCells()
+            rank, size = RANK - first, SIZE - first
+            part = extract(other, slice(count * rank // size, count * (rank + 1) // size))
+            own.GetMapper().AddInputDataObject(part if rank >= 0 else vtkUnstructuredGrid())
+            is_rendered, picture = render(own, make_camera(), PICTURE)
+            self.assertTrue(is_rendered)
+            whole = make_cloud(self.tetrahedra, surfaces)
+            whole.GetMapper().AddInputDataObject(other)
+            self.check_against_whole(picture, whole, make_camera(), PICTURE, name=f"two connections, surfaces {surfaces}")
+
     def test_nobody_has_data(self):
         is_rendered, picture = render(make_cloud(None), make_camera(), (40, 30))
         self.assertTrue(is_rendered)

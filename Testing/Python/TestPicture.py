@@ -5,12 +5,14 @@
 
 import unittest
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceVolume
 
+from MeshTesting import errors_of
 from PictureTesting import capture, make_waves
 
 SIZE = (180, 140)
@@ -71,12 +73,24 @@ def draw(*props, **options):
     return capture(window)
 
 
-def render(volume, size=SIZE):
-    image = vtkImageData()
+def make_camera():
     camera = vtkRenderer().MakeCamera()
     set_camera(camera)
-    assert volume.GetMapper().RenderToImage(volume, camera, None, *size, image)
+    return camera
+
+
+def render(volume, size=SIZE, depths=None):
+    image = vtkImageData()
+    assert volume.GetMapper().RenderToImage(volume, make_camera(), None, *size, image, depths)
     return image
+
+
+def find_depths(*props):
+    window = make_window(props)
+    window.Render()
+    depths = vtkFloatArray()
+    window.GetZbufferData(0, 0, SIZE[0] - 1, SIZE[1] - 1, depths)
+    return depths
 
 
 def scalars(image):
@@ -115,6 +129,34 @@ class TestPicture(unittest.TestCase):
     def test_translucent_surfaces(self):
         self.check((0.3, 0.5))
         self.check((0.3, 1.0), make_sphere((-20.0, -14.0, -24.0), 8.0))
+
+    def test_translucent_surfaces_before_and_behind_polygons(self):
+        volume, sphere = make_volume((0.3, 0.5)), make_sphere((4.0, 2.0, 5.0), 8.0)
+        expected = draw(volume, sphere)
+        self.assertEqual(draw(make_picture(render(volume, depths=find_depths(sphere))), sphere), expected)
+        self.assertNotEqual(draw(make_picture(render(volume)), sphere), expected)
+
+    def test_projection_hides_nothing_by_its_depths(self):
+        """It is opaque, and yet drawn over translucent polygons, as in a window."""
+        volume, sphere = make_volume((1.0, 1.0)), make_sphere((10.0, 6.0, 12.0), 6.0)
+        volume.GetMapper().SetBlendModeToMaximumIntensity()
+        sphere.GetProperty().SetOpacity(0.4)
+        expected = draw(volume, sphere)
+        self.assertEqual(draw(make_picture(render(volume)), sphere), expected)
+        self.assertNotEqual(draw(sphere), expected)
+
+    def test_depths_that_are_not_of_the_pixels(self):
+        volume = make_volume((0.3, 0.5))
+        mapper = volume.GetMapper()
+        fewer, pairs = vtkFloatArray(), vtkFloatArray()
+        fewer.SetNumberOfValues(17)
+        pairs.SetNumberOfComponents(2)
+        pairs.SetNumberOfTuples(18)
+        for depths in (fewer, pairs):
+            for render_to, output in ((mapper.RenderToImage, vtkImageData()), (mapper.RenderToFragments, vtkTable())):
+                errors = errors_of(
+                    mapper, lambda: self.assertFalse(render_to(volume, make_camera(), None, 6, 3, output, depths)))
+                self.assertIn("needs a depth for each of the 6 x 3 pixels", "".join(errors))
 
     def test_viewport(self):
         self.check((1.0, 1.0), make_sphere((4.0, 2.0, 5.0), 8.0), size=(90, 140), viewport=(0.5, 0.0, 1.0, 1.0))

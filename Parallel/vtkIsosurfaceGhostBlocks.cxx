@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceGhostBlocks.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkNonOverlappingAMR.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUniformGrid.h"
+#include "vtkUniformGridAMR.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+constexpr int BlockTag = 14142;
+
+/// Whether a block has anything but flags. Those of other processes may be there without arrays.
+bool HasArrays(vtkUniformGrid* block)
+{
+  const int flags = (block->GetPointGhostArray() ? 1 : 0) + (block->GetCellGhostArray() ? 1 : 0);
+  return block->GetPointData()->GetNumberOfArrays() + block->GetCellData()->GetNumberOfArrays() >
+    flags;
+}
+
+/// Where a block is, as all processes know it.
+struct Place
+{
+  double Extent[6];
+  double Origin[3];
+  double Spacing[3];
+};
+static_assert(sizeof(Place) == 12 * sizeof(double), "Places are sent as numbers.");
+
+Place FindPlace(vtkImageData* block)
+{
+  Place place;
+  std::copy_n(block->GetExtent(), 6, place.Extent);
+  std::copy_n(block->GetOrigin(), 3, place.Origin);
+  std::copy_n(block->GetSpacing(), 3, place.Spacing);
+  return place;
+}
+
+double GetEnd(const Place& place, int side)
+{
+  return place.Origin[side / 2] + place.Extent[side] * place.Spacing[side / 2];
+}
+
+/// The nodes of a block depend on so many cells around it, of its own level and of those coarser.
+constexpr double Reach = 4.0;
+
+bool AreNear(const Place& a, const Place& b)
+{
+  bool areNear = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double distance = std::max(
+      GetEnd(a, 2 * axis) - GetEnd(b, 2 * axis + 1), GetEnd(b, 2 * axis) - GetEnd(a, 2 * axis + 1));
+    areNear = areNear && distance < Reach * std::max(a.Spacing[axis], b.Spacing[axis]);
+  }
+  return areNear;
+}
+
+/// Whether both are the same cells, but for rounding.
+bool AreSame(const Place& a, const Place& b)
+{
+  bool areSame = true;
+  for (int side = 0; side < 6; ++side)
+  {
+    const double cell = std::min(a.Spacing[side / 2], b.Spacing[side / 2]);
+    areSame = areSame && std::abs(GetEnd(a, side) - GetEnd(b, side)) < 0.5 * cell;
+  }
+  return areSame &&
+    std::equal(a.Spacing, a.Spacing + 3, b.Spacing,
+      [](double one, double other) { return std::abs(one - other) < 0.5 * std::min(one, other); });
+}
+
+/// Whether a process with some blocks needs another one.
+bool Needs(const std::vector<Place>& blocks, const Place& other)
+{
+  return std::any_of(blocks.begin(), blocks.end(),
+           [&other](const Place& block) { return AreNear(block, other); }) &&
+    std::none_of(
+      blocks.begin(), blocks.end(), [&other](const Place& block) { return AreSame(block, other); });
+}
+
+/// The blocks of all processes.
+std::vector<std::vector<Place>> GatherPlaces(
+  const std::vector<vtkUniformGrid*>& blocks, vtkMultiProcessController* controller)
+{
+  constexpr vtkIdType size = sizeof(Place) / sizeof(double);
+  std::vector<Place> own;
+  for (vtkUniformGrid* block : blocks)
+  {
+    own.push_back(FindPlace(block));
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  const auto ownLength = size * static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(static_cast<std::size_t>(processes));
+  controller->AllGather(&ownLength, lengths.data(), 1);
+  std::vector<vtkIdType> offsets;
+  vtkIdType length = 0;
+  for (const vtkIdType ofProcess : lengths)
+  {
+    offsets.push_back(length);
+    length += ofProcess;
+  }
+  std::vector<Place> all(static_cast<std::size_t>(length / size));
+  controller->AllGatherV(reinterpret_cast<const double*>(own.data()),
+    reinterpret_cast<double*>(all.data()), ownLength, lengths.data(), offsets.data());
+  std::vector<std::vector<Place>> places;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    const Place* first = all.data() + offsets[i] / size;
+    places.emplace_back(first, first + lengths[i] / size);
+  }
+  return places;
+}
+
+void Send(vtkUniformGrid* block, int process, vtkMultiProcessController* controller)
+{
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(block);
+  controller->Send(image, process, BlockTag);
+}
+
+/// Receives a block, and hides its cells.
+vtkSmartPointer<vtkUniformGrid> Receive(
+  const Place& place, int process, vtkMultiProcessController* controller)
+{
+  vtkNew<vtkImageData> image;
+  controller->Receive(image, process, BlockTag);
+  auto block = vtkSmartPointer<vtkUniformGrid>::New();
+  block->ShallowCopy(image);
+  int extent[6];
+  std::copy_n(place.Extent, 6, extent);
+  block->SetExtent(extent);
+  block->SetOrigin(place.Origin);
+  block->SetSpacing(place.Spacing);
+  vtkUnsignedCharArray* before = block->GetCellGhostArray();
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(block->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < flags->GetNumberOfValues(); ++cell)
+  {
+    const int flag = before ? before->GetValue(cell) : 0;
+    flags->SetValue(cell, static_cast<unsigned char>(flag | vtkDataSetAttributes::HIDDENCELL));
+  }
+  block->GetCellData()->AddArray(flags);
+  return block;
+}
+
+/// Sends the own blocks that others need, and receives those that the own need.
+std::vector<vtkSmartPointer<vtkUniformGrid>> Exchange(
+  const std::vector<vtkUniformGrid*>& blocks, vtkMultiProcessController* controller)
+{
+  const std::vector<std::vector<Place>> places = GatherPlaces(blocks, controller);
+  const auto own = static_cast<std::size_t>(controller->GetLocalProcessId());
+  std::vector<vtkSmartPointer<vtkUniformGrid>> ghosts;
+  const auto send = [&](std::size_t process)
+  {
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      if (Needs(places[process], places[own][i]))
+      {
+        Send(blocks[i], static_cast<int>(process), controller);
+      }
+    }
+  };
+  const auto receive = [&](std::size_t process)
+  {
+    for (const Place& place : places[process])
+    {
+      if (Needs(places[own], place))
+      {
+        ghosts.push_back(Receive(place, static_cast<int>(process), controller));
+      }
+    }
+  };
+  // Of each pair the lower one sends first, so that no two wait for each other.
+  for (std::size_t process = 0; process < places.size(); ++process)
+  {
+    if (process < own)
+    {
+      receive(process);
+      send(process);
+    }
+    else if (process > own)
+    {
+      send(process);
+      receive(process);
+    }
+  }
+  return ghosts;
+}
+
+void Initialize(const std::vector<unsigned int>& blocksOfLevels, vtkNonOverlappingAMR* amr)
+{
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 6)
+  amr->Initialize(blocksOfLevels);
+#else
+  const std::vector<int> counts(blocksOfLevels.begin(), blocksOfLevels.end());
+  amr->Initialize(static_cast<int>(counts.size()), counts.data());
+#endif
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkIsosurfaceGhostBlocks);
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceGhostBlocks::vtkIsosurfaceGhostBlocks() = default;
+vtkIsosurfaceGhostBlocks::~vtkIsosurfaceGhostBlocks() = default;
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceGhostBlocks::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkIsosurfaceGhostBlocks::GetController()
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceGhostBlocks::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUniformGridAMR");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceGhostBlocks::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkNonOverlappingAMR");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceGhostBlocks::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* input = vtkUniformGridAMR::GetData(inputVector[0]);
+  auto* output = vtkNonOverlappingAMR::GetData(outputVector);
+  std::vector<unsigned int> counts;
+  std::vector<vtkUniformGrid*> blocks;
+  for (unsigned int level = 0; level < input->GetNumberOfLevels(); ++level)
+  {
+    counts.push_back(input->GetNumberOfDataSets(level));
+    for (unsigned int i = 0; i < counts.back(); ++i)
+    {
+      vtkUniformGrid* block = input->GetDataSet(level, i);
+      if (block && HasArrays(block))
+      {
+        blocks.push_back(block);
+      }
+    }
+  }
+  vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
+  if (!controller)
+  {
+    controller = vtkMultiProcessController::GetGlobalController();
+  }
+  std::vector<vtkSmartPointer<vtkUniformGrid>> ghosts;
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    ghosts = Exchange(blocks, controller);
+  }
+  this->NumberOfGhostBlocks = static_cast<int>(ghosts.size());
+  counts.push_back(static_cast<unsigned int>(ghosts.size()));
+  Initialize(counts, output);
+  for (unsigned int level = 0; level < input->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int i = 0; i < counts[level]; ++i)
+    {
+      vtkUniformGrid* block = input->GetDataSet(level, i);
+      output->SetDataSet(level, i, block && HasArrays(block) ? block : nullptr);
+    }
+  }
+  for (std::size_t i = 0; i < ghosts.size(); ++i)
+  {
+    output->SetDataSet(input->GetNumberOfLevels(), static_cast<unsigned int>(i), ghosts[i]);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceGhostBlocks::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "NumberOfGhostBlocks: " << this->NumberOfGhostBlocks << "\n";
+}
+
+VTK_ABI_NAMESPACE_END
