@@ -189,7 +189,7 @@ def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     data, folder = sys.argv[1:]
-    write_all(data, folder, 480)
+    write_all(data, folder, 960)
 
 
 if __name__ == "__main__":

@@ -208,7 +208,7 @@ def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
     volume_file, isovalue, folder = sys.argv[1], float(sys.argv[2]), sys.argv[3]
-    write_all(read_volume(volume_file), isovalue, folder, 480)
+    write_all(read_volume(volume_file), isovalue, folder, 960)
 
 
 if __name__ == "__main__":

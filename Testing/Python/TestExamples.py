@@ -195,6 +195,20 @@ class TestExamples(unittest.TestCase):
         for name in ("skin_and_bone", "slices", "caps"):
             self.assertGreater(len(set(read(os.path.join(self.folder, f"{name}.png")))), 10, name)
 
+    def test_volumes(self):
+        """A brain, half of it, and a simulation."""
+        waves = vtkImageShiftScale()  # between the values of a brain and of nothing
+        waves.SetInputData(make_waves())
+        waves.SetShift(60.0 - ISOVALUE)
+        writer = vtkNIFTIImageWriter()
+        writer.SetInputConnection(waves.GetOutputPort())
+        writer.SetFileName(os.path.join(self.folder, "brain.nii.gz"))
+        writer.Write()
+        self.run_with_small_pictures("volumes.py", os.path.join(self.folder, "brain.nii.gz"), self.folder)
+        for name in ("brain", "brain_cut", "reaction"):
+            self.assertGreater(count_colored(os.path.join(self.folder, f"{name}.png")), 1000, name)
+            self.assertGreater(len(set(read(os.path.join(self.folder, f"{name}.png")))), 100, name)
+
     def test_simulation(self):
         """Its pictures change with the time, but not the camera and the scalar bar."""
         names = [os.path.join(self.folder, f"flow{step}") for step in range(2)]

@@ -36,7 +36,7 @@ class TestGallery(PictureTestCase):
                  str(ISOVALUE), folder],
                 check=True, stdout=subprocess.DEVNULL)
             for name in self.pictures:
-                self.assertEqual(len(read(os.path.join(folder, name + ".png"))), 480 * 480, name)
+                self.assertEqual(len(read(os.path.join(folder, name + ".png"))), 960 * 960, name)
 
     def test_usage(self):
         self.check_usage("gallery.py")
