@@ -209,7 +209,7 @@ class TestMeshData(PictureTestCase):
             script = os.path.join(EXAMPLES, "meshes.py")
             subprocess.run([sys.executable, script, DATA, folder], check=True, stdout=subprocess.DEVNULL)
             for scene in meshes.SCENES:
-                self.assertEqual(len(read(os.path.join(folder, scene.__name__ + ".png"))), 480 * 480)
+                self.assertEqual(len(read(os.path.join(folder, scene.__name__ + ".png"))), 960 * 960)
             for arguments, message in (((), "meshes.py DATA FOLDER"), ((folder, folder), "there is no file")):
                 result = subprocess.run([sys.executable, script, *arguments], capture_output=True, check=False)
                 self.assertNotEqual(result.returncode, 0)
