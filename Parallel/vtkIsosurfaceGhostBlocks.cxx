@@ -246,7 +246,8 @@ vtkMultiProcessController* vtkIsosurfaceGhostBlocks::GetController()
 //------------------------------------------------------------------------------
 int vtkIsosurfaceGhostBlocks::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUniformGridAMR");
+  // Others are an error, but the process takes part all the same: the others would wait for it.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -261,7 +262,13 @@ int vtkIsosurfaceGhostBlocks::FillOutputPortInformation(int, vtkInformation* inf
 int vtkIsosurfaceGhostBlocks::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* input = vtkUniformGridAMR::GetData(inputVector[0]);
+  vtkSmartPointer<vtkUniformGridAMR> input = vtkUniformGridAMR::GetData(inputVector[0]);
+  if (!input)
+  {
+    vtkErrorMacro("The input is a " << vtkDataObject::GetData(inputVector[0])->GetClassName()
+                                    << ". Give a vtkOverlappingAMR or a vtkNonOverlappingAMR.");
+    input = vtkSmartPointer<vtkNonOverlappingAMR>::New();
+  }
   auto* output = vtkNonOverlappingAMR::GetData(outputVector);
   std::vector<unsigned int> counts;
   std::vector<vtkUniformGrid*> blocks;

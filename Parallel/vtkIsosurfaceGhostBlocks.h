@@ -25,7 +25,8 @@
  * as which a process may have those of others, are left out.
  *
  * All processes must update the filter together, also those without blocks, whose input is empty.
- * With one process nothing is added.
+ * (One whose input is of another kind reports an error, and counts as one without blocks.) With one
+ * process nothing is added.
  *
  * @sa vtkIsosurfaceRayTraceCompositor
  */

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Builds the tests of the core with the address and undefined behaviour sanitizers, and with the
-# thread sanitizer, and runs them: with the last, those that use several threads. With ALL=1 the
-# first two run the tests of the VTK classes, the programs and the benchmarks, too.
+# thread sanitizer, and runs them: with the last, those that use several threads. The first two run
+# those of many processes that need no Python, too (MPI itself is not made for the last); with ALL=1
+# also the tests of the VTK classes, the programs and the benchmarks.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,8 +20,9 @@ if [[ "${ALL:-}" ]]; then
   cmake --build --preset asan
   Utilities/with-display.sh ctest --preset asan --parallel 2
 else
-  cmake --build --preset asan --target "${targets[@]}" vtkIsosurfaceRayTracingAllocationTests
-  ctest --preset asan --parallel 2 --tests-regex '^(Unit|HardCases)'
+  cmake --build --preset asan --target "${targets[@]}" vtkIsosurfaceRayTracingAllocationTests \
+    vtkIsosurfaceRayTracingProcessTests vtkIsosurfaceRender
+  ctest --preset asan --parallel 2 --tests-regex '^(Unit|HardCases|Parallel\.(Processes|IsosurfaceRender))'
 fi
 
 cmake --preset tsan -DPython3_EXECUTABLE=/usr/bin/python3
