@@ -17,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkUnsignedCharArray.h"
@@ -185,10 +184,10 @@ std::vector<double> PictureRays::CastAt(vtkPolyData* triangles) const
   locator->BuildLocator();
   // A ray through an edge of two triangles must not slip through by rounding.
   const double tolerance = 1e-9 * triangles->GetLength();
-  vtkSMPThreadLocalObject<vtkGenericCell> cells;
   vtkSMPTools::For(0, count,
-    [this, &locator, &cells, &ts, tolerance](vtkIdType first, vtkIdType last)
+    [this, &locator, &ts, tolerance](vtkIdType first, vtkIdType last)
     {
+      vtkNew<vtkGenericCell> triangle;
       for (vtkIdType ray = first; ray < last; ++ray)
       {
         double from[3];
@@ -201,8 +200,7 @@ std::vector<double> PictureRays::CastAt(vtkPolyData* triangles) const
         double pcoords[3];
         int subId;
         vtkIdType cell;
-        if (locator->IntersectWithLine(
-              from, to, tolerance, t, x, pcoords, subId, cell, cells.Local()))
+        if (locator->IntersectWithLine(from, to, tolerance, t, x, pcoords, subId, cell, triangle))
         {
           ts[static_cast<std::size_t>(ray)] = t;
         }

@@ -22,6 +22,7 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include "Mesh/ShapeFunctions.h"
 
@@ -60,13 +61,23 @@ bool IsSolid(int type)
   return cell && cell->GetCellDimension() == 3;
 }
 
-/// Whether a grid has cells of a type that is asked for. (vtkUnstructuredGrid::GetCellTypes always
-/// looks at all cells.)
+/// The types of all cells of a grid; null if there are none. From VTK 9.6 on they may be an array
+/// that has no memory of its own, which GetVoidPointer makes a copy of.
+vtkDataArray* GetTypes(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
+}
+
+/// Whether a grid has cells of a type that is asked for. (VTK's list of the types that a grid has
+/// is made by a look at all cells, always.)
 template <typename Predicate>
 bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-  const unsigned char* type = types->GetPointer(0);
+  const auto* type = static_cast<const unsigned char*>(GetTypes(grid)->GetVoidPointer(0));
   const unsigned char* last = type + grid->GetNumberOfCells();
   bool isKnown[256] = {};
   while (type != last)
@@ -85,7 +96,7 @@ bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
 /// Whether every cell of a grid has a type.
 bool HasAllTypes(vtkUnstructuredGrid* grid)
 {
-  const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const vtkDataArray* types = GetTypes(grid);
   return types && types->GetNumberOfValues() >= grid->GetNumberOfCells();
 }
 
@@ -137,7 +148,7 @@ std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
     grid->GetPointGhostArray() };
   if (auto* listed = vtkUnstructuredGrid::SafeDownCast(grid))
   {
-    parts.insert(parts.end(), { listed->GetCells(), listed->GetCellTypesArray() });
+    parts.insert(parts.end(), { listed->GetCells(), GetTypes(listed) });
   }
   return parts;
 }
@@ -301,7 +312,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
 void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
 {
   this->View.NumberOfCells = grid->GetNumberOfCells();
-  this->View.Shapes = static_cast<const unsigned char*>(this->Read(grid->GetCellTypesArray()));
+  this->View.Shapes = static_cast<const unsigned char*>(this->Read(GetTypes(grid)));
   vtkCellArray* cells = grid->GetCells();
   vtkDataArray* offsets = cells->GetOffsetsArray();
   vtkDataArray* connectivity = cells->GetConnectivityArray();

@@ -12,6 +12,7 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUniformGridAMR.h"
 
 #include "Math/PrefetchLines.h"
 
@@ -43,7 +44,9 @@ vtkIsosurfaceRayTraceSnapshot::vtkIsosurfaceRayTraceSnapshot(
   : DisplayTime(GetTime(attributes))
 {
   const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
-  if (auto* ofTree = vtkDataObjectTreeIterator::SafeDownCast(iterator))
+  // From VTK 9.6 on AMR data are trees, too, but they show their leaves alone.
+  auto* ofTree = vtkDataObjectTreeIterator::SafeDownCast(iterator);
+  if (ofTree && !vtkUniformGridAMR::SafeDownCast(data))
   {
     ofTree->VisitOnlyLeavesOff();
     this->Trees.push_back({ data, 0, GetOwnTime(data) });

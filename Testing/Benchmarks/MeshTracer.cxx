@@ -20,8 +20,8 @@
 #include <vtkPoints.h>
 #include <vtkRenderer.h>
 #include <vtkStructuredGrid.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 #include <limits>
@@ -57,7 +57,12 @@ void SetCells(vtkUnstructuredGrid* grid, vtkirt::MeshView& view)
 {
   vtkCellArray* cells = grid->GetCells();
   view.NumberOfCells = grid->GetNumberOfCells();
-  view.Shapes = grid->GetCellTypesArray()->GetPointer(0);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  vtkDataArray* types = grid->GetCellTypes();
+#else
+  vtkDataArray* types = grid->GetCellTypesArray();
+#endif
+  view.Shapes = static_cast<const unsigned char*>(types->GetVoidPointer(0));
   view.Offsets = cells->GetOffsetsArray()->GetVoidPointer(0);
   view.Connectivity = cells->GetConnectivityArray()->GetVoidPointer(0);
   view.IdType = cells->IsStorage64Bit() ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
