@@ -26,16 +26,22 @@ class TypedImageStructures final : public ImageStructures
 {
 public:
   template <typename... LayoutArguments>
-  TypedImageStructures(const Samples<T>& samples, const std::vector<int>& branching, int threads,
-    RangeStore* store, LayoutArguments... arguments)
+  TypedImageStructures(
+    const Samples<T>& samples, const std::vector<int>& branching, LayoutArguments... arguments)
     : TheSamples(samples)
-    , Hierarchy(samples, branching, threads, store)
+    , Hierarchy(samples, branching)
     , Masks(samples)
     , Bricks(samples, arguments...)
   {
   }
 
   const MacrocellLattice& GetLattice() const override { return this->Hierarchy.GetLattice(); }
+
+  void ReadSlab(int threads, RangeStore* store) override
+  {
+    this->Hierarchy.ReadSlab(threads, store);
+  }
+  double GetFractionRead() const override { return this->Hierarchy.GetFractionRead(); }
 
   SampleRange GetRange() const override
   {
@@ -101,22 +107,21 @@ private:
 //------------------------------------------------------------------------------
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
-  const Samples<T>& samples, const ImageSettings& settings, int threads, RangeStore* store)
+  const Samples<T>& samples, const ImageSettings& settings)
 {
   const std::vector<int>& branching = settings.MacrocellBranching;
   switch (settings.Layout)
   {
     case BrickLayout::Unbricked:
-      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(
-        samples, branching, threads, store);
+      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(samples, branching);
     case BrickLayout::TwoLevel:
       return std::make_unique<TypedImageStructures<T, TwoLevelBricks<T>>>(
-        samples, branching, threads, store, settings.BrickSize, settings.BrickGroupSize);
+        samples, branching, settings.BrickSize, settings.BrickGroupSize);
     case BrickLayout::Apron:
       break;
   }
   return std::make_unique<TypedImageStructures<T, ApronBricks<T>>>(
-    samples, branching, threads, store, settings.BrickSize);
+    samples, branching, settings.BrickSize);
 }
 
 }
