@@ -129,6 +129,11 @@ void ImageField::Select(
       { surface.Isovalue, GetValueScale(range.Min, range.Max, surface.Isovalue) });
   }
   this->Selection.SetActive(this->Tracer->FindActive(execution.Threads), execution.Threads);
+  // A pass reads all samples anyway; which of them a projection needs is not known.
+  if (this->GetFractionRead() == 1.0 && !request.Projection)
+  {
+    this->Structures->ReadAhead(this->Selection.Active);
+  }
   this->IsSelectionComplete = true;
 }
 

@@ -39,6 +39,9 @@ public:
   virtual void ReadSlab(int threads, RangeStore* store) = 0;
   virtual double GetFractionRead() const = 0;
 
+  /// Has the system read the samples in active macrocells, if they are in a file.
+  virtual void ReadAhead(const ActiveMacrocells& active) = 0;
+
   /// Makes a tracer for the request that is selected. The structures and the selection must outlive
   /// it; one tracer is used at a time.
   virtual std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) = 0;

@@ -5,9 +5,11 @@
 #define TypedImageStructures_h
 
 #include "Image/ImageStructures.h"
+#include "Image/Macrocells/ActiveRows.h"
 #include "Image/Macrocells/CellMasks.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/ApronBricks.h"
+#include "Image/Samples/FilePages.h"
 #include "Image/Samples/TwoLevelBricks.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Tracers/NearestTracer.h"
@@ -16,6 +18,7 @@
 #include "Image/Tracers/TrilinearTracer.h"
 #include "Math/PrefetchLines.h"
 
+#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -47,6 +50,40 @@ public:
   {
     const ValueRange<T>& range = this->Hierarchy.GetRange();
     return { static_cast<double>(range.Min), static_cast<double>(range.Max) };
+  }
+
+  /// Samples that have been asked for are not asked for again: of those that the system has, that
+  /// would take time for nothing.
+  void ReadAhead(const ActiveMacrocells& active) override
+  {
+    if (!this->TheSamples.AreInFile() || active.GetLattice().Levels.empty())
+    {
+      return;
+    }
+    ActiveRows rows(active);
+    if (this->AskedFor)
+    {
+      rows.Remove(*this->AskedFor);
+      this->AskedFor->Include(rows);
+    }
+    else
+    {
+      this->AskedFor = rows;
+    }
+    PagesAhead pages;
+    for (int z = 0; z < this->TheSamples.GetDimensions()[2]; ++z)
+    {
+      int y = 0;
+      for (const ActiveRows::Row& row : rows.GetSlice(z))
+      {
+        if (!row.IsEmpty())
+        {
+          pages.Add(
+            this->TheSamples.At({ row.First, y, z }), this->TheSamples.At({ row.Last, y, z }) + 1);
+        }
+        ++y;
+      }
+    }
   }
 
   std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) override
@@ -99,6 +136,7 @@ private:
   }
 
   Samples<T> TheSamples;
+  std::optional<ActiveRows> AskedFor;
   MacrocellHierarchy<T> Hierarchy;
   CellMasks<T> Masks;
   Layout Bricks;
