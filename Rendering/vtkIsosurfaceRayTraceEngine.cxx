@@ -337,16 +337,13 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
     leftOut = leftOut.empty() ? inputs.Get(i).DescribeLeftOut() : leftOut;
     isBuilt = inputs.Get(i).Update(settings.NumberOfThreads) || isBuilt;
   }
-  if (isBuilt)
+  if (isBuilt || inputs.GetFractionRead() < 1.0)
   {
     this->HierarchyTime = watch.GetSeconds();
-    // Thousands of blocks are not asked in every frame.
-    std::string warning;
-    for (int i = 0; i < inputs.GetNumber() && warning.empty(); ++i)
-    {
-      warning = inputs.Get(i).GetWarning();
-    }
-    this->WarnOnce(warning, this->LastWarning);
+  }
+  if (isBuilt) // Thousands of blocks are not asked in every frame.
+  {
+    this->WarnOnce(inputs.GetWarning(), this->LastWarning);
   }
   this->WarnOnce(leftOut, this->LastLeftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
@@ -357,6 +354,57 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
     this->GradientTime = gradients;
   }
   return request;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeCompleteRequest(
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece)
+{
+  auto request = this->MakeRequest(use, volume, isOfPiece);
+  const bool isComplete = request &&
+    this->ReadSamples(use, *request, std::numeric_limits<double>::infinity(), [] { return true; });
+  return isComplete ? std::move(request) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::ReadSamples(const vtkIsosurfaceRayTraceUse& use,
+  const vtkIsosurfaceRayTraceRequest& request, double seconds, const std::function<bool()>& mayGoOn)
+{
+  vtkIsosurfaceRayTraceInputs& inputs = request.Inputs;
+  if (inputs.GetFractionRead() == 1.0)
+  {
+    return true;
+  }
+  double secondsOfReading = 0.0;
+  while (inputs.GetFractionRead() < 1.0 && secondsOfReading < seconds)
+  {
+    const vtkirt::Stopwatch watch;
+    inputs.ReadSlab(request.Execution.Threads);
+    secondsOfReading += watch.GetSeconds();
+    if (!this->SendProgressOfReading(use, request) || !mayGoOn())
+    {
+      return false;
+    }
+  }
+  request.SelectAgain();
+  this->HierarchyTime += secondsOfReading;
+  if (inputs.GetFractionRead() == 1.0)
+  {
+    this->WarnOnce(inputs.GetWarning(), this->LastWarning);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::SendProgressOfReading(
+  const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request)
+{
+  if (use.IsNested())
+  {
+    return true;
+  }
+  this->Mapper->UpdateProgress(request.Inputs.GetFractionRead());
+  return this->IsIntact(request);
 }
 
 //------------------------------------------------------------------------------
@@ -485,9 +533,24 @@ try
   {
     return 0.0;
   }
+  // Hints look at the data, which observers may take.
+  const bool isHintSafe = request->Inputs.GetFractionRead() == 1.0 ||
+    !(this->Mapper->HasObserver(vtkCommand::ProgressEvent) ||
+      holder.GetWindow()->HasObserver(vtkCommand::AbortCheckEvent));
+  if (!this->ReadSamples(use, *request,
+        vtkIsosurfaceRayTraceFrame::FindReadingTime(renderer, volume),
+        [this, &request, &holder]
+        { return !this->CheckAbort(*request, holder.GetWindow()) && holder.CanDraw(); }))
+  {
+    return 0.0;
+  }
+  if (isHintSafe && request->Inputs.GetFractionRead() == 1.0)
+  {
+    this->WarnOnce(
+      vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
+      this->LastHint);
+  }
 
-  this->WarnOnce(vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
-    this->LastHint);
   const bool isComplete =
     this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderStartEvent, nullptr) &&
     holder.CanDraw() && this->DrawFrame(use, *request, holder);
@@ -509,14 +572,17 @@ bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
   vtkVolume* volume = holder.GetVolume();
   this->TheClient.SetImageSampleDistance(
     this->Frame.ChooseSampleDistance(this->TheClient.GetSettings(), renderer, volume));
-  const bool isComplete =
-    this->Frame.Render(this->TheClient.GetSettings(), request, { renderer, volume, this->Mapper },
-      [this, &use, &request, &holder](double fraction)
-      {
-        return this->SendEvent(
-                 use, request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction) &&
-          !this->CheckAbort(request, holder.GetWindow()) && holder.CanDraw();
-      });
+  vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+  // A picture of what has been read so far is no part of a mean.
+  settings.ProgressiveAccumulation =
+    settings.ProgressiveAccumulation && request.Inputs.GetFractionRead() == 1.0;
+  const bool isComplete = this->Frame.Render(settings, request, { renderer, volume, this->Mapper },
+    [this, &use, &request, &holder](double fraction)
+    {
+      return this->SendEvent(
+               use, request, vtkCommand::VolumeMapperRenderProgressEvent, &fraction) &&
+        !this->CheckAbort(request, holder.GetWindow()) && holder.CanDraw();
+    });
   this->Times = this->Frame.GetTimes();
   this->DisplayTime = this->Frame.GetDisplayTime();
   this->NumberOfAccumulatedFrames = this->Frame.GetNumberOfAccumulatedFrames();
@@ -536,7 +602,7 @@ int vtkIsosurfaceRayTraceEngine::IntersectWithLine(vtkVolume* volume, const doub
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const auto request = use.IsAllowed() && volume ? this->MakeRequest(use, volume) : nullptr;
+  const auto request = use.IsAllowed() && volume ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
     return 0;
@@ -575,7 +641,7 @@ try
   }
   output->Initialize();
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume) : nullptr;
+  const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
     return false;
@@ -625,7 +691,7 @@ try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
   const bool isPossible = use.IsAllowed() && renderer && volume;
-  const auto request = isPossible ? this->MakeRequest(use, volume) : nullptr;
+  const auto request = isPossible ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
     return 0;
@@ -799,7 +865,8 @@ try
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const auto request = use.IsAllowed() ? this->MakeRequest(use, volume, view.IsOfPiece) : nullptr;
+  const auto request =
+    use.IsAllowed() ? this->MakeCompleteRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)
   {
     return false;

@@ -147,7 +147,6 @@ private:
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
-  /// The same for what is no error.
   /// Warns of something, unless that was the last warning of its kind.
   void WarnOnce(const std::string& problem, std::string& last);
   void ReportBadAlloc() const;
@@ -155,6 +154,13 @@ private:
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
     const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);
+  /// The same with all samples read.
+  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeCompleteRequest(
+    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);
+  /// Reads samples that have not been read, slab by slab, for so long, with ProgressEvents. Returns
+  /// whether what is traced has outlived these, and mayGoOn has not stopped it.
+  bool ReadSamples(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
+    double seconds, const std::function<bool()>& mayGoOn);
   /// Whether a view has a depth for each pixel, or none; if not, that is reported.
   bool HasFittingDepths(const char* name, const PictureView& view) const;
   template <typename Trace, typename Write>
@@ -167,6 +173,9 @@ private:
   /// traced has outlived it.
   bool SendEvent(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
     unsigned long event, double* progress);
+  /// The same for the ProgressEvent of reading samples.
+  bool SendProgressOfReading(
+    const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request);
   /// Whether the window wants to abort the frame, or its observers have made it impossible.
   bool CheckAbort(const vtkIsosurfaceRayTraceRequest& request, vtkRenderWindow* window);
   /// Whether what is traced has outlived the observers of an event; if not, that is reported.

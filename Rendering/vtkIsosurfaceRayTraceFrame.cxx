@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -112,6 +113,21 @@ std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVo
     vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
       renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()),
     renderer->GetLights());
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceFrame::FindReadingTime(vtkRenderer* renderer, vtkVolume* volume)
+{
+  // Windows at rest have rates of a frame in minutes or hours.
+  constexpr double leastRateOfInteraction = 1.0;
+  const double allocated = volume->GetAllocatedRenderTime();
+  const bool isInteractive =
+    renderer->GetRenderWindow()->GetDesiredUpdateRate() >= leastRateOfInteraction;
+  if (!isInteractive || renderer->GetSelector() || !(allocated > 0.0))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  return IsSecondEye(renderer) ? 0.0 : allocated; // Both eyes see the same.
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,11 @@ public:
   /// Why a renderer cannot draw a volume; empty if it can.
   static std::string FindProblem(vtkRenderer* renderer, vtkVolume* volume);
 
+  /// How long a frame may read samples before it shows what is read of them, in seconds: without an
+  /// end unless the window is for interaction. (A rendering that is at rest, or selects ids, is
+  /// complete.)
+  static double FindReadingTime(vtkRenderer* renderer, vtkVolume* volume);
+
   /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen by the time
   /// of the last frame, so that the frame takes the time allocated to it.
   float ChooseSampleDistance(

@@ -61,18 +61,22 @@ vtkirt::TracedField& vtkIsosurfaceRayTraceGridPart::GetField()
   {
     // It is on demand: so few samples lie close together as they are, and shading reads them again.
     this->Settings.Layout = vtkirt::BrickLayout::Unbricked;
+    this->Update(1);
   }
-  this->Update(1);
   return *this->Source.GetField();
 }
 
 //------------------------------------------------------------------------------
-/// A small part is built faster than a file is opened.
+/// A small part is built at once, faster than a file is opened.
 bool vtkIsosurfaceRayTraceGridPart::Update(int threads)
 {
   const std::string directory = this->IsBuiltOnDemand() ? "" : this->CacheDirectory;
   const bool hadToBeBuilt = !this->IsBuilt &&
-    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, directory, threads);
+    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, directory);
+  while (this->IsBuiltOnDemand() && this->GetFractionRead() < 1.0)
+  {
+    this->ReadSlab(threads);
+  }
   this->IsBuilt = true;
   return hadToBeBuilt;
 }

@@ -42,6 +42,8 @@ public:
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
   bool IsBuiltOnDemand() const override;
   bool Update(int threads) override;
+  void ReadSlab(int threads) override { this->Source.ReadSlab(threads); }
+  double GetFractionRead() const override { return this->Source.GetField()->GetFractionRead(); }
   std::string GetWarning() const override { return this->Source.GetCacheProblem(); }
   vtkIsosurfaceRayTracing::Bounds FindBox() const override;
   double FindCellSize() const override { return 1.0; }

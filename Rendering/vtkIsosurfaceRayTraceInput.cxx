@@ -352,6 +352,8 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::Update(int threads)
 {
+  this->NumberOfEagerParts = 0;
+  this->UnreadParts.clear();
   if (this->Parts.empty())
   {
     this->Field = &this->Empty;
@@ -366,6 +368,11 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
     if (isLone || !part->IsBuiltOnDemand())
     {
       isBuilt = part->Update(threads) || isBuilt;
+      ++this->NumberOfEagerParts;
+      if (part->GetFractionRead() < 1.0)
+      {
+        this->UnreadParts.push_back(part.get());
+      }
     }
   }
   if (!isLone)
@@ -385,6 +392,32 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
   this->PhysicalFromObject = part.FindPhysicalFromObject();
   this->CellSize = part.FindCellSize();
   return isBuilt;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::ReadSlab(int threads)
+{
+  if (this->UnreadParts.empty())
+  {
+    return;
+  }
+  Part& part = *this->UnreadParts.back();
+  part.ReadSlab(threads);
+  if (part.GetFractionRead() == 1.0)
+  {
+    this->UnreadParts.pop_back();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceInput::GetFractionRead() const
+{
+  double unread = 0.0;
+  for (const Part* part : this->UnreadParts)
+  {
+    unread += 1.0 - part->GetFractionRead();
+  }
+  return this->UnreadParts.empty() ? 1.0 : 1.0 - unread / this->NumberOfEagerParts;
 }
 
 //------------------------------------------------------------------------------

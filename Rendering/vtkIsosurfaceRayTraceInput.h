@@ -85,8 +85,17 @@ public:
   /// where it is, it may be another.
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const;
 
-  /// Builds what tracing the selection needs. Returns whether a hierarchy had to be built.
+  /// Builds what tracing the selection needs, or begins to. Returns whether a hierarchy had to be
+  /// built.
   bool Update(int threads);
+
+  ///@{
+  /// Goes on building: reads the next slab of the data, which must be intact, unless all are read
+  /// (the fraction is 1). Where they have not been read, rays hit nothing. What is traced must be
+  /// selected again.
+  void ReadSlab(int threads);
+  double GetFractionRead() const;
+  ///@}
 
   /// What went wrong when it was built, without harm to pictures; empty if nothing did.
   std::string GetWarning() const;
@@ -193,6 +202,10 @@ private:
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   PartList Parts;
   vtkCompositeDataDisplayAttributes* Attributes = nullptr;
+  /// Those that are built at once, and not by the first ray: how many, and which have data that are
+  /// still to be read.
+  int NumberOfEagerParts = 0;
+  std::vector<Part*> UnreadParts;
   /// Whether leaves are as they were for the last selection, and parts the same if they are; what
   /// else these were selected by.
   bool AreSameLeaves = false;

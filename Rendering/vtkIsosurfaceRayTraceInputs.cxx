@@ -81,6 +81,40 @@ int vtkIsosurfaceRayTraceInputs::FindConnection(vtkIdType& cellId) const
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInputs::ReadSlab(int threads)
+{
+  const auto unread = std::find_if(this->Inputs.begin(), this->Inputs.end(),
+    [](const std::unique_ptr<vtkIsosurfaceRayTraceInput>& input)
+    { return input->GetFractionRead() < 1.0; });
+  if (unread != this->Inputs.end())
+  {
+    (*unread)->ReadSlab(threads);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceInputs::GetFractionRead() const
+{
+  double sum = 0.0;
+  for (const auto& input : this->Inputs)
+  {
+    sum += input->GetFractionRead();
+  }
+  return sum / this->GetNumber();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInputs::GetWarning() const
+{
+  std::string warning;
+  for (int i = 0; i < this->GetNumber() && warning.empty(); ++i)
+  {
+    warning = this->Get(i).GetWarning();
+  }
+  return warning;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInputs::IsIntact(int threads) const
 {
   return std::all_of(this->Inputs.begin(), this->Inputs.end(),

@@ -14,6 +14,7 @@
 #include <cstddef>    // for std::size_t
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
 #include <utility>    // for std::move
 #include <vector>     // for std::vector
 
@@ -52,6 +53,9 @@ public:
 
   ///@{
   /// Of all inputs; see vtkIsosurfaceRayTraceInput.
+  void ReadSlab(int threads);
+  double GetFractionRead() const;
+  std::string GetWarning() const;
   bool IsIntact(int threads) const;
   vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;
   double GetGradientSeconds() const;

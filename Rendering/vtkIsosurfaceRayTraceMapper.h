@@ -35,6 +35,17 @@
  * locality), each built when the first ray enters an active macrocell there. Both depend on the
  * scalars alone.
  *
+ * Macrocells are built in one pass over the samples, slab by slab: about 16 MiB in the order that
+ * they have in memory, or in their file. After each slab the mapper sends ProgressEvent, with the
+ * fraction that is read (GetProgress() of the mapper), and the window may abort the frame
+ * (vtkRenderWindow::CheckAbortStatus): then nothing is drawn, and the next frame, or whatever else
+ * needs the samples, goes on where this one stopped. A frame of interaction (one of a window whose
+ * DesiredUpdateRate is at least 1 frame per second, as interactor styles set it) reads as long as
+ * it may take by vtkProp::GetAllocatedRenderTime(), but at least a slab, and shows what has been
+ * read so far; elsewhere there is no surface yet. All other pictures (those of a window at rest,
+ * RenderToImage), rays, picks and hardware selections are of all samples. Small blocks of composite
+ * data, meshes and AMR data are built at once.
+ *
  * All scalar types are read without loss, with one exception: 64-bit integers are compared as
  * double, so values beyond 2^53 are rounded to the nearest double. A cell with a NaN or infinite
  * corner is empty. Of several components one is used, or their magnitude: see VectorMode.
@@ -119,11 +130,14 @@
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
  * @sa vtkIsosurfaceVolume vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
- * While it draws, the mapper sends VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent
+ * While it draws, the mapper sends (after the ProgressEvents of a pass over the samples, if there
+ * is one) VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent
  * (up to fifty times a second, with the fraction done) and VolumeMapperRenderEndEvent, on the
  * thread that called it and while no other thread is at work. Observers may do what they like:
  * - Changes of inputs, settings, properties and isovalues are seen in the next frame. What is drawn
- *   stays as it is, and its data are kept until the frame ends.
+ *   stays as it is, and its data are kept until the frame ends. (Changes at a ProgressEvent are
+ *   made before the frame is drawn: it has the settings and transfer functions that are not about
+ *   what is traced.)
  * - Casting, picking and RenderToImage work, on the state as it is then. They send no events of
  *   their own, and build macrocells of their own.
  * - The mapper may be taken out of its volume, the volume out of its renderer, the renderer out of
@@ -653,13 +667,13 @@ public:
 
   ///@{
   /**
-   * Get the times of the last frame, in seconds of wall-clock time: building the macrocells,
-   * building bricks, tracing, shading, and displaying (reading the depth of the scene, uploading
-   * and drawing the image). The time of a step that the frame did not need is 0. Bricks, tracing
-   * and shading are interleaved on all threads: the wall-clock time of the three together is
-   * divided in proportion to the time the threads spent in each. Small blocks of composite data
-   * that are traced by themselves are prepared, macrocells included, when the first ray comes to
-   * them: that is among the time of bricks.
+   * Get the times of the last frame, in seconds of wall-clock time: building the macrocells (those
+   * that the frame has built, without observers), building bricks, tracing, shading, and displaying
+   * (reading the depth of the scene, uploading and drawing the image). The time of a step that the
+   * frame did not need is 0. Bricks, tracing and shading are interleaved on all threads: the
+   * wall-clock time of the three together is divided in proportion to the time the threads spent in
+   * each. Small blocks of composite data that are traced by themselves are prepared, macrocells
+   * included, when the first ray comes to them: that is among the time of bricks.
    */
   double GetMacrocellBuildTime();
   double GetBrickBuildTime();

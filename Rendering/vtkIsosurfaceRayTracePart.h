@@ -32,8 +32,15 @@ public:
   /// Whether the part and others like it are one field, without seams.
   virtual bool IsSeamless() const { return false; }
 
-  /// Builds the field, with all threads. Returns whether it had to be built.
+  /// Builds the field, with all threads, or begins to. Returns whether it had to be built.
   virtual bool Update(int threads) = 0;
+
+  ///@{
+  /// Goes on building a field: reads the next slab of its data, which must be intact. Where they
+  /// have not been read (the fraction is less than 1), rays hit nothing.
+  virtual void ReadSlab(int /*threads*/) {}
+  virtual double GetFractionRead() const { return 1.0; }
+  ///@}
 
   /// What went wrong when it was built, without harm to pictures; empty if nothing did.
   virtual std::string GetWarning() const { return ""; }

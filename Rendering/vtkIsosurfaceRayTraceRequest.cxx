@@ -83,9 +83,10 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceRequest::DrawnVolumes::FindWorldFromData(in
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
-  const vtkIsosurfaceRayTraceSettings& settings, const vtkIsosurfaceRayTraceInputs& inputs,
+  const vtkIsosurfaceRayTraceSettings& settings, vtkIsosurfaceRayTraceInputs& inputs,
   const DrawnVolumes& volumes, vtkPlaneCollection* clippingPlanes)
   : Inputs(inputs)
+  , Budget{ settings.MaximumMemory }
 {
   this->Execution.Threads = settings.NumberOfThreads;
   for (int connection = 0; connection < inputs.GetNumber(); ++connection)
@@ -133,7 +134,18 @@ void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& s
       request.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
     }
   }
-  volume.Input->GetField()->Select(request, this->Execution, { settings.MaximumMemory });
+  volume.Input->GetField()->Select(request, this->Execution, this->Budget);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRequest::SelectAgain() const
+{
+  for (const Volume& volume : this->Volumes)
+  {
+    vtkirt::TracedField& field = *volume.Input->GetField();
+    const vtkirt::TraceRequest request = field.GetRequest();
+    field.Select(request, this->Execution, this->Budget);
+  }
 }
 
 //------------------------------------------------------------------------------

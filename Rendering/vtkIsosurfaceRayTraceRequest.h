@@ -67,8 +67,11 @@ struct vtkIsosurfaceRayTraceRequest
   /// by clipping planes (which may be null). The inputs must be up to date, and outlive the
   /// request.
   vtkIsosurfaceRayTraceRequest(const vtkIsosurfaceRayTraceSettings& settings,
-    const vtkIsosurfaceRayTraceInputs& inputs, const DrawnVolumes& volumes,
+    vtkIsosurfaceRayTraceInputs& inputs, const DrawnVolumes& volumes,
     vtkPlaneCollection* clippingPlanes);
+
+  /// Selects the same again, after more of the data has been read.
+  void SelectAgain() const;
 
   /// That of a hit.
   const Volume& GetVolume(const vtkIsosurfaceRayTracing::Hit& hit) const
@@ -80,7 +83,7 @@ struct vtkIsosurfaceRayTraceRequest
   bool IsProjection() const;
   bool IsNothing() const;
 
-  const vtkIsosurfaceRayTraceInputs& Inputs;
+  vtkIsosurfaceRayTraceInputs& Inputs;
   /// One for each connection.
   std::vector<Volume> Volumes;
   vtkIsosurfaceRayTracing::Execution Execution;
@@ -91,6 +94,8 @@ struct vtkIsosurfaceRayTraceRequest
 private:
   void Select(const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
     vtkPlaneCollection* clippingPlanes) const;
+
+  vtkIsosurfaceRayTracing::MemoryBudget Budget;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -71,7 +71,7 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   const vtkIsosurfaceRayTraceScalars& selection, const vtkirt::ImageSettings& settings,
-  const std::string& cacheDirectory, int threads)
+  const std::string& cacheDirectory)
 {
   vtkDataArray* scalars = selection.Array;
   Key key;
@@ -113,16 +113,17 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   }
 
   this->Field.reset(); // Its memory first.
-  this->Build(selection, cacheDirectory, key, threads);
+  this->MakeField(selection, cacheDirectory, key);
   this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceSource::Build(const vtkIsosurfaceRayTraceScalars& selection,
-  const std::string& cacheDirectory, const Key& key, int threads)
+void vtkIsosurfaceRayTraceSource::MakeField(
+  const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory, const Key& key)
 {
+  this->Cache.reset();
   this->CacheProblem.clear();
   const vtkIsosurfaceRayTraceScalars::View samples = selection.MakeView(this->PlainScalars);
   vtkirt::VolumeView view;
@@ -133,14 +134,23 @@ void vtkIsosurfaceRayTraceSource::Build(const vtkIsosurfaceRayTraceScalars& sele
   const ImageFiles::FileMapping* mapping =
     this->PlainScalars ? nullptr : ImageFiles::MappingsInUse::Find(key.Buffer);
   view.AreInFile = mapping != nullptr;
-  if (!mapping || cacheDirectory.empty())
+  if (mapping && !cacheDirectory.empty())
   {
-    this->Field = vtkirt::ImageField::New(view, key.Settings, threads);
-    return;
+    this->Cache =
+      std::make_unique<vtkIsosurfaceRayTraceMacrocellCache>(cacheDirectory, *mapping, view);
   }
-  vtkIsosurfaceRayTraceMacrocellCache cache(cacheDirectory, *mapping, view);
-  this->Field = vtkirt::ImageField::New(view, key.Settings, threads, &cache);
-  this->CacheProblem = cache.GetProblem();
+  this->Field = vtkirt::ImageField::NewUnread(view, key.Settings);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceSource::ReadSlab(int threads)
+{
+  this->Field->ReadSlab(threads, this->Cache.get());
+  if (this->Cache && this->Field->GetFractionRead() == 1.0)
+  {
+    this->CacheProblem = this->Cache->GetProblem();
+    this->Cache.reset();
+  }
 }
 
 //------------------------------------------------------------------------------

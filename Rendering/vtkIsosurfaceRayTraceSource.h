@@ -23,6 +23,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkIsosurfaceRayTraceMacrocellCache;
 
 class vtkIsosurfaceRayTraceSource
 {
@@ -35,14 +36,16 @@ public:
   /// The problem with the input; empty if there is none.
   static std::string FindProblem(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection);
 
-  /// Builds the field of the input, which must have no problem, unless it is up to date. Returns
-  /// whether it had to be built. Where the samples are in a file, macrocells are kept in a
-  /// directory and taken from there, unless it has no name.
+  /// Makes the field of the input, which must have no problem, unless it is up to date. Returns
+  /// whether it had to be made: then its samples are still to be read. Where they are in a file,
+  /// macrocells are kept in a directory and taken from there, unless it has no name.
   bool Update(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection,
-    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory,
-    int threads);
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory);
 
-  /// Why macrocells could not be kept when the field was built; empty if they could be.
+  /// Reads the next slab of samples, which must be intact, and not all read.
+  void ReadSlab(int threads);
+
+  /// Why macrocells could not be kept when all samples were read; empty if they could be.
   const std::string& GetCacheProblem() const { return this->CacheProblem; }
 
   /// Whether the samples are still where they were at the last update, and as many. Their array
@@ -80,11 +83,13 @@ private:
   struct Key;
 
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
-  void Build(const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory,
-    const Key& key, int threads);
+  void MakeField(const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory,
+    const Key& key);
 
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
   std::unique_ptr<Key> Built;
+  /// Until all samples are read; null if nothing is kept.
+  std::unique_ptr<vtkIsosurfaceRayTraceMacrocellCache> Cache;
   std::string CacheProblem;
   vtkIsosurfaceRayTraceGeometry Geometry;
   vtkMTimeType GridTime = 0;

@@ -279,6 +279,17 @@ private:
 //------------------------------------------------------------------------------
 // All of them, made ready for an input
 
+ActiveMacrocells FindActive(
+  const vtkIsosurfaceRayTracing::Samples<double>& samples, double isovalue)
+{
+  MacrocellHierarchy<double> hierarchy(samples, { 4, 4, 4 });
+  while (hierarchy.GetFractionRead() < 1.0)
+  {
+    hierarchy.ReadSlab(1);
+  }
+  return hierarchy.FindActive({ isovalue }, 1);
+}
+
 /// What solvers share.
 struct PreparedInput
 {
@@ -286,9 +297,7 @@ struct PreparedInput
     : Input(input)
     , View{ input.Field.Values.data(), ScalarType::Float64, input.Field.Dimensions, 1 }
     , Volume(ImageField::New(this->View, {}, 1))
-    , Active(MacrocellHierarchy<double>(
-        vtkIsosurfaceRayTracing::Samples<double>(this->View), { 4, 4, 4 }, 1)
-               .FindActive({ input.Isovalue }, 1))
+    , Active(FindActive(vtkIsosurfaceRayTracing::Samples<double>(this->View), input.Isovalue))
     , Problems(GatherProblems(input, this->Active, lines))
   {
   }

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -744,6 +745,58 @@ TEST(ImageField, SelectReplacesTheSurfaces)
       ASSERT_TRUE(AreSame(Trace(*traced, line), Trace(*fresh, line))) << ToText(line);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Of a field whose samples have been read in part, rays hit what they hit of the whole in
+/// macrocells that are read; the end is the whole, to the last bit.
+TEST(ImageField, SamplesAreReadSlabBySlab)
+{
+  const Index3 dimensions = { 100, 90, 500 }; // 36 MB
+  const auto volume = TestVolume<double>::Of(dimensions,
+    [](const Vector3& p) { return std::sin(0.3 * p[0]) + std::cos(0.2 * p[1] + 0.05 * p[2]); });
+  const TestRequest request({ { 0.3, Glass }, { -0.8, Glass } });
+  const auto whole = NewTraced(volume, request);
+  RandomNumbers random(32);
+  std::vector<Line> lines;
+  std::vector<std::vector<Hit>> all;
+  for (int i = 0; i < 1000; ++i)
+  {
+    lines.push_back(RandomLine(random, dimensions));
+    all.push_back(Trace(*whole, lines.back()));
+  }
+  const Index3 macrocells = { 13, 12, 63 };
+  const auto field = ImageField::NewUnread(volume.View(), {});
+  std::vector<std::size_t> counts;
+  while (counts.size() < 10)
+  {
+    Select(*field, request, 2);
+    const auto rowsRead = std::lround(field->GetFractionRead() * macrocells[1] * macrocells[2]);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      std::vector<Hit> expected;
+      std::copy_if(all[i].begin(), all[i].end(), std::back_inserter(expected),
+        [&](const Hit& hit)
+        {
+          const Index3 cell = whole->GetLattice().GetCell(hit);
+          return cell[1] / 8 + cell[2] / 8 * macrocells[1] < rowsRead;
+        });
+      count += expected.size();
+      ASSERT_TRUE(AreSame(Trace(*field, lines[i]), expected)) << ToText(lines[i]);
+    }
+    counts.push_back(count);
+    if (field->GetFractionRead() == 1.0)
+    {
+      break;
+    }
+    field->ReadSlab(2);
+  }
+  EXPECT_EQ(field->GetFractionRead(), 1.0);
+  EXPECT_EQ(counts.front(), 0U);
+  EXPECT_GE(counts.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(counts.begin(), counts.end(), std::less_equal<>()));
+  EXPECT_GT(counts.back(), lines.size());
 }
 
 //------------------------------------------------------------------------------

@@ -92,6 +92,19 @@ Index3 MacrocellsCovering(const Index3& dimensions, std::int64_t edge)
   return count;
 }
 
+/// One with all samples read.
+template <typename T>
+MacrocellHierarchy<T> Build(const Samples<T>& samples, const std::vector<int>& branching,
+  int threads, RangeStore* store = nullptr)
+{
+  MacrocellHierarchy<T> hierarchy(samples, branching);
+  while (hierarchy.GetFractionRead() < 1.0)
+  {
+    hierarchy.ReadSlab(threads, store);
+  }
+  return hierarchy;
+}
+
 template <typename T>
 class MacrocellHierarchyOf : public testing::Test
 {
@@ -104,7 +117,7 @@ template <typename T>
 void CheckHierarchy(
   const TestVolume<T>& volume, const std::vector<int>& branching, int threads, std::size_t& checked)
 {
-  const MacrocellHierarchy<T> hierarchy(Samples<T>(volume.View()), branching, threads);
+  const auto hierarchy = Build(Samples<T>(volume.View()), branching, threads);
   const std::vector<double> isovalues = { 50.0, 99.5 };
   const ActiveMacrocells active = hierarchy.FindActive(isovalues, threads);
   std::int64_t edge = 1;
@@ -183,10 +196,10 @@ TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
   const auto volume = RandomVolume<float>(random, { 37, 26, 41 }, 1);
   const Samples<float> samples(volume.View());
   const std::vector<int> branching = { 2, 3 };
-  const MacrocellHierarchy<float> reference(samples, branching, 1);
+  const auto reference = Build(samples, branching, 1);
   for (const int threads : { 2, 3, 7, 16 })
   {
-    const MacrocellHierarchy<float> hierarchy(samples, branching, threads);
+    const auto hierarchy = Build(samples, branching, threads);
     ExpectSameRanges(hierarchy, reference);
     const ActiveMacrocells expected = reference.FindActive({ 17.0 }, 1);
     const ActiveMacrocells active = hierarchy.FindActive({ 17.0 }, threads);
@@ -197,6 +210,88 @@ TEST(MacrocellHierarchy, IdenticalForAnyNumberOfThreads)
         { ASSERT_EQ(active.IsActive(level, macrocell), expected.IsActive(level, macrocell)); });
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// The ranges of the macrocells of 8^3 cells, found sample by sample.
+std::vector<ValueRange<double>> FindRanges(const TestVolume<double>& volume, const Index3& size)
+{
+  std::vector<ValueRange<double>> ranges(Count(size));
+  ForEachPlace(volume.Dimensions,
+    [&](const Index3& i)
+    {
+      // One between two macrocells is of both.
+      const Index3 first = { (i[0] - 1) / 8, (i[1] - 1) / 8, (i[2] - 1) / 8 };
+      ForEachPlace({ 2, 2, 2 },
+        [&](const Index3& next)
+        {
+          const Index3 macrocell = { first[0] + next[0], first[1] + next[1], first[2] + next[2] };
+          bool isCorner = true;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            isCorner = isCorner && macrocell[axis] < size[axis] && 8 * macrocell[axis] <= i[axis];
+          }
+          if (isCorner)
+          {
+            ranges[Offset(macrocell, size)].Include(volume.At(i), volume.At(i));
+          }
+        });
+    });
+  return ranges;
+}
+
+/// Whenever a slab is read, the macrocells of all rows so far have their ranges, on all levels, and
+/// no others have any.
+TEST(MacrocellHierarchy, BuiltSlabBySlab)
+{
+  RandomNumbers random(504);
+  const Index3 dimensions = { 100, 90, 700 }; // 50 MB
+  std::vector<double> samples(Count(dimensions));
+  std::generate(samples.begin(), samples.end(), [&random] { return random.Uniform(0.0, 1.0); });
+  const TestVolume<double> volume(dimensions, samples);
+  MacrocellHierarchy<double> hierarchy(Samples<double>(volume.View()), { 8, 8 });
+  const Index3 size = hierarchy.GetLattice().Levels[0].Size;
+  const std::vector<ValueRange<double>> expected = FindRanges(volume, size);
+  const int rows = size[1] * size[2];
+  int slabs = 0;
+  int rowsBefore = 0;
+  EXPECT_EQ(hierarchy.GetFractionRead(), 0.0);
+  while (rowsBefore < rows)
+  {
+    hierarchy.ReadSlab(2);
+    ++slabs;
+    const auto rowsRead = static_cast<int>(std::lround(hierarchy.GetFractionRead() * rows));
+    ASSERT_GT(rowsRead, rowsBefore);
+    rowsBefore = rowsRead;
+    std::vector<ValueRange<double>> coarse(Count(hierarchy.GetLattice().Levels[1].Size));
+    ValueRange<double> all;
+    ForEachPlace(size,
+      [&](const Index3& i)
+      {
+        const ValueRange<double>& found = hierarchy.GetRange(0, i);
+        if (i[1] + i[2] * size[1] >= rowsRead)
+        {
+          ASSERT_GT(found.Min, found.Max);
+          return;
+        }
+        const ValueRange<double>& range = expected[Offset(i, size)];
+        ASSERT_TRUE(found.Min == range.Min && found.Max == range.Max);
+        coarse[Offset({ i[0] / 8, i[1] / 8, i[2] / 8 }, hierarchy.GetLattice().Levels[1].Size)]
+          .Include(range.Min, range.Max);
+        all.Include(range.Min, range.Max);
+      });
+    ForEachPlace(hierarchy.GetLattice().Levels[1].Size,
+      [&](const Index3& i)
+      {
+        const ValueRange<double>& range = coarse[Offset(i, hierarchy.GetLattice().Levels[1].Size)];
+        const ValueRange<double>& found = hierarchy.GetRange(1, i);
+        ASSERT_TRUE(found.Min == range.Min && found.Max == range.Max);
+      });
+    EXPECT_EQ(hierarchy.GetRange().Min, all.Min);
+    EXPECT_EQ(hierarchy.GetRange().Max, all.Max);
+  }
+  EXPECT_EQ(hierarchy.GetFractionRead(), 1.0);
+  EXPECT_GE(slabs, 3);
 }
 
 //------------------------------------------------------------------------------
@@ -235,8 +330,8 @@ TEST(MacrocellHierarchy, IdenticalFromAStore)
   RangesInMemory store;
   const auto expectSame = [&](const TestVolume<float>& built, const TestVolume<float>& expected)
   {
-    const MacrocellHierarchy<float> hierarchy(Samples<float>(built.View()), branching, 2, &store);
-    const MacrocellHierarchy<float> reference(Samples<float>(expected.View()), branching, 1);
+    const auto hierarchy = Build(Samples<float>(built.View()), branching, 2, &store);
+    const auto reference = Build(Samples<float>(expected.View()), branching, 1);
     ExpectSameRanges(hierarchy, reference);
   };
   expectSame(volume, volume);
@@ -252,7 +347,7 @@ TEST(MacrocellHierarchy, IdenticalFromAStore)
 TEST(MacrocellHierarchy, ActiveByTheSignRule)
 {
   TestVolume<std::uint8_t> volume({ 3, 2, 2 }, { 3, 3, 4, 3, 3, 4, 3, 3, 4, 3, 3, 4 });
-  const MacrocellHierarchy<std::uint8_t> hierarchy(Samples<std::uint8_t>(volume.View()), { 1 }, 1);
+  const auto hierarchy = Build(Samples<std::uint8_t>(volume.View()), { 1 }, 1);
   const auto isActive = [&](double isovalue, int cell) {
     return hierarchy.FindActive({ isovalue }, 1).IsActive(0, { cell, 0, 0 });
   };
@@ -274,8 +369,7 @@ TEST(MacrocellHierarchy, MemoryIsSmall)
 {
   const Index3 size = { 256, 256, 108 };
   const TestVolume<std::int16_t> volume(size, std::vector<std::int16_t>(Count(size)));
-  const MacrocellHierarchy<std::int16_t> hierarchy(
-    Samples<std::int16_t>(volume.View()), { 8, 8 }, 2);
+  const auto hierarchy = Build(Samples<std::int16_t>(volume.View()), { 8, 8 }, 2);
   const double share =
     static_cast<double>(hierarchy.GetMemory()) / (2.0 * static_cast<double>(Count(size)));
   std::cout << "[ tried    ] 256 x 256 x 108 samples; overhead " << 100.0 * share << " %\n";

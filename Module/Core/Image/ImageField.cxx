@@ -46,11 +46,22 @@ void SetCellsOfParallelRays(const UnevenPlanes* planes, RayPacket& rays)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<ImageField> ImageField::New(
-  const VolumeView& view, const ImageSettings& settings, int threads, RangeStore* store)
+  const VolumeView& view, const ImageSettings& settings, int threads)
 {
-  auto structures = DispatchScalarType(view,
-    [&settings, threads, store](const auto& samples)
-    { return NewImageStructures(samples, settings, threads, store); });
+  auto field = NewUnread(view, settings);
+  while (field->GetFractionRead() < 1.0)
+  {
+    field->ReadSlab(threads);
+  }
+  return field;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<ImageField> ImageField::NewUnread(
+  const VolumeView& view, const ImageSettings& settings)
+{
+  auto structures = DispatchScalarType(
+    view, [&settings](const auto& samples) { return NewImageStructures(samples, settings); });
   return std::unique_ptr<ImageField>(new ImageField(std::move(structures)));
 }
 
@@ -64,6 +75,19 @@ ImageField::ImageField(std::unique_ptr<ImageStructures> structures)
 
 //------------------------------------------------------------------------------
 ImageField::~ImageField() = default;
+
+//------------------------------------------------------------------------------
+void ImageField::ReadSlab(int threads, RangeStore* store)
+{
+  this->HasReadMore = true;
+  this->Structures->ReadSlab(threads, store);
+}
+
+//------------------------------------------------------------------------------
+double ImageField::GetFractionRead() const
+{
+  return this->Structures->GetFractionRead();
+}
 
 //------------------------------------------------------------------------------
 void ImageField::SetPlanes(const UnevenPlanes* planes)
@@ -91,7 +115,8 @@ void ImageField::Select(
   }
   this->Selection.SetCropping();
   const bool isOtherSpacing = this->Tracer->SetPlanes(this->Selection.Lattice.GetPlanes());
-  if (areSameIsovalues && !isOtherTracer && !isOtherSpacing)
+  const bool isOtherRange = std::exchange(this->HasReadMore, false);
+  if (areSameIsovalues && !isOtherTracer && !isOtherSpacing && !isOtherRange)
   {
     this->IsSelectionComplete = true;
     return;
@@ -104,6 +129,11 @@ void ImageField::Select(
       { surface.Isovalue, GetValueScale(range.Min, range.Max, surface.Isovalue) });
   }
   this->Selection.SetActive(this->Tracer->FindActive(execution.Threads), execution.Threads);
+  // A pass reads all samples anyway; which of them a projection needs is not known.
+  if (this->GetFractionRead() == 1.0 && !request.Projection)
+  {
+    this->Structures->ReadAhead(this->Selection.Active);
+  }
   this->IsSelectionComplete = true;
 }
 

@@ -18,17 +18,29 @@ class ImageStructures;
 class ImageTracer;
 class RangeStore;
 
-/// An image, or a rectilinear grid, as a field: macrocells are built at once, bricks as rays need
-/// them. It depends on the samples and the settings alone; the samples must outlive it and not
-/// change. Its object space is index space, or with uneven planes the space they stand in (see
-/// UnevenPlanes).
+/// An image, or a rectilinear grid, as a field: macrocells are built in one pass over the samples,
+/// bricks as rays need them. It depends on the samples and the settings alone; the samples must
+/// outlive it and not change. Its object space is index space, or with uneven planes the space they
+/// stand in (see UnevenPlanes).
 class ImageField final : public TracedField
 {
 public:
-  /// Builds the macrocells, with the given number of threads, or takes them from a store.
-  static std::unique_ptr<ImageField> New(const VolumeView& view, const ImageSettings& settings,
-    int threads, RangeStore* store = nullptr);
+  /// Builds the macrocells, with the given number of threads.
+  static std::unique_ptr<ImageField> New(
+    const VolumeView& view, const ImageSettings& settings, int threads);
+
+  /// Reads no samples yet: rays hit nothing where there are no macrocells.
+  static std::unique_ptr<ImageField> NewUnread(
+    const VolumeView& view, const ImageSettings& settings);
   ~ImageField() override;
+
+  /// Builds the macrocells over the next slab of samples, some MiB in the order that they have in
+  /// memory; or takes all macrocells from a store, which may be null. To be called until all
+  /// samples are read, each time with the same store, and before Select.
+  void ReadSlab(int threads, RangeStore* store = nullptr);
+
+  /// How much is read, from 0 to 1: everything.
+  double GetFractionRead() const;
 
   /// Sets the lattice planes; null, as at first, stands for whole numbers. The planes must outlive
   /// their use. To be called before Select.
@@ -72,6 +84,8 @@ private:
   ImageSelection Selection;
   /// Whether what follows from the request is there.
   bool IsSelectionComplete = false;
+  /// Whether macrocells were built after the last selection.
+  bool HasReadMore = false;
   std::unique_ptr<ImageTracer> Tracer;
 };
 

@@ -23,15 +23,24 @@ struct SampleRange
   double Max;
 };
 
-/// What is built over the samples of an image: macrocells at once, masks of cells and bricks as
-/// rays need them. This is where the type of the samples and the layout of bricks are known.
+/// What is built over the samples of an image: macrocells slab by slab, masks of cells and bricks
+/// as rays need them. This is where the type of the samples and the layout of bricks are known.
 class ImageStructures
 {
 public:
   virtual ~ImageStructures() = default;
 
   virtual const MacrocellLattice& GetLattice() const = 0;
+
+  /// Of the samples that are read.
   virtual SampleRange GetRange() const = 0;
+
+  /// See ImageField.
+  virtual void ReadSlab(int threads, RangeStore* store) = 0;
+  virtual double GetFractionRead() const = 0;
+
+  /// Has the system read the samples in active macrocells, if they are in a file.
+  virtual void ReadAhead(const ActiveMacrocells& active) = 0;
 
   /// Makes a tracer for the request that is selected. The structures and the selection must outlive
   /// it; one tracer is used at a time.
@@ -45,11 +54,11 @@ public:
   virtual FieldStatistics GetStatistics() const = 0;
 };
 
-/// Builds the macrocells, with the given number of threads, or takes them from the store, which may
-/// be null. Each type of samples is compiled separately: see TypedImageStructures.cxx.in.
+/// Reads no samples yet. Each type of samples is compiled separately: see
+/// TypedImageStructures.cxx.in.
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
-  const Samples<T>& samples, const ImageSettings& settings, int threads, RangeStore* store);
+  const Samples<T>& samples, const ImageSettings& settings);
 
 }
 

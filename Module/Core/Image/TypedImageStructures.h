@@ -5,9 +5,11 @@
 #define TypedImageStructures_h
 
 #include "Image/ImageStructures.h"
+#include "Image/Macrocells/ActiveRows.h"
 #include "Image/Macrocells/CellMasks.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/ApronBricks.h"
+#include "Image/Samples/FilePages.h"
 #include "Image/Samples/TwoLevelBricks.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Tracers/NearestTracer.h"
@@ -16,6 +18,7 @@
 #include "Image/Tracers/TrilinearTracer.h"
 #include "Math/PrefetchLines.h"
 
+#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -26,10 +29,10 @@ class TypedImageStructures final : public ImageStructures
 {
 public:
   template <typename... LayoutArguments>
-  TypedImageStructures(const Samples<T>& samples, const std::vector<int>& branching, int threads,
-    RangeStore* store, LayoutArguments... arguments)
+  TypedImageStructures(
+    const Samples<T>& samples, const std::vector<int>& branching, LayoutArguments... arguments)
     : TheSamples(samples)
-    , Hierarchy(samples, branching, threads, store)
+    , Hierarchy(samples, branching)
     , Masks(samples)
     , Bricks(samples, arguments...)
   {
@@ -37,10 +40,50 @@ public:
 
   const MacrocellLattice& GetLattice() const override { return this->Hierarchy.GetLattice(); }
 
+  void ReadSlab(int threads, RangeStore* store) override
+  {
+    this->Hierarchy.ReadSlab(threads, store);
+  }
+  double GetFractionRead() const override { return this->Hierarchy.GetFractionRead(); }
+
   SampleRange GetRange() const override
   {
     const ValueRange<T>& range = this->Hierarchy.GetRange();
     return { static_cast<double>(range.Min), static_cast<double>(range.Max) };
+  }
+
+  /// Samples that have been asked for are not asked for again: of those that the system has, that
+  /// would take time for nothing.
+  void ReadAhead(const ActiveMacrocells& active) override
+  {
+    if (!this->TheSamples.AreInFile() || active.GetLattice().Levels.empty())
+    {
+      return;
+    }
+    ActiveRows rows(active);
+    if (this->AskedFor)
+    {
+      rows.Remove(*this->AskedFor);
+      this->AskedFor->Include(rows);
+    }
+    else
+    {
+      this->AskedFor = rows;
+    }
+    PagesAhead pages;
+    for (int z = 0; z < this->TheSamples.GetDimensions()[2]; ++z)
+    {
+      int y = 0;
+      for (const ActiveRows::Row& row : rows.GetSlice(z))
+      {
+        if (!row.IsEmpty())
+        {
+          pages.Add(
+            this->TheSamples.At({ row.First, y, z }), this->TheSamples.At({ row.Last, y, z }) + 1);
+        }
+        ++y;
+      }
+    }
   }
 
   std::unique_ptr<ImageTracer> NewTracer(const ImageSelection& selection) override
@@ -93,6 +136,7 @@ private:
   }
 
   Samples<T> TheSamples;
+  std::optional<ActiveRows> AskedFor;
   MacrocellHierarchy<T> Hierarchy;
   CellMasks<T> Masks;
   Layout Bricks;
@@ -101,22 +145,21 @@ private:
 //------------------------------------------------------------------------------
 template <typename T>
 std::unique_ptr<ImageStructures> NewImageStructures(
-  const Samples<T>& samples, const ImageSettings& settings, int threads, RangeStore* store)
+  const Samples<T>& samples, const ImageSettings& settings)
 {
   const std::vector<int>& branching = settings.MacrocellBranching;
   switch (settings.Layout)
   {
     case BrickLayout::Unbricked:
-      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(
-        samples, branching, threads, store);
+      return std::make_unique<TypedImageStructures<T, Unbricked<T>>>(samples, branching);
     case BrickLayout::TwoLevel:
       return std::make_unique<TypedImageStructures<T, TwoLevelBricks<T>>>(
-        samples, branching, threads, store, settings.BrickSize, settings.BrickGroupSize);
+        samples, branching, settings.BrickSize, settings.BrickGroupSize);
     case BrickLayout::Apron:
       break;
   }
   return std::make_unique<TypedImageStructures<T, ApronBricks<T>>>(
-    samples, branching, threads, store, settings.BrickSize);
+    samples, branching, settings.BrickSize);
 }
 
 }

@@ -13,7 +13,9 @@
 #include "Math/ValueRange.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <omp.h>
@@ -23,15 +25,23 @@ namespace vtkIsosurfaceRayTracing
 
 /// Levels of macrocells over the cells of a volume, each with the range of all samples at the
 /// corners of its cells (Parker et al. 1998, section 3). Level 0 is the finest.
+///
+/// They are built slab by slab, in the order of the samples in memory. Macrocells whose samples
+/// have not been read have an empty range, which no surface passes.
 template <typename T>
 class MacrocellHierarchy
 {
 public:
   /// Branching, finest level first: the edge of the macrocells of a level in those of the level
-  /// below; the finest are made of cells. Builds all levels, in parallel. The finest are those of
-  /// the store, unless there is none (null), or nothing in it.
-  MacrocellHierarchy(const Samples<T>& samples, const std::vector<int>& branching, int threads,
-    RangeStore* store = nullptr);
+  /// below; the finest are made of cells. No samples are read yet.
+  MacrocellHierarchy(const Samples<T>& samples, const std::vector<int>& branching);
+
+  /// Reads the next slab, in parallel. If the finest macrocells are in the store, which may be
+  /// null, it reads none, and builds all. To be called until all is read.
+  void ReadSlab(int threads, RangeStore* store = nullptr);
+
+  /// How much is read, from 0 to 1: everything.
+  double GetFractionRead() const;
 
   const MacrocellLattice& GetLattice() const { return this->Lattice; }
 
@@ -55,82 +65,154 @@ public:
     const std::vector<double>& isovalues, double overshoot, int threads) const;
 
 private:
-  ValueRange<T> GetRangeAround(std::size_t level, std::size_t macrocell) const;
-  void FindFinestLevel(const Samples<T>& samples, int threads, RangeStore* store);
-  void BuildFinestLevel(const Samples<T>& samples, int threads);
-  void BuildLevel(std::size_t level, int threads);
+  /// Rows of macrocells of a level, along x: from the first to before the last.
+  struct Rows
+  {
+    int Begin;
+    int End;
+  };
 
+  ValueRange<T> GetRangeAround(std::size_t level, std::size_t macrocell) const;
+  int GetNumberOfRows() const;
+  int GetRowsOfSlab() const;
+  bool TakeFrom(RangeStore* store);
+  void BuildFinestLevel(const Rows& rows, int threads);
+  Rows AddToNextLevel(std::size_t level, const Rows& rows, int threads);
+
+  Samples<T> TheSamples;
   MacrocellLattice Lattice;
   std::vector<std::vector<ValueRange<T>>> Ranges;
   ValueRange<T> Range;
+  /// The rows of the finest macrocells that are built.
+  int RowsRead = 0;
+  /// If there are to be no levels, those that find the range of all samples until all are read.
+  std::unique_ptr<MacrocellHierarchy> OfRange;
 };
 
 //------------------------------------------------------------------------------
 template <typename T>
 MacrocellHierarchy<T>::MacrocellHierarchy(
-  const Samples<T>& samples, const std::vector<int>& branching, int threads, RangeStore* store)
-  : Lattice(samples.GetDimensions(), branching)
-  , Ranges(branching.size())
+  const Samples<T>& samples, const std::vector<int>& branching)
+  : TheSamples(samples)
+  , Lattice(samples.GetDimensions(), branching)
 {
-  for (std::size_t level = 0; level < this->Ranges.size(); ++level)
+  for (const MacrocellLattice::Level& level : this->Lattice.Levels)
   {
-    this->Ranges[level].resize(Count(this->Lattice.Levels[level].Size));
-    if (level == 0)
-    {
-      this->FindFinestLevel(samples, threads, store);
-    }
-    else
-    {
-      this->BuildLevel(level, threads);
-    }
+    this->Ranges.emplace_back(Count(level.Size));
   }
   if (this->Ranges.empty())
   {
-    // One macrocell of all cells, which is not kept.
     const Index3& cells = this->Lattice.Cells;
-    this->Range = MacrocellHierarchy<T>(
-      samples, { 8, std::max({ cells[0], cells[1], cells[2] }) }, threads, store)
-                    .GetRange();
-    return;
-  }
-  for (const ValueRange<T>& range : this->Ranges.back())
-  {
-    this->Range.Include(range.Min, range.Max);
+    const std::vector<int> ofRange = { 8, std::max({ cells[0], cells[1], cells[2] }) };
+    this->OfRange = std::make_unique<MacrocellHierarchy>(samples, ofRange);
   }
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void MacrocellHierarchy<T>::FindFinestLevel(
-  const Samples<T>& samples, int threads, RangeStore* store)
+int MacrocellHierarchy<T>::GetNumberOfRows() const
 {
-  std::vector<ValueRange<T>>& ranges = this->Ranges[0];
-  const int edge = this->Lattice.Levels[0].Edge;
-  const std::size_t size = ranges.size() * sizeof(ValueRange<T>);
-  if (!store || !store->Read(edge, ranges.data(), size))
+  const Index3& size = this->Lattice.Levels[0].Size;
+  return size[1] * size[2];
+}
+
+//------------------------------------------------------------------------------
+/// As many as have 16 MiB of samples, or one: a disk reads them in a tenth of a second, and threads
+/// that wait for each other at the end of a slab lose little time of it.
+template <typename T>
+int MacrocellHierarchy<T>::GetRowsOfSlab() const
+{
+  constexpr double bytesOfSlab = 16 << 20;
+  const double edge = this->Lattice.Levels[0].Edge;
+  const double bytesOfRow =
+    edge * edge * sizeof(T) * static_cast<double>(this->TheSamples.GetStride(1));
+  return static_cast<int>(
+    std::clamp(bytesOfSlab / bytesOfRow, 1.0, static_cast<double>(this->GetNumberOfRows())));
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double MacrocellHierarchy<T>::GetFractionRead() const
+{
+  if (this->Ranges.empty())
   {
-    ExpectReading(Reading::InOrder, samples);
-    this->BuildFinestLevel(samples, threads);
-    if (store)
+    return this->OfRange ? this->OfRange->GetFractionRead() : 1.0;
+  }
+  return static_cast<double>(this->RowsRead) / this->GetNumberOfRows();
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void MacrocellHierarchy<T>::ReadSlab(int threads, RangeStore* store)
+{
+  if (this->OfRange)
+  {
+    this->OfRange->ReadSlab(threads, store);
+    this->Range = this->OfRange->GetRange();
+    if (this->OfRange->GetFractionRead() == 1.0)
     {
-      store->Write(edge, ranges.data(), size);
+      this->OfRange.reset();
+    }
+    return;
+  }
+  const int count = this->GetNumberOfRows();
+  Rows rows = { this->RowsRead, count };
+  if (this->RowsRead > 0 || !this->TakeFrom(store))
+  {
+    rows.End = std::min(rows.Begin + this->GetRowsOfSlab(), count);
+    ExpectReading(Reading::InOrder, this->TheSamples);
+    this->BuildFinestLevel(rows, threads);
+    if (rows.End == count && store)
+    {
+      const std::vector<ValueRange<T>>& ranges = this->Ranges[0];
+      store->Write(
+        this->Lattice.Levels[0].Edge, ranges.data(), ranges.size() * sizeof(ValueRange<T>));
     }
   }
+  this->RowsRead = rows.End;
   // From here on, what is next to surfaces.
-  ExpectReading(Reading::Scattered, samples);
+  ExpectReading(Reading::Scattered, this->TheSamples);
+  for (std::size_t level = 1; level < this->Ranges.size(); ++level)
+  {
+    rows = this->AddToNextLevel(level, rows, threads);
+  }
+  const std::vector<ValueRange<T>>& coarsest = this->Ranges.back();
+  const int length = this->Lattice.Levels.back().Size[0];
+  std::for_each(coarsest.begin() + static_cast<std::ptrdiff_t>(rows.Begin) * length,
+    coarsest.begin() + static_cast<std::ptrdiff_t>(rows.End) * length,
+    [this](const ValueRange<T>& range) { this->Range.Include(range.Min, range.Max); });
+}
+
+//------------------------------------------------------------------------------
+/// Takes the finest macrocells from a store, which may be null. Returns whether they are there.
+template <typename T>
+bool MacrocellHierarchy<T>::TakeFrom(RangeStore* store)
+{
+  std::vector<ValueRange<T>>& ranges = this->Ranges[0];
+  if (!store)
+  {
+    return false;
+  }
+  const bool isThere =
+    store->Read(this->Lattice.Levels[0].Edge, ranges.data(), ranges.size() * sizeof(ValueRange<T>));
+  if (!isThere)
+  {
+    std::fill(ranges.begin(), ranges.end(), ValueRange<T>()); // What is damaged may be there.
+  }
+  return isThere;
 }
 
 //------------------------------------------------------------------------------
 // One task makes one row of macrocells along x. It first takes the minimum and maximum over y and z
 // of whole rows of samples, which is a stream of vector instructions, and then those over x.
 template <typename T>
-void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int threads)
+void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
 {
+  const Samples<T>& samples = this->TheSamples;
   const Index3 dimensions = samples.GetDimensions();
   const Index3 size = this->Lattice.Levels[0].Size;
   const int edge = this->Lattice.Levels[0].Edge;
   const std::ptrdiff_t stride = samples.GetStride(0);
-  const int rows = size[1] * size[2];
   const auto length = static_cast<std::size_t>(dimensions[0]);
   const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
 
@@ -143,7 +225,7 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
     std::vector<T>& low = lows[static_cast<std::size_t>(omp_get_thread_num())];
     std::vector<T>& high = highs[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(dynamic)
-    for (int row = 0; row < rows; ++row)
+    for (int row = rows.Begin; row < rows.End; ++row)
     {
       const Index3 first = { 0, row % size[1], row / size[1] };
       std::fill(low.begin(), low.end(), ValueRange<T>().Min);
@@ -185,15 +267,21 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Samples<T>& samples, int thre
 }
 
 //------------------------------------------------------------------------------
+/// Adds rows of the level below. Returns the rows that may have changed.
 template <typename T>
-void MacrocellHierarchy<T>::BuildLevel(std::size_t level, int threads)
+typename MacrocellHierarchy<T>::Rows MacrocellHierarchy<T>::AddToNextLevel(
+  std::size_t level, const Rows& rows, int threads)
 {
   const Index3 size = this->Lattice.Levels[level].Size;
   const Index3 childSize = this->Lattice.Levels[level - 1].Size;
   const int branching = this->Lattice.Levels[level].Branching;
-  const int rows = size[1] * size[2];
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (int row = 0; row < rows; ++row)
+  const auto layerOf = [&childSize, branching](int row) { return row / childSize[1] / branching; };
+  const Rows changed = { layerOf(rows.Begin) * size[1], (layerOf(rows.End - 1) + 1) * size[1] };
+  // What follows from a slab is less work than to have threads wait for each other.
+  constexpr int many = 1 << 16;
+  const bool isWorthThreads = std::int64_t{ rows.End - rows.Begin } * childSize[0] > many;
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (isWorthThreads)
+  for (int row = changed.Begin; row < changed.End; ++row)
   {
     const int y = row % size[1];
     const int z = row / size[1];
@@ -202,7 +290,9 @@ void MacrocellHierarchy<T>::BuildLevel(std::size_t level, int threads)
     const int zEnd = std::min((z + 1) * branching, childSize[2]);
     for (int childZ = z * branching; childZ < zEnd; ++childZ)
     {
-      for (int childY = y * branching; childY < yEnd; ++childY)
+      const int begin = std::max(y * branching, rows.Begin - childZ * childSize[1]);
+      const int end = std::min(yEnd, rows.End - childZ * childSize[1]);
+      for (int childY = begin; childY < end; ++childY)
       {
         const ValueRange<T>* children =
           &this->Ranges[level - 1][Offset({ 0, childY, childZ }, childSize)];
@@ -213,6 +303,7 @@ void MacrocellHierarchy<T>::BuildLevel(std::size_t level, int threads)
       }
     }
   }
+  return changed;
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,28 @@ enum class Reading
 /// first looked at. It may ignore that.
 void ExpectReading(Reading reading, const void* begin, const void* end);
 
-/// The same of all samples, if they are in a file.
+/// Has the system read pieces of a mapped file soon, at once and in order, instead of page by page
+/// when they are looked at. It may ignore that.
+class PagesAhead
+{
+public:
+  PagesAhead() = default;
+  ~PagesAhead() { this->Ask(); }
+  PagesAhead(const PagesAhead&) = delete;
+  PagesAhead& operator=(const PagesAhead&) = delete;
+
+  /// Adds bytes that lie behind those before. Where a few pages are between them, these are read
+  /// too.
+  void Add(const void* begin, const void* end);
+
+private:
+  void Ask();
+
+  const char* Begin = nullptr;
+  const char* End = nullptr;
+};
+
+/// Tells of all samples, if they are in a file, how they will be read.
 template <typename T>
 void ExpectReading(Reading reading, const Samples<T>& samples)
 {
