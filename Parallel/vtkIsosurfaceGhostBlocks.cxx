@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceGhostBlocks.h"
 
+#if __has_include("vtkCartesianGrid.h")
+#include "vtkCartesianGrid.h"
+#endif
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -30,7 +33,7 @@ namespace
 constexpr int BlockTag = 14142;
 
 /// Whether a block has anything but flags. Those of other processes may be there without arrays.
-bool HasArrays(vtkUniformGrid* block)
+bool HasArrays(vtkDataSet* block)
 {
   const int flags = (block->GetPointGhostArray() ? 1 : 0) + (block->GetCellGhostArray() ? 1 : 0);
   return block->GetPointData()->GetNumberOfArrays() + block->GetCellData()->GetNumberOfArrays() >
@@ -100,11 +103,11 @@ bool Needs(const std::vector<Place>& blocks, const Place& other)
 
 /// The blocks of all processes.
 std::vector<std::vector<Place>> GatherPlaces(
-  const std::vector<vtkUniformGrid*>& blocks, vtkMultiProcessController* controller)
+  const std::vector<vtkImageData*>& blocks, vtkMultiProcessController* controller)
 {
   constexpr vtkIdType size = sizeof(Place) / sizeof(double);
   std::vector<Place> own;
-  for (vtkUniformGrid* block : blocks)
+  for (vtkImageData* block : blocks)
   {
     own.push_back(FindPlace(block));
   }
@@ -131,7 +134,7 @@ std::vector<std::vector<Place>> GatherPlaces(
   return places;
 }
 
-void Send(vtkUniformGrid* block, int process, vtkMultiProcessController* controller)
+void Send(vtkImageData* block, int process, vtkMultiProcessController* controller)
 {
   vtkNew<vtkImageData> image;
   image->ShallowCopy(block);
@@ -166,7 +169,7 @@ vtkSmartPointer<vtkUniformGrid> Receive(
 
 /// Sends the own blocks that others need, and receives those that the own need.
 std::vector<vtkSmartPointer<vtkUniformGrid>> Exchange(
-  const std::vector<vtkUniformGrid*>& blocks, vtkMultiProcessController* controller)
+  const std::vector<vtkImageData*>& blocks, vtkMultiProcessController* controller)
 {
   const std::vector<std::vector<Place>> places = GatherPlaces(blocks, controller);
   const auto own = static_cast<std::size_t>(controller->GetLocalProcessId());
@@ -208,15 +211,39 @@ std::vector<vtkSmartPointer<vtkUniformGrid>> Exchange(
   return ghosts;
 }
 
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 6)
+// Blocks may be rectilinear, too: those have no levels, and stay as they are.
+vtkDataSet* GetBlock(vtkUniformGridAMR* amr, unsigned int level, unsigned int number)
+{
+  return amr->GetDataSetAsCartesianGrid(level, number);
+}
+
+unsigned int GetNumberOfBlocks(vtkUniformGridAMR* amr, unsigned int level)
+{
+  return amr->GetNumberOfBlocks(level);
+}
+
 void Initialize(const std::vector<unsigned int>& blocksOfLevels, vtkNonOverlappingAMR* amr)
 {
-#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 6)
   amr->Initialize(blocksOfLevels);
+}
 #else
+vtkUniformGrid* GetBlock(vtkUniformGridAMR* amr, unsigned int level, unsigned int number)
+{
+  return amr->GetDataSet(level, number);
+}
+
+unsigned int GetNumberOfBlocks(vtkUniformGridAMR* amr, unsigned int level)
+{
+  return amr->GetNumberOfDataSets(level);
+}
+
+void Initialize(const std::vector<unsigned int>& blocksOfLevels, vtkNonOverlappingAMR* amr)
+{
   const std::vector<int> counts(blocksOfLevels.begin(), blocksOfLevels.end());
   amr->Initialize(static_cast<int>(counts.size()), counts.data());
-#endif
 }
+#endif
 
 }
 
@@ -262,22 +289,23 @@ int vtkIsosurfaceGhostBlocks::FillOutputPortInformation(int, vtkInformation* inf
 int vtkIsosurfaceGhostBlocks::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkSmartPointer<vtkUniformGridAMR> input = vtkUniformGridAMR::GetData(inputVector[0]);
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
+  vtkSmartPointer<vtkUniformGridAMR> input = vtkUniformGridAMR::SafeDownCast(data);
   if (!input)
   {
-    vtkErrorMacro("The input is a " << vtkDataObject::GetData(inputVector[0])->GetClassName()
+    vtkErrorMacro("The input is a " << data->GetClassName()
                                     << ". Give a vtkOverlappingAMR or a vtkNonOverlappingAMR.");
     input = vtkSmartPointer<vtkNonOverlappingAMR>::New();
   }
   auto* output = vtkNonOverlappingAMR::GetData(outputVector);
   std::vector<unsigned int> counts;
-  std::vector<vtkUniformGrid*> blocks;
+  std::vector<vtkImageData*> blocks;
   for (unsigned int level = 0; level < input->GetNumberOfLevels(); ++level)
   {
-    counts.push_back(input->GetNumberOfDataSets(level));
+    counts.push_back(GetNumberOfBlocks(input, level));
     for (unsigned int i = 0; i < counts.back(); ++i)
     {
-      vtkUniformGrid* block = input->GetDataSet(level, i);
+      auto* block = vtkImageData::SafeDownCast(GetBlock(input, level, i));
       if (block && HasArrays(block))
       {
         blocks.push_back(block);
@@ -301,7 +329,7 @@ int vtkIsosurfaceGhostBlocks::RequestData(
   {
     for (unsigned int i = 0; i < counts[level]; ++i)
     {
-      vtkUniformGrid* block = input->GetDataSet(level, i);
+      auto* block = GetBlock(input, level, i);
       output->SetDataSet(level, i, block && HasArrays(block) ? block : nullptr);
     }
   }
