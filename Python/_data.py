@@ -29,8 +29,10 @@ def to_data(data, spacing=None, origin=None, direction=None):
             raise TypeError("spacing, origin and direction are those of numpy arrays; other data have their own")
         return data if isinstance(data, GRIDS) else read(data)
     if isinstance(data, vtkDataObject) or not hasattr(data, "__array__"):
+        # (From VTK 9.6 on, some classes have other names in Python.)
+        name = data.GetClassName() if isinstance(data, vtkDataObject) else type(data).__name__
         raise TypeError(
-            f"there are no isosurfaces in a {type(data).__name__}: give a numpy array, a vtkImageData, a "
+            f"there are no isosurfaces in a {name}: give a numpy array, a vtkImageData, a "
             "vtkRectilinearGrid, a vtkStructuredGrid, a vtkUnstructuredGrid, composite data, or the name of a file")
     return _make_image(data, spacing, origin, direction)
 
