@@ -1,0 +1,15 @@
+# For AArch64, with Debian's g++-aarch64-linux-gnu, run by QEMU (qemu-user-static). With CMAKE_SYSROOT, the root of a
+# system of that architecture, what is installed there is found; without it, what belongs to the compiler.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_FIND_ROOT_PATH /usr/aarch64-linux-gnu)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+if (CMAKE_SYSROOT)
+  set(CMAKE_FIND_ROOT_PATH "${CMAKE_SYSROOT}")
+endif ()
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L "${CMAKE_FIND_ROOT_PATH}")
