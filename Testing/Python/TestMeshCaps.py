@@ -21,7 +21,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkProbeFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkHardwareSelector,
@@ -32,6 +31,11 @@ from vtkmodules.vtkRenderingCore import (
 )
 import vtkmodules.vtkRenderingOpenGL2  # the window
 from vtkIsosurfaceRayTracing import vtkIsosurfacePicker
+
+try:
+    from vtkmodules.vtkFiltersCore import vtkExtractCells  # VTK 9.3 and newer
+except ImportError:
+    from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 
 from MeshTesting import CENTER, SIZE, ball, make_grid, make_structured_grid, make_volume, set_values
 from PictureTesting import SIZE as PICTURE_SIZE

@@ -6,7 +6,7 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkIdTypeArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_PYRAMID,
@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkUnstructuredGrid,
 )
-from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkIdFilter
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -76,13 +76,15 @@ class TestMeshMapper(unittest.TestCase):
         grids[1].GetCellData().AddArray(hidden)
         for grid in grids:
             with self.subTest(grid.GetCellType(0)):
-                ids = vtkIdFilter()
-                ids.SetInputData(grid)
-                ids.SetCellIdsArrayName("ids")
-                ids.FieldDataOn()
-                ids.PointIdsOff()
+                ids = vtkIdTypeArray()
+                ids.SetName("ids")
+                for cell in range(grid.GetNumberOfCells()):
+                    ids.InsertNextValue(cell)
+                numbered = grid.NewInstance()
+                numbered.ShallowCopy(grid)
+                numbered.GetCellData().AddArray(ids)
                 split = vtkDataSetTriangleFilter()
-                split.SetInputConnection(ids.GetOutputPort())
+                split.SetInputData(numbered)
                 split.Update()
                 expected = cast(*make_volume(split.GetOutput(), 0.0), parallel_rays())
                 ids_of_split = split.GetOutput().GetCellData().GetArray("ids")
