@@ -10,6 +10,7 @@
 #include "vtkIsosurfaceRayTraceSharedSettings.h"
 
 #include "vtkImageData.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 
@@ -73,6 +74,9 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
   this->SetCropping(mapper->GetCropping());
   this->SetCroppingRegionPlanes(mapper->GetCroppingRegionPlanes());
   this->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  this->SetComputeNormalFromOpacity(mapper->GetComputeNormalFromOpacity());
+#endif
 }
 
 //------------------------------------------------------------------------------
