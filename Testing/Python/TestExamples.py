@@ -204,7 +204,7 @@ class TestExamples(unittest.TestCase):
         writer.SetInputConnection(waves.GetOutputPort())
         writer.SetFileName(os.path.join(self.folder, "brain.nii.gz"))
         writer.Write()
-        self.run_with_small_pictures("volumes.py", os.path.join(self.folder, "brain.nii.gz"), self.folder)
+        self.run_with_small_pictures("other_volumes.py", os.path.join(self.folder, "brain.nii.gz"), self.folder)
         for name in ("brain", "brain_cut", "reaction"):
             self.assertGreater(count_colored(os.path.join(self.folder, f"{name}.png")), 1000, name)
             self.assertGreater(len(set(read(os.path.join(self.folder, f"{name}.png")))), 100, name)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Other data than a CT: volumes.py BRAIN FOLDER
+"""Other data than a CT: other_volumes.py BRAIN FOLDER
 
 BRAIN is an MR of a brain without its skull, such as ch2better.nii.gz of Debian's package mricron-data.
 Writes three pictures: of the brain, of the brain cut open, and of a simulation."""
