@@ -10,19 +10,17 @@ import unittest
 from pathlib import Path
 
 import numpy
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkMappedImageReader
+from vtkIsosurfaceRayTracing import vtkMappedImageReader
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume
-import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector
 
-from PictureTesting import capture
+import InteractiveScene
 
 SLABS = 4
 SLICES = 256  # of a slab: 16 MiB
 DIMENSIONS = (256, 256, SLABS * SLICES + 1)
-SIZE = 128  # of a picture, in which z goes up: a slab has 32 rows
+SIZE = InteractiveScene.SIZE  # A slab has 32 rows.
 
 
 def make_samples(phase=0.0):
@@ -43,79 +41,9 @@ def make_image(samples):
 SAMPLES = make_samples()
 
 
-class Scene:
+class Scene(InteractiveScene.Scene):
     def __init__(self, image=None, isovalue=128.0):
-        self.mapper, self.volume, self.renderer = vtkIsosurfaceRayTraceMapper(), vtkVolume(), vtkRenderer()
-        if image is None:
-            image = make_image(SAMPLES)
-        self.image = image
-        self.mapper.SetInputDataObject(image)
-        self.mapper.AutoAdjustSampleDistancesOff()
-        self.volume.SetMapper(self.mapper)
-        surface = self.volume.GetProperty()
-        surface.GetIsoSurfaceValues().SetValue(0, isovalue)
-        surface.GetScalarOpacity().AddPoint(0.0, 1.0)
-        surface.ShadeOn()
-        self.renderer.AddVolume(self.volume)
-        camera = self.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(127.5, 127.5, 128.0)
-        camera.SetPosition(127.5, -500.0, 128.0)
-        camera.SetViewUp(0.0, 0.0, 1.0)
-        camera.SetParallelScale(128.0)
-        camera.SetClippingRange(1.0, 2000.0)
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(1)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(SIZE, SIZE)
-        self.window.AddRenderer(self.renderer)
-        self.fractions, self.warnings, self.errors = [], [], []
-        self.on_progress = lambda: None
-        self.mapper.AddObserver("WarningEvent", self.add_warning)
-        self.mapper.AddObserver("ErrorEvent", self.add_error)
-
-    def observe(self):
-        self.mapper.AddObserver("ProgressEvent", self.add_progress)
-        return self
-
-    def add_progress(self, caller, event):
-        self.fractions.append(caller.GetProgress())
-        self.on_progress()
-
-    def add_warning(self, caller, event, text):
-        self.warnings.append(text)
-
-    def add_error(self, caller, event, text):
-        self.errors.append(text)
-
-    add_warning.CallDataType = add_error.CallDataType = "string0"
-
-    def render(self):
-        """The rows of the picture, from below."""
-        self.window.SetAbortRender(0)
-        self.window.Render()
-        return numpy.frombuffer(capture(self.window), numpy.uint8).reshape(SIZE, -1)
-
-    def render_interactively(self, rate=1e9):
-        """At this rate, one slab is read for a frame."""
-        self.window.SetDesiredUpdateRate(rate)
-        rows = self.render()
-        self.window.SetDesiredUpdateRate(0.0001)
-        return rows
-
-    def render_to_image(self):
-        output = vtkImageData()
-        assert self.mapper.RenderToImage(self.volume, self.renderer.GetActiveCamera(), None, SIZE, SIZE, output)
-        return bytes(memoryview(output.GetPointData().GetArray("Colors")))
-
-    def cast(self):
-        origins, directions, output = vtkPoints(), vtkDoubleArray(), vtkPolyData()
-        directions.SetNumberOfComponents(3)
-        for z in range(5, 250, 5):
-            origins.InsertNextPoint(100.0, -500.0, z)
-            directions.InsertNextTuple3(0.0, 1.0, 0.0)
-        assert self.mapper.CastRays(self.volume, origins, directions, output)
-        return bytes(memoryview(output.GetPointData().GetArray("CellId")))
+        super().__init__(make_image(SAMPLES) if image is None else image, isovalue)
 
 
 FRACTIONS = [(i + 1) / SLABS for i in range(SLABS)]
