@@ -14,6 +14,7 @@ set(core_sources
   Image/Cells/TricubicCell.cxx
   Image/Cells/TricubicRoots.cxx
   Image/Cells/TrilinearRoots.cxx
+  Image/CoarseLevel.cxx
   Image/ImageField.cxx
   Image/Samples/FilePages.cxx
   Image/Tracers/RootTracing.cxx

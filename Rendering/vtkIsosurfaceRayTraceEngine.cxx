@@ -319,7 +319,8 @@ vtkIsosurfaceRayTraceRequest::DrawnVolumes vtkIsosurfaceRayTraceEngine::FindVolu
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeRequest(
-  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece)
+  const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, vtkIsosurfaceRayTraceLevel level,
+  bool isOfPiece)
 {
   this->Mapper->Update();
   vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
@@ -335,7 +336,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   for (int i = 0; i < inputs.GetNumber(); ++i)
   {
     leftOut = leftOut.empty() ? inputs.Get(i).DescribeLeftOut() : leftOut;
-    isBuilt = inputs.Get(i).Update(settings.NumberOfThreads) || isBuilt;
+    isBuilt = inputs.Get(i).Update(settings.NumberOfThreads, level) || isBuilt;
   }
   if (isBuilt || inputs.GetFractionRead() < 1.0)
   {
@@ -360,7 +361,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
 std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeCompleteRequest(
   const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece)
 {
-  auto request = this->MakeRequest(use, volume, isOfPiece);
+  auto request = this->MakeRequest(use, volume, vtkIsosurfaceRayTraceLevel::Exact, isOfPiece);
   const bool isComplete = request &&
     this->ReadSamples(use, *request, std::numeric_limits<double>::infinity(), [] { return true; });
   return isComplete ? std::move(request) : nullptr;
@@ -528,7 +529,8 @@ try
   this->DisplayTime = 0.0;
   this->NumberOfAccumulatedFrames = 0;
   const vtkIsosurfaceRayTraceHolder holder(renderer, volume, this->Mapper);
-  const auto request = this->MakeRequest(use, volume);
+  const auto request = this->MakeRequest(
+    use, volume, this->Frame.ChooseLevel(this->TheClient.GetSettings(), renderer, volume));
   if (!request)
   {
     return 0.0;
@@ -570,12 +572,11 @@ bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
 {
   vtkRenderer* renderer = holder.GetRenderer();
   vtkVolume* volume = holder.GetVolume();
-  this->TheClient.SetImageSampleDistance(
-    this->Frame.ChooseSampleDistance(this->TheClient.GetSettings(), renderer, volume));
+  this->TheClient.SetImageSampleDistance(this->Frame.ChooseSampleDistance(
+    this->TheClient.GetSettings(), request.Inputs.IsCoarse(), renderer, volume));
   vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
-  // A picture of what has been read so far is no part of a mean.
-  settings.ProgressiveAccumulation =
-    settings.ProgressiveAccumulation && request.Inputs.GetFractionRead() == 1.0;
+  // Others are no part of a mean.
+  settings.ProgressiveAccumulation = settings.ProgressiveAccumulation && request.Inputs.IsExact();
   const bool isComplete = this->Frame.Render(settings, request, { renderer, volume, this->Mapper },
     [this, &use, &request, &holder](double fraction)
     {

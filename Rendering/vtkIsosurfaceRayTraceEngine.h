@@ -152,8 +152,8 @@ private:
   void ReportBadAlloc() const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
-  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(
-    const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);
+  std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(const vtkIsosurfaceRayTraceUse& use,
+    vtkVolume* volume, vtkIsosurfaceRayTraceLevel level, bool isOfPiece = false);
   /// The same with all samples read.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeCompleteRequest(
     const vtkIsosurfaceRayTraceUse& use, vtkVolume* volume, bool isOfPiece = false);

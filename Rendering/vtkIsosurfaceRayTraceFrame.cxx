@@ -61,6 +61,15 @@ bool IsSecondEye(vtkRenderer* renderer)
     renderer->GetActiveCamera()->GetLeftEye() == 0;
 }
 
+/// Whether a frame is to be drawn in the time allocated to it, and not to be complete.
+bool IsInteractive(vtkRenderer* renderer, vtkVolume* volume)
+{
+  // Windows at rest have rates of a frame in minutes or hours.
+  constexpr double leastRate = 1.0;
+  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= leastRate &&
+    !renderer->GetSelector() && volume->GetAllocatedRenderTime() > 0.0;
+}
+
 /// What is the matter with a window that is not drawn with OpenGL, and the remedy.
 std::string WhyNotOpenGL(vtkRenderWindow* window)
 {
@@ -118,21 +127,39 @@ std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVo
 //------------------------------------------------------------------------------
 double vtkIsosurfaceRayTraceFrame::FindReadingTime(vtkRenderer* renderer, vtkVolume* volume)
 {
-  // Windows at rest have rates of a frame in minutes or hours.
-  constexpr double leastRateOfInteraction = 1.0;
-  const double allocated = volume->GetAllocatedRenderTime();
-  const bool isInteractive =
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() >= leastRateOfInteraction;
-  if (!isInteractive || renderer->GetSelector() || !(allocated > 0.0))
+  if (!IsInteractive(renderer, volume))
   {
     return std::numeric_limits<double>::infinity();
   }
-  return IsSecondEye(renderer) ? 0.0 : allocated; // Both eyes see the same.
+  return IsSecondEye(renderer) ? 0.0 : volume->GetAllocatedRenderTime(); // Both eyes see the same.
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceLevel vtkIsosurfaceRayTraceFrame::ChooseLevel(
+  const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const
+{
+  using Level = vtkIsosurfaceRayTraceLevel;
+  if (!settings.LevelOfDetail || !IsInteractive(renderer, volume))
+  {
+    return Level::Exact;
+  }
+  if (IsSecondEye(renderer))
+  {
+    return Level::AsBefore;
+  }
+  const auto distance = static_cast<double>(settings.AutoAdjustSampleDistances
+      ? std::max(settings.MaximumImageSampleDistance, settings.MinimumImageSampleDistance)
+      : settings.ImageSampleDistance);
+  // Where samples are in a file, nothing else tells how long an exact frame will take.
+  const double seconds = this->SecondsOfFullFrame / (distance * distance);
+  const bool isInTime = seconds > 0.0 && seconds <= volume->GetAllocatedRenderTime();
+  return isInTime ? Level::CoarseUntilRead : Level::Coarse;
 }
 
 //------------------------------------------------------------------------------
 float vtkIsosurfaceRayTraceFrame::ChooseSampleDistance(
-  const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const
+  const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse, vtkRenderer* renderer,
+  vtkVolume* volume) const
 {
   const double allocated = volume->GetAllocatedRenderTime();
   // In stereo both eyes have the distance of the first.
@@ -142,7 +169,8 @@ float vtkIsosurfaceRayTraceFrame::ChooseSampleDistance(
     return settings.ImageSampleDistance;
   }
   // The number of rays falls with the square of their distance.
-  const double enough = std::sqrt(this->SecondsOfFullFrame / allocated);
+  const double seconds = isCoarse ? this->SecondsOfCoarseLevel : this->SecondsOfFullFrame;
+  const double enough = std::sqrt(seconds / allocated);
   const double distance = enough > 1.0 ? std::ceil(enough) : 1.0 / std::floor(1.0 / enough);
   return std::clamp(static_cast<float>(distance), settings.MinimumImageSampleDistance,
     std::max(settings.MinimumImageSampleDistance, settings.MaximumImageSampleDistance));
@@ -227,8 +255,9 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   {
     // Macrocells and bricks are built; the remaining time grows with the number of rays.
     const auto distance = static_cast<double>(settings.ImageSampleDistance);
-    this->SecondsOfFullFrame =
-      (times.Trace + times.Shade) * distance * distance + this->DisplayTime;
+    double& seconds =
+      request.Inputs.IsCoarse() ? this->SecondsOfCoarseLevel : this->SecondsOfFullFrame;
+    seconds = (times.Trace + times.Shade) * distance * distance + this->DisplayTime;
   }
   return true;
 }

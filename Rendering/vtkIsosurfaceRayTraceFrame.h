@@ -8,6 +8,7 @@
 
 #include "vtkIsosurfaceRayTraceAccumulation.h" // for ivars
 #include "vtkIsosurfaceRayTraceImageDisplay.h" // for ivars
+#include "vtkIsosurfaceRayTraceLevel.h"        // for return values
 #include "vtkIsosurfaceRayTracePicture.h"      // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
 
@@ -48,10 +49,15 @@ public:
   /// complete.)
   static double FindReadingTime(vtkRenderer* renderer, vtkVolume* volume);
 
-  /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen by the time
-  /// of the last frame, so that the frame takes the time allocated to it.
-  float ChooseSampleDistance(
+  /// How much of the data to trace. With LevelOfDetail a coarse level stands in, in a window for
+  /// interaction, unless all is read and the last exact frame took no more than the time allocated.
+  vtkIsosurfaceRayTraceLevel ChooseLevel(
     const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const;
+
+  /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen by the time
+  /// of the last frame like this one, so that the frame takes the time allocated to it.
+  float ChooseSampleDistance(const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse,
+    vtkRenderer* renderer, vtkVolume* volume) const;
 
   /// Draws a frame, or the ids of a hardware selection. Returns false if keepGoing, called with the
   /// fraction done, stopped it.
@@ -108,8 +114,10 @@ private:
   std::array<vtkIsosurfaceRayTraceAccumulation, 2> Accumulations;
   int NumberOfAccumulatedFrames = 0;
   double DisplayTime = 0.0;
-  /// What the last frame would have taken with a ray for every pixel.
+  /// What the last frame would have taken with a ray for every pixel; and the last one of a coarse
+  /// level.
   double SecondsOfFullFrame = 0.0;
+  double SecondsOfCoarseLevel = 0.0;
   vtkIsosurfaceRayTraceImageDisplay Display;
 };
 

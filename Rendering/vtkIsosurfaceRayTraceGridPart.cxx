@@ -15,6 +15,27 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
+namespace
+{
+
+/// Scales what is visible along each axis.
+void Scale(const vtkirt::Vector3& scale, vtkirt::Visibility& visible)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (vtkirt::HalfSpace& half : visible.HalfSpaces)
+    {
+      half.Normal[axis] /= scale[axis];
+    }
+    for (double& plane : visible.Regions.Planes[axis])
+    {
+      plane *= scale[axis];
+    }
+  }
+}
+
+}
+
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceGridPart::IsGrid(vtkDataSet* data)
 {
@@ -90,14 +111,24 @@ vtkirt::Visibility vtkIsosurfaceRayTraceGridPart::FindVisible() const
   {
     vtkIsosurfaceRayTraceCropping::Apply(this->Cropping, this->Source.GetGeometry(), visible);
   }
+  if (this->IsCoarse())
+  {
+    Scale(this->Source.GetCoarseScale(), visible);
+  }
   return visible;
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Matrix4 vtkIsosurfaceRayTraceGridPart::FindPhysicalFromObject() const
 {
-  return vtkIsosurfaceRayTraceGeometry(this->Blocks.GetGrid(), this->Scalars.AreOfCells)
-    .GetPhysicalFromObject();
+  vtkirt::Matrix4 matrix =
+    vtkIsosurfaceRayTraceGeometry(this->Blocks.GetGrid(), this->Scalars.AreOfCells)
+      .GetPhysicalFromObject();
+  for (std::size_t i = 0; this->IsCoarse() && i < 12; ++i)
+  {
+    matrix[i] /= i % 4 < 3 ? this->Source.GetCoarseScale()[i % 4] : 1.0;
+  }
+  return matrix;
 }
 
 //------------------------------------------------------------------------------
@@ -118,6 +149,7 @@ vtkirt::Bounds vtkIsosurfaceRayTraceGridPart::FindBox() const
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     box.Upper[axis] = points[axis] - fewer;
+    box.Upper[axis] *= this->IsCoarse() ? this->Source.GetCoarseScale()[axis] : 1.0;
   }
   return box;
 }

@@ -42,8 +42,13 @@ public:
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
   bool IsBuiltOnDemand() const override;
   bool Update(int threads) override;
+  bool SelectLevel(vtkIsosurfaceRayTraceLevel level, int threads) override
+  {
+    return this->Source.SelectLevel(level, threads);
+  }
+  bool IsCoarse() const override { return this->Source.IsCoarse(); }
   void ReadSlab(int threads) override { this->Source.ReadSlab(threads); }
-  double GetFractionRead() const override { return this->Source.GetField()->GetFractionRead(); }
+  double GetFractionRead() const override { return this->Source.GetFractionRead(); }
   std::string GetWarning() const override { return this->Source.GetCacheProblem(); }
   vtkIsosurfaceRayTracing::Bounds FindBox() const override;
   double FindCellSize() const override { return 1.0; }

@@ -350,10 +350,11 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceInput::Update(int threads)
+bool vtkIsosurfaceRayTraceInput::Update(int threads, vtkIsosurfaceRayTraceLevel level)
 {
   this->NumberOfEagerParts = 0;
   this->UnreadParts.clear();
+  this->AtCoarse = false;
   if (this->Parts.empty())
   {
     this->Field = &this->Empty;
@@ -368,6 +369,8 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads)
     if (isLone || !part->IsBuiltOnDemand())
     {
       isBuilt = part->Update(threads) || isBuilt;
+      this->ArePlaced = !part->SelectLevel(level, threads) && this->ArePlaced;
+      this->AtCoarse = part->IsCoarse() || this->AtCoarse;
       ++this->NumberOfEagerParts;
       if (part->GetFractionRead() < 1.0)
       {

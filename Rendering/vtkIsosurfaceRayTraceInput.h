@@ -87,12 +87,15 @@ public:
 
   /// Builds what tracing the selection needs, or begins to. Returns whether a hierarchy had to be
   /// built.
-  bool Update(int threads);
+  bool Update(int threads, vtkIsosurfaceRayTraceLevel level);
+
+  /// Whether a coarse level stands in for some of the data.
+  bool IsCoarse() const { return this->AtCoarse; }
 
   ///@{
   /// Goes on building: reads the next slab of the data, which must be intact, unless all are read
-  /// (the fraction is 1). Where they have not been read, rays hit nothing. What is traced must be
-  /// selected again.
+  /// (the fraction is 1). Where they have not been read, rays hit nothing, unless a coarse level
+  /// stands in. What is traced must be selected again.
   void ReadSlab(int threads);
   double GetFractionRead() const;
   ///@}
@@ -206,6 +209,7 @@ private:
   /// still to be read.
   int NumberOfEagerParts = 0;
   std::vector<Part*> UnreadParts;
+  bool AtCoarse = false;
   /// Whether leaves are as they were for the last selection, and parts the same if they are; what
   /// else these were selected by.
   bool AreSameLeaves = false;

@@ -104,6 +104,13 @@ double vtkIsosurfaceRayTraceInputs::GetFractionRead() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInputs::IsCoarse() const
+{
+  return std::any_of(this->Inputs.begin(), this->Inputs.end(),
+    [](const std::unique_ptr<vtkIsosurfaceRayTraceInput>& input) { return input->IsCoarse(); });
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceInputs::GetWarning() const
 {
   std::string warning;

@@ -55,6 +55,9 @@ public:
   /// Of all inputs; see vtkIsosurfaceRayTraceInput.
   void ReadSlab(int threads);
   double GetFractionRead() const;
+  bool IsCoarse() const;
+  /// Whether all samples are read, and traced.
+  bool IsExact() const { return !this->IsCoarse() && this->GetFractionRead() == 1.0; }
   std::string GetWarning() const;
   bool IsIntact(int threads) const;
   vtkIsosurfaceRayTracing::FieldStatistics GetStatistics() const;

@@ -571,6 +571,29 @@ public:
 
   ///@{
   /**
+   * Set/Get whether a coarse level may stand in for images and rectilinear grids of more than 2^21
+   * samples in frames of interaction (see DesiredUpdateRate above): until their samples are read
+   * and the window has drawn an exact frame, and as long as the last of these would have taken
+   * longer than the time allocated to one of interaction, even at the largest distance between rays
+   * that is allowed (MaximumImageSampleDistance). All other pictures, rays, picks and selections
+   * are of all samples, as without it. Default: off.
+   *
+   * The coarse level has about 2^21 samples (at most 16 MiB), every few along each axis, as they
+   * are. Slices between them are not read: of a volume in a file, one in 8 of 2 GiB with 16 bits a
+   * sample. About 16 MiB of them are passed over for each frame, from the coarsest distance to the
+   * finest, so that the first frame shows all of the volume, and each further one more of it; beside
+   * them all samples are read as without it. Thin features may be missing, and surfaces lie near
+   * those of all samples.
+   *
+   * K.-L. Ma, S. Parker (2001), see above: interactivity over accuracy.
+   */
+  vtkSetMacro(LevelOfDetail, bool);
+  vtkGetMacro(LevelOfDetail, bool);
+  vtkBooleanMacro(LevelOfDetail, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the size in pixels of the tiles of the image that are scheduled to threads. Range: 1 to
    * 4096 each. Default: 16 x 8: rays are traced in packets of up to 128, which traverse the volume
    * the faster the closer their rays are together; smaller tiles keep many threads busy to the end.
@@ -894,6 +917,7 @@ private:
   int NumberOfMacrocellLevels = 2;
   int MacrocellBranching[MaximumNumberOfMacrocellLevels] = { 8, 8, 8, 8, 8, 8, 8, 8 };
   std::string CacheDirectory;
+  bool LevelOfDetail = false;
   int TileSize[2] = { 16, 8 };
   vtkTypeBool AutoAdjustSampleDistances = 1;
   float ImageSampleDistance = 1.0F;

@@ -43,6 +43,7 @@ void vtkIsosurfaceRayTraceMapper::VisitSettings(const Visitor& visit)
   visit("NumberOfMacrocellLevels", &Self::NumberOfMacrocellLevels);
   visit("MacrocellBranching", &Self::MacrocellBranching);
   visit("CacheDirectory", &Self::CacheDirectory);
+  visit("LevelOfDetail", &Self::LevelOfDetail);
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +192,7 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMapper::GetSettings() const
   settings.InterpolationMode = enumerators::ToInterpolant(this->InterpolationMode);
   settings.RootSolver = enumerators::ToRootSolver(this->RootSolver);
   settings.NumberOfInterpolations = this->NumberOfInterpolations;
+  settings.LevelOfDetail = this->LevelOfDetail;
   if (this->MaximumBrickMemory > 0)
   {
     settings.MaximumMemory = static_cast<std::size_t>(this->MaximumBrickMemory) << 20;

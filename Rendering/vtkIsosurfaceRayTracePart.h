@@ -7,6 +7,7 @@
 #ifndef vtkIsosurfaceRayTracePart_h
 #define vtkIsosurfaceRayTracePart_h
 
+#include "vtkIsosurfaceRayTraceLevel.h"    // for arguments
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
@@ -35,9 +36,14 @@ public:
   /// Builds the field, with all threads, or begins to. Returns whether it had to be built.
   virtual bool Update(int threads) = 0;
 
+  /// Selects the field, after Update. Returns whether it is another than before.
+  virtual bool SelectLevel(vtkIsosurfaceRayTraceLevel /*level*/, int /*threads*/) { return false; }
+  virtual bool IsCoarse() const { return false; }
+
   ///@{
   /// Goes on building a field: reads the next slab of its data, which must be intact. Where they
-  /// have not been read (the fraction is less than 1), rays hit nothing.
+  /// have not been read (the fraction is less than 1), rays hit nothing, unless the field is
+  /// coarse.
   virtual void ReadSlab(int /*threads*/) {}
   virtual double GetFractionRead() const { return 1.0; }
   ///@}

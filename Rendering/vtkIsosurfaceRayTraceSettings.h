@@ -48,6 +48,7 @@ struct vtkIsosurfaceRayTraceSettings
   int TileHeight = 8;
   int NumberOfThreads = 1;
 
+  bool LevelOfDetail = false;
   bool AutoAdjustSampleDistances = true;
   float ImageSampleDistance = 1.0F;
   float MinimumImageSampleDistance = 1.0F;

@@ -97,6 +97,8 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   if (isNewer || !this->Built || this->Built->AreOfCells != key.AreOfCells)
   {
     this->GridTime = 0; // Until the hidden cells are there: memory for them may fail.
+    this->AtCoarse = false;
+    this->Coarse.reset();
     const std::vector<unsigned char> before = this->HiddenCells;
     this->UpdateHiddenCells(grid, selection.AreOfCells);
     if (this->HiddenCells != before)
@@ -112,7 +114,9 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
     return false;
   }
 
-  this->Field.reset(); // Its memory first.
+  this->AtCoarse = false;
+  this->Coarse.reset(); // Their memory first.
+  this->Field.reset();
   this->MakeField(selection, cacheDirectory, key);
   this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);
@@ -126,7 +130,7 @@ void vtkIsosurfaceRayTraceSource::MakeField(
   this->Cache.reset();
   this->CacheProblem.clear();
   const vtkIsosurfaceRayTraceScalars::View samples = selection.MakeView(this->PlainScalars);
-  vtkirt::VolumeView view;
+  vtkirt::VolumeView& view = this->View;
   view.Type = samples.Type;
   view.Samples = samples.Values;
   view.Stride = samples.Stride;
@@ -140,6 +144,35 @@ void vtkIsosurfaceRayTraceSource::MakeField(
       std::make_unique<vtkIsosurfaceRayTraceMacrocellCache>(cacheDirectory, *mapping, view);
   }
   this->Field = vtkirt::ImageField::NewUnread(view, key.Settings);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSource::SelectLevel(vtkIsosurfaceRayTraceLevel level, int threads)
+{
+  using Level = vtkIsosurfaceRayTraceLevel;
+  if (level == Level::AsBefore)
+  {
+    return false;
+  }
+  const bool wasCoarse = this->AtCoarse;
+  const bool isWanted =
+    level == Level::Coarse || (level == Level::CoarseUntilRead && this->GetFractionRead() < 1.0);
+  this->AtCoarse = isWanted && vtkirt::CoarseLevel::IsOf(this->View.Dimensions);
+  if (!this->AtCoarse)
+  {
+    return wasCoarse;
+  }
+  if (!this->Coarse)
+  {
+    this->Coarse = std::make_unique<vtkirt::CoarseLevel>(
+      this->View, this->Geometry.GetPlanes(), this->GetHiddenCellsOfSamples());
+  }
+  const bool isRead = this->Coarse->GetFractionRead() == 1.0;
+  if (!isRead)
+  {
+    this->Coarse->ReadSlices(threads);
+  }
+  return !wasCoarse || !isRead;
 }
 
 //------------------------------------------------------------------------------
@@ -208,17 +241,34 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
 }
 
 //------------------------------------------------------------------------------
-const unsigned char* vtkIsosurfaceRayTraceSource::GetHiddenCells() const
+const unsigned char* vtkIsosurfaceRayTraceSource::GetHiddenCellsOfSamples() const
 {
   return this->HiddenCells.empty() ? nullptr : this->HiddenCells.data();
+}
+
+//------------------------------------------------------------------------------
+const unsigned char* vtkIsosurfaceRayTraceSource::GetHiddenCells() const
+{
+  return this->AtCoarse ? this->Coarse->GetHiddenCells() : this->GetHiddenCellsOfSamples();
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindCellOfSamples(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  if (this->AtCoarse)
+  {
+    return this->Coarse->FindCell(hit, parametric);
+  }
+  parametric = hit.Parametric;
+  return this->Field->GetLattice().GetCell(hit);
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
-  vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
-  parametric = hit.Parametric;
+  vtkirt::Index3 cell = this->FindCellOfSamples(hit, parametric);
   for (std::size_t axis = 0; this->Built->AreOfCells && axis < 3; ++axis)
   {
     // From the centre of one cell to that of the next.
@@ -244,11 +294,13 @@ vtkIdType vtkIsosurfaceRayTraceSource::FindCell(
 //------------------------------------------------------------------------------
 vtkirt::Index3 vtkIsosurfaceRayTraceSource::FindStructuredPoint(const vtkirt::Hit& hit) const
 {
-  vtkirt::Index3 point = this->Field->GetLattice().GetCell(hit);
+  vtkirt::Vector3 parametric;
+  vtkirt::Index3 point = this->FindCellOfSamples(hit, parametric);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // Between the centres of two cells it is the point between these.
-    const bool isNext = this->Built->AreOfCells || hit.IsNearUpper(axis);
+    const bool isUpper = this->AtCoarse ? parametric[axis] > 0.5 : hit.IsNearUpper(axis);
+    const bool isNext = this->Built->AreOfCells || isUpper;
     point[axis] += isNext ? 1 : 0;
   }
   return point;

@@ -8,11 +8,13 @@
 #define vtkIsosurfaceRayTraceSource_h
 
 #include "vtkIsosurfaceRayTraceGeometry.h" // for ivars
+#include "vtkIsosurfaceRayTraceLevel.h"    // for arguments
 #include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
+#include "Image/CoarseLevel.h"
 #include "Image/ImageField.h"
 
 #include <memory> // for std::unique_ptr
@@ -42,8 +44,23 @@ public:
   bool Update(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory);
 
-  /// Reads the next slab of samples, which must be intact, and not all read.
+  /// Selects the field, after Update. Where that is a coarse level which is not complete, reads
+  /// more of it: samples must be intact. Returns whether the field is another.
+  bool SelectLevel(vtkIsosurfaceRayTraceLevel level, int threads);
+
+  /// Whether a coarse level is selected, and the scale of the object space of the grid in its.
+  bool IsCoarse() const { return this->AtCoarse; }
+  const vtkIsosurfaceRayTracing::Vector3& GetCoarseScale() const
+  {
+    return this->Coarse->GetScale();
+  }
+
+  ///@{
+  /// Reads the next slab of samples, which must be intact, and not all read. The fraction is that
+  /// of all samples, whatever is selected.
   void ReadSlab(int threads);
+  double GetFractionRead() const { return this->Field->GetFractionRead(); }
+  ///@}
 
   /// Why macrocells could not be kept when all samples were read; empty if they could be.
   const std::string& GetCacheProblem() const { return this->CacheProblem; }
@@ -52,8 +69,11 @@ public:
   /// must exist.
   bool IsIntact() const;
 
-  /// Null before the first update.
-  vtkIsosurfaceRayTracing::ImageField* GetField() const { return this->Field.get(); }
+  /// That which is selected; null before the first update.
+  vtkIsosurfaceRayTracing::ImageField* GetField() const
+  {
+    return this->AtCoarse ? this->Coarse->GetField() : this->Field.get();
+  }
 
   /// The coordinates of the samples.
   const vtkIsosurfaceRayTraceGeometry& GetGeometry() const { return this->Geometry; }
@@ -83,10 +103,19 @@ private:
   struct Key;
 
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
+  const unsigned char* GetHiddenCellsOfSamples() const;
   void MakeField(const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory,
     const Key& key);
 
+  /// The cell of the samples that a hit is in.
+  vtkIsosurfaceRayTracing::Index3 FindCellOfSamples(
+    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
+
+  vtkIsosurfaceRayTracing::VolumeView View;
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
+  /// Null until it is first selected for the field.
+  std::unique_ptr<vtkIsosurfaceRayTracing::CoarseLevel> Coarse;
+  bool AtCoarse = false;
   std::unique_ptr<Key> Built;
   /// Until all samples are read; null if nothing is kept.
   std::unique_ptr<vtkIsosurfaceRayTraceMacrocellCache> Cache;

@@ -88,6 +88,7 @@ Scene::Scene(vtkDataObject* data, const Scalars& scalars)
   {
     this->Mapper->SetVectorModeToMagnitude();
   }
+  this->Mapper->LevelOfDetailOn();
   this->Mapper->ProgressiveAccumulationOn();
   // Frames are added while the picture rests, so each may have few.
   this->Mapper->SetNumberOfAmbientOcclusionRays(4);

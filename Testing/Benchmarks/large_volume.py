@@ -5,10 +5,11 @@
 
     large_volume.py volume.mhd ISOVALUE MEBIBYTES [BRICK_MEBIBYTES]
 
+The rows of interaction are frames in a window with LevelOfDetail, at 15 frames a second; the others are exact pictures.
 The processes that are measured may have so much memory; bricks and masks a part of it (a quarter unless it is given).
 The file is one that vtkMappedImageReader maps. Before a run with a cold cache its pages are dropped, which the system
 does unless another process uses the file. Macrocells are kept in a temporary directory by the second row, and taken
-from there by the third and fourth."""
+from there by the two after it."""
 
 import json
 import os
@@ -24,6 +25,7 @@ from LimitedMemory import LimitedMemory  # noqa: E402
 
 SIZE = 512
 PICTURES = 3  # ten degrees apart
+FRAMES = 60  # of interaction, one degree apart
 
 
 def read_memory():
@@ -53,7 +55,19 @@ def new_reader(way, file_name):
     return reader
 
 
-def draw(reader, isovalue, brick_memory, cache):
+def new_window(renderer):
+    """In which it is interacted."""
+    from vtkmodules.vtkRenderingCore import vtkRenderWindow
+    import vtkmodules.vtkRenderingOpenGL2  # what it needs
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(SIZE, SIZE)
+    window.SetDesiredUpdateRate(15.0)
+    window.AddRenderer(renderer)
+    return window
+
+
+def draw(reader, isovalue, brick_memory, cache, is_interaction):
     """The times of pictures, and the memory after each."""
     from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
     from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -62,21 +76,27 @@ def draw(reader, isovalue, brick_memory, cache):
     reader.Update()
     opened = time.perf_counter() - start
     mapper, volume, renderer, picture = vtkIsosurfaceRayTraceMapper(), vtkVolume(), vtkRenderer(), vtkImageData()
+    window = new_window(renderer) if is_interaction else None
     mapper.SetInputConnection(reader.GetOutputPort())
     mapper.SetMaximumBrickMemory(brick_memory)
     mapper.SetCacheDirectory(cache)
+    mapper.SetLevelOfDetail(is_interaction)
     volume.SetMapper(mapper)
     volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue)
     volume.GetProperty().ShadeOn()
     renderer.ResetCamera(reader.GetOutput().GetBounds())
     camera = renderer.GetActiveCamera()
     times, memory = [], []
-    for _ in range(PICTURES):
+    renderer.AddVolume(volume)
+    for _ in range(FRAMES if is_interaction else PICTURES):
         start = time.perf_counter()
-        assert mapper.RenderToImage(volume, camera, None, SIZE, SIZE, picture)
+        if is_interaction:
+            window.Render()
+        else:
+            assert mapper.RenderToImage(volume, camera, None, SIZE, SIZE, picture)
         times.append(time.perf_counter() - start)
         memory.append(read_memory())
-        camera.Azimuth(10)
+        camera.Azimuth(1 if is_interaction else 10)
     return {"opened": opened, "times": times, "memory": memory,
             "told": (mapper.GetMacrocellMemory() + mapper.GetBrickMemory()) >> 20}
 
@@ -95,7 +115,10 @@ def extract(reader, isovalue):
 
 def measure(file_name, isovalue, brick_memory, way, cache):
     reader = new_reader(way, file_name)
-    result = extract(reader, isovalue) if way == "triangles" else draw(reader, isovalue, brick_memory, cache)
+    if way == "triangles":
+        result = extract(reader, isovalue)
+    else:
+        result = draw(reader, isovalue, brick_memory, cache, way == "interaction")
     print(json.dumps(result))
 
 
@@ -130,6 +153,7 @@ def main():
             sys.exit("This system has no control groups for memory that this user may make.")
         print("| samples | pages of the file before | open, s | first picture, s | next, s | "
               "macrocells, bricks, masks, MiB | memory of the process, MiB | pages of files, MiB |\n|---|---|---|---|---|---|---|---|")
+        print(make_row("mapped, interaction", "none", run(limited, arguments, "interaction", True)), flush=True)
         print(make_row("mapped", "none", run(limited, arguments, "mapped", True)), flush=True)
         print(make_row("mapped, keeps macrocells", "none", run(limited, arguments, "mapped", True, cache)), flush=True)
         print(make_row("mapped, macrocells kept", "none", run(limited, arguments, "mapped", True, cache)), flush=True)
