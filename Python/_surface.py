@@ -132,6 +132,7 @@ def _make_mapper(data, interpolation):
     if not isinstance(data, MESHES):
         mapper = vtkIsosurfaceRayTraceMapper()
         mapper.SetInterpolationMode(INTERPOLATIONS[interpolation])
+        mapper.LevelOfDetailOn()  # in windows, as long as the mouse moves
         return mapper
     if interpolation != "linear":
         raise ValueError("in meshes, values are interpolated by their cells; leave interpolation out")

@@ -581,9 +581,10 @@ public:
    * The coarse level has about 2^21 samples (at most 16 MiB), every few along each axis, as they
    * are. Slices between them are not read: of a volume in a file, one in 8 of 2 GiB with 16 bits a
    * sample. About 16 MiB of them are passed over for each frame, from the coarsest distance to the
-   * finest, so that the first frame shows all of the volume, and each further one more of it; beside
-   * them all samples are read as without it. Thin features may be missing, and surfaces lie near
-   * those of all samples.
+   * finest, so that the first frame shows all of the volume, and each further one more of it;
+   * beside them all samples are read as without it. Thin features may be missing, and surfaces lie
+   * near those of all samples. Arrays to colour by (ColorArrayName) are looked at where surfaces
+   * are.
    *
    * K.-L. Ma, S. Parker (2001), see above: interactivity over accuracy.
    */

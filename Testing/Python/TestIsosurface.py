@@ -102,6 +102,7 @@ class TestData(unittest.TestCase):
         blocks.SetBlock(1, image)
         for data in (grid, blocks):
             self.assertIsInstance(isosurface(data, 150).GetMapper(), vtkIsosurfaceRayTraceMapper)
+            self.assertTrue(isosurface(data, 150).GetMapper().GetLevelOfDetail())
             np.testing.assert_array_equal(picture_of(data, 150), picture_of(image, 150))
         for mesh in (make_grid(VTK_TETRA, ball), make_structured_grid(ball)):
             self.assertIsInstance(isosurface(mesh, 0.5).GetMapper(), vtkIsosurfaceRayTraceMeshMapper)
