@@ -11,7 +11,6 @@ set(core_sources
   Image/Cells/BoxFaces.cxx
   Image/Cells/CellsOnRay.cxx
   Image/Cells/LargestValue.cxx
-  Image/Cells/TricubicCell.cxx
   Image/Cells/TricubicRoots.cxx
   Image/Cells/TrilinearRoots.cxx
   Image/CoarseLevel.cxx

@@ -111,6 +111,18 @@ struct Candidates
   alignas(64) double Corners[8][Capacity];
 };
 
+/// The segments of a ray in some cells; see CellSegment.
+struct SegmentsInCells
+{
+  static constexpr int Capacity = 16;
+
+  double Begin[Capacity];
+  double End[Capacity];
+  double BeginAxis[Capacity];
+  double Entry[3][Capacity];
+  double Exit[3][Capacity];
+};
+
 /// The isovalue and the power of two by which it and all values are multiplied.
 struct ScaledIsovalue
 {
@@ -329,6 +341,29 @@ struct Kernels
   /// Finds the light of segments.
   void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
     const CloudSegments& segments, SegmentLight* lights);
+
+  /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room
+  /// for Capacity cells, and all have numbers. Returns those of the first ones that it passes, a
+  /// bit for each.
+  unsigned int (*FindSegmentsInCells)(const RayPacket& packet, int ray, const LatticePlanes* planes,
+    const int (*cells)[SegmentsInCells::Capacity], int count, SegmentsInCells& segments);
+
+  /// Makes the coefficients of a tricubic cell, less an isovalue, of the 4^3 samples around it (see
+  /// TricubicCell), with the weights of an edge along each axis (see CubicEdge). Returns whether
+  /// they are on both sides.
+  bool (*InterpolateSamples)(
+    const double* const weights[3], const ScaledIsovalue& isovalue, double cell[64]);
+
+  /// Finds the interpolant of a tricubic cell along the straight line from p to q, as a polynomial
+  /// of the fraction of the way: that along the diagonal of the box [p, q]. There are convex
+  /// combinations only, so that coefficients of one sign make a polynomial of that sign, rounded as
+  /// it is: then, it is not found, and this returns false.
+  bool (*RestrictCell)(
+    const double cell[64], const double p[3], const double q[3], double nonic[10]);
+
+  /// Finds the gradient of the interpolant at a point of a tricubic cell, per cell edge along each
+  /// axis.
+  void (*FindCellGradient)(const double cell[64], const double p[3], double gradient[3]);
 };
 
 extern const Kernels BaselineKernels;

@@ -89,6 +89,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindPassages.inl"
 #include "Kernels/FindSegments.inl"
+#include "Kernels/FindSegmentsInCells.inl"
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/IntegrateSegments.inl"
@@ -104,6 +105,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/SolveBoxes.inl"
 #include "Kernels/SolveTetrahedra.inl"
 #include "Kernels/SolveTrilinear.inl"
+#include "Kernels/TricubicCells.inl"
 #include "Kernels/WeightGradients.inl"
 
 // One for every ScalarType.
@@ -121,4 +123,4 @@ SIMD_INLINE void LoadCorner(
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
     FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
     FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra, FindSegments,                   \
-    IntegrateSegments }
+    IntegrateSegments, FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }

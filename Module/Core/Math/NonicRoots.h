@@ -31,29 +31,49 @@ namespace Nonic
 constexpr double SmallestInterval = 0x1p-40;
 /// Newton's method stops at a step of this size, in fractions of the segment. It has then converged
 /// to the square of it.
-constexpr double Tolerance = 1e-10;
+constexpr double Tolerance = 1e-8;
 /// Where it does not converge soon, bisection ends it.
 constexpr int NewtonIterations = 40;
 constexpr int MaximumIterations = NewtonIterations + 36;
 
-struct ValueAndSlope
+/// A polynomial and its slope, by sums of products that are convex combinations.
+class Sums
 {
-  double Value;
-  double Slope;
-};
-
-/// By convex combinations (de Casteljau).
-inline ValueAndSlope Evaluate(BernsteinNonic b, double u)
-{
-  for (std::size_t count = b.size() - 1; count > 1; --count)
+public:
+  explicit Sums(const BernsteinNonic& b)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    constexpr double binomial9[10] = { 1.0, 9.0, 36.0, 84.0, 126.0, 126.0, 84.0, 36.0, 9.0, 1.0 };
+    constexpr double binomial8[9] = { 1.0, 8.0, 28.0, 56.0, 70.0, 56.0, 28.0, 8.0, 1.0 };
+    for (std::size_t i = 0; i < 9; ++i)
     {
-      b[i] = Lerp(b[i], b[i + 1], u);
+      this->Values[i] = binomial9[i] * b[i];
+      this->Slopes[i] = 9.0 * binomial8[i] * (b[i + 1] - b[i]);
+    }
+    this->Values[9] = b[9];
+  }
+
+  void Evaluate(double u, double& value, double& slope) const
+  {
+    const double s = 1.0 - u;
+    double powers[2][10] = { { 1.0 }, { 1.0 } };
+    for (std::size_t i = 1; i < 10; ++i)
+    {
+      powers[0][i] = powers[0][i - 1] * u;
+      powers[1][i] = powers[1][i - 1] * s;
+    }
+    value = powers[0][9] * this->Values[9];
+    slope = 0.0;
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      value += powers[0][i] * powers[1][9 - i] * this->Values[i];
+      slope += powers[0][i] * powers[1][8 - i] * this->Slopes[i];
     }
   }
-  return { Lerp(b[0], b[1], u), 9.0 * (b[1] - b[0]) };
-}
+
+private:
+  double Values[10];
+  double Slopes[9];
+};
 
 /// Leaves the lower half of the interval in the polynomial, and returns the upper half. Both have
 /// the very same value in the middle.
@@ -88,14 +108,17 @@ inline int CountSignChanges(const BernsteinNonic& b)
 inline double RefineRoot(const BernsteinNonic& b, double tolerance)
 {
   const bool insideAtLo = IsInside(b.front());
+  const Sums sums(b);
   double lo = 0.0;
   double hi = 1.0;
   double u = std::min(1.0, b.front() / (b.front() - b.back()));
   for (int i = 0; i < MaximumIterations; ++i)
   {
-    const ValueAndSlope f = Evaluate(b, u);
-    (IsInside(f.Value) == insideAtLo ? lo : hi) = u;
-    double next = u - f.Value / f.Slope;
+    double value;
+    double slope;
+    sums.Evaluate(u, value, slope);
+    (IsInside(value) == insideAtLo ? lo : hi) = u;
+    double next = u - value / slope;
     if (!(next >= lo && next <= hi) || i >= NewtonIterations)
     {
       next = lo + 0.5 * (hi - lo);

@@ -11,6 +11,10 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+struct Kernels;
+struct LatticePlanes;
+struct RayPacket;
+
 /// A cell that a ray passes, and its segment there.
 struct CellOnRay
 {
@@ -18,9 +22,10 @@ struct CellOnRay
   CellSegment Segment;
 };
 
-/// Finds those of some cells that a ray passes, in order along the ray.
-void FindCellsOnRay(
-  const Ray& ray, const std::vector<Index3>& cells, std::vector<CellOnRay>& onRay);
+/// Finds those of some cells that a ray of a packet passes, in order along the ray. The planes of
+/// the lattice are null where they stand at whole numbers.
+void FindCellsOnRay(const Kernels& kernels, const LatticePlanes* planes, const RayPacket& rays,
+  int ray, const std::vector<Index3>& cells, std::vector<CellOnRay>& onRay);
 
 }
 

@@ -5,8 +5,7 @@
 #define TricubicCell_h
 
 #include "Image/Lattice/UnevenPlanes.h"
-#include "Math/NonicRoots.h"
-#include "Math/TrilinearCell.h"
+#include "Math/Arithmetic.h"
 #include "Math/Vector.h"
 
 #include <algorithm>
@@ -25,22 +24,10 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The weights of the differences to the samples at both ends of a cell along an axis, and between
-/// them, in a third of the slopes there, per width of the cell.
-struct CubicEdge
-{
-  /// At the lower end: of the difference before the cell and of that in it.
-  double LowerBefore;
-  double LowerWithin;
-  /// At the upper end: of the difference in the cell and of that behind it.
-  double UpperWithin;
-  double UpperBehind;
-
-  bool operator==(const CubicEdge& other) const
-  {
-    return this->LowerBefore == other.LowerBefore && this->LowerWithin == other.LowerWithin &&
-      this->UpperWithin == other.UpperWithin && this->UpperBehind == other.UpperBehind;
-  }
-};
+/// them, in a third of the slopes there, per width of the cell: at the lower end that of the
+/// difference before the cell and of that in it; at the upper end that of the difference in the
+/// cell and of that behind it.
+using CubicEdge = std::array<double, 4>;
 
 /// The edges of the cells of a volume, for each axis.
 class CubicEdges
@@ -60,8 +47,8 @@ public:
       {
         const CubicEdge edge =
           planes ? UnevenEdge(*planes, axis, cell) : EvenEdge(cell > 0, cell + 1 < last);
-        largest = std::max({ largest, SumOfWeights(edge.LowerBefore, edge.LowerWithin),
-          SumOfWeights(edge.UpperBehind, edge.UpperWithin) });
+        largest =
+          std::max({ largest, SumOfWeights(edge[0], edge[1]), SumOfWeights(edge[3], edge[2]) });
         this->Edges[axis].push_back(edge);
       }
       product *= largest;
@@ -70,9 +57,10 @@ public:
     this->Overshoot = 0.5 * (product - 1.0) + 1e-9;
   }
 
-  const CubicEdge& Get(std::size_t axis, int cell) const
+  /// Those of a cell, as kernels take them.
+  std::array<const double*, 3> Get(const Index3& cell) const
   {
-    return this->Edges[axis][static_cast<std::size_t>(cell)];
+    return { this->Get(0, cell[0]), this->Get(1, cell[1]), this->Get(2, cell[2]) };
   }
 
   /// How far coefficients of a cell may lie outside the range of the 4^3 samples around it, in
@@ -109,6 +97,11 @@ private:
     return outer + std::abs(1.0 + outer - within) + within;
   }
 
+  const double* Get(std::size_t axis, int cell) const
+  {
+    return this->Edges[axis][static_cast<std::size_t>(cell)].data();
+  }
+
   std::array<std::vector<CubicEdge>, 3> Edges;
   double Overshoot = 0.0;
 };
@@ -119,17 +112,25 @@ private:
 /// same, to the last bit.
 using TricubicCell = std::array<double, 64>;
 
-/// Makes the coefficients of a cell from the 4^3 samples around it, in the same order.
-void InterpolateSamples(const CubicEdges& edges, const Index3& cell, TricubicCell& samples);
-
-/// The interpolant along the straight line from p to q, as a polynomial of the fraction of the way:
-/// that along the diagonal of the box [p, q]. As for CubicAlongSegment, there are convex
-/// combinations only, so that coefficients of one sign make a polynomial of that sign, rounded as
-/// it is.
-BernsteinNonic NonicAlongSegment(TricubicCell cell, const Vector3& p, const Vector3& q);
-
-/// The gradient of the interpolant at a point of the cell, per cell edge along each axis.
-Vector3 TricubicGradient(const TricubicCell& cell, const Vector3& p);
+/// The value at a point of a cell: exactly the one with which polynomials along rays begin or end
+/// there (see Kernels).
+inline double GetTricubicValue(const TricubicCell& cell, const Vector3& p)
+{
+  TricubicCell values = cell;
+  std::size_t count = 64;
+  for (const double t : p)
+  {
+    count /= 4;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* c = &values[4 * i];
+      const double middle = Lerp(c[1], c[2], t);
+      values[i] =
+        Lerp(Lerp(Lerp(c[0], c[1], t), middle, t), Lerp(middle, Lerp(c[2], c[3], t), t), t);
+    }
+  }
+  return values[0];
+}
 
 }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,8 +47,8 @@ public:
 
   /// Makes the mask of a block of 8^3 cells: those that a surface may pass, because the
   /// coefficients are on both sides of its isovalue.
-  void MakeMask(
-    const Index3& block, const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
+  void MakeMask(const Kernels& kernels, const Index3& block,
+    const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
   {
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
     const Index3 first = BlockMask::GetFirstCell(block);
@@ -65,7 +66,7 @@ public:
             {
               TricubicCell cell;
               return range.Straddles(isovalue.Isovalue, this->Edges.GetOvershoot()) &&
-                this->Load({ first[0] + x, first[1] + y, first[2] + z }, isovalue, cell);
+                this->Load(kernels, { first[0] + x, first[1] + y, first[2] + z }, isovalue, cell);
             });
           mask.Slices[2][z] |= static_cast<std::uint64_t>(has) << (x + BlockMask::Edge * y);
         }
@@ -76,38 +77,32 @@ public:
 
   /// Makes the coefficients of a cell, with an isovalue subtracted. Returns whether the surface may
   /// pass the cell: all samples are finite, and coefficients are on both sides.
-  bool Load(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
+  bool Load(const Kernels& kernels, const Index3& cell, const ScaledIsovalue& isovalue,
+    TricubicCell& coefficients) const
   {
-    if (!this->Load(cell, coefficients))
-    {
-      return false;
-    }
-    this->TakeOff(cell, isovalue, coefficients);
-    const auto inside = std::count_if(coefficients.begin(), coefficients.end(), IsInside<double>);
-    return inside > 0 && inside < 64;
+    return this->Load(cell, coefficients) &&
+      kernels.InterpolateSamples(this->Edges.Get(cell).data(), isovalue, coefficients.data());
   }
 
   /// The value at a point of a cell, less an isovalue: exactly the one with which the polynomials
   /// along rays begin or end there. None if the cell is empty.
-  std::optional<double> GetDifference(
-    const Index3& cell, const Vector3& parametric, const ScaledIsovalue& isovalue) const
+  std::optional<double> GetDifference(const Kernels& kernels, const Index3& cell,
+    const Vector3& parametric, const ScaledIsovalue& isovalue) const
   {
     TricubicCell coefficients;
     if (!this->Load(cell, coefficients))
     {
       return std::nullopt;
     }
-    this->TakeOff(cell, isovalue, coefficients);
-    return NonicAlongSegment(coefficients, parametric, parametric)[0];
+    kernels.InterpolateSamples(this->Edges.Get(cell).data(), isovalue, coefficients.data());
+    return GetTricubicValue(coefficients, parametric);
   }
 
-  /// The gradient at a point of a cell, in its own coordinates, per cell edge along each axis.
-  Vector3 GetGradient(const Index3& cell, const Vector3& parametric) const
+  /// Makes the coefficients of a cell that is not empty.
+  void Load(const Kernels& kernels, const Index3& cell, TricubicCell& coefficients) const
   {
-    TricubicCell coefficients;
     this->Load(cell, coefficients);
-    InterpolateSamples(this->Edges, cell, coefficients);
-    return TricubicGradient(coefficients, parametric);
+    kernels.InterpolateSamples(this->Edges.Get(cell).data(), { 0.0, 1.0 }, coefficients.data());
   }
 
 private:
@@ -126,25 +121,30 @@ private:
       }
     }
     const T* origin = this->TheSamples.At({ 0, 0, 0 });
-    // NaN, if one of them is not finite.
-    double check = 0.0;
-    for (std::size_t i = 0; i < 64; ++i)
+    double* next = samples.data();
+    for (const std::ptrdiff_t z : offsets[2])
     {
-      samples[i] =
-        static_cast<double>(origin[offsets[0][i % 4] + offsets[1][i / 4 % 4] + offsets[2][i / 16]]);
-      check += samples[i] * 0.0;
+      for (const std::ptrdiff_t y : offsets[1])
+      {
+        const T* row = origin + y + z;
+        for (const std::ptrdiff_t x : offsets[0])
+        {
+          *next++ = static_cast<double>(row[x]);
+        }
+      }
     }
-    return check == 0.0;
+    return std::is_integral_v<T> || AreFinite(samples);
   }
 
-  /// Turns samples into coefficients, with an isovalue subtracted.
-  void TakeOff(const Index3& cell, const ScaledIsovalue& isovalue, TricubicCell& coefficients) const
+  static bool AreFinite(const TricubicCell& samples)
   {
-    for (double& sample : coefficients)
+    // NaN, where one of them is not finite.
+    double checks[4] = {};
+    for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      sample = Difference(sample, isovalue.Isovalue, isovalue.Scale);
+      checks[i % 4] += samples[i] * 0.0;
     }
-    InterpolateSamples(this->Edges, cell, coefficients);
+    return checks[0] + checks[1] + checks[2] + checks[3] == 0.0;
   }
 
   /// For the cells of a block, x fastest, the ranges of the 4^3 samples around them.

@@ -11,11 +11,12 @@ namespace vtkIsosurfaceRayTracing
 {
 
 class RootSet;
+struct Kernels;
 
 /// Adds the roots of a surface along a segment, given the coefficients less its isovalue; all of
 /// them, or the first.
-void AddTricubicRoots(const TricubicCell& coefficients, const CellSegment& segment, int surface,
-  bool firstOnly, RootSet& roots);
+void AddTricubicRoots(const Kernels& kernels, const TricubicCell& coefficients,
+  const CellSegment& segment, int surface, bool firstOnly, RootSet& roots);
 
 }
 

@@ -11,6 +11,7 @@
 #include "Image/Macrocells/BlockTree.h"
 #include "Image/Macrocells/CroppedBlocks.h"
 #include "Image/Traversal/PacketTracer.h"
+#include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
 #include "Math/Compiler.h"
 #include "Math/PrefetchLines.h"
@@ -95,6 +96,12 @@ struct ImageSelection
   {
     return this->Request.HasOnlyOpaqueSurfaces() && this->Request.Visible.IsConvex() &&
       !this->Request.Visible.HasCaps();
+  }
+
+  /// Those of packets, or others for rays that are traced one by one.
+  const Kernels& GetAnyKernels() const
+  {
+    return this->PacketKernels ? *this->PacketKernels : GetBestKernels();
   }
 
   /// A ray of a packet that exists.

@@ -7,6 +7,7 @@
 #include "Image/Traversal/CellTraversal.h"
 #include "Image/Traversal/RayFollower.h"
 
+#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -39,6 +40,10 @@ public:
     , Rays(rays)
     , TheCells(cells)
   {
+    if (const UnevenPlanes* planes = selection.Lattice.GetPlanes())
+    {
+      this->Planes = planes->GetLatticePlanes();
+    }
   }
 
   void Prefetch(const Index3& block) override { this->TheCells.Prefetch(block); }
@@ -49,11 +54,17 @@ public:
   }
 
 protected:
+  /// Null where planes stand at whole numbers.
+  const LatticePlanes* GetPlanes() const { return this->Planes ? &*this->Planes : nullptr; }
+
   const ImageSelection& Selection;
   const RayPacket& Rays;
   RootCells& TheCells;
   /// Kept for its memory.
   RootSet Roots;
+
+private:
+  std::optional<LatticePlanes> Planes;
 };
 
 //------------------------------------------------------------------------------
@@ -74,7 +85,8 @@ public:
   bool Follow(int ray, const std::vector<Index3>& cells) override
   {
     const Ray own = this->Selection.TakeRay(this->Rays, ray);
-    FindCellsOnRay(own, cells, this->OnRay);
+    FindCellsOnRay(
+      *this->Selection.PacketKernels, this->GetPlanes(), this->Rays, ray, cells, this->OnRay);
     for (const CellOnRay& passed : this->OnRay)
     {
       this->TheCells.FindRoots(passed.Cell, passed.Segment, false, this->Roots);

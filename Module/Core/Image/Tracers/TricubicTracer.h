@@ -51,19 +51,45 @@ public:
   void FindRoots(const Index3& cell, const CellSegment& segment, bool all, RootSet& roots) override
   {
     roots.Clear();
-    for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
+    const Kernels& kernels = this->Selection.GetAnyKernels();
+    const int surfaces = static_cast<int>(this->Selection.Isovalues.size());
+    for (int i = 0; i < surfaces; ++i)
     {
       roots.NextSurface();
-      TricubicCell coefficients;
-      if (this->Field.Load(cell, this->Selection.Isovalues[i], coefficients))
+      if (const TricubicCell* coefficients = this->Load(kernels, cell, i))
       {
-        AddTricubicRoots(
-          coefficients, segment, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
+        const bool firstOnly = !all && this->Selection.EndsRays(static_cast<std::size_t>(i));
+        AddTricubicRoots(kernels, *coefficients, segment, i, firstOnly, roots);
       }
     }
   }
 
 private:
+  /// A cell whose coefficients were made for a surface, which may pass it or not.
+  struct LoadedCell
+  {
+    Index3 Cell;
+    int Surface = -1;
+    bool MayHit;
+  };
+
+  /// Makes the coefficients of a cell, or finds them: neighbouring rays pass the same cells.
+  /// Returns null if the surface does not pass it.
+  const TricubicCell* Load(const Kernels& kernels, const Index3& cell, int surface)
+  {
+    const auto place =
+      static_cast<std::size_t>((cell[0] & 7) | (cell[1] & 7) << 3 | ((cell[2] + surface) & 3) << 6);
+    LoadedCell& loaded = this->Loaded[place];
+    TricubicCell& coefficients = this->Coefficients[place];
+    if (loaded.Surface != surface || loaded.Cell != cell)
+    {
+      const ScaledIsovalue& isovalue = this->Selection.Isovalues[static_cast<std::size_t>(surface)];
+      const bool mayHit = this->Field.Load(kernels, cell, isovalue, coefficients);
+      loaded = { cell, surface, mayHit };
+    }
+    return loaded.MayHit ? &coefficients : nullptr;
+  }
+
   const ImageSelection& Selection;
   const TricubicField<T>& Field;
   CellMasks<T>& Masks;
@@ -71,6 +97,8 @@ private:
   Index3 Block = {};
   const BlockMask* Mask = nullptr;
   BlockMask Own;
+  std::array<LoadedCell, 256> Loaded;
+  std::array<TricubicCell, 256> Coefficients;
 };
 
 /// Interpolant::Tricubic.
@@ -96,8 +124,10 @@ public:
   {
     const std::vector<double> isovalues = this->GetIsovalues();
     this->Masks.Select(isovalues, this->Selection.Request.Visible.HiddenCells,
-      [this](const Index3& block, BlockMask& mask)
-      { this->Field.MakeMask(block, this->Selection.Isovalues, mask); });
+      [this](const Index3& block, BlockMask& mask) {
+        this->Field.MakeMask(
+          this->Selection.GetAnyKernels(), block, this->Selection.Isovalues, mask);
+      });
     return this->Hierarchy.FindActive(isovalues, this->Field.GetEdges().GetOvershoot(), threads);
   }
 
@@ -117,25 +147,63 @@ protected:
 
   void EvaluateCap(const Ray& /*ray*/, const EndCell& end, Hit& cap) const override
   {
+    const Kernels& kernels = this->Selection.GetAnyKernels();
     const std::optional<double> value =
-      this->Field.GetDifference(end.Cell, cap.Parametric, { 0.0, 1.0 });
+      this->Field.GetDifference(kernels, end.Cell, cap.Parametric, { 0.0, 1.0 });
     if (!value)
     {
       return;
     }
     cap.Value = *value;
-    cap.Surface = this->FindInnermost([this, &end, &cap](const ScaledIsovalue& isovalue)
-      { return *this->Field.GetDifference(end.Cell, cap.Parametric, isovalue); });
+    cap.Surface = this->FindInnermost([this, &kernels, &end, &cap](const ScaledIsovalue& isovalue)
+      { return *this->Field.GetDifference(kernels, end.Cell, cap.Parametric, isovalue); });
   }
 
   Vector3 GetFieldGradient(const Hit& hit, NormalMode /*mode*/) const override
   {
-    const CellLattice& lattice = this->Selection.Lattice;
-    const Index3 cell = lattice.GetCell(hit);
-    return DivideByWidths(this->Field.GetGradient(cell, hit.Parametric), lattice.GetPlanes(), cell);
+    const Kernels& kernels = this->Selection.GetAnyKernels();
+    const Index3 cell = this->Selection.Lattice.GetCell(hit);
+    TricubicCell coefficients;
+    this->Field.Load(kernels, cell, coefficients);
+    return this->FindGradient(kernels, coefficients, cell, hit);
+  }
+
+  /// Hits that follow each other are often in one cell.
+  void GetGradients(const Hit* hits, const Index3* cells, int count,
+    double (*gradients)[RayPacket::Capacity]) const override
+  {
+    const Kernels& kernels = this->Selection.GetAnyKernels();
+    TricubicCell coefficients;
+    const Index3* loaded = nullptr;
+    for (int i = 0; i < count; ++i)
+    {
+      if (hits[i].Plane != Hit::NoPlane)
+      {
+        this->StoreGradient(hits[i], i, gradients);
+        continue;
+      }
+      if (!loaded || cells[i] != *loaded)
+      {
+        this->Field.Load(kernels, cells[i], coefficients);
+        loaded = &cells[i];
+      }
+      const Vector3 gradient = this->FindGradient(kernels, coefficients, cells[i], hits[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        gradients[axis][i] = gradient[axis];
+      }
+    }
   }
 
 private:
+  Vector3 FindGradient(const Kernels& kernels, const TricubicCell& coefficients, const Index3& cell,
+    const Hit& hit) const
+  {
+    Vector3 gradient;
+    kernels.FindCellGradient(coefficients.data(), hit.Parametric.data(), gradient.data());
+    return DivideByWidths(gradient, this->Selection.Lattice.GetPlanes(), cell);
+  }
+
   TricubicField<T> Field;
   const MacrocellHierarchy<T>& Hierarchy;
   CellMasks<T>& Masks;
