@@ -263,7 +263,7 @@ class TestExamples(unittest.TestCase):
     def test_folder_without_slices(self):
         result = self.run_script("ray_trace_isosurface.py", self.folder, str(ISOVALUE), "picture.png")
         self.assertNotEqual(result.returncode, 0)
-        self.assertIn("is damaged, or not a volume", result.stderr)
+        self.assertIn("has no DICOM slices", result.stderr)
 
     def test_many_grids(self):
         """Rays and triangles show the same surfaces."""
