@@ -162,11 +162,7 @@ bool IsGrid(const std::string& fileName)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, double maxMemory)
 {
-  if (SystemTools::FileIsDirectory(fileName))
-  {
-    return ReadSlices(fileName, maxMemory, Axes::OfPatient);
-  }
-  if (!IsGrid(fileName))
+  if (SystemTools::FileIsDirectory(fileName) || !IsGrid(fileName))
   {
     return ReadVolume(fileName, maxMemory, Axes::OfPatient);
   }

@@ -262,6 +262,31 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
+{
+  const std::vector<DicomSlice> slices = FindSlices(folder);
+  vtkNew<vtkDICOMImageReader> reader;
+  reader->SetDirectoryName(folder.c_str());
+  const vtkSmartPointer<vtkImageData> image = Read(reader.Get(), folder,
+    { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, Axes::OfSamples });
+  if (image->GetDimensions()[2] != static_cast<int>(slices.size()))
+  {
+    Throw(folder,
+      "it has " + std::to_string(slices.size()) + " slices, of which VTK's reader takes " +
+        std::to_string(image->GetDimensions()[2]) +
+        " for one series; put each series into a folder of its own");
+  }
+  image->SetSpacing(
+    slices.front().Spacing[0], slices.front().Spacing[1], GetDistanceOfSlices(slices));
+  if (axes == Axes::OfPatient)
+  {
+    PlaceInPatient(slices, image);
+  }
+  CheckDistances(folder, slices);
+  return image;
+}
+
+//------------------------------------------------------------------------------
 /// The reader that knows the first bytes, if there is one. The others print what they miss there.
 vtkSmartPointer<vtkImageReader2> FindReader(const std::string& fileName)
 {
@@ -276,6 +301,14 @@ vtkSmartPointer<vtkImageReader2> FindReader(const std::string& fileName)
 vtkSmartPointer<vtkImageData> ReadIntoMemory(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose, Axes axes)
 {
+  if (SystemTools::FileIsDirectory(fileName))
+  {
+    vtkSmartPointer<vtkImageData> image = ReadSlices(fileName, maxMemory, axes);
+    Extent whole;
+    image->GetExtent(whole.data());
+    image->Crop(choose(whole).data());
+    return image;
+  }
   if (!SystemTools::FileExists(fileName, true))
   {
     throw std::runtime_error("there is no file " + fileName);
@@ -354,31 +387,6 @@ vtkSmartPointer<vtkImageData> ReadPiece(
     return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose, Axes::OfSamples });
   }
   return ReadIntoMemory(fileName, maxMemory, choose, Axes::OfSamples);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
-{
-  const std::vector<DicomSlice> slices = FindSlices(folder);
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(folder.c_str());
-  const vtkSmartPointer<vtkImageData> image = Read(reader.Get(), folder,
-    { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, Axes::OfSamples });
-  if (image->GetDimensions()[2] != static_cast<int>(slices.size()))
-  {
-    Throw(folder,
-      "it has " + std::to_string(slices.size()) + " slices, of which VTK's reader takes " +
-        std::to_string(image->GetDimensions()[2]) +
-        " for one series; put each series into a folder of its own");
-  }
-  image->SetSpacing(
-    slices.front().Spacing[0], slices.front().Spacing[1], GetDistanceOfSlices(slices));
-  if (axes == Axes::OfPatient)
-  {
-    PlaceInPatient(slices, image);
-  }
-  CheckDistances(folder, slices);
-  return image;
 }
 
 }

@@ -18,6 +18,7 @@ from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
 
+from DicomSlices import write_dicom_slices
 from PictureTesting import count_colored
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
@@ -113,6 +114,15 @@ class TestIsosurfaceRender(unittest.TestCase):
             writer.SetFileName(str(self.folder / name))
             writer.Write()
             self.assertEqual(self.render(self.folder / name, "--isovalue", "28.5", processes=2), expected, name)
+
+    def test_slices(self):
+        """A folder of DICOM slices, of which each process reads all."""
+        folder = self.folder / "ct"
+        folder.mkdir()
+        write_dicom_slices(make_image(), folder)
+        alone = self.render(folder, "--isovalue", "157")
+        self.assertGreater(self.count_colored(alone), 1500)
+        self.assertEqual(self.render(folder, "--isovalue", "157", processes=3), alone)
 
     def test_other_formats(self):
         """Big-endian samples after a header that has a HeaderSize of 0; compressed ones, of which each process reads

@@ -28,10 +28,10 @@ from vtkmodules.vtkIOXML import (
 )
 from vtkmodules.vtkImagingCore import vtkImageAppendComponents, vtkImageShiftScale
 
+from DicomSlices import write_dicom_slices
 from Displays import with_display, without_display
 from MeshTesting import ball, make_grid, make_structured_grid
 from PictureTesting import make_waves, write_bad_volumes, write_waves
-from TestExamples import write_dicom_slices
 from ViewerSession import PATIENCE, Viewer, differ, xdotool
 
 PROGRAM = sys.argv.pop(1)

@@ -25,10 +25,10 @@ from vtkmodules.vtkIOXML import (
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkIsosurfaceRayTracing import isosurface, read, render
 
+from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid, make_structured_grid
 from PackageTesting import SIZE
 from PictureTesting import ISOVALUE, make_waves, write_bad_volumes
-from TestExamples import write_dicom_slices
 
 
 class TestRead(unittest.TestCase):
