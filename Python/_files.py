@@ -25,6 +25,10 @@ READERS = {
     ".nii": "vtkIOImage.vtkNIFTIImageReader",
     ".nii.gz": "vtkIOImage.vtkNIFTIImageReader",
     ".nrrd": "vtkIOImage.vtkNrrdReader",
+    ".pvti": "vtkIOXML.vtkXMLPImageDataReader",
+    ".pvtr": "vtkIOXML.vtkXMLPRectilinearGridReader",
+    ".pvts": "vtkIOXML.vtkXMLPStructuredGridReader",
+    ".pvtu": "vtkIOXML.vtkXMLPUnstructuredGridReader",
     ".vti": "vtkIOXML.vtkXMLImageDataReader",
     ".vtk": "vtkIOLegacy.vtkGenericDataObjectReader",
     ".vtm": "vtkIOXML.vtkXMLMultiBlockDataReader",
@@ -42,8 +46,8 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Parameters
     ----------
     path : str or os.PathLike
-        A file (.vti, .vtr, .vts, .vtu, .vtm, .vtk, .mhd, .mha, .nii, .nii.gz, .nrrd, .nhdr, or another image that
-        VTK reads), or a folder of DICOM slices.
+        A file (.vti, .vtr, .vts, .vtu, .pvti, .pvtr, .pvts, .pvtu, .vtm, .vtk, .mhd, .mha, .nii, .nii.gz,
+        .nrrd, .nhdr, or another image that VTK reads), or a folder of DICOM slices.
 
     Returns
     -------
@@ -102,6 +106,9 @@ def _make_reader(path):
             break
     else:
         reader = _module("vtkIOImage").vtkImageReader2Factory.CreateImageReader2(path)
+        # It takes any file for its own.
+        if reader is not None and reader.GetClassName() == "vtkHDRReader" and not path.lower().endswith((".hdr", ".pic")):
+            reader = None
     if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
     if reader is None:

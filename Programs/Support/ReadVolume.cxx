@@ -294,7 +294,12 @@ vtkSmartPointer<vtkImageReader2> FindReader(const std::string& fileName)
   vtkObject::GlobalWarningDisplayOff();
   auto reader = vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
   vtkObject::SetGlobalWarningDisplay(display);
-  return reader;
+  // It takes any file for its own.
+  const std::string extension =
+    SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
+  const bool isOther =
+    reader && reader->IsA("vtkHDRReader") && extension != ".hdr" && extension != ".pic";
+  return isOther ? nullptr : reader;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter, vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
@@ -219,6 +220,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
             self.write(vtkNIFTIImageWriter(), "waves.nii.gz", image),
             self.write(vtkDataSetWriter(), "waves.vtk", image),
             self.write(vtkXMLRectilinearGridWriter(), "waves.vtr", lattice),
+            self.write(vtkXMLPImageDataWriter(), "waves.pvti", image),
+            self.write(vtkXMLPUnstructuredGridWriter(), "ball.pvtu", mesh),
             self.write(vtkXMLMultiBlockDataWriter(), "waves.vtm", blocks),
             self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", mesh),
             self.write(vtkDataSetWriter(), "ball.vtk", mesh),
@@ -298,6 +301,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
         text.write_text("This is not a volume.\n", encoding="ascii")
         binary = self.folder / "binary.mhd"
         binary.write_bytes(b"\\\1\0\0\n\0\0")
+        surface = self.folder / "surface.vtp"
+        surface.write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
         array = self.folder / "array.npy"
         np.save(array, np.zeros((3, 3, 3)))
         mesh = self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", make_grid(VTK_TETRA, ball))
@@ -317,6 +322,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
             ((self.folder / "ball.obj",), "there is no file"),
             ((binary,), "binary.mhd cannot be read: it is another kind of file"),
             ((array,), "VTK has no image reader for"),
+            ((surface,), "VTK has no image reader for"),
             ((mesh, "--array", "heat"), 'ball.vtu: there is no array "heat"'),
             ((waves, "--array", "flat"), "no two different values, so there is no surface; --array chooses another: "),
             ((waves, "--max-memory", "0.01"), "--max-memory"),

@@ -16,6 +16,11 @@ from vtkmodules.vtkCommonCore import VTK_SHORT
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOParallelXML import (
+    vtkXMLPImageDataWriter,
+    vtkXMLPStructuredGridWriter,
+    vtkXMLPUnstructuredGridWriter,
+)
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
@@ -198,12 +203,23 @@ class TestRead(unittest.TestCase):
         tetrahedra, curved = make_grid(VTK_TETRA, ball), make_structured_grid(ball)
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, tetrahedra)
-        for writer, name, mesh in ((vtkXMLUnstructuredGridWriter(), "mesh.vtu", tetrahedra),
+        for writer, name, mesh in ((vtkXMLPUnstructuredGridWriter(), "mesh.pvtu", tetrahedra),
+                                   (vtkXMLPStructuredGridWriter(), "mesh.pvts", curved),
+                                   (vtkXMLUnstructuredGridWriter(), "mesh.vtu", tetrahedra),
                                    (vtkDataSetWriter(), "mesh.vtk", tetrahedra),
                                    (vtkXMLStructuredGridWriter(), "mesh.vts", curved),
                                    (vtkXMLMultiBlockDataWriter(), "mesh.vtm", blocks)):  # fmt: skip
             path = self.write(writer, name, mesh)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(mesh, 0.5, size=SIZE).rgba, name)
+
+    def test_images_in_pieces(self):
+        image = make_waves(8)
+        expected = render(image, ISOVALUE, size=SIZE).rgba
+        writer = vtkXMLPImageDataWriter()
+        writer.SetNumberOfPieces(3)
+        writer.SetEndPiece(2)
+        picture = render(self.write(writer, "waves.pvti", image), ISOVALUE, size=SIZE).rgba.astype(int)
+        self.assertLess((np.abs(picture - expected).max(axis=2) > 2).mean(), 0.001)
 
     def test_what_cannot_be_read(self):
         with self.assertRaisesRegex(FileNotFoundError, "there is no file absent.vti"):
@@ -221,12 +237,15 @@ class TestRead(unittest.TestCase):
         (self.folder / "volume.txt").write_text("no volume", encoding="ascii")
         with self.assertRaisesRegex(ValueError, "no reader for .*volume.txt; read it by another one"):
             read(self.folder / "volume.txt")
+        (self.folder / "surface.vtp").write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
+        with self.assertRaisesRegex(ValueError, "no reader for .*surface.vtp"):
+            read(self.folder / "surface.vtp")
         with self.assertRaises(TypeError):
             read(7)
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
-        for suffix in (".vti", ".vtu", ".vtk", ".vtm", ".nii", ".nii.gz", ".nrrd", ".mha", ".png"):
+        for suffix in (".vti", ".vtu", ".pvti", ".pvtu", ".vtk", ".vtm", ".nii", ".nii.gz", ".nrrd", ".mha", ".png"):
             (self.folder / f"text{suffix}").write_text("<VTKFile type='ImageData'><oops>", encoding="ascii")
         names = write_bad_volumes(str(self.folder)) + [str(path) for path in self.folder.glob("text*")]
         code = f"""
