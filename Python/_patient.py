@@ -34,7 +34,7 @@ def place_nifti(image, reader, path):
         image.SetOrigin([matrix.GetElement(row, 3) for row in range(3)])
     else:
         warnings.warn(f"{path}: the axes that its sform gives are not perpendicular; they are left out, and the samples "
-                      "have the axes of the file", RuntimeWarning, stacklevel=3)
+                      "have the axes of the file", RuntimeWarning, stacklevel=5)
 
 
 def _set_axes(image, axes):

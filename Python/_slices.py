@@ -55,13 +55,13 @@ def warn_of_distances(folder, slices):
         warnings.warn(
             f"{folder}: slices are missing, or are not evenly spaced: from {slices[index].name} to "
             f"{slices[index + 1].name} it is {distances[index]:g} mm, elsewhere {step:g}; they are drawn as if it were "
-            f"{step:g} everywhere", RuntimeWarning, stacklevel=3)
+            f"{step:g} everywhere", RuntimeWarning, stacklevel=4)
     steps = np.diff([each.position for each in slices], axis=0)
     shift = np.abs(steps @ np.transpose(slices[0].orientation)).sum(axis=0).max()
     if shift > max(slices[0].spacing):
         warnings.warn(
             f"{folder}: the slices are shifted against each other by up to {shift:g} mm, as those of a tilted gantry; "
-            f"this is not corrected: {REMEDY}", RuntimeWarning, stacklevel=3)
+            f"this is not corrected: {REMEDY}", RuntimeWarning, stacklevel=4)
 
 
 def _read_header(path, name):
@@ -73,11 +73,14 @@ def _read_header(path, name):
     reader.UpdateInformation()
     syntax = reader.GetTransferSyntaxUID()
     if syntax and syntax not in SYNTAXES:
-        raise ValueError(f"{path} is compressed (transfer syntax {syntax}), which VTK does not read; convert the slices "
-                         "by dcm2niix, and read the .nii file that it writes")
+        raise ValueError(f"{path} is compressed or big-endian (transfer syntax {syntax}), which VTK does not read; "
+                         "convert the slices by dcm2niix, and read the .nii file that it writes")
     if not reader.GetWidth() or not reader.GetHeight():  # a directory, or a report
         return
     kind = (reader.GetWidth(), reader.GetHeight(), reader.GetDataScalarType(), reader.GetNumberOfComponents())
+    bits = reader.GetWidth() * reader.GetHeight() * reader.GetNumberOfComponents() * reader.GetBitsAllocated()
+    if 8 * os.path.getsize(path) < bits:  # VTK leaves the other samples undefined.
+        raise ValueError(f"{path} is damaged: it ends before its last samples")
     # DICOM has the distance of rows first.
     down, along, _ = reader.GetPixelSpacing()
     yield Slice(name, kind, np.reshape(reader.GetImageOrientationPatient(), (2, 3)),

@@ -74,13 +74,21 @@ std::optional<DicomSlice> ReadHeader(const std::string& folder, const std::strin
   const std::string syntax = reader->GetTransferSyntaxUID();
   if (!syntax.empty() && syntax != "1.2.840.10008.1.2" && syntax != "1.2.840.10008.1.2.1")
   {
-    throw std::runtime_error(path + " is compressed (transfer syntax " + syntax +
+    throw std::runtime_error(path + " is compressed or big-endian (transfer syntax " + syntax +
       "), which VTK does not read; convert the slices by dcm2niix, and read the .nii file that it "
       "writes");
   }
   if (reader->GetWidth() == 0 || reader->GetHeight() == 0) // a directory, or a report
   {
     return std::nullopt;
+  }
+  const double bits = static_cast<double>(reader->GetWidth()) * reader->GetHeight() *
+    reader->GetNumberOfComponents() * reader->GetBitsAllocated();
+  constexpr double bitsPerByte = 8.0;
+  if (bitsPerByte * static_cast<double>(vtksys::SystemTools::FileLength(path)) < bits)
+  {
+    // VTK leaves the other samples undefined.
+    throw std::runtime_error(path + " is damaged: it ends before its last samples");
   }
   const float* directions = reader->GetImageOrientationPatient();
   // DICOM has the distance of rows first.

@@ -348,6 +348,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
         compressed = self.write_slices("compressed", make_waves(5))
         path = compressed / "004.dcm"
         path.write_bytes(path.read_bytes().replace(b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.2.5\0"))
+        cut = self.write_slices("cut", make_waves(9))
+        (cut / "004.dcm").write_bytes((cut / "004.dcm").read_bytes()[:600])
         one = self.write_slices("one", make_waves(5))
         for path in sorted(one.iterdir())[1:]:
             path.unlink()
@@ -356,7 +358,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
             ("scout", "000.dcm and second000.dcm; put each series into a folder of its own"),
             ("two", "has several slices at one place"),
             ("shifted", "has 22 slices, of which VTK's reader takes 11 for one series"),
-            ("compressed", "004.dcm is compressed (transfer syntax 1.2.840.10008.1.2.5)"),
+            ("compressed", "004.dcm is compressed or big-endian (transfer syntax 1.2.840.10008.1.2.5)"),
+            ("cut", "004.dcm is damaged: it ends before its last samples"),
             ("one", "has one slice, 000.dcm; if there are several in it, convert them by dcm2niix"),
         ):
             with self.subTest(name):

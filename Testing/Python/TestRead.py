@@ -139,8 +139,12 @@ class TestRead(unittest.TestCase):
         compressed = self.write_slices("compressed", image)
         (compressed / "004.dcm").write_bytes(
             (compressed / "004.dcm").read_bytes().replace(b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.2.5\0"))
-        with self.assertRaisesRegex(ValueError, r"004.dcm is compressed \(transfer syntax 1.2.840.10008.1.2.5\)"):
+        with self.assertRaisesRegex(ValueError, r"004.dcm is compressed or big-endian \(transfer syntax 1.2.840.10008.1.2.5\)"):
             read(compressed)
+        cut = self.write_slices("cut", image)
+        (cut / "004.dcm").write_bytes((cut / "004.dcm").read_bytes()[:600])
+        with self.assertRaisesRegex(ValueError, "004.dcm is damaged: it ends before its last samples"):
+            read(cut)
         for path in sorted(compressed.iterdir())[1:]:
             path.unlink()
         with self.assertRaisesRegex(ValueError, "has one slice, 000.dcm"):
