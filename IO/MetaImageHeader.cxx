@@ -68,6 +68,10 @@ Header ReadHeader(const std::string& fileName)
   std::string line;
   while (std::getline(lines, line))
   {
+    if (line.find('\0') != std::string::npos)
+    {
+      header.Throw("it is another kind of file: a MetaImage begins with lines such as NDims = 3");
+    }
     const std::size_t separator = line.find_first_of("=:");
     const std::string name = Trim(line.substr(0, separator));
     const std::string value =

@@ -16,7 +16,8 @@
  *
  * - MetaImage (.mhd, .mha)
  * - NRRD (.nhdr, .nrrd) with the encoding raw
- * - NIfTI (.nii); of several time steps the first
+ * - NIfTI (.nii); of several time steps the first; the values as they are stored, to which
+ * scl_slope and scl_inter are not applied
  * - the XML format of VTK (.vti) with raw appended data (vtkXMLWriter::EncodeAppendedDataOff,
  *   SetCompressorTypeToNone), in one piece; only the active scalars of the points
  * - files of any other name as raw samples, of which the extent, type, header size, byte order and

@@ -40,7 +40,8 @@ def to_data(data, spacing=None, origin=None, direction=None):
 def _make_image(array, spacing, origin, direction):
     if np.ndim(array) != 3 or min(np.shape(array)) < 2:
         raise ValueError(
-            f"a volume has three axes with two samples or more on each; the shape of this array is {np.shape(array)}")
+            f"a volume has three axes with two samples or more on each; the shape of this array is {np.shape(array)}"
+            + ("; give one volume of it, as array[..., 0]" if np.ndim(array) > 3 else ""))
     image = vtkImageData()
     image.SetDimensions(np.shape(array))
     image.SetSpacing(_numbers("spacing", spacing, (3,), 1.0))

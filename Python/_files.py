@@ -8,19 +8,27 @@ import importlib
 import math
 import os
 import re
+import warnings
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
-from ._patient import place
+from ._patient import place_nifti, place_slices
+from ._slices import find_slices, warn_of_distances
 
 READERS = {
     ".nhdr": "vtkIOImage.vtkNrrdReader",
     ".nii": "vtkIOImage.vtkNIFTIImageReader",
     ".nii.gz": "vtkIOImage.vtkNIFTIImageReader",
     ".nrrd": "vtkIOImage.vtkNrrdReader",
+    ".pvti": "vtkIOXML.vtkXMLPImageDataReader",
+    ".pvtr": "vtkIOXML.vtkXMLPRectilinearGridReader",
+    ".pvts": "vtkIOXML.vtkXMLPStructuredGridReader",
+    ".pvtu": "vtkIOXML.vtkXMLPUnstructuredGridReader",
     ".vti": "vtkIOXML.vtkXMLImageDataReader",
     ".vtk": "vtkIOLegacy.vtkGenericDataObjectReader",
     ".vtm": "vtkIOXML.vtkXMLMultiBlockDataReader",
@@ -29,6 +37,8 @@ READERS = {
     ".vtu": "vtkIOXML.vtkXMLUnstructuredGridReader",
 }
 
+COLORS_OF_NIFTI = (128, 2304)  # DT_RGB24 and DT_RGBA32, which are not scaled
+
 
 def read(path: str | os.PathLike) -> vtkDataObject:
     """Read a volume or a mesh.
@@ -36,45 +46,71 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Parameters
     ----------
     path : str or os.PathLike
-        A file (.vti, .vtr, .vts, .vtu, .vtm, .vtk, .mhd, .mha, .nii, .nii.gz, .nrrd, .nhdr, or another image that
-        VTK reads), or a folder of DICOM slices.
+        A file (.vti, .vtr, .vts, .vtu, .pvti, .pvtr, .pvts, .pvtu, .vtm, .vtk, .mhd, .mha, .nii, .nii.gz,
+        .nrrd, .nhdr, or another image that VTK reads), or a folder of DICOM slices.
 
     Returns
     -------
     vtkDataObject
-        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI have their axes in the patient: x to
-        the right, y to the front, z to the head.
+        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI have their axes and their origin in
+        the patient: x to the right, y to the front, z to the head. Of several volumes in a NIfTI it is the first.
+        Values are scaled as DICOM and NIfTI (scl_slope, scl_inter) tell.
 
     Raises
     ------
     FileNotFoundError
         There is no such file or folder.
     ValueError
-        VTK has no reader for it, or it is damaged, or not a volume.
+        VTK has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
     MemoryError
         It announces more samples than this machine has memory for.
+
+    Warns
+    -----
+    RuntimeWarning
+        Something is left out: other volumes of a NIfTI, axes that are not perpendicular, slices that are missing.
     """
     path = os.fspath(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"there is no file {path}")
+    if os.path.isfile(path) and os.path.getsize(path) == 0:
+        raise ValueError(f"{path} is empty")
     with silence():
-        data = _read_whole(_make_reader(path), path)
+        data = _read_slices(path) if os.path.isdir(path) else _read_whole(_make_reader(path), path)
+    if isinstance(data, vtkImageData) and data.GetNumberOfPoints() > 0 and data.GetDataDimension() < 3:
+        size = " x ".join(map(str, data.GetDimensions()))
+        raise ValueError(f"{path} is not a volume: it has {size} samples, and two or more are needed on each axis")
     if data is None or isinstance(data, vtkImageData) and not _is_volume(data):
         raise ValueError(f"{path} is damaged, or not a volume")
     return data
 
 
+def _read_slices(folder):
+    slices = find_slices(folder)
+    reader = _new("vtkIOImage.vtkDICOMImageReader")
+    reader.SetDirectoryName(folder)
+    data = _read_whole(reader, folder)
+    if data is not None:
+        if data.GetDimensions()[2] != len(slices):
+            raise ValueError(f"{folder} has {len(slices)} slices, of which VTK's reader takes {data.GetDimensions()[2]} "
+                             "for one series; put each series into a folder of its own")
+        place_slices(data, slices)
+        warn_of_distances(folder, slices)
+    return data
+
+
 def _make_reader(path):
-    if os.path.isdir(path):
-        reader = _new("vtkIOImage.vtkDICOMImageReader")
-        reader.SetDirectoryName(path)
-        return reader
     for suffix, name in READERS.items():
         if path.lower().endswith(suffix):
             reader = _new(name)
             break
     else:
         reader = _module("vtkIOImage").vtkImageReader2Factory.CreateImageReader2(path)
+        # It takes any file for its own.
+        if reader is not None and reader.GetClassName() == "vtkHDRReader" and not path.lower().endswith((".hdr", ".pic")):
+            reader = None
+    if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
+        raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
     if reader is None:
         raise ValueError(f"VTK has no reader for {path}; read it by another one, and give its data")
     reader.SetFileName(path)
@@ -107,8 +143,24 @@ def _read_whole(reader, path):
     data = reader.GetOutputDataObject(0)
     if errors or data is None:
         return None
-    place(data, reader)
+    if reader.GetClassName() == "vtkNIFTIImageReader":
+        _finish_nifti(data, reader, path)
     return data
+
+
+def _finish_nifti(image, reader, path):
+    """What VTK's reader tells and does not do."""
+    place_nifti(image, reader, path)
+    slope, intercept = reader.GetRescaleSlope(), reader.GetRescaleIntercept()
+    is_scaled = (slope, intercept) != (1.0, 0.0) and slope != 0.0 and math.isfinite(slope) and math.isfinite(intercept)
+    if is_scaled and reader.GetNIFTIHeader().GetDataType() not in COLORS_OF_NIFTI:
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        scaled = numpy_to_vtk((values * slope + intercept).astype(np.result_type(values, np.float32)))
+        scaled.SetName(image.GetPointData().GetScalars().GetName())
+        image.GetPointData().SetScalars(scaled)
+    header = reader.GetNIFTIHeader()
+    if header.GetDim(0) > 3 and header.GetDim(4) > 1:
+        warnings.warn(f"{path} has {header.GetDim(4)} volumes; this is the first of them", RuntimeWarning, stacklevel=4)
 
 
 def _count_bytes(reader):

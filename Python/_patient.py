@@ -2,37 +2,44 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where an image is in a patient: x to the right, y to the front and z to the head, as in NIfTI."""
 
-import math
+import warnings
+
+import numpy as np
+
+from ._slices import distances_of
+
+FROM_DICOM = np.array([-1.0, -1.0, 1.0])  # DICOM has x to the left and y to the back
 
 
-def place(image, reader):
-    """Turn an image as its file says, which VTK's readers of DICOM and NIfTI tell but do not do."""
-    kind = reader.GetClassName()
-    if kind == "vtkDICOMImageReader":
-        _set_axes(image, _axes_of_dicom(reader.GetImageOrientationPatient()))
-    elif kind == "vtkNIFTIImageReader":
-        matrix = reader.GetQFormMatrix() or reader.GetSFormMatrix()
-        if matrix and _set_axes(image, [[matrix.GetElement(row, column) for row in range(3)] for column in range(3)]):
-            image.SetOrigin([matrix.GetElement(row, 3) for row in range(3)])
+def place_slices(image, slices):
+    """Turn and move an image as its slices of DICOM say, which VTK's reader tells but does not do."""
+    along, down = slices[0].orientation * FROM_DICOM
+    # VTK begins with the last slice along the normal, and at its last row.
+    _set_axes(image, np.transpose([along, -down, -np.cross(along, down)]))
+    image.SetSpacing(*slices[0].spacing, np.median(distances_of(slices)))
+    rows = image.GetDimensions()[1]
+    image.SetOrigin(slices[0].position * FROM_DICOM + down * (rows - 1) * slices[0].spacing[1])
 
 
-def _axes_of_dicom(orientation):
-    """Those of the image, of the directions of rows and columns."""
-    along, down = ((-x, -y, z) for x, y, z in (orientation[:3], orientation[3:]))  # DICOM has x to the left, y to the back
-    normal = _cross(along, down)
-    # VTK begins at the last row, and with the last slice along the normal.
-    return [along, [-each for each in down], [-each for each in normal]]
+def place_nifti(image, reader, path):
+    """The same of NIfTI."""
+    matrix = reader.GetQFormMatrix() or reader.GetSFormMatrix()
+    if not matrix:
+        return
+    axes = np.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
+    # An sform has spacings of its own.
+    scales = np.ones(3) if reader.GetQFormMatrix() else np.linalg.norm(axes, axis=0)
+    if scales.all() and _set_axes(image, axes / scales):
+        image.SetSpacing(scales * image.GetSpacing())
+        image.SetOrigin([matrix.GetElement(row, 3) for row in range(3)])
+    else:
+        warnings.warn(f"{path}: the axes that its sform gives are not perpendicular; they are left out, and the samples "
+                      "have the axes of the file", RuntimeWarning, stacklevel=5)
 
 
 def _set_axes(image, axes):
-    """Returns whether they are axes: of length one, and perpendicular."""
-    for i, axis in enumerate(axes):
-        for j in range(i + 1):
-            if not abs(math.fsum(a * b for a, b in zip(axis, axes[j])) - (i == j)) < 1e-3:
-                return False
-    image.SetDirectionMatrix([axis[row] for row in range(3) for axis in axes])
+    """Take the columns of a matrix. Returns whether they are axes: of length one, and perpendicular."""
+    if not np.abs(axes.T @ axes - np.eye(3)).max() < 1e-3:
+        return False
+    image.SetDirectionMatrix(axes.ravel())
     return True
-
-
-def _cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

@@ -17,7 +17,7 @@ def to_volume(surfaces, isovalues, options):
     if not volumes or not all(isinstance(volume, vtkVolume) for volume in volumes):
         if volumes is not surfaces:
             return isosurface(surfaces, isovalues, **options)
-        raise TypeError("several surfaces are a list of what isosurface() returns")
+        raise TypeError("several surfaces are a list of what isosurface() returns; give numbers as a numpy array")
     if options or not isinstance(isovalues, str):
         raise TypeError(f"{', '.join(options) or 'isovalues'} cannot be given here: isosurface() has taken them")
     for volume in volumes:

@@ -39,6 +39,17 @@ int ToPixel(double coordinate)
 }
 
 //------------------------------------------------------------------------------
+/// See vtkIsosurfaceRayTraceMapper::PickPixel.
+struct vtkIsosurfacePicker::SurfaceHit
+{
+  double Position[3];
+  double Parametric[3];
+  vtkIdType Cell;
+  double Isovalue;
+  double Normal[3];
+};
+
+//------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkIsosurfacePicker);
 
 //------------------------------------------------------------------------------

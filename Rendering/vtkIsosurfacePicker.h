@@ -65,15 +65,7 @@ private:
   vtkIsosurfacePicker(const vtkIsosurfacePicker&) = delete;
   void operator=(const vtkIsosurfacePicker&) = delete;
 
-  /// See vtkIsosurfaceRayTraceMapper::PickPixel.
-  struct SurfaceHit
-  {
-    double Position[3];
-    double Parametric[3];
-    vtkIdType Cell;
-    double Isovalue;
-    double Normal[3];
-  };
+  struct SurfaceHit;
 
   bool FindHit(vtkIsosurfaceRayTraceEngine& engine, vtkVolume* volume, const double p1[3],
     const double p2[3], SurfaceHit& hit);

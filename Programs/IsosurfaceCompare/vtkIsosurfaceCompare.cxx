@@ -99,8 +99,8 @@ Arguments ParseArguments(int argc, char* argv[])
   Arguments arguments;
   Programs::CommandLine commandLine(argc, argv);
   commandLine.Add("--input", &arguments.Input,
-    "A volume: .vti, .nii, .mhd or any other image that VTK reads; or a mesh: .vtu, .vts, .vtk, "
-    ".vtm or Exodus.");
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices; or "
+    "a mesh: .vtu, .vts, .pvtu, .pvts, .vtk, .vtm or Exodus.");
   commandLine.Add("--array", &arguments.Array,
     "The array of a mesh, of points or cells. Default: its active scalars.");
   commandLine.Add(

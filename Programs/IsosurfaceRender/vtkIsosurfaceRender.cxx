@@ -63,8 +63,8 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
 {
   Arguments arguments;
   Programs::CommandLine commandLine(argc, argv);
-  commandLine.Add(
-    "--input", &arguments.Input, "A volume: .vti, .nii, .mhd or any other image that VTK reads.");
+  commandLine.Add("--input", &arguments.Input,
+    "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices.");
   commandLine.Add(
     "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
   commandLine.Add(

@@ -3,13 +3,14 @@
 
 #include "PatientAxes.h"
 
-#include <vtkDICOMImageReader.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageReader.h>
 
+#include <array>
 #include <cmath>
+#include <iostream>
 
 namespace Programs
 {
@@ -38,54 +39,69 @@ bool AreAxes(const double matrix[9])
   return true;
 }
 
-/// A direction of DICOM, which has x to the left and y to the back.
-void TakeDirection(const float* direction, double result[3])
+/// A point or a direction of DICOM, which has x to the left and y to the back.
+std::array<double, 3> FromDicom(const std::array<double, 3>& v)
 {
-  result[0] = -static_cast<double>(direction[0]);
-  result[1] = -static_cast<double>(direction[1]);
-  result[2] = static_cast<double>(direction[2]);
+  return { -v[0], -v[1], v[2] };
 }
 
 }
 
 //------------------------------------------------------------------------------
-void PlaceInPatient(vtkDICOMImageReader* reader, vtkImageData* image)
+void PlaceInPatient(const std::vector<DicomSlice>& slices, vtkImageData* image)
 {
-  const float* orientation = reader->GetImageOrientationPatient();
-  double along[3];
-  double down[3];
-  double normal[3];
-  TakeDirection(orientation, along);
-  TakeDirection(orientation + 3, down);
-  vtkMath::Cross(along, down, normal);
-  // VTK begins at the last row, and with the last slice along the normal.
+  // VTK begins with the last slice along the normal, and at its last row.
+  const DicomSlice& first = slices.front();
+  const std::array<double, 3> along = FromDicom(first.AlongRows);
+  const std::array<double, 3> down = FromDicom(first.DownColumns);
+  std::array<double, 3> normal;
+  vtkMath::Cross(along.data(), down.data(), normal.data());
   const double matrix[9] = { along[0], -down[0], -normal[0], along[1], -down[1], -normal[1],
     along[2], -down[2], -normal[2] };
   if (AreAxes(matrix))
   {
     image->SetDirectionMatrix(matrix);
   }
+  const std::array<double, 3> position = FromDicom(first.Position);
+  const double height = (image->GetDimensions()[1] - 1) * first.Spacing[1];
+  image->SetOrigin(
+    position[0] + height * down[0], position[1] + height * down[1], position[2] + height * down[2]);
 }
 
 //------------------------------------------------------------------------------
 void PlaceInPatient(vtkNIFTIImageReader* reader, vtkImageData* image)
 {
-  vtkMatrix4x4* place =
-    reader->GetQFormMatrix() ? reader->GetQFormMatrix() : reader->GetSFormMatrix();
+  const bool isRigid = reader->GetQFormMatrix() != nullptr;
+  vtkMatrix4x4* place = isRigid ? reader->GetQFormMatrix() : reader->GetSFormMatrix();
   if (!place)
   {
     return;
   }
   double matrix[9];
-  for (int i = 0; i < 9; ++i)
+  std::array<double, 3> spacing;
+  image->GetSpacing(spacing.data());
+  for (int column = 0; column < 3; ++column)
   {
-    matrix[i] = place->GetElement(i / 3, i % 3);
+    const std::array<double, 3> axis = { place->GetElement(0, column), place->GetElement(1, column),
+      place->GetElement(2, column) };
+    // An sform has spacings of its own.
+    const double scale = isRigid ? 1.0 : vtkMath::Norm(axis.data());
+    for (int row = 0; row < 3; ++row)
+    {
+      matrix[3 * row + column] = axis[row] / scale;
+    }
+    spacing[column] *= scale;
   }
-  if (AreAxes(matrix))
+  if (!AreAxes(matrix))
   {
-    image->SetDirectionMatrix(matrix);
-    image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+    std::cerr << "warning: " << reader->GetFileName()
+              << ": the axes that its sform gives are not perpendicular; they are left out, and "
+                 "the samples have the axes of the file\n";
+    return;
   }
+  image->SetDirectionMatrix(matrix);
+  image->SetSpacing(spacing.data());
+  image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 }
 
 }

@@ -19,15 +19,18 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPImageDataReader.h>
+#include <vtkXMLPRectilinearGridReader.h>
+#include <vtkXMLPStructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
+#include <map>
 #include <new>
 #include <stdexcept>
-#include <vector>
 
 namespace Programs
 {
@@ -39,16 +42,6 @@ using vtksys::SystemTools;
 std::string GetExtension(const std::string& fileName)
 {
   return SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
-}
-
-bool IsOneOf(const std::string& extension, const std::vector<std::string>& extensions)
-{
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
-}
-
-bool IsExodus(const std::string& fileName)
-{
-  return IsOneOf(GetExtension(fileName), { ".ex2", ".exo", ".e", ".g" });
 }
 
 //------------------------------------------------------------------------------
@@ -123,50 +116,44 @@ vtkSmartPointer<vtkDataObject> ReadLegacyOfAnyKind(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-/// By the reader for the very kind of file: those for several kinds do not pass errors on.
-vtkSmartPointer<vtkDataObject> ReadGrid(const std::string& fileName)
+template <typename ReaderT>
+vtkSmartPointer<vtkDataObject> ReadXml(const std::string& fileName)
 {
-  const std::string extension = GetExtension(fileName);
-  if (IsExodus(fileName))
-  {
-    return ReadExodus(fileName);
-  }
-  if (extension == ".vtu")
-  {
-    return Read(vtkNew<vtkXMLUnstructuredGridReader>().Get(), fileName);
-  }
-  if (extension == ".vts")
-  {
-    return Read(vtkNew<vtkXMLStructuredGridReader>().Get(), fileName);
-  }
-  if (extension == ".vtr")
-  {
-    return Read(vtkNew<vtkXMLRectilinearGridReader>().Get(), fileName);
-  }
-  if (extension == ".vtm")
-  {
-    return Read(vtkNew<vtkXMLMultiBlockDataReader>().Get(), fileName);
-  }
-  return ReadLegacyOfAnyKind(fileName);
+  return Read(vtkNew<ReaderT>().Get(), fileName);
 }
+
+//------------------------------------------------------------------------------
+using ReadFunction = vtkSmartPointer<vtkDataObject> (*)(const std::string&);
+
+/// Readers for the very kind of file: those for several kinds do not pass errors on.
+const std::map<std::string, ReadFunction> Readers = {
+  { ".e", ReadExodus },
+  { ".ex2", ReadExodus },
+  { ".exo", ReadExodus },
+  { ".g", ReadExodus },
+  { ".pvti", ReadXml<vtkXMLPImageDataReader> },
+  { ".pvtr", ReadXml<vtkXMLPRectilinearGridReader> },
+  { ".pvts", ReadXml<vtkXMLPStructuredGridReader> },
+  { ".pvtu", ReadXml<vtkXMLPUnstructuredGridReader> },
+  { ".vtk", ReadLegacyOfAnyKind },
+  { ".vtm", ReadXml<vtkXMLMultiBlockDataReader> },
+  { ".vtr", ReadXml<vtkXMLRectilinearGridReader> },
+  { ".vts", ReadXml<vtkXMLStructuredGridReader> },
+  { ".vtu", ReadXml<vtkXMLUnstructuredGridReader> },
+};
 
 }
 
 //------------------------------------------------------------------------------
 bool IsGrid(const std::string& fileName)
 {
-  return IsExodus(fileName) ||
-    IsOneOf(GetExtension(fileName), { ".vtk", ".vtu", ".vts", ".vtr", ".vtm" });
+  return Readers.count(GetExtension(fileName)) > 0;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, double maxMemory)
 {
-  if (SystemTools::FileIsDirectory(fileName))
-  {
-    return ReadSlices(fileName, maxMemory, Axes::OfPatient);
-  }
-  if (!IsGrid(fileName))
+  if (SystemTools::FileIsDirectory(fileName) || !IsGrid(fileName))
   {
     return ReadVolume(fileName, maxMemory, Axes::OfPatient);
   }
@@ -179,7 +166,7 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, doubl
   {
     throw std::runtime_error(fileName + " has more bytes than --max-memory allows");
   }
-  return ReadGrid(fileName);
+  return Readers.at(GetExtension(fileName))(fileName);
 }
 
 }

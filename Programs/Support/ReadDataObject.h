@@ -18,7 +18,7 @@ namespace Programs
 {
 
 /// Whether the name of a file is that of a grid, a mesh or composite data for ReadDataObject: .vtu,
-/// .vts, .vtr, .vtk, .vtm, .ex2, .exo, .e or .g.
+/// .vts, .vtr, .pvtu, .pvts, .pvtr, .pvti, .vtk, .vtm, .ex2, .exo, .e or .g.
 bool IsGrid(const std::string& fileName);
 
 /// What is in a file: a grid, a mesh or composite data, or else an image, as by ReadVolume; of a

@@ -3,10 +3,12 @@
 
 #include "ReadVolume.h"
 
+#include "DicomSlices.h"
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
 #include "PatientAxes.h"
 #include "ReaderErrors.h"
+#include "ScaledValues.h"
 #include "vtkMappedImageReader.h"
 
 #include <vtkAlgorithm.h>
@@ -31,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <new>
 #include <optional>
@@ -131,7 +134,8 @@ void CheckGeometry(vtkImageData* image, const std::string& name)
 //------------------------------------------------------------------------------
 void CheckHeader(vtkAlgorithm*, const std::string&) {}
 
-/// VTK's reader writes beyond its memory if a dimension is not positive.
+/// VTK's reader writes beyond its memory if a dimension is not positive. Of several volumes it
+/// reads the first.
 void CheckHeader(vtkNIFTIImageReader* reader, const std::string& name)
 {
   vtkNIFTIImageHeader* header = reader->GetNIFTIHeader();
@@ -141,6 +145,11 @@ void CheckHeader(vtkNIFTIImageReader* reader, const std::string& name)
     {
       Throw(name, "its header has a dimension of " + std::to_string(header->GetDim(i)));
     }
+  }
+  if (header->GetDim(0) > 3 && header->GetDim(4) > 1)
+  {
+    std::cerr << "warning: " << name << " has " << header->GetDim(4)
+              << " volumes; the first of them is taken\n";
   }
 }
 
@@ -233,7 +242,7 @@ vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& name, con
           PlaceInPatient(reader, image);
         }
         CheckGeometry(image, name);
-        return image;
+        return ScaleValues(reader, image);
       }
     }
   }
@@ -253,9 +262,58 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
+{
+  const std::vector<DicomSlice> slices = FindSlices(folder);
+  vtkNew<vtkDICOMImageReader> reader;
+  reader->SetDirectoryName(folder.c_str());
+  const vtkSmartPointer<vtkImageData> image = Read(reader.Get(), folder,
+    { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, Axes::OfSamples });
+  if (image->GetDimensions()[2] != static_cast<int>(slices.size()))
+  {
+    Throw(folder,
+      "it has " + std::to_string(slices.size()) + " slices, of which VTK's reader takes " +
+        std::to_string(image->GetDimensions()[2]) +
+        " for one series; put each series into a folder of its own");
+  }
+  image->SetSpacing(
+    slices.front().Spacing[0], slices.front().Spacing[1], GetDistanceOfSlices(slices));
+  if (axes == Axes::OfPatient)
+  {
+    PlaceInPatient(slices, image);
+  }
+  CheckDistances(folder, slices);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+/// The reader that knows the first bytes, if there is one. The others print what they miss there.
+vtkSmartPointer<vtkImageReader2> FindReader(const std::string& fileName)
+{
+  const int display = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  auto reader = vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  vtkObject::SetGlobalWarningDisplay(display);
+  // It takes any file for its own.
+  const std::string extension =
+    SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
+  const bool isOther =
+    reader && reader->IsA("vtkHDRReader") && extension != ".hdr" && extension != ".pic";
+  return isOther ? nullptr : reader;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadIntoMemory(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose, Axes axes)
 {
+  if (SystemTools::FileIsDirectory(fileName))
+  {
+    vtkSmartPointer<vtkImageData> image = ReadSlices(fileName, maxMemory, axes);
+    Extent whole;
+    image->GetExtent(whole.data());
+    image->Crop(choose(whole).data());
+    return image;
+  }
   if (!SystemTools::FileExists(fileName, true))
   {
     throw std::runtime_error("there is no file " + fileName);
@@ -281,13 +339,26 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
   // Before the factory, whose readers look into the file.
   const double capacity =
     ImageFiles::IsMetaImage(fileName) ? ImageFiles::GetCapacityOfMetaImage(fileName) : unknown;
-  const auto reader =
-    vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  const auto reader = FindReader(fileName);
   if (!reader)
   {
     throw std::runtime_error("VTK has no image reader for " + fileName);
   }
   return ReadFile(reader.Get(), fileName, { capacity, maxMemory, choose, axes });
+}
+
+//------------------------------------------------------------------------------
+/// Whether the values are others than those that are stored.
+bool IsScaled(const std::string& fileName)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetFileName(fileName.c_str());
+  if (!ImageFiles::IsNifti(fileName))
+  {
+    return false;
+  }
+  reader->UpdateInformation();
+  return HasScale(reader);
 }
 
 }
@@ -315,21 +386,12 @@ vtkSmartPointer<vtkImageData> ReadPiece(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose)
 {
   vtkNew<vtkMappedImageReader> mapped;
-  if (mapped->CanReadFile(fileName.c_str()))
+  if (mapped->CanReadFile(fileName.c_str()) && !IsScaled(fileName))
   {
     const double unlimited = std::numeric_limits<double>::infinity();
     return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose, Axes::OfSamples });
   }
   return ReadIntoMemory(fileName, maxMemory, choose, Axes::OfSamples);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
-{
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(folder.c_str());
-  return Read(reader.Get(), folder,
-    { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, axes });
 }
 
 }

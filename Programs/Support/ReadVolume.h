@@ -33,9 +33,10 @@ enum class Axes
   OfPatient
 };
 
-/// The image in a file, read by the reader of VTK for its extension or its first bytes. Throws
-/// std::runtime_error if there is no such reader, if it finds no image, or if the header asks for
-/// more samples than there are in the file or than fit into so many MiB.
+/// The image in a file, read by the reader of VTK for its extension or its first bytes, or in a
+/// folder of DICOM slices. Throws std::runtime_error if there is no such reader, if it finds no
+/// image, or if the header asks for more samples than there are in the file or than fit into so
+/// many MiB.
 vtkSmartPointer<vtkImageData> ReadVolume(
   const std::string& fileName, double maxMemory, Axes axes = Axes::OfSamples);
 
@@ -47,10 +48,6 @@ using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)
 /// vtkMappedImageReader), nothing is read, and the part may have any size.
 vtkSmartPointer<vtkImageData> ReadPiece(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose);
-
-/// The image in a folder of DICOM slices; throws as ReadVolume does.
-vtkSmartPointer<vtkImageData> ReadSlices(
-  const std::string& folder, double maxMemory, Axes axes = Axes::OfSamples);
 
 }
 

@@ -7,7 +7,6 @@
 
 #include <vtkImageData.h>
 #include <vtkPointData.h>
-#include <vtksys/SystemTools.hxx>
 
 #include <stdexcept>
 
@@ -17,9 +16,7 @@ namespace Benchmark
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, double maxMemory)
 {
-  const bool isDirectory = vtksys::SystemTools::FileIsDirectory(fileName);
-  vtkSmartPointer<vtkImageData> image = isDirectory ? Programs::ReadSlices(fileName, maxMemory)
-                                                    : Programs::ReadVolume(fileName, maxMemory);
+  vtkSmartPointer<vtkImageData> image = Programs::ReadVolume(fileName, maxMemory);
   if (!image->GetPointData()->GetScalars() || image->GetDataDimension() != 3)
   {
     throw std::runtime_error(fileName + " is not a volume with point scalars");

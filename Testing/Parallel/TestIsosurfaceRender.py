@@ -14,10 +14,11 @@ import time
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkIOImage import vtkMetaImageWriter
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
 
+from DicomSlices import write_dicom_slices
 from PictureTesting import count_colored
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
@@ -90,6 +91,38 @@ class TestIsosurfaceRender(unittest.TestCase):
                 for processes in (1, 2, 3):
                     with self.subTest(name=name, arguments=arguments, processes=processes):
                         self.assertEqual(self.render(volume, *arguments, processes=processes), alone)
+
+    def test_scaled_nifti(self):
+        """Isovalues are those that the file means: of the values that are stored times scl_slope, plus scl_inter."""
+        stored = vtkImageShiftScale()
+        stored.SetInputData(make_image())
+        stored.SetOutputScalarTypeToShort()
+        meant = vtkImageShiftScale()
+        meant.SetInputConnection(stored.GetOutputPort())
+        meant.SetShift(-100.0)
+        meant.SetScale(0.5)
+        meant.SetOutputScalarTypeToFloat()
+        meant.Update()
+        write(meant.GetOutput(), self.folder / "meant.mhd")
+        expected = self.render(self.folder / "meant.mhd", "--isovalue", "28.5")
+        self.assertGreater(self.count_colored(expected), 1500)
+        writer = vtkNIFTIImageWriter()
+        writer.SetInputConnection(stored.GetOutputPort())
+        writer.SetRescaleSlope(0.5)
+        writer.SetRescaleIntercept(-50.0)
+        for name in ("scaled.nii", "scaled.nii.gz"):
+            writer.SetFileName(str(self.folder / name))
+            writer.Write()
+            self.assertEqual(self.render(self.folder / name, "--isovalue", "28.5", processes=2), expected, name)
+
+    def test_slices(self):
+        """A folder of DICOM slices, of which each process reads all."""
+        folder = self.folder / "ct"
+        folder.mkdir()
+        write_dicom_slices(make_image(), folder)
+        alone = self.render(folder, "--isovalue", "157")
+        self.assertGreater(self.count_colored(alone), 1500)
+        self.assertEqual(self.render(folder, "--isovalue", "157", processes=3), alone)
 
     def test_other_formats(self):
         """Big-endian samples after a header that has a HeaderSize of 0; compressed ones, of which each process reads

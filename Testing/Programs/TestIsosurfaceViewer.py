@@ -16,8 +16,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkMultiBlockDataSet, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter, vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
@@ -25,12 +27,12 @@ from vtkmodules.vtkIOXML import (
     vtkXMLStructuredGridWriter,
     vtkXMLUnstructuredGridWriter,
 )
-from vtkmodules.vtkImagingCore import vtkImageShiftScale
+from vtkmodules.vtkImagingCore import vtkImageAppendComponents, vtkImageShiftScale
 
+from DicomSlices import write_dicom_slices
 from Displays import with_display, without_display
 from MeshTesting import ball, make_grid, make_structured_grid
 from PictureTesting import make_waves, write_bad_volumes, write_waves
-from TestExamples import write_dicom_slices
 from ViewerSession import PATIENCE, Viewer, differ, xdotool
 
 PROGRAM = sys.argv.pop(1)
@@ -170,6 +172,12 @@ class TestIsosurfaceViewer(unittest.TestCase):
         self.assertLess(differ(viewer.take_picture(), plain), 0.001)
         viewer.quit()
 
+    def write_slices(self, name, image, orientation=(1, 0, 0, 0, 1, 0)):
+        slices = self.folder / name
+        slices.mkdir(exist_ok=True)
+        write_dicom_slices(image, slices, orientation)
+        return slices
+
     def write_files(self):
         """The same volume in each format, and meshes."""
         shorts = vtkImageShiftScale()
@@ -177,33 +185,43 @@ class TestIsosurfaceViewer(unittest.TestCase):
         shorts.SetOutputScalarTypeToShort()
         shorts.Update()
         image = shorts.GetOutput()
-        slices = self.folder / "slices"
-        slices.mkdir()
-        write_dicom_slices(image, slices)
+        image.SetSpacing(0.8, 1.0, 1.25)
+        slices = self.write_slices("slices", image, (-1, 0, 0, 0, 1, 0))
         samples = vtk_to_numpy(image.GetPointData().GetScalars())
         (self.folder / "waves.raw").write_bytes(samples.tobytes())
         (self.folder / "waves.nhdr").write_text(
             "NRRD0004\ntype: short\ndimension: 3\nsizes: 41 41 41\nendian: little\nencoding: raw\n"
-            "spacings: 1 1 1\ndata file: waves.raw\n", encoding="ascii")
+            "spacings: 0.8 1 1.25\ndata file: waves.raw\n", encoding="ascii")
         lattice = vtkRectilinearGrid()
         lattice.SetDimensions(image.GetDimensions())
         for axis, name in enumerate("XYZ"):
             coordinates = vtkDoubleArray()
             for i in range(image.GetDimensions()[axis]):
-                coordinates.InsertNextValue(i)
+                coordinates.InsertNextValue(i * image.GetSpacing()[axis])
             getattr(lattice, f"Set{name}Coordinates")(coordinates)
         lattice.GetPointData().SetScalars(image.GetPointData().GetScalars())
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, image)
         mesh = make_grid(VTK_TETRA, ball)
+        stored = vtkImageShiftScale()
+        stored.SetInputData(image)
+        stored.SetScale(2.0)
+        stored.SetShift(100.0)
+        stored.Update()
+        scaled = vtkNIFTIImageWriter()
+        scaled.SetRescaleSlope(0.5)
+        scaled.SetRescaleIntercept(-100.0)
         return [
             slices,
+            self.write(scaled, "waves-scaled.nii", stored.GetOutput()),
             self.folder / "waves.nhdr",
             self.write(vtkMetaImageWriter(), "waves.mha", image),
             self.write(vtkXMLImageDataWriter(), "waves.vti", image),
             self.write(vtkNIFTIImageWriter(), "waves.nii.gz", image),
             self.write(vtkDataSetWriter(), "waves.vtk", image),
             self.write(vtkXMLRectilinearGridWriter(), "waves.vtr", lattice),
+            self.write(vtkXMLPImageDataWriter(), "waves.pvti", image),
+            self.write(vtkXMLPUnstructuredGridWriter(), "ball.pvtu", mesh),
             self.write(vtkXMLMultiBlockDataWriter(), "waves.vtm", blocks),
             self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", mesh),
             self.write(vtkDataSetWriter(), "ball.vtk", mesh),
@@ -281,6 +299,12 @@ class TestIsosurfaceViewer(unittest.TestCase):
     def test_errors(self):
         text = self.folder / "text.vti"
         text.write_text("This is not a volume.\n", encoding="ascii")
+        binary = self.folder / "binary.mhd"
+        binary.write_bytes(b"\\\1\0\0\n\0\0")
+        surface = self.folder / "surface.vtp"
+        surface.write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
+        array = self.folder / "array.npy"
+        np.save(array, np.zeros((3, 3, 3)))
         mesh = self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", make_grid(VTK_TETRA, ball))
         flat = vtkDoubleArray()
         flat.SetName("flat")
@@ -296,6 +320,9 @@ class TestIsosurfaceViewer(unittest.TestCase):
             (("absent.vtu",), "there is no file absent.vtu"),
             ((text,), "text.vti cannot be read"),
             ((self.folder / "ball.obj",), "there is no file"),
+            ((binary,), "binary.mhd cannot be read: it is another kind of file"),
+            ((array,), "VTK has no image reader for"),
+            ((surface,), "VTK has no image reader for"),
             ((mesh, "--array", "heat"), 'ball.vtu: there is no array "heat"'),
             ((waves, "--array", "flat"), "no two different values, so there is no surface; --array chooses another: "),
             ((waves, "--max-memory", "0.01"), "--max-memory"),
@@ -306,6 +333,64 @@ class TestIsosurfaceViewer(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stdout), (1, ""))
                 self.assertIn(words, result.stderr)
                 self.assertTrue(result.stderr.splitlines()[-1].startswith("error: "), result.stderr)
+                self.assertNotIn("WARN", result.stderr)
+
+    def test_folders_that_are_no_series(self):
+        """VTK's reader writes beyond its memory, or takes some of the slices."""
+        (self.folder / "empty").mkdir()
+        for name, radius, shift in (("scout", 8, 0.0), ("two", 5, 0.0), ("shifted", 5, 100.0)):
+            other = make_waves(radius)
+            other.SetOrigin(0.0, 0.0, shift)
+            second = self.write_slices("second" + name, other)
+            for path in second.iterdir():
+                content = path.read_bytes().replace(b"1.2\0", b"1.3\0")  # of another series
+                (self.write_slices(name, make_waves(5)) / f"second{path.name}").write_bytes(content)
+        compressed = self.write_slices("compressed", make_waves(5))
+        path = compressed / "004.dcm"
+        path.write_bytes(path.read_bytes().replace(b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.2.5\0"))
+        cut = self.write_slices("cut", make_waves(9))
+        (cut / "004.dcm").write_bytes((cut / "004.dcm").read_bytes()[:600])
+        one = self.write_slices("one", make_waves(5))
+        for path in sorted(one.iterdir())[1:]:
+            path.unlink()
+        for name, words in (
+            ("empty", "has no DICOM slices; name the folder that the slices are in"),
+            ("scout", "000.dcm and second000.dcm; put each series into a folder of its own"),
+            ("two", "has several slices at one place"),
+            ("shifted", "has 22 slices, of which VTK's reader takes 11 for one series"),
+            ("compressed", "004.dcm is compressed or big-endian (transfer syntax 1.2.840.10008.1.2.5)"),
+            ("cut", "004.dcm is damaged: it ends before its last samples"),
+            ("one", "has one slice, 000.dcm; if there are several in it, convert them by dcm2niix"),
+        ):
+            with self.subTest(name):
+                result = self.run_program(self.folder / name)
+                self.assertEqual((result.returncode, result.stdout), (1, ""))
+                self.assertIn(words, result.stderr)
+
+    def test_warnings(self):
+        """Of what is left out."""
+        missing = self.write_slices("missing", make_waves(5))
+        (missing / "003.dcm").unlink()
+        tilted = self.write_slices("tilted", make_waves(9), (1, 0, 0, 0, 0.8, 0.6))
+        several = vtkNIFTIImageWriter()
+        several.SetTimeDimension(3)
+        volumes = vtkImageAppendComponents()
+        for _ in range(3):
+            volumes.AddInputData(make_waves(5))
+        volumes.Update()
+        sheared = vtkNIFTIImageWriter()
+        matrix = vtkMatrix4x4()
+        matrix.SetElement(0, 1, 0.5)
+        sheared.SetSFormMatrix(matrix)
+        for path, words in (
+            (missing, "slices are missing, or are not evenly spaced: from 004.dcm to 002.dcm it is 2 mm, elsewhere 1"),
+            (tilted, "the slices are shifted against each other by up to"),
+            (self.write(several, "several.nii", volumes.GetOutput()), "has 3 volumes; the first of them is taken"),
+            (self.write(sheared, "sheared.nii", make_waves(5)), "the axes that its sform gives are not perpendicular"),
+        ):
+            with self.subTest(path.name):
+                result = self.run_program(path, "--array", "absent")
+                self.assertRegex(result.stderr, rf"^warning: .*{re.escape(path.name)}.*{re.escape(words)}")
 
     def test_bad_volumes(self):
         for file_name in write_bad_volumes(self.folder):

@@ -11,7 +11,6 @@ import plistlib
 import re
 import runpy
 import signal
-import struct
 import subprocess
 import sys
 import tarfile
@@ -27,6 +26,7 @@ from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 from vtkIsosurfaceRayTracing import render
 
+from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid
 from PictureTesting import (
     EXAMPLES,
@@ -41,42 +41,6 @@ from PictureTesting import (
 
 METHODS = ["vtkFlyingEdges3D", "vtkMarchingCubes", "vtkSynchronizedTemplates3D", "vtkContourFilter",
            "vtkSpanSpace", "vtkIsosurfaceRayTraceMapper"]
-
-
-def write_dicom_slices(image, folder, orientation=(-1, 0, 0, 0, 1, 0)):
-    """As few fields as vtkDICOMImageReader needs. In DICOM x is to the left and y to the back of a patient: with this
-    orientation of rows and columns, x of the image is to the right, y to the front and z to the head."""
-
-    def field(group, element, kind, value):
-        value += b" " * (len(value) % 2)
-        size = struct.pack("<HI", 0, len(value)) if kind == b"OW" else struct.pack("<H", len(value))
-        return struct.pack("<HH", group, element) + kind + size + value
-
-    (columns, rows, slices), spacing, origin = image.GetDimensions(), image.GetSpacing(), image.GetOrigin()
-    extent = image.GetExtent()
-    scalars = image.GetPointData().GetScalars()
-    samples = [int(scalars.GetTuple1(i)) for i in range(scalars.GetNumberOfTuples())]
-    (a, b, c), (d, e, f) = orientation[:3], orientation[3:]
-    normal = (b * f - c * e, c * d - a * f, a * e - b * d)  # the slices are one behind the other
-    for k in range(slices):
-        z = origin[2] + spacing[2] * (extent[4] + k)
-        # DICOM has its rows from the top, which VTK turns over.
-        lines = [samples[columns * (rows * k + j) : columns * (rows * k + j + 1)] for j in range(rows)][::-1]
-        syntax = field(0x2, 0x10, b"UI", b"1.2.840.10008.1.2.1\0")
-        content = b"\0" * 128 + b"DICM" + field(0x2, 0x0, b"UL", struct.pack("<I", len(syntax))) + syntax
-        content += field(0x18, 0x50, b"DS", b"%g" % spacing[2])
-        content += field(0x20, 0xE, b"UI", b"1.2\0")  # of the series
-        content += field(0x20, 0x13, b"IS", b"%d" % k)
-        content += field(0x20, 0x32, b"DS", b"%g\\%g\\%g" % tuple(z * abs(each) for each in normal))
-        content += field(0x20, 0x37, b"DS", b"\\".join(b"%g" % each for each in orientation))
-        content += field(0x28, 0x2, b"US", struct.pack("<H", 1))
-        content += field(0x28, 0x10, b"US", struct.pack("<H", rows))
-        content += field(0x28, 0x11, b"US", struct.pack("<H", columns))
-        content += field(0x28, 0x30, b"DS", b"%g\\%g" % (spacing[1], spacing[0]))
-        content += field(0x28, 0x100, b"US", struct.pack("<H", 16))
-        content += field(0x28, 0x103, b"US", struct.pack("<H", 1))
-        content += field(0x7FE0, 0x10, b"OW", b"".join(struct.pack(f"<{columns}h", *line) for line in lines))
-        (folder / f"{k:03}.dcm").write_bytes(content)
 
 
 class TestExamples(unittest.TestCase):
@@ -263,7 +227,7 @@ class TestExamples(unittest.TestCase):
     def test_folder_without_slices(self):
         result = self.run_script("ray_trace_isosurface.py", self.folder, str(ISOVALUE), "picture.png")
         self.assertNotEqual(result.returncode, 0)
-        self.assertIn("is damaged, or not a volume", result.stderr)
+        self.assertIn("has no DICOM slices", result.stderr)
 
     def test_many_grids(self):
         """Rays and triangles show the same surfaces."""

@@ -363,6 +363,7 @@ BAD = (
     (ValueError, "no surface at 500: the scalars are from 34.0153 to 286.341", (make_waves(), 500), {}),
     (ValueError, "no surface at", (np.full((3, 3, 3), np.nan), 1.0), {}),
     (ValueError, "no two different values", (np.ones((3, 3, 3)),), {}),
+    (ValueError, r"give one volume of it, as array\[..., 0\]", (np.ones((3, 3, 3, 2)), 0.5), {}),
     (ValueError, "give numbers or 'auto'", (make_waves(), "otsu"), {}),
     (ValueError, "give a finite number", (make_waves(), np.nan), {}),
     (ValueError, "give a finite number", (make_waves(), []), {}),

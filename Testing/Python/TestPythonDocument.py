@@ -23,10 +23,10 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 from vtkIsosurfaceRayTracing import isosurface, read, render
 
+from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid
 from PackageTesting import make_ball
 from PictureTesting import EXAMPLES
-from TestExamples import write_dicom_slices
 from TestIsosurface import PlotterOfPyVista
 
 DOCUMENTATION = Path(EXAMPLES, "../../Documentation")

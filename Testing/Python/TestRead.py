@@ -10,11 +10,17 @@ import unittest
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import VTK_SHORT
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOParallelXML import (
+    vtkXMLPImageDataWriter,
+    vtkXMLPStructuredGridWriter,
+    vtkXMLPUnstructuredGridWriter,
+)
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
@@ -24,10 +30,10 @@ from vtkmodules.vtkIOXML import (
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkIsosurfaceRayTracing import isosurface, read, render
 
+from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid, make_structured_grid
 from PackageTesting import SIZE
 from PictureTesting import ISOVALUE, make_waves, write_bad_volumes
-from TestExamples import write_dicom_slices
 
 
 class TestRead(unittest.TestCase):
@@ -81,11 +87,10 @@ class TestRead(unittest.TestCase):
             index = np.unravel_index(np.argmax(vtk_to_numpy(found.GetPointData().GetScalars())), (9, 9, 9), order="F")
             place = [0.0] * 3
             found.TransformContinuousIndexToPhysicalPoint(*map(float, index), place)
-            # In DICOM, from the middle: along rows, down columns (which are written from the top), and by slices.
+            # In DICOM, from the first sample: along rows, down columns (which are written from the top), and by slices.
             along, down = np.array(orientation[:3]), np.array(orientation[3:])
-            offset = (2 - 4) * along + (1 - 4) * down + (6 - 4) * np.abs(np.cross(along, down))
-            middle = np.reshape(found.GetBounds(), (3, 2)).mean(axis=1)
-            np.testing.assert_allclose(np.array(place) - middle, offset * [-1, -1, 1], atol=1e-5)  # to NIfTI's axes
+            expected = 2 * along + 1 * down + 6 * np.abs(np.cross(along, down))
+            np.testing.assert_allclose(place, expected * [-1, -1, 1], atol=1e-5)  # to NIfTI's axes
             self.assertAlmostEqual(np.linalg.det(np.reshape([found.GetDirectionMatrix().GetElement(i, j)
                                    for i in range(3) for j in range(3)], (3, 3))), 1.0)  # not mirrored
 
@@ -100,6 +105,80 @@ class TestRead(unittest.TestCase):
         rows = np.flatnonzero(covered.any(axis=1))
         self.assertLess(covered[rows[5]].sum(), 0.6 * covered[rows[-5]].sum())
 
+    def test_spacing_of_slices(self):
+        """DICOM names the distance of rows first, VTK's reader takes it for that in a row."""
+        image = make_waves(5)
+        image.SetSpacing(0.75, 1.5, 2.0)
+        self.assertEqual(read(self.write_slices("uneven", image)).GetSpacing(), (0.75, 1.5, 2.0))
+
+    def test_slices_that_are_missing(self):
+        slices = self.write_slices("missing", make_waves(9))
+        (slices / "003.dcm").unlink()
+        with self.assertWarnsRegex(RuntimeWarning, r"slices are missing.*from 004.dcm to 002.dcm it is 2 mm, elsewhere 1"):
+            self.assertEqual(read(slices).GetSpacing()[2], 1.0)
+
+    def test_slices_of_a_tilted_gantry(self):
+        tilted = self.write_slices("tilted", make_waves(9), (1, 0, 0, 0, 0.8, 0.6))
+        with self.assertWarnsRegex(RuntimeWarning, "the slices are shifted against each other by up to .* tilted gantry"):
+            read(tilted)
+
+    def test_folders_that_are_no_series(self):
+        """VTK's reader writes beyond its memory, or takes some of the slices."""
+        image, larger = make_waves(9), make_waves(15)
+        scout = self.write_slices("scout", image)
+        (self.write_slices("larger", larger) / "000.dcm").rename(scout / "scout.dcm")
+        with self.assertRaisesRegex(ValueError, "slices of different sizes.*000.dcm and scout.dcm; put each series"):
+            read(scout)
+        for shift, message in ((0.0, "several slices at one place"), (100.0, "has 38 slices, of which VTK's reader takes 19")):
+            two = self.write_slices(f"two{shift}", image)
+            image.SetOrigin(0.0, 0.0, shift)
+            for path in self.write_slices(f"second{shift}", image).iterdir():
+                (two / f"second{path.name}").write_bytes(path.read_bytes().replace(b"1.2\0", b"1.3\0"))
+            with self.assertRaisesRegex(ValueError, message):
+                read(two)
+        compressed = self.write_slices("compressed", image)
+        (compressed / "004.dcm").write_bytes(
+            (compressed / "004.dcm").read_bytes().replace(b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.2.5\0"))
+        with self.assertRaisesRegex(ValueError, r"004.dcm is compressed or big-endian \(transfer syntax 1.2.840.10008.1.2.5\)"):
+            read(compressed)
+        cut = self.write_slices("cut", image)
+        (cut / "004.dcm").write_bytes((cut / "004.dcm").read_bytes()[:600])
+        with self.assertRaisesRegex(ValueError, "004.dcm is damaged: it ends before its last samples"):
+            read(cut)
+        for path in sorted(compressed.iterdir())[1:]:
+            path.unlink()
+        with self.assertRaisesRegex(ValueError, "has one slice, 000.dcm"):
+            read(compressed)
+        with self.assertRaisesRegex(ValueError, "is a file of DICOM; name the folder"):
+            read(compressed / "000.dcm")
+
+    def write_slices(self, name, image, orientation=(1, 0, 0, 0, 1, 0)):
+        slices = self.folder / name
+        slices.mkdir()
+        write_dicom_slices(image, slices, orientation)
+        return slices
+
+    def test_scaled_nifti(self):
+        """What is stored times scl_slope, plus scl_inter."""
+        stored = make_waves(5)
+        writer = vtkNIFTIImageWriter()
+        writer.SetRescaleSlope(0.5)
+        writer.SetRescaleIntercept(-1024.0)
+        scaled = read(self.write(writer, "scaled.nii.gz", stored))
+        values = [vtk_to_numpy(each.GetPointData().GetScalars()) for each in (stored, scaled)]
+        np.testing.assert_allclose(values[1], 0.5 * values[0] - 1024.0, rtol=1e-6)
+
+    def test_several_volumes_in_a_nifti(self):
+        """The first is read, and it is told."""
+        several = make_waves(2)
+        several.GetPointData().SetScalars(numpy_to_vtk(np.arange(375.0).reshape(125, 3)))
+        writer = vtkNIFTIImageWriter()
+        writer.SetTimeDimension(3)
+        path = self.write(writer, "several.nii", several)
+        with self.assertWarnsRegex(RuntimeWarning, "several.nii has 3 volumes; this is the first of them"):
+            values = vtk_to_numpy(read(path).GetPointData().GetScalars())
+        np.testing.assert_array_equal(values, np.arange(0.0, 375.0, 3.0))
+
     def test_matrices_of_nifti(self):
         matrix = vtkMatrix4x4()
         matrix.DeepCopy((0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1))
@@ -110,37 +189,67 @@ class TestRead(unittest.TestCase):
         self.assertEqual([image.GetDirectionMatrix().GetElement(i, j) for i in range(3) for j in range(3)],
                          [0, -1, 0, 1, 0, 0, 0, 0, 1])  # fmt: skip
         self.assertEqual(image.GetOrigin(), (5.0, 6.0, 7.0))
+        matrix.DeepCopy((0, -1, 0, 5, 3, 0, 0, 6, 0, 0, 2, 7, 0, 0, 0, 1))
+        writer = vtkNIFTIImageWriter()
+        writer.SetSFormMatrix(matrix)  # with spacings of its own
+        cubes = make_waves(5)
+        cubes.SetSpacing(1.0, 1.0, 1.0)
+        image = read(self.write(writer, "sform.nii", cubes))
+        self.assertEqual((image.GetSpacing(), image.GetOrigin()), ((3.0, 1.0, 2.0), (5.0, 6.0, 7.0)))
         matrix.SetElement(0, 0, 0.5)  # no axes
         writer = vtkNIFTIImageWriter()
         writer.SetSFormMatrix(matrix)
-        image = read(self.write(writer, "sheared.nii", make_waves(5)))
+        with self.assertWarnsRegex(RuntimeWarning, "sheared.nii: the axes .* are not perpendicular"):
+            image = read(self.write(writer, "sheared.nii", make_waves(5)))
         self.assertTrue(image.GetDirectionMatrix().IsIdentity())
 
     def test_meshes(self):
         tetrahedra, curved = make_grid(VTK_TETRA, ball), make_structured_grid(ball)
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, tetrahedra)
-        for writer, name, mesh in ((vtkXMLUnstructuredGridWriter(), "mesh.vtu", tetrahedra),
+        for writer, name, mesh in ((vtkXMLPUnstructuredGridWriter(), "mesh.pvtu", tetrahedra),
+                                   (vtkXMLPStructuredGridWriter(), "mesh.pvts", curved),
+                                   (vtkXMLUnstructuredGridWriter(), "mesh.vtu", tetrahedra),
                                    (vtkDataSetWriter(), "mesh.vtk", tetrahedra),
                                    (vtkXMLStructuredGridWriter(), "mesh.vts", curved),
                                    (vtkXMLMultiBlockDataWriter(), "mesh.vtm", blocks)):  # fmt: skip
             path = self.write(writer, name, mesh)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(mesh, 0.5, size=SIZE).rgba, name)
 
+    def test_images_in_pieces(self):
+        image = make_waves(8)
+        expected = render(image, ISOVALUE, size=SIZE).rgba
+        writer = vtkXMLPImageDataWriter()
+        writer.SetNumberOfPieces(3)
+        writer.SetEndPiece(2)
+        picture = render(self.write(writer, "waves.pvti", image), ISOVALUE, size=SIZE).rgba.astype(int)
+        self.assertLess((np.abs(picture - expected).max(axis=2) > 2).mean(), 0.001)
+
     def test_what_cannot_be_read(self):
         with self.assertRaisesRegex(FileNotFoundError, "there is no file absent.vti"):
             read("absent.vti")
-        with self.assertRaisesRegex(ValueError, "is damaged, or not a volume"):
+        with self.assertRaisesRegex(ValueError, "has no DICOM slices; name the folder that the slices are in"):
             read(self.folder)
+        (self.folder / "empty.vti").touch()
+        with self.assertRaisesRegex(ValueError, "empty.vti is empty"):
+            read(self.folder / "empty.vti")
+        layer = vtkImageData()
+        layer.SetDimensions(5, 4, 1)
+        layer.AllocateScalars(VTK_SHORT, 1)
+        with self.assertRaisesRegex(ValueError, "layer.nii is not a volume: it has 5 x 4 x 1 samples"):
+            read(self.write(vtkNIFTIImageWriter(), "layer.nii", layer))
         (self.folder / "volume.txt").write_text("no volume", encoding="ascii")
         with self.assertRaisesRegex(ValueError, "no reader for .*volume.txt; read it by another one"):
             read(self.folder / "volume.txt")
+        (self.folder / "surface.vtp").write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
+        with self.assertRaisesRegex(ValueError, "no reader for .*surface.vtp"):
+            read(self.folder / "surface.vtp")
         with self.assertRaises(TypeError):
             read(7)
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
-        for suffix in (".vti", ".vtu", ".vtk", ".vtm", ".nii", ".nii.gz", ".nrrd", ".mha", ".png"):
+        for suffix in (".vti", ".vtu", ".pvti", ".pvtu", ".vtk", ".vtm", ".nii", ".nii.gz", ".nrrd", ".mha", ".png"):
             (self.folder / f"text{suffix}").write_text("<VTKFile type='ImageData'><oops>", encoding="ascii")
         names = write_bad_volumes(str(self.folder)) + [str(path) for path in self.folder.glob("text*")]
         code = f"""
