@@ -66,18 +66,18 @@ Numbers DescribeIsovalues(vtkVolumeProperty* property)
   return numbers;
 }
 
-Numbers DescribeColors(vtkVolumeProperty* property)
+Numbers DescribeColors(vtkVolumeProperty* property, int component)
 {
   Numbers numbers;
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(component);
   Append(opacity->GetDataPointer(), 2 * opacity->GetSize(), numbers);
-  if (property->GetColorChannels() == 1)
+  if (property->GetColorChannels(component) == 1)
   {
-    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction();
+    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction(component);
     Append(gray->GetDataPointer(), 2 * gray->GetSize(), numbers);
     return numbers;
   }
-  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction(component);
   Append(colors->GetDataPointer(), 4 * colors->GetSize(), numbers);
   return numbers;
 }
@@ -125,8 +125,18 @@ Numbers DescribeCloud(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* proper
   {
     return {};
   }
-  return { static_cast<double>(ofClouds->GetBlendMode()),
-    ofClouds->GetDrawIsosurfaces() ? 1.0 : 0.0, property->GetScalarOpacityUnitDistance() };
+  Numbers numbers = { static_cast<double>(ofClouds->GetBlendMode()),
+    ofClouds->GetDrawIsosurfaces() ? 1.0 : 0.0,
+    static_cast<double>(property->GetIndependentComponents()) };
+  // A process without data does not know how many there are.
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    const Numbers functions = DescribeColors(property, component);
+    numbers.insert(numbers.end(), functions.begin(), functions.end());
+    numbers.push_back(property->GetScalarOpacityUnitDistance(component));
+    numbers.push_back(property->GetComponentWeight(component));
+  }
+  return numbers;
 }
 
 Numbers DescribePlanes(vtkPlaneCollection* planes)
@@ -157,7 +167,8 @@ std::vector<Item> Describe(
   return { { "sizes", { static_cast<double>(width), static_cast<double>(height) } },
     { "cameras", DescribeCamera(camera, width, height) }, { "lights", DescribeLights(lights) },
     { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
-    { "transfer functions", DescribeColors(property) }, { "materials", DescribeMaterial(property) },
+    { "transfer functions", DescribeColors(property, 0) },
+    { "materials", DescribeMaterial(property) },
     { "settings of the mappers", DescribeMapper(mapper) },
     { "clouds", DescribeCloud(mapper, property) },
     { "clipping planes", DescribePlanes(mapper->GetClippingPlanes()) } };

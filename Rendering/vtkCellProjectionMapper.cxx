@@ -4,6 +4,7 @@
 #include "vtkCellProjectionMapper.h"
 
 #include "vtkIsosurfaceRayTraceEngine.h"
+#include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkObjectFactory.h"
@@ -19,6 +20,14 @@ vtkIsosurfaceRayTraceSettings vtkCellProjectionMapper::GetSettings() const
   settings.HasCloud = true;
   settings.HasSurfaces = this->DrawIsosurfaces;
   settings.IsMaximum = this->BlendMode == MAXIMUM_INTENSITY_BLEND;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceInputSettings vtkCellProjectionMapper::GetInputSettings() const
+{
+  vtkIsosurfaceRayTraceInputSettings settings = this->Superclass::GetInputSettings();
+  settings.TakesComponents = this->BlendMode != MAXIMUM_INTENSITY_BLEND;
   return settings;
 }
 

@@ -32,6 +32,23 @@
  * ScalarOpacityUnitDistance, which is a length in the world: through a thickness d of the opacity a
  * the transmittance is exp(-a d / unit). The cloud is not shaded.
  *
+ * The cloud takes all components of the scalars, if there are several and VectorMode is DISABLED:
+ * - vtkVolumeProperty::IndependentComponents on (the default), 2 to 4: each is a cloud by itself,
+ *   with the transfer functions and the unit distance of its component of the property, and the
+ *   clouds are mixed, as vtkUnstructuredGridLinearRayIntegrator mixes them: attenuations are
+ *   added, and the colour is the mean of the colours, weighted by attenuations. An attenuation is
+ *   multiplied by the ComponentWeight (from 0 to 1; default: 1).
+ * - Off, 2: the colour is that of the first component, and the opacity that of the second, by the
+ *   transfer functions of component 0 of the property, as in vtkProjectedTetrahedraMapper.
+ * - Off, 4: the components are red, green, blue and the opacity themselves, from 0 to 255 of
+ *   unsigned char and from 0 to 1 of other types. Lower and higher ones count as these.
+ *
+ * All components are linear along a ray in a tetrahedron: the light of a mixture is integrated as
+ * exactly as that of one component. Other numbers of components are an error; cells with a value
+ * that is not finite are passed over, whichever component it is of. Maximum intensity and
+ * isosurfaces are those of one component, which VectorMode selects, as in
+ * vtkIsosurfaceRayTraceMeshMapper.
+ *
  * All else is that of vtkIsosurfaceRayTraceMeshMapper, with the same settings: inputs (also
  * composite ones and several connections), arrays, hidden cells, clipping planes, opaque geometry
  * in the cloud, ImageSampleDistance, RenderToImage, threads, errors and events. Picking, CastRays
@@ -106,6 +123,7 @@ protected:
   ~vtkCellProjectionMapper() override = default;
 
   vtkIsosurfaceRayTraceSettings GetSettings() const override;
+  vtkIsosurfaceRayTraceInputSettings GetInputSettings() const override;
 
 private:
   vtkCellProjectionMapper(const vtkCellProjectionMapper&) = delete;

@@ -5,6 +5,9 @@
 
 #include "vtkIsosurfaceRayTraceValueColors.h"
 
+#include "vtkDataArray.h"
+#include "vtkVolumeProperty.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -103,16 +106,104 @@ private:
   std::vector<vtkirt::CloudNode> Nodes;
 };
 
+using Nodes = std::vector<vtkirt::CloudNode>;
+
+/// Those of the functions of a component of a property.
+Nodes MakeNodes(vtkVolumeProperty* property, int component)
+{
+  const vtkIsosurfaceRayTraceValueColors colors(property, component);
+  return NodeMaker(colors, property->GetScalarOpacityUnitDistance(component)).Make();
+}
+
+/// Multiplies the attenuation by a weight.
+void Scale(double weight, Nodes& nodes)
+{
+  for (vtkirt::CloudNode& node : nodes)
+  {
+    node.Attenuation *= weight;
+  }
+}
+
+/// Of two components, the first has the colours, and the second the attenuation.
+std::vector<Nodes> SplitNodes(const Nodes& nodes)
+{
+  std::vector<Nodes> split(2, nodes);
+  Scale(0.0, split[0]);
+  for (vtkirt::CloudNode& node : split[1])
+  {
+    node.Color = { 0.0, 0.0, 0.0 };
+  }
+  return split;
+}
+
+/// Red, green, blue and the opacity are values themselves, up to a largest one.
+std::vector<Nodes> MakeDirectNodes(double largest, double unitDistance)
+{
+  std::vector<Nodes> direct(4, Nodes{ { 0.0, 0.0, {} }, { largest, 0.0, {} } });
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    direct[i][1].Color[i] = 1.0;
+  }
+  direct[3][1].Attenuation = std::min(1.0 / unitDistance, LargestAttenuation);
+  return direct;
+}
+
 }
 
 namespace vtkIsosurfaceRayTraceClouds
 {
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkirt::CloudTransfer> MakeTransfer(
-  const vtkIsosurfaceRayTraceValueColors& colors, double unitDistance)
+Components FindComponents(vtkDataArray* array, vtkVolumeProperty* property)
 {
-  return std::make_unique<vtkirt::CloudTransfer>(NodeMaker(colors, unitDistance).Make());
+  Components components;
+  if (array)
+  {
+    components.Count = array->GetNumberOfComponents();
+    components.AreBytes = components.Count == 4 && !property->GetIndependentComponents() &&
+      array->GetDataType() == VTK_UNSIGNED_CHAR;
+  }
+  return components;
+}
+
+//------------------------------------------------------------------------------
+std::string FindProblem(const Components& components, vtkVolumeProperty* property)
+{
+  const int count = components.Count;
+  if (count <= 1 || count == 2 || count == 4 || property->GetIndependentComponents())
+  {
+    return "";
+  }
+  return "The scalars have " + std::to_string(count) +
+    " components, which vtkVolumeProperty::IndependentComponentsOff() takes for one cloud. That "
+    "needs 2 (for colour and opacity) or 4 (red, green, blue and opacity). Call "
+    "IndependentComponentsOn(), SetVectorModeToComponent() and SetVectorComponent(), or "
+    "SetVectorModeToMagnitude().";
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkirt::CloudMedium> MakeMedium(
+  const Components& components, vtkVolumeProperty* property, int component)
+{
+  const bool areIndependent = property->GetIndependentComponents() != 0;
+  if (components.Count <= 1)
+  {
+    return std::make_unique<vtkirt::CloudMedium>(MakeNodes(property, component));
+  }
+  if (areIndependent)
+  {
+    std::vector<Nodes> nodes;
+    for (int i = 0; i < components.Count; ++i)
+    {
+      nodes.push_back(MakeNodes(property, i));
+      Scale(property->GetComponentWeight(i), nodes.back());
+    }
+    return std::make_unique<vtkirt::CloudMedium>(nodes, true);
+  }
+  const std::vector<Nodes> nodes = components.Count == 2
+    ? SplitNodes(MakeNodes(property, 0))
+    : MakeDirectNodes(components.AreBytes ? 255.0 : 1.0, property->GetScalarOpacityUnitDistance());
+  return std::make_unique<vtkirt::CloudMedium>(nodes, false);
 }
 
 }

@@ -1,30 +1,53 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The transfer functions of a property, as those of a cloud.
+// The clouds of a property.
 
 #ifndef vtkIsosurfaceRayTraceClouds_h
 #define vtkIsosurfaceRayTraceClouds_h
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Picture/CloudTransfer.h"
+#include "Picture/CloudMedium.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkIsosurfaceRayTraceValueColors;
+class vtkDataArray;
+class vtkVolumeProperty;
 
 namespace vtkIsosurfaceRayTraceClouds
 {
 
-/// Makes transfer functions that are linear between nodes: those of the property, and as many
+/// The components of scalars that a cloud takes: one, which is that of its isosurfaces, or all.
+struct Components
+{
+  /// None without data.
+  int Count = 1;
+  /// Whether they are a colour and an opacity themselves, from 0 to 255.
+  bool AreBytes = false;
+
+  bool operator==(const Components& other) const
+  {
+    return this->Count == other.Count && this->AreBytes == other.AreBytes;
+  }
+};
+
+/// All components of an array that a property is for; with null, one.
+Components FindComponents(vtkDataArray* array, vtkVolumeProperty* property);
+
+/// Why a property cannot draw components; empty if it can.
+std::string FindProblem(const Components& components, vtkVolumeProperty* property);
+
+/// Makes the cloud that a property makes of components, or of the given component of the property
+/// if there is one. Transfer functions are linear between nodes: those of the property, and as many
 /// between them as it takes where its functions are not linear (midpoints, sharpness, colour
 /// spaces, logarithms), to less than 1e-4. The opacity is the attenuation for the unit distance, as
 /// vtkUnstructuredGridVolumeMapper's family has it.
-std::unique_ptr<vtkIsosurfaceRayTracing::CloudTransfer> MakeTransfer(
-  const vtkIsosurfaceRayTraceValueColors& colors, double unitDistance);
+std::unique_ptr<vtkIsosurfaceRayTracing::CloudMedium> MakeMedium(
+  const Components& components, vtkVolumeProperty* property, int component);
 
 }
 

@@ -817,7 +817,15 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
         picture.SetDepths(view.Depths->GetPointer(0), view.Width); // The rectangle is that of all.
       }
       const vtkirt::Stopwatch stopwatch;
-      const bool isComplete = agreement == vtkirt::Agreement::Fine &&
+      const bool areSameClouds =
+        agreement == vtkirt::Agreement::Fine && picture.AgreeOnClouds(exchange);
+      if (agreement == vtkirt::Agreement::Fine && !areSameClouds)
+      {
+        vtkErrorWithObjectMacro(this->Mapper,
+          "The scalars of the processes have different numbers of components, or some are colours "
+          "of unsigned char and others are not. Give all processes the same.");
+      }
+      const bool isComplete = areSameClouds &&
         vtkirt::RenderSharedTiles(
           picture.Scene, execution, sharing, exchange, picture.Frame, counts, keepGoing);
       picture.Times.Trace = stopwatch.GetSeconds();

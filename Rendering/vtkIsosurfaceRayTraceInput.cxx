@@ -111,6 +111,19 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
+  if (settings.TakesComponents && !settings.Component)
+  {
+    problem = this->SelectCloudComponents(property);
+  }
+  else
+  {
+    this->CloudComponents = {};
+  }
+  scalars.HasOthers = this->CloudComponents.Count > 1;
+  if (!problem.empty())
+  {
+    return problem;
+  }
   const bool isSameChoice =
     scalars.Component == this->Component && settings.Image == this->ImageSettings;
   // Thousands of blocks are not put in order again for every frame.
@@ -157,6 +170,7 @@ void vtkIsosurfaceRayTraceInput::SelectNothing()
   this->ArePartsKept = false;
   this->IsComposite = false;
   this->PropertyComponent = 0;
+  this->CloudComponents = { 0, false };
   this->ColorImage = nullptr;
   this->ColorArray = nullptr;
 }
@@ -197,6 +211,21 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   }
   this->Leaves.Take(data, this->Mapper, colors);
   return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceInput::SelectCloudComponents(vtkVolumeProperty* property)
+{
+  using vtkIsosurfaceRayTraceClouds::FindComponents;
+  const std::vector<Leaf>& leaves = this->Leaves.Get();
+  this->CloudComponents = FindComponents(leaves.front().Scalars, property);
+  const bool areAlike = std::all_of(leaves.begin(), leaves.end(),
+    [this, property](const Leaf& leaf)
+    { return FindComponents(leaf.Scalars, property).AreBytes == this->CloudComponents.AreBytes; });
+  return areAlike
+    ? vtkIsosurfaceRayTraceClouds::FindProblem(this->CloudComponents, property)
+    : "Some blocks have colours of unsigned char, from 0 to 255, and others have colours from 0 to "
+      "1. Give all blocks scalars of one type.";
 }
 
 //------------------------------------------------------------------------------

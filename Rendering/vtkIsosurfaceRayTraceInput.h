@@ -6,6 +6,7 @@
 #ifndef vtkIsosurfaceRayTraceInput_h
 #define vtkIsosurfaceRayTraceInput_h
 
+#include "vtkIsosurfaceRayTraceClouds.h"   // for ivars
 #include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
 #include "vtkIsosurfaceRayTracePart.h"     // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
@@ -45,6 +46,8 @@ struct vtkIsosurfaceRayTraceInputSettings
   const char* Kinds;
   /// That of the scalars; none: the property decides.
   std::optional<int> Component;
+  /// Whether a cloud takes all components where the property decides.
+  bool TakesComponents = false;
   std::string ColorArrayName;
   /// If not null, it has the array to colour by.
   vtkImageData* ColorImage = nullptr;
@@ -121,6 +124,12 @@ public:
   /// The component of the volume property that gives the colours of the surfaces.
   int GetPropertyComponent() const { return this->PropertyComponent; }
 
+  /// The components of the scalars that a cloud takes; none without data.
+  const vtkIsosurfaceRayTraceClouds::Components& GetCloudComponents() const
+  {
+    return this->CloudComponents;
+  }
+
   /// The colours of blocks, or of an array, by those of its values; null if surfaces are coloured
   /// by their isovalues. The input and the colours of values must outlive them.
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
@@ -177,6 +186,7 @@ private:
   using PartList = std::vector<std::unique_ptr<Part>>;
 
   std::string SelectLeaves(const vtkIsosurfaceRayTraceInputSettings& settings);
+  std::string SelectCloudComponents(vtkVolumeProperty* property);
   std::string SelectColors(const vtkIsosurfaceRayTraceInputSettings& settings);
   std::string SelectParts(const vtkIsosurfaceRayTraceInputSettings& settings,
     const vtkIsosurfaceRayTraceScalars& scalars);
@@ -219,6 +229,7 @@ private:
   int Component = 0;
   vtkIsosurfaceRayTracing::ImageSettings ImageSettings;
   int PropertyComponent = 0;
+  vtkIsosurfaceRayTraceClouds::Components CloudComponents;
   /// The colours of the surfaces, if they are those of an image; else null.
   vtkImageData* ColorImage = nullptr;
   vtkDataArray* ColorArray = nullptr;

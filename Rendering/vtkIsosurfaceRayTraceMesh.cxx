@@ -165,6 +165,7 @@ struct vtkIsosurfaceRayTraceMesh::Key
     , Points(FindPoints(grid))
     , AreOfCells(scalars.AreOfCells)
     , Component(scalars.Component)
+    , HasOthers(scalars.HasOthers)
     , IsTetrahedralized(isTetrahedralized)
   {
     for (vtkObject* part : FindParts(grid, scalars.Array))
@@ -177,8 +178,8 @@ struct vtkIsosurfaceRayTraceMesh::Key
   {
     return this->Grid == other.Grid && this->GridTime == other.GridTime &&
       this->Points == other.Points && this->AreOfCells == other.AreOfCells &&
-      this->Component == other.Component && this->IsTetrahedralized == other.IsTetrahedralized &&
-      this->Parts == other.Parts;
+      this->Component == other.Component && this->HasOthers == other.HasOthers &&
+      this->IsTetrahedralized == other.IsTetrahedralized && this->Parts == other.Parts;
   }
 
   vtkPointSet* Grid;
@@ -187,6 +188,7 @@ struct vtkIsosurfaceRayTraceMesh::Key
   const void* Points;
   bool AreOfCells;
   int Component;
+  bool HasOthers;
   bool IsTetrahedralized;
   std::vector<std::pair<vtkObject*, vtkMTimeType>> Parts;
 };
@@ -479,6 +481,11 @@ void vtkIsosurfaceRayTraceMesh::SelectValues()
   this->View.Values = values.Values;
   this->View.ValueType = values.Type;
   this->View.ValueStride = values.Stride;
+  if (this->Scalars.HasOthers)
+  {
+    this->View.Components = values.Components;
+    this->View.NumberOfComponents = ofPoints.Array->GetNumberOfComponents();
+  }
 }
 
 //------------------------------------------------------------------------------

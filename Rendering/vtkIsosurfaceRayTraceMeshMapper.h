@@ -140,7 +140,7 @@ public:
   /**
    * Set/Get which of several components is used, by the names of vtkSmartVolumeMapper. With
    * MAGNITUDE and COMPONENT the transfer functions are those of component 0 of the property.
-   * Default: DISABLED.
+   * vtkCellProjectionMapper says what DISABLED means for clouds. Default: DISABLED.
    */
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
@@ -549,6 +549,7 @@ protected:
 
   /// What is drawn, and how.
   virtual vtkIsosurfaceRayTraceSettings GetSettings() const;
+  virtual vtkIsosurfaceRayTraceInputSettings GetInputSettings() const;
 
 private:
   vtkIsosurfaceRayTraceMeshMapper(const vtkIsosurfaceRayTraceMeshMapper&) = delete;
@@ -556,8 +557,6 @@ private:
 
   friend class vtkIsosurfaceRayTraceEngine;
   friend struct vtkIsosurfaceRayTraceSharedSettings;
-
-  vtkIsosurfaceRayTraceInputSettings GetInputSettings() const;
 
   int NormalMode = CENTRAL_DIFFERENCES;
   int VectorMode = DISABLED;

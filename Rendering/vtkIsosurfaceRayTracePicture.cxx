@@ -3,7 +3,6 @@
 #include "vtkIsosurfaceRayTracePicture.h"
 
 #include "vtkIsosurfaceRayTraceAccumulation.h"
-#include "vtkIsosurfaceRayTraceClouds.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -13,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -99,12 +99,47 @@ void vtkIsosurfaceRayTracePicture::SetColors(const vtkIsosurfaceRayTraceRequest:
   colors.OfHits = volume.Input->MakeColors(*colors.OfValues);
   shown.ColorsOfHits = colors.OfHits.get();
   const bool hasCloud = volume.GetField().GetRequest().HasCloud;
-  if (hasCloud && !colors.OfCloud)
+  const vtkIsosurfaceRayTraceClouds::Components& components = volume.Input->GetCloudComponents();
+  if (hasCloud && (!colors.OfCloud || !(colors.Components == components)))
   {
-    colors.OfCloud = vtkIsosurfaceRayTraceClouds::MakeTransfer(
-      *colors.OfValues, volume.Property->GetScalarOpacityUnitDistance(volume.Component));
+    colors.Components = components;
+    colors.Property = volume.Property;
+    colors.OfCloud =
+      vtkIsosurfaceRayTraceClouds::MakeMedium(components, volume.Property, volume.Component);
   }
   shown.Cloud = hasCloud ? colors.OfCloud.get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTracePicture::AgreeOnClouds(vtkirt::MessageExchange& exchange)
+{
+  using vtkIsosurfaceRayTraceClouds::Components;
+  constexpr int none = std::numeric_limits<int>::min() / 2;
+  std::vector<int> largest;
+  for (const ColorsOfField& colors : this->Colors)
+  {
+    const Components& own = colors.Components;
+    const int code = 2 * own.Count + (own.AreBytes ? 1 : 0);
+    largest.insert(largest.end(), { code, own.Count > 0 ? -code : none });
+  }
+  exchange.FindLargest(largest.data(), static_cast<int>(largest.size()));
+  for (std::size_t i = 0; i < this->Colors.size(); ++i)
+  {
+    ColorsOfField& colors = this->Colors[i];
+    const int code = largest[2 * i];
+    if (code != 0 && code != -largest[2 * i + 1])
+    {
+      return false;
+    }
+    if (code != 0 && colors.Components.Count == 0)
+    {
+      colors.Components = { code / 2, code % 2 != 0 };
+      colors.OfCloud =
+        vtkIsosurfaceRayTraceClouds::MakeMedium(colors.Components, colors.Property, 0);
+      this->Scene.Fields[i].Cloud = colors.OfCloud.get();
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

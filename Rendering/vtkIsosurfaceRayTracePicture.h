@@ -6,11 +6,14 @@
 #ifndef vtkIsosurfaceRayTracePicture_h
 #define vtkIsosurfaceRayTracePicture_h
 
+#include "vtkIsosurfaceRayTraceClouds.h"      // for ivars
 #include "vtkIsosurfaceRayTraceRequest.h"     // for arguments
 #include "vtkIsosurfaceRayTraceValueColors.h" // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"                  // for ivars
+#include "vtkVolumeProperty.h"                // for ivars
 
-#include "Picture/CloudTransfer.h"
+#include "Picture/MessageExchange.h"
 #include "Picture/RenderTiles.h"
 
 #include <cstddef>    // for std::size_t
@@ -45,6 +48,11 @@ public:
   /// bottom. Rays end there. To be called again when the rectangle of the scene has changed.
   void SetDepths(const float* depths, int width);
 
+  /// To be called by all processes that make one picture, which have as many fields: those without
+  /// data of a connection draw what the others find of its cloud. Returns false if the clouds
+  /// differ.
+  bool AgreeOnClouds(vtkIsosurfaceRayTracing::MessageExchange& exchange);
+
   /// Renders the picture. Returns false if keepGoing, called with the fraction done, stopped it.
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution,
     const std::function<bool(double)>& keepGoing);
@@ -75,8 +83,10 @@ private:
   {
     std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> OfHits;
     std::unique_ptr<vtkIsosurfaceRayTraceValueColors> OfValues;
-    /// Made of the former and the property when a cloud is drawn first.
-    std::unique_ptr<vtkIsosurfaceRayTracing::CloudTransfer> OfCloud;
+    /// Made of the property when a cloud is drawn first; and what of.
+    std::unique_ptr<vtkIsosurfaceRayTracing::CloudMedium> OfCloud;
+    vtkIsosurfaceRayTraceClouds::Components Components;
+    vtkSmartPointer<vtkVolumeProperty> Property;
   };
 
   static void SetColors(const vtkIsosurfaceRayTraceRequest::Volume& volume, ColorsOfField& colors,

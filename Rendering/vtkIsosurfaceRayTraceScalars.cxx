@@ -177,6 +177,7 @@ vtkIsosurfaceRayTraceScalars::View vtkIsosurfaceRayTraceScalars::MakeView(
   vtkDataArray* plain = this->Array;
   int component = 0;
   const bool isBits = plain->GetDataType() == VTK_BIT;
+  const int plainType = isBits ? VTK_UNSIGNED_CHAR : plain->GetDataType();
   if (this->Component == Magnitude)
   {
     storage = ComputeMagnitudes(this->Array);
@@ -185,16 +186,21 @@ vtkIsosurfaceRayTraceScalars::View vtkIsosurfaceRayTraceScalars::MakeView(
   {
     component = this->Component;
   }
+  else if (this->HasOthers)
+  {
+    storage.TakeReference(vtkDataArray::CreateDataArray(plainType));
+    storage->DeepCopy(plain);
+    component = this->Component;
+  }
   else
   {
-    storage.TakeReference(
-      vtkDataArray::CreateDataArray(isBits ? VTK_UNSIGNED_CHAR : plain->GetDataType()));
+    storage.TakeReference(vtkDataArray::CreateDataArray(plainType));
     storage->SetNumberOfTuples(plain->GetNumberOfTuples());
     storage->CopyComponent(0, plain, this->Component);
   }
   plain = storage ? storage.Get() : plain;
   return { plain->GetVoidPointer(component), *FindScalarType(plain->GetDataType()),
-    plain->GetNumberOfComponents() };
+    plain->GetNumberOfComponents(), plain->GetVoidPointer(0) };
 }
 
 VTK_ABI_NAMESPACE_END

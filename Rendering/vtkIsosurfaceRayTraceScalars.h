@@ -31,6 +31,8 @@ struct vtkIsosurfaceRayTraceScalars
     const void* Values;
     vtkIsosurfaceRayTracing::ScalarType Type;
     std::ptrdiff_t Stride;
+    /// All components of the first tuple.
+    const void* Components;
   };
 
   /// Selects the array of a data set that the scalar mode of a mapper names; null if there is none.
@@ -44,13 +46,16 @@ struct vtkIsosurfaceRayTraceScalars
   /// Why they cannot be traced, of data with so many points and cells; empty if they can.
   std::string FindProblem(vtkIdType points, vtkIdType cells) const;
 
-  /// The values, which have no problem. What is no plain array in memory is copied to storage.
+  /// The values, which have no problem. What is no plain array in memory is copied to storage: the
+  /// component, or all if they are needed.
   View MakeView(vtkSmartPointer<vtkDataArray>& storage) const;
 
   vtkDataArray* Array = nullptr;
   bool AreOfCells = false;
   /// Magnitude selects the length of the vector instead of a component.
   int Component = 0;
+  /// Whether the other components are needed, too.
+  bool HasOthers = false;
 
   static constexpr int Magnitude = -1;
 };

@@ -187,7 +187,7 @@ CloudTimes MeasureCloud(const vtkirt::Scene& scene)
 void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::CloudNode>& nodes,
   const View& view, int size, int most)
 {
-  const vtkirt::CloudTransfer transfer(nodes);
+  const vtkirt::CloudMedium medium(nodes);
   vtkDataArray* values = grid->GetPointData()->GetScalars();
   const PictureRays rays(view, size);
   std::vector<double> drawing;
@@ -195,7 +195,7 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
   vtkirt::Scene whole;
   {
     const MeshTracer tracer(grid, values, 1);
-    whole = tracer.MakeCloudScene(view, rays, size, transfer);
+    whole = tracer.MakeCloudScene(view, rays, size, medium);
     CloudTiles tiles(whole);
     for (int tile = 0; tile < tiles.GetCount(); ++tile)
     {
@@ -214,7 +214,7 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
   {
     const auto piece = TakeCells(grid, processes / 2, processes);
     const MeshTracer tracer(piece, values, 1);
-    vtkirt::Scene own = tracer.MakeCloudScene(view, rays, size, transfer);
+    vtkirt::Scene own = tracer.MakeCloudScene(view, rays, size, medium);
     own.Pixels = whole.Pixels;
     const double finding = MeasureFinding(own);
     const vtkirt::SharedTiles tiles(whole, processes);
@@ -223,7 +223,7 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
     // A message for each part, and the tiles of which it says that they are finished.
     const double messages = processes == 1 ? 0.0
                                            : MessageTime * 2.0 * tiles.GetCount() +
-        sent * static_cast<double>(vtkirt::TileSegments::BytesOfOne) / Bandwidth;
+        sent * static_cast<double>(vtkirt::TileSegments::GetBytesOfOne(1)) / Bandwidth;
     const double picture = finding + times.Slowest + messages;
     const double waiting = finding + times.Waiting + messages;
     alone = processes == 1 ? picture : alone;

@@ -7,8 +7,8 @@
 #include "Views.h"
 
 #include "Picture/CloudFinder.h"
+#include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
-#include "Picture/CloudTransfer.h"
 #include "Picture/RenderTiles.h"
 #include "Picture/SharedNotes.h"
 #include "vtkIsosurfaceRayTracingCompat.h"

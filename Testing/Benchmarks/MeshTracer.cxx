@@ -145,13 +145,13 @@ vtkirt::Scene MeshTracer::MakeScene(const View& view, const PictureRays& rays, i
 
 //------------------------------------------------------------------------------
 vtkirt::Scene MeshTracer::MakeCloudScene(
-  const View& view, const PictureRays& rays, int size, const vtkirt::CloudTransfer& transfer) const
+  const View& view, const PictureRays& rays, int size, const vtkirt::CloudMedium& medium) const
 {
   vtkirt::TraceRequest request;
   request.HasCloud = true;
   this->Field->Select(request, {});
   vtkirt::Scene scene = this->MakeScene(view, rays, size);
-  scene.Fields.front().Cloud = &transfer;
+  scene.Fields.front().Cloud = &medium;
   scene.Fields.front().Colors.clear();
   scene.TileWidth = vtkirt::CloudTile::Edge;
   scene.TileHeight = vtkirt::CloudTile::Edge;

@@ -22,7 +22,7 @@ VTK_ABI_NAMESPACE_END
 
 namespace vtkIsosurfaceRayTracing
 {
-class CloudTransfer;
+class CloudMedium;
 class MeshCells;
 class MeshField;
 struct Frame;
@@ -48,9 +48,9 @@ public:
   vtkIsosurfaceRayTracing::Scene MakeScene(
     const View& view, const PictureRays& rays, int size) const;
 
-  /// The same for a cloud, and nothing else. The transfer functions must outlive the scene.
+  /// The same for a cloud, and nothing else. The medium must outlive the scene.
   vtkIsosurfaceRayTracing::Scene MakeCloudScene(const View& view, const PictureRays& rays, int size,
-    const vtkIsosurfaceRayTracing::CloudTransfer& transfer) const;
+    const vtkIsosurfaceRayTracing::CloudMedium& medium) const;
 
   /// Its tetrahedra, those that the cells are subdivided into included.
   std::vector<std::array<std::array<double, 4>, 4>> Subdivide() const;

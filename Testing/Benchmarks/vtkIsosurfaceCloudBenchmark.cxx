@@ -16,7 +16,7 @@
 #include "Schedule.h"
 #include "Support/ReadVolume.h"
 
-#include "Picture/CloudTransfer.h"
+#include "Picture/CloudMedium.h"
 
 #include <vtkCellProjectionMapper.h>
 #include <vtkColorTransferFunction.h>
@@ -311,9 +311,9 @@ double FindUnroundedError(const std::vector<ExactPixel>& pixels, const vtkirt::S
 void ComparePictures(const Cloud& cloud, const Arguments& arguments)
 {
   MeshTracer tracer(cloud.Grid, cloud.Grid->GetPointData()->GetScalars(), arguments.Threads);
-  const vtkirt::CloudTransfer transfer(cloud.Nodes);
+  const vtkirt::CloudMedium medium(cloud.Nodes);
   const vtkirt::Scene scene = tracer.MakeCloudScene(
-    cloud.Eye, PictureRays(cloud.Eye, arguments.Size), arguments.Size, transfer);
+    cloud.Eye, PictureRays(cloud.Eye, arguments.Size), arguments.Size, medium);
   const CloudTimes times = MeasureCloud(scene);
   std::printf("%lld tetrahedra, %d x %d pixels, %lld segments, %.1f ns of one thread a segment "
               "(finding %.1f, drawing %.1f), %.1f bytes a cell\n\n",

@@ -6,9 +6,12 @@ are dealt out. Run by mpirun."""
 
 import unittest
 
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkUnstructuredGrid
+import numpy as np
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPiecewiseFunction, vtkPlane, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from vtkIsosurfaceRayTracing import vtkCellProjectionMapper, vtkIsosurfaceRayTraceMeshMapper
 from vtkIsosurfaceRayTracing.vtkIsosurfaceRayTracingParallel import vtkIsosurfaceRayTraceCompositor
 
@@ -96,6 +99,35 @@ def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threa
     return volume
 
 
+def with_components(mesh, dtype=np.float64):
+    """The mesh with four components from 0 to 1, or of unsigned char from 0 to 255."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    waves = [0.5 + 0.5 * np.sin(points @ direction) for direction in np.eye(4, 3) * 0.7 + 0.1]
+    largest = 255 if dtype == np.uint8 else 1
+    array = numpy_to_vtk((largest * np.stack(waves, axis=1)).astype(dtype), deep=True)
+    array.SetName("components")
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(mesh)
+    copy.GetPointData().SetScalars(array)
+    return copy
+
+
+def make_mixture(data, are_independent=True, **settings):
+    volume = make_cloud(data, **settings)
+    volume.GetProperty().SetIndependentComponents(are_independent)
+    volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 0.4)
+    for i, hue in enumerate(((1.0, 0.2, 0.1), (0.1, 1.0, 0.2), (0.1, 0.3, 1.0), (1.0, 1.0, 0.1))):
+        colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+        colors.AddRGBPoint(0.3 + 0.1 * i, *hue)
+        colors.AddRGBPoint(1.0, 1.0, 1.0, 1.0)
+        opacities.AddPoint(0.4, 0.0)
+        opacities.AddPoint(0.8, 0.5)
+        volume.GetProperty().SetColor(i, colors)
+        volume.GetProperty().SetScalarOpacity(i, opacities)
+        volume.GetProperty().SetScalarOpacityUnitDistance(i, 8.0)
+    return volume
+
+
 class TestClouds(PicturesOfMany):
     @classmethod
     def setUpClass(cls):
@@ -128,6 +160,53 @@ class TestClouds(PicturesOfMany):
             for deal in (round_robin, in_order):
                 with self.subTest(settings):
                     self.check(self.tetrahedra, deal, **settings)
+
+    def test_components(self):
+        camera = make_camera()
+        for are_independent, dtype, surfaces in (
+            (True, np.float64, False), (True, np.float32, True), (False, np.uint8, False)
+        ):
+            mesh = with_components(self.tetrahedra, dtype)
+            for deal in (round_robin, with_some_empty):
+                with self.subTest(f"{are_independent} {dtype}"):
+                    is_rendered, picture = render(
+                        make_mixture(deal(mesh), are_independent, surfaces=surfaces), camera, PICTURE)
+                    self.assertTrue(is_rendered)
+                    whole = make_mixture(mesh, are_independent, surfaces=surfaces)
+                    self.check_against_whole(
+                        picture, whole, camera, PICTURE, name=f"components {are_independent} {surfaces}")
+
+    def test_components_of_connections_without_data(self):
+        """Processes that have nothing of a connection draw what the others find of it."""
+        for are_independent, dtype in ((True, np.float64), (False, np.uint8)):
+            mesh = with_components(self.cells, dtype)
+            own = make_mixture(mesh if RANK == 0 else vtkUnstructuredGrid(), are_independent)
+            other = vtkUnstructuredGrid()
+            other.DeepCopy(mesh)
+            for i in range(other.GetNumberOfPoints()):
+                x, y, z = other.GetPoint(i)
+                other.GetPoints().SetPoint(i, x + 6.3, y - 3.1, 1.1 * z)
+            own.GetMapper().AddInputDataObject(other if RANK == SIZE - 1 else vtkUnstructuredGrid())
+            is_rendered, picture = render(own, make_camera(), PICTURE)
+            self.assertTrue(is_rendered)
+            whole = make_mixture(mesh, are_independent)
+            whole.GetMapper().AddInputDataObject(other)
+            self.check_against_whole(
+                picture, whole, make_camera(), PICTURE, name=f"components of connections {are_independent}")
+
+    @unittest.skipIf(SIZE == 1, "one process agrees with itself")
+    def test_different_components(self):
+        is_last = RANK == SIZE - 1
+        mesh = round_robin(with_components(self.tetrahedra) if is_last else self.tetrahedra)
+        volume = make_mixture(mesh)
+        errors = Errors(volume.GetMapper())
+        self.assertFalse(render(volume, make_camera(), (40, 30))[0])
+        self.assertRegex(errors.texts[0], "different numbers of components")
+        volume = make_mixture(round_robin(with_components(self.tetrahedra)))
+        if is_last:
+            volume.GetProperty().SetScalarOpacityUnitDistance(3, 1.0)
+        self.check_failure(
+            volume, f"clouds of process {SIZE - 1} differ from those of process 0", SIZE - 1)
 
     def test_counts(self):
         compositor = vtkIsosurfaceRayTraceCompositor()

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import reference, vtkSOADataArrayTemplate, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_PYRAMID,
@@ -432,6 +432,213 @@ class TestDamage(unittest.TestCase):
             x, y, _ = grid.GetPoint(i)
             grid.GetPoints().SetPoint(i, x, y, 3.0)
         self.assertEqual(render_to_image(*make_cloud(grid)).max(), 0.0)
+
+
+def make_components(shape, functions, dtype=np.float64):
+    """A grid whose scalars have a component by each function of the points."""
+    grid = make_grid(shape, lambda p: 0.0)
+    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    values = np.array([[function(point) for function in functions] for point in points])
+    array = numpy_to_vtk(values.astype(dtype), deep=True)
+    array.SetName("components")
+    grid.GetPointData().SetScalars(array)
+    return grid
+
+
+WAVES = (
+    lambda p: 0.5 + 0.5 * math.sin(1.1 * p[0] + 0.3 * p[1]),
+    lambda p: 0.5 + 0.5 * math.cos(0.9 * p[1] - 0.4 * p[2]),
+    lambda p: 0.5 + 0.5 * math.sin(0.7 * p[2] + 0.5 * p[0]),
+    lambda p: 0.5 + 0.5 * math.cos(0.5 * sum(p)),
+)
+
+
+def make_mixture(grid, hues, mapper_class=vtkCellProjectionMapper):
+    """Each component has a hue, an opacity and a unit distance of its own."""
+    mapper, volume = make_cloud(grid, mapper_class)
+    for i, hue in enumerate(hues):
+        colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+        # VTK's linear integrator knows the nodes of colours alone.
+        for value, brightness, opacity in ((0.0, 0.2, 0.0), (0.6, 1.0, 0.3 + 0.05 * i), (1.0, 0.5, 0.1)):
+            colors.AddRGBPoint(value, *(brightness * number for number in hue))
+            opacities.AddPoint(value, opacity)
+        volume.GetProperty().SetColor(i, colors)
+        volume.GetProperty().SetScalarOpacity(i, opacities)
+        volume.GetProperty().SetScalarOpacityUnitDistance(i, 1.0 + 0.3 * i)
+    return mapper, volume
+
+
+HUES = ((1.0, 0.2, 0.1), (0.1, 1.0, 0.2), (0.1, 0.3, 1.0), (1.0, 1.0, 0.1))
+
+
+class TestComponents(unittest.TestCase):
+    def check(self, volume, color, depth):
+        """Everywhere, light of a colour through an optical depth."""
+        picture = render_to_image(volume.GetMapper(), volume, make_camera_along_y())
+        opacity = 1.0 - math.exp(-depth)
+        for i, expected in enumerate((*(opacity * np.array(color)), opacity)):
+            self.assertLess(np.abs(picture[..., i] - expected).max(), 0.51 / 255)
+
+    def test_independent_components_of_one_value_each(self):
+        """Attenuations are added; colours are weighted by them."""
+        _, volume = make_mixture(make_components(VTK_WEDGE, (lambda p: 0.6, lambda p: 1.0)), HUES[:2])
+        attenuations = np.array((0.3, 0.1 / 1.3))
+        color = attenuations @ (np.array(HUES[:2]) * ((1.0,), (0.5,))) / attenuations.sum()
+        self.check(volume, color, attenuations.sum() * SIZE)
+        # Without one of them there is the other.
+        volume.GetProperty().SetComponentWeight(0, 0.0)
+        self.check(volume, 0.5 * np.array(HUES[1]), attenuations[1] * SIZE)
+
+    def test_linear_components(self):
+        """A closed form: where attenuations rise and fall, and their sum is the same."""
+        grid = make_components(VTK_TETRA, (lambda p: p[1] / SIZE, lambda p: 1.0 - p[1] / SIZE))
+        mapper, volume = make_cloud(grid)
+        for i, color in enumerate(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))):
+            colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+            colors.AddRGBPoint(0.0, *color)
+            opacities.AddPoint(0.0, 0.0)
+            opacities.AddPoint(1.0, 1.0)
+            volume.GetProperty().SetColor(i, colors)
+            volume.GetProperty().SetScalarOpacity(i, opacities)
+            volume.GetProperty().SetScalarOpacityUnitDistance(i, 3.0)
+        depth = SIZE / 3.0
+        picture = render_to_image(mapper, volume, make_camera_along_y())
+        passed = math.exp(-depth)
+        rising = (1.0 - passed * (1.0 + depth)) / depth  # of x exp(-depth x) depth, from 0 to 1
+        for i, expected in enumerate((rising, 1.0 - passed - rising, 0.0, 1.0 - passed)):
+            self.assertLess(np.abs(picture[..., i] - expected).max(), 0.51 / 255)
+
+    def test_two_dependent_components(self):
+        """The colour is that of the first, the opacity that of the second."""
+        _, volume = make_cloud(make_components(VTK_PYRAMID, (lambda p: 1.0, lambda p: 0.5)))
+        volume.GetProperty().IndependentComponentsOff()
+        color = volume.GetProperty().GetRGBTransferFunction().GetColor(1.0)
+        self.check(volume, color, volume.GetProperty().GetScalarOpacity().GetValue(0.5) * SIZE)
+
+    def test_colors_and_an_opacity(self):
+        """Of unsigned char up to 255, of others up to 1."""
+        for dtype, largest in ((np.uint8, 255), (np.float32, 1.0), (np.int16, 1.0)):
+            with self.subTest(dtype=dtype):
+                parts = (1.0, 0.0, 0.0, 1.0) if dtype == np.int16 else (0.8, 0.4, 0.2, 0.6)
+                functions = [lambda p, part=part: part * largest for part in parts]
+                _, volume = make_cloud(make_components(VTK_HEXAHEDRON, functions, dtype), unit=5.0)
+                volume.GetProperty().IndependentComponentsOff()
+                self.check(volume, parts[:3], parts[3] * SIZE / 5.0)
+
+    def test_ray_caster(self):
+        """The pictures of VTK's ray caster, as for one component."""
+        for count, are_independent in ((2, True), (4, True), (4, False)):
+            with self.subTest(count=count, are_independent=are_independent):
+                grid = make_components(VTK_TETRA, WAVES[:count], np.float32)
+                _, volume = make_mixture(grid, HUES[:count])
+                volume.GetProperty().SetIndependentComponents(are_independent)
+                other, other_volume = make_cloud(grid, vtkUnstructuredGridVolumeRayCastMapper)
+                other.SetRayIntegrator(vtkUnstructuredGridLinearRayIntegrator())
+                other_volume.SetProperty(volume.GetProperty())
+                picture = draw(volume, size=480)
+                difference = np.abs(picture - draw(other_volume, size=480)).max(axis=-1)
+                self.assertGreater(picture.max(), 150)
+                self.assertLess(np.mean(difference), 1.5)
+                self.assertLess(np.mean(difference > 6), 0.03)
+
+    def test_arrays_of_any_kind(self):
+        """Values of cells, and arrays that are not interleaved."""
+        grid = make_components(VTK_HEXAHEDRON, (lambda p: 0.6, lambda p: 1.0))
+        _, volume = make_mixture(grid, HUES[:2])
+        expected = render_to_image(volume.GetMapper(), volume)
+        apart = vtkSOADataArrayTemplate["float64"]()
+        apart.SetNumberOfComponents(2)
+        apart.SetNumberOfTuples(grid.GetNumberOfPoints())
+        apart.CopyComponent(0, grid.GetPointData().GetScalars(), 0)
+        apart.CopyComponent(1, grid.GetPointData().GetScalars(), 1)
+        grid.GetPointData().SetScalars(apart)
+        self.assertTrue(np.array_equal(render_to_image(volume.GetMapper(), volume), expected))
+        of_cells = numpy_to_vtk(np.tile((0.6, 1.0), (grid.GetNumberOfCells(), 1)), deep=True)
+        grid.GetPointData().SetScalars(None)
+        grid.GetCellData().SetScalars(of_cells)
+        self.assertTrue(np.array_equal(render_to_image(volume.GetMapper(), volume), expected))
+
+    def test_one_component_of_several(self):
+        """By the vector mode; and of the largest weight, for isosurfaces and the largest value."""
+        several = make_components(VTK_TETRA, WAVES[:3])
+        one = make_components(VTK_TETRA, WAVES[1:2])
+        mapper, volume = make_cloud(several, low=0.0, high=1.0)
+        mapper.SetVectorModeToComponent()
+        mapper.SetVectorComponent(1)
+        expected_mapper, expected_volume = make_cloud(one, low=0.0, high=1.0)
+        expected = render_to_image(expected_mapper, expected_volume)
+        self.assertTrue(np.array_equal(render_to_image(mapper, volume), expected))
+
+        mapper.SetVectorModeToDisabled()
+        for i in (0, 2):
+            volume.GetProperty().SetComponentWeight(i, 0.5)
+        fill_property(expected_volume.GetProperty(), low=0.0, high=1.0)
+        volume.GetProperty().SetColor(1, expected_volume.GetProperty().GetRGBTransferFunction())
+        volume.GetProperty().SetScalarOpacity(1, expected_volume.GetProperty().GetScalarOpacity())
+        for either in (mapper, expected_mapper):
+            either.SetBlendModeToMaximumIntensity()
+        expected = render_to_image(expected_mapper, expected_volume)
+        self.assertTrue(np.array_equal(render_to_image(mapper, volume), expected))
+
+        for either, its_volume in ((mapper, volume), (expected_mapper, expected_volume)):
+            either.SetBlendModeToComposite()
+            either.DrawIsosurfacesOn()
+            its_volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 0.5)
+            its_volume.GetProperty().ShadeOff()
+            for i in range(3):
+                its_volume.GetProperty().SetScalarOpacityUnitDistance(i, 1e9)
+        picture = render_to_image(mapper, volume)
+        expected = render_to_image(expected_mapper, expected_volume)
+        self.assertGreater(expected[..., 3].max(), 0.15)
+        self.assertLess(np.abs(picture - expected).max(), 1.01 / 255)
+
+    def test_blocks_and_changes(self):
+        """Two blocks are one cloud; another number of components is another cloud."""
+        whole = make_components(VTK_TETRA, WAVES[:2])
+        mapper, volume = make_mixture(whole, HUES[:2])
+        expected = render_to_image(mapper, volume)
+        blocks = vtkMultiBlockDataSet()
+        empty = make_components(VTK_TETRA, WAVES[:2])
+        empty.SetPoints(whole.GetPoints())
+        for number, grid in enumerate((whole, empty)):
+            ghosts = np.arange(grid.GetNumberOfCells()) % 2 == number
+            flags = numpy_to_vtk((ghosts * vtkDataSetAttributes.HIDDENCELL).astype(np.uint8), deep=True,
+                                 array_type=vtkUnsignedCharArray().GetDataType())
+            flags.SetName("vtkGhostType")
+            grid.GetCellData().AddArray(flags)
+            blocks.SetBlock(number, grid)
+        mapper.SetInputDataObject(blocks)
+        self.assertLess(np.abs(render_to_image(mapper, volume) - expected).max(), 1.01 / 255)
+        three = make_components(VTK_TETRA, (*WAVES[:2], lambda p: 0.0))
+        mapper.SetInputDataObject(three)
+        opacities = vtkPiecewiseFunction()
+        opacities.AddPoint(0.0, 0.0)
+        volume.GetProperty().SetScalarOpacity(2, opacities)
+        self.assertLess(np.abs(render_to_image(mapper, volume) - expected).max(), 1.01 / 255)
+
+    def test_components_that_cannot_be_drawn(self):
+        for count, are_independent, text in ((3, False, "IndependentComponentsOn"), (5, True, "SetVectorMode"),
+                                             (5, False, "SetVectorMode")):
+            with self.subTest(count=count, are_independent=are_independent):
+                mapper, volume = make_cloud(make_components(VTK_TETRA, (WAVES + WAVES)[:count]))
+                volume.GetProperty().SetIndependentComponents(are_independent)
+                sphere = make_sphere(1.5)
+                pictures = []
+                errors = errors_of(mapper, lambda: pictures.append(draw(volume, sphere)))
+                self.assertEqual(len(errors), 1)
+                self.assertIn(text, errors[0])
+                self.assertTrue(np.array_equal(pictures[0], draw(sphere)))
+
+    def test_blocks_of_unlike_colors(self):
+        mapper, volume = make_cloud(None)
+        volume.GetProperty().IndependentComponentsOff()
+        blocks = vtkMultiBlockDataSet()
+        for number, dtype in enumerate((np.uint8, np.float32)):
+            blocks.SetBlock(number, make_components(VTK_TETRA, WAVES, dtype))
+        mapper.SetInputDataObject(blocks)
+        errors = errors_of(
+            mapper, lambda: mapper.RenderToImage(volume, make_camera(), None, 20, 20, vtkImageData()))
+        self.assertIn("unsigned char", "".join(errors))
 
 
 class TestUse(unittest.TestCase):

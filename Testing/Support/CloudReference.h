@@ -153,6 +153,109 @@ void AddSegment(const std::vector<CloudNode>& nodes, Extended length, Extended f
   }
 }
 
+/// The transfer functions of several components, and whether these are clouds of their own.
+struct ReferenceMixture
+{
+  std::vector<std::vector<CloudNode>> Nodes;
+  bool AreIndependent;
+};
+
+/// Goes on with a segment of a mixture, by the values of each component at both ends.
+template <typename Extended>
+void AddMixedSegment(const ReferenceMixture& mixture, Extended length,
+  const std::vector<std::array<Extended, 2>>& values, ReferenceLight<Extended>& light)
+{
+  const std::size_t components = mixture.Nodes.size();
+  // Where any function bends or jumps.
+  std::vector<Extended> places = { 0, 1 };
+  for (std::size_t i = 0; i < components; ++i)
+  {
+    for (const CloudNode& node : mixture.Nodes[i])
+    {
+      const Extended x = (node.Value - values[i][0]) / (values[i][1] - values[i][0]);
+      if (x > 0 && x < 1)
+      {
+        places.push_back(x);
+      }
+    }
+  }
+  std::sort(places.begin(), places.end());
+  constexpr long double gauss[4] = { 0.069431844202973712388L, 0.33000947820757186760L,
+    0.66999052179242813240L, 0.93056815579702628761L };
+  constexpr long double weights[4] = { 0.17392742256872692869L, 0.32607257743127307131L,
+    0.32607257743127307131L, 0.17392742256872692869L };
+  for (std::size_t part = 1; part < places.size(); ++part)
+  {
+    const Extended begin = places[part - 1];
+    const Extended width = places[part] - begin;
+    const auto find = [&](std::size_t i, Extended x)
+    { return values[i][0] + x * (values[i][1] - values[i][0]); };
+    std::vector<CloudInterval<Extended>> intervals;
+    for (std::size_t i = 0; i < components; ++i)
+    {
+      const std::vector<CloudNode>& nodes = mixture.Nodes[i];
+      const Extended middle = find(i, begin + width / 2);
+      CloudInterval<Extended> own = { nodes.back(), nodes.back() };
+      if (middle <= nodes.front().Value)
+      {
+        own = { nodes.front(), nodes.front() };
+      }
+      for (std::size_t k = 1; k < nodes.size(); ++k)
+      {
+        if (nodes[k - 1].Value < middle && middle <= nodes[k].Value)
+        {
+          own = { nodes[k - 1], nodes[k] };
+        }
+      }
+      intervals.push_back(own);
+    }
+    const auto get = [&](int function, std::size_t i, Extended x)
+    { return intervals[i].Get(function, find(i, begin + width * x)); };
+    const auto sum = [&](int function, Extended x)
+    {
+      Extended all = 0;
+      for (std::size_t i = 0; i < components; ++i)
+      {
+        all += get(function, i, x);
+      }
+      return all;
+    };
+    const auto glow = [&](int color, Extended x)
+    {
+      Extended all = 0;
+      for (std::size_t i = 0; i < components; ++i)
+      {
+        all += get(0, i, x) * get(1 + color, i, x);
+      }
+      return mixture.AreIndependent ? all : sum(0, x) * sum(1 + color, x);
+    };
+    const Extended unit = length * width;
+    const Extended first = sum(0, 0) * unit;
+    const Extended change = sum(0, 1) * unit - first;
+    const auto depth = [&](Extended x) { return first * x + change * x * x / 2; };
+    Extended end = 1;
+    while (depth(end / 2) > 50)
+    {
+      end /= 2;
+    }
+    const int steps = 8 + static_cast<int>(8 * depth(end));
+    for (int step = 0; step < steps; ++step)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const Extended x = end * (step + gauss[k]) / steps;
+        const Extended seen =
+          light.Transmittance * FindTransmittance(depth(x)) * unit * weights[k] * end / steps;
+        for (int i = 0; i < 3; ++i)
+        {
+          light.Color[i] += seen * glow(i, x);
+        }
+      }
+    }
+    light.Transmittance *= FindTransmittance(depth(1));
+  }
+}
+
 /// All tetrahedra of a mesh: corners and values.
 using Tetrahedron = std::array<std::array<double, 4>, 4>;
 inline std::vector<Tetrahedron> Subdivide(const MeshCells& cells)
@@ -271,6 +374,46 @@ ReferenceLight<Extended> FindLight(const std::vector<Tetrahedron>& tetrahedra, c
   {
     AddSegment<Extended>(
       nodes, (segment.T[1] - segment.T[0]) * unit, segment.Value[0], segment.Value[1], light);
+  }
+  return light;
+}
+
+/// The same of a mixture, by the tetrahedra with the values of each component.
+template <typename Extended>
+ReferenceLight<Extended> FindMixedLight(const std::vector<std::vector<Tetrahedron>>& ofComponents,
+  const Camera& view, const ReferenceMixture& mixture, int x, int y)
+{
+  const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
+  std::vector<std::vector<ReferenceSegment<Extended>>> segments;
+  for (std::size_t i = 0; i < ofComponents.front().size(); ++i)
+  {
+    std::vector<ReferenceSegment<Extended>> own;
+    for (const std::vector<Tetrahedron>& tetrahedra : ofComponents)
+    {
+      ReferenceSegment<Extended> segment;
+      if (Intersect(tetrahedra[i], ray, segment))
+      {
+        own.push_back(segment);
+      }
+    }
+    if (!own.empty())
+    {
+      segments.push_back(own);
+    }
+  }
+  std::sort(segments.begin(), segments.end(),
+    [](const auto& a, const auto& b) { return a.front().T[0] < b.front().T[0]; });
+  const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
+  ReferenceLight<Extended> light;
+  for (const std::vector<ReferenceSegment<Extended>>& own : segments)
+  {
+    std::vector<std::array<Extended, 2>> values;
+    for (const ReferenceSegment<Extended>& segment : own)
+    {
+      values.push_back({ segment.Value[0], segment.Value[1] });
+    }
+    const Extended length = own.front().T[1] - own.front().T[0];
+    AddMixedSegment<Extended>(mixture, length * unit, values, light);
   }
   return light;
 }

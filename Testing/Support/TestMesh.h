@@ -21,6 +21,8 @@ struct TestMesh
 {
   std::vector<double> Points;
   std::vector<double> Values;
+  /// The values of several components at all points, if there are several, instead.
+  std::vector<double> Components;
   std::vector<unsigned char> Shapes;
   std::vector<std::int64_t> Offsets = { 0 };
   std::vector<std::int64_t> Connectivity;
@@ -45,7 +47,8 @@ struct TestMesh
     return { point[0], point[1], point[2] };
   }
 
-  MeshView View() const
+  /// Of the given component, if there are several.
+  MeshView View(std::size_t component = 0) const
   {
     MeshView view;
     view.Points = this->Points.data();
@@ -53,6 +56,13 @@ struct TestMesh
     view.NumberOfPoints = static_cast<std::int64_t>(this->Values.size());
     view.Values = this->Values.data();
     view.ValueType = ScalarType::Float64;
+    if (!this->Components.empty())
+    {
+      view.Components = this->Components.data();
+      view.NumberOfComponents = static_cast<int>(this->Components.size() / this->Values.size());
+      view.Values = this->Components.data() + component;
+      view.ValueStride = view.NumberOfComponents;
+    }
     view.Shapes = this->Shapes.data();
     view.Offsets = this->Offsets.data();
     view.Connectivity = this->Connectivity.data();

@@ -15,6 +15,7 @@
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/MeshField.h"
+#include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
 #include "Picture/CloudTransfer.h"
 #include "Picture/RenderTiles.h"
@@ -117,14 +118,19 @@ Camera MakeParallelCamera()
 struct CloudScene
 {
   CloudScene(const TestMesh& mesh, const std::vector<CloudNode>& nodes, const Camera& view)
+    : CloudScene(mesh, ReferenceMixture{ { nodes }, true }, view)
+  {
+  }
+
+  CloudScene(const TestMesh& mesh, const ReferenceMixture& mixture, const Camera& view)
     : Field(mesh.View(), 1)
-    , Transfer(nodes)
+    , Medium(mixture.Nodes, mixture.AreIndependent)
   {
     this->Request.HasCloud = true;
     SceneField field;
     field.Field = &this->Field;
     field.View = view;
-    field.Cloud = &this->Transfer;
+    field.Cloud = &this->Medium;
     this->Shown.Fields = { field };
     this->Shown.Pixels = { 0, 0, Width, Height };
     this->Shown.TileWidth = CloudTile::Edge;
@@ -163,7 +169,7 @@ struct CloudScene
 
   TraceRequest Request;
   MeshField Field;
-  CloudTransfer Transfer;
+  CloudMedium Medium;
   Scene Shown;
 };
 
@@ -186,7 +192,7 @@ std::map<int, std::vector<FoundSegment>> FindSegments(
   std::uint32_t open[CloudTile::Edge];
   std::fill(std::begin(open), std::end(open), ~0U);
   std::vector<ViewedCloud> clouds;
-  field.AddClouds(view, { { -Infinity, Infinity } }, &kernels, clouds);
+  field.AddClouds(view, { { { -Infinity, Infinity } } }, &kernels, clouds);
   CloudSource& source = *clouds.front().Source;
   source.Begin(view, pixels, *tile, 0.0);
   std::map<int, std::vector<FoundSegment>> found;
@@ -200,7 +206,7 @@ std::map<int, std::vector<FoundSegment>> FindSegments(
     {
       EXPECT_GE(segments->Depth[0][i], least - 1e-9);
       found[segments->Pixel[i]].push_back({ { segments->Depth[0][i], segments->Depth[1][i] },
-        { segments->Value[0][i], segments->Value[1][i] } });
+        { segments->Value[0][0][i], segments->Value[0][1][i] } });
     }
   }
   return found;
@@ -390,8 +396,8 @@ TEST_P(CellProjection, IntegratesSegments)
       tile->Length[pixel] = random.Uniform(0.1, 2.0);
       segments->Depth[0][i] = random.Uniform(0.0, 10.0);
       segments->Depth[1][i] = segments->Depth[0][i] + random.Uniform(0.0, 1.0);
-      segments->Value[0][i] = i % 7 == 0 ? nodes[4].Value : value;
-      segments->Value[1][i] = segments->Value[0][i] + changes[i % 3];
+      segments->Value[0][0][i] = i % 7 == 0 ? nodes[4].Value : value;
+      segments->Value[0][1][i] = segments->Value[0][0][i] + changes[i % 3];
     }
     this->TheKernels.IntegrateSegments(*tile, transfer.GetPieces(), *segments, lights.data());
     for (int i = 0; i < segments->Count; ++i)
@@ -401,10 +407,10 @@ TEST_P(CellProjection, IntegratesSegments)
       AddSegment<Extended>(nodes,
         static_cast<Extended>(tile->Length[segments->Pixel[i]]) *
           (static_cast<Extended>(segments->Depth[1][i]) - segments->Depth[0][i]),
-        segments->Value[0][i], segments->Value[1][i], reference);
+        segments->Value[0][0][i], segments->Value[0][1][i], reference);
       const double error = FindError(
         { light.Color[0], light.Color[1], light.Color[2], 1.0 - light.Transmittance }, reference);
-      EXPECT_LT(error, 3e-6) << largest << " " << segments->Value[0][i];
+      EXPECT_LT(error, 3e-6) << largest << " " << segments->Value[0][0][i];
       worst = std::max(worst, error);
     }
   }
@@ -443,6 +449,237 @@ TEST_P(CellProjection, DrawsWhatIntegralsSay)
   }
   EXPECT_LT(worst, 4e-5);
   this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// Transfer functions of some components. If they are one cloud, the last one has the attenuation.
+ReferenceMixture MakeMixture(
+  RandomNumbers& random, int components, bool areIndependent, double largest)
+{
+  ReferenceMixture mixture{ {}, areIndependent };
+  for (int i = 0; i < components; ++i)
+  {
+    mixture.Nodes.push_back(MakeNodes(random, largest));
+    for (CloudNode& node : mixture.Nodes.back())
+    {
+      const bool isLast = i == components - 1;
+      node.Attenuation = areIndependent || isLast ? node.Attenuation : 0.0;
+      node.Color = areIndependent ? node.Color : node.Color * (isLast ? 0.0 : 1.0 / components);
+    }
+  }
+  return mixture;
+}
+
+/// Components with random values, of which the first are those that the mesh has.
+void AddComponents(RandomNumbers& random, int components, TestMesh& mesh)
+{
+  mesh.Components.clear();
+  for (const double value : mesh.Values)
+  {
+    mesh.Components.push_back(value);
+    for (int i = 1; i < components; ++i)
+    {
+      mesh.Components.push_back(random.Uniform(-1.0, 1.0));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(CellProjection, IntegratesMixtures)
+{
+  RandomNumbers random(21);
+  auto tile = std::make_unique<CloudTile>();
+  auto segments = std::make_unique<CloudSegments>();
+  std::vector<SegmentLight> lights(CloudSegments::Capacity);
+  double worst = 0.0;
+  for (const int components : { 2, 3, 4, -2, -4 })
+  {
+    for (const double largest : { 0.1, 3.0, 1e3, 1e9, 1e30 })
+    {
+      const ReferenceMixture mixture =
+        MakeMixture(random, std::abs(components), components > 0, largest);
+      const CloudMedium medium(mixture.Nodes, mixture.AreIndependent);
+      segments->Components = std::abs(components);
+      segments->Count = 61;
+      for (int i = 0; i < segments->Count; ++i)
+      {
+        const int pixel = random.Integer(0, CloudTile::Capacity - 1);
+        segments->Pixel[i] = pixel;
+        tile->Length[pixel] = random.Uniform(0.1, 2.0);
+        segments->Depth[0][i] = random.Uniform(0.0, 10.0);
+        segments->Depth[1][i] = segments->Depth[0][i] + random.Uniform(0.0, 1.0);
+        for (int k = 0; k < segments->Components; ++k)
+        {
+          const double changes[3] = { 0.0, random.Uniform(-1e-3, 1e-3), random.Uniform(-3.0, 3.0) };
+          const std::vector<CloudNode>& nodes = mixture.Nodes[static_cast<std::size_t>(k)];
+          // Some begin at a jump.
+          segments->Value[k][0][i] = i % 7 == k ? nodes[4].Value : random.Uniform(-1.5, 1.5);
+          segments->Value[k][1][i] = segments->Value[k][0][i] + changes[random.Integer(0, 2)];
+        }
+      }
+      this->TheKernels.IntegrateMixture(*tile, medium.GetMixed(), *segments, lights.data());
+      for (int i = 0; i < segments->Count; ++i)
+      {
+        std::vector<std::array<Extended, 2>> values;
+        for (int k = 0; k < segments->Components; ++k)
+        {
+          values.push_back({ segments->Value[k][0][i], segments->Value[k][1][i] });
+        }
+        const SegmentLight& light = lights[static_cast<std::size_t>(i)];
+        EXPECT_GE(light.Transmittance, 0.0F);
+        EXPECT_LE(std::max({ light.Color[0], light.Color[1], light.Color[2] }), 1.00001F);
+        if (largest > 1e10)
+        {
+          continue; // The reference has not enough digits.
+        }
+        ReferenceLight<Extended> reference;
+        AddMixedSegment<Extended>(mixture,
+          static_cast<Extended>(tile->Length[segments->Pixel[i]]) *
+            (static_cast<Extended>(segments->Depth[1][i]) - segments->Depth[0][i]),
+          values, reference);
+        const double error = FindError(
+          { light.Color[0], light.Color[1], light.Color[2], 1.0 - light.Transmittance }, reference);
+        EXPECT_LT(error, 3e-6) << components << " " << largest << " " << i;
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// A mixture of one component is that component, and one of two that have the same values is
+/// denser.
+TEST_P(CellProjection, MixesWhatIsAlike)
+{
+  RandomNumbers random(22);
+  TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
+  std::vector<CloudNode> nodes = MakeNodes(random, 0.5);
+  const auto once = CloudScene(mesh, nodes, MakeCamera(false)).Render(this->TheKernels);
+  std::vector<CloudNode> half = nodes;
+  for (CloudNode& node : half)
+  {
+    node.Attenuation *= 0.5;
+  }
+  for (const double value : mesh.Values)
+  {
+    mesh.Components.insert(mesh.Components.end(), { value, value });
+  }
+  CloudScene scene(mesh, ReferenceMixture{ { half, half }, true }, MakeCamera(false));
+  const auto twice = scene.Render(this->TheKernels);
+  double brightest = 0.0;
+  for (std::size_t i = 0; i < once.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      EXPECT_NEAR(once[i][k], twice[i][k], 4e-5);
+    }
+    brightest = std::max(brightest, once[i][3]);
+  }
+  EXPECT_GT(brightest, 0.5);
+}
+
+//------------------------------------------------------------------------------
+/// Whole pictures of mixtures, with surfaces that are not seen in them, which cut segments.
+TEST_P(CellProjection, DrawsWhatIntegralsOfMixturesSay)
+{
+  RandomNumbers random(23);
+  double worst = 0.0;
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Mixed })
+  {
+    for (const int components : { 2, 3, 4, -2, -4 })
+    {
+      const auto count = static_cast<std::size_t>(std::abs(components));
+      TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
+      AddComponents(random, std::abs(components), mesh);
+      std::vector<std::vector<Tetrahedron>> tetrahedra;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        tetrahedra.push_back(Subdivide(MeshCells(mesh.View(i))));
+      }
+      const ReferenceMixture mixture =
+        MakeMixture(random, std::abs(components), components > 0, 0.5);
+      CloudScene scene(mesh, mixture, MakeCamera(components % 2 == 0));
+      const auto lights = scene.Render(this->TheKernels);
+      double brightest = 0.0;
+      for (int y = 1; y < Height; y += 6)
+      {
+        for (int x = 2; x < Width; x += 8)
+        {
+          const ReferenceLight<Extended> reference =
+            FindMixedLight<Extended>(tetrahedra, scene.Shown.Fields.front().View, mixture, x, y);
+          const std::array<double, 4>& light = lights[static_cast<std::size_t>(y * Width + x)];
+          worst = std::max(worst, FindError(light, reference));
+          brightest = std::max(brightest, light[0]);
+        }
+      }
+      EXPECT_GT(brightest, 0.05) << components;
+    }
+  }
+  EXPECT_LT(worst, 4e-5);
+  this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// Surfaces that are not seen cut segments of mixtures, and change nothing.
+TEST_P(CellProjection, CutsSegmentsOfMixtures)
+{
+  RandomNumbers random(24);
+  TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
+  AddComponents(random, 3, mesh);
+  CloudScene scene(mesh, MakeMixture(random, 3, true, 0.5), MakeCamera(false));
+  scene.Field.Select(scene.Request, { 1, &this->TheKernels });
+  Frame frame;
+  frame.Colors.resize(std::size_t{ 4 } * Width * Height);
+  frame.Depths.resize(std::size_t{ Width } * Height);
+  CloudFinder finder(scene.Shown, &this->TheKernels);
+  std::vector<std::array<double, 4>> lights[2];
+  for (const int fragments : { 0, 3 })
+  {
+    CloudTileRenderer renderer(scene.Shown, &this->TheKernels);
+    renderer.Begin({ 16, 16, 16, 16 });
+    for (int pixel = 0; pixel < 256 && fragments > 0; ++pixel)
+    {
+      const double end =
+        scene.Shown.Fields.front().View.GetRay(16 + pixel % 16, 16 + pixel / 16, 1.0).End;
+      const Fragment some[3] = { { 0.25 * end, {}, 0.0, 0.5F }, { 0.3 * end, {}, 0.0, 0.5F },
+        { 0.35 * end, {}, 0.0, 0.5F } };
+      renderer.SetFragments(pixel % 16, pixel / 16, some, 3);
+    }
+    renderer.Render(finder, frame);
+    for (int pixel = 0; pixel < 256; ++pixel)
+    {
+      lights[fragments / 3].push_back(renderer.GetLight(pixel % 16, pixel / 16));
+    }
+  }
+  EXPECT_FALSE(lights[0] == lights[1]);
+  for (std::size_t i = 0; i < lights[0].size(); ++i)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      EXPECT_NEAR(lights[0][i][k], lights[1][i][k], 1e-6);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Cells with a value that is not finite are passed over, whichever component it is of.
+TEST_P(CellProjection, PassesOverCellsThatAreNotFinite)
+{
+  RandomNumbers random(25);
+  TestMesh mesh = MakeConvexMesh(random, Cutting::Hexahedra, 0.2);
+  AddComponents(random, 2, mesh);
+  const ReferenceMixture mixture = MakeMixture(random, 2, true, 0.5);
+  std::vector<std::array<double, 4>> lights[2];
+  for (std::size_t component = 0; component < 2; ++component)
+  {
+    TestMesh own = mesh;
+    own.Components[2 * 100 + component] = std::nan("");
+    CloudScene scene(own, mixture, MakeCamera(false));
+    lights[component] = scene.Render(this->TheKernels);
+  }
+  EXPECT_TRUE(lights[0] == lights[1]);
+  EXPECT_FALSE(lights[0] == CloudScene(mesh, mixture, MakeCamera(false)).Render(this->TheKernels));
 }
 
 //------------------------------------------------------------------------------
@@ -582,12 +819,17 @@ TEST(CellBoxes, FindCellsAboveSides)
 TEST(CellProjection, HasTheSameBitsWithAllKernels)
 {
   RandomNumbers random(7);
-  const TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
-  CloudScene scene(mesh, MakeNodes(random, 2.0), MakeCamera(false));
-  const auto expected = scene.Render(*GetKernels().front());
-  for (const Kernels* kernels : GetKernels())
+  TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
+  for (const int components : { 1, 2, 4, -4 })
   {
-    EXPECT_TRUE(expected == scene.Render(*kernels));
+    AddComponents(random, std::abs(components), mesh);
+    CloudScene scene(
+      mesh, MakeMixture(random, std::abs(components), components > 0, 2.0), MakeCamera(false));
+    const auto expected = scene.Render(*GetKernels().front());
+    for (const Kernels* kernels : GetKernels())
+    {
+      EXPECT_TRUE(expected == scene.Render(*kernels));
+    }
   }
 }
 

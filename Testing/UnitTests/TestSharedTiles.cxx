@@ -8,7 +8,7 @@
 #include "Math/Matrix.h"
 #include "Matrices.h"
 #include "Mesh/MeshField.h"
-#include "Picture/CloudTransfer.h"
+#include "Picture/CloudMedium.h"
 #include "Picture/RenderSharedTiles.h"
 #include "Picture/SharedTiles.h"
 #include "RandomNumbers.h"
@@ -25,6 +25,7 @@
 #include <set>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -157,7 +158,7 @@ public:
 /// Some cells of a mesh, and what is drawn of them.
 struct Piece
 {
-  Piece(const TestMesh& mesh, const CloudTransfer& transfer, const TraceRequest& request)
+  Piece(const TestMesh& mesh, const CloudMedium& medium, const TraceRequest& request)
     : Mesh(mesh)
     , Field(this->Mesh.View(), 1)
     , Request(request)
@@ -170,7 +171,7 @@ struct Piece
     SceneField field;
     field.Field = &this->Field;
     field.View = { clipFromObject, Invert(clipFromObject), worldFromObject, Width, Height };
-    field.Cloud = &transfer;
+    field.Cloud = &medium;
     field.ColorsOfValues = &this->Colors;
     field.Colors.assign(request.Surfaces.size(), { 0.9, 0.6, 0.3 });
     this->Shown.Fields = { field };
@@ -246,7 +247,7 @@ std::vector<TestMesh> Deal(const TestMesh& mesh, int processes, Dealing dealing)
 /// A mesh in which all is drawn, and its picture by one process.
 struct Whole
 {
-  Whole(double attenuation, bool hasSurfaces)
+  Whole(double attenuation, bool hasSurfaces, bool hasComponents = false)
   {
     RandomNumbers random(17);
     this->Mesh = MakeMesh(random, Index3{ 8, 7, 6 }, Cutting::Mixed, 0.2,
@@ -258,15 +259,25 @@ struct Whole
     }
     const std::vector<CloudNode> nodes = { { -1.0, 0.0, { 0.1, 0.2, 0.9 } },
       { 0.0, 0.3 * attenuation, { 0.4, 0.9, 0.1 } }, { 1.0, attenuation, { 1.0, 0.3, 0.2 } } };
-    this->Transfer = std::make_unique<CloudTransfer>(nodes);
-    Piece piece(this->Mesh, *this->Transfer, this->Request);
+    std::vector<CloudMedium::Nodes> ofComponents = { nodes };
+    if (hasComponents)
+    {
+      ofComponents.push_back({ { -0.5, 0.0, { 0.9, 0.1, 0.1 } }, { 1.0, 0.5, { 0.2, 0.2, 1.0 } } });
+      for (const double value : this->Mesh.Values)
+      {
+        this->Mesh.Components.insert(
+          this->Mesh.Components.end(), { value, random.Uniform(-1.0, 1.0) });
+      }
+    }
+    this->Medium = std::make_unique<CloudMedium>(ofComponents, true);
+    Piece piece(this->Mesh, *this->Medium, this->Request);
     FrameTimes times;
     EXPECT_TRUE(RenderTiles(piece.Shown, { 1 }, this->Picture, times, [](double) { return true; }));
   }
 
   TestMesh Mesh;
   TraceRequest Request;
-  std::unique_ptr<CloudTransfer> Transfer;
+  std::unique_ptr<CloudMedium> Medium;
   Frame Picture;
 };
 
@@ -284,7 +295,7 @@ Shared RenderTogether(const Whole& whole, int processes, Dealing dealing, int th
   std::vector<std::unique_ptr<Piece>> pieces;
   for (const TestMesh& mesh : meshes)
   {
-    pieces.push_back(std::make_unique<Piece>(mesh, *whole.Transfer, whole.Request));
+    pieces.push_back(std::make_unique<Piece>(mesh, *whole.Medium, whole.Request));
   }
   Network network(processes);
   std::vector<Frame> frames(pieces.size());
@@ -377,9 +388,10 @@ class SharedPicture : public testing::TestWithParam<std::tuple<int, Dealing>>
 TEST_P(SharedPicture, IsThatOfOneProcess)
 {
   const auto [processes, dealing] = this->GetParam();
-  for (const bool hasSurfaces : { false, true })
+  for (const auto& [hasSurfaces, hasComponents] :
+    { std::pair(false, false), std::pair(true, false), std::pair(true, true) })
   {
-    const Whole whole(0.5, hasSurfaces);
+    const Whole whole(0.5, hasSurfaces, hasComponents);
     EXPECT_GT(*std::max_element(whole.Picture.Colors.begin(), whole.Picture.Colors.end()), 100);
     const Shared shared = RenderTogether(whole, processes, dealing, 1, {});
     ExpectSame(shared.Picture, whole.Picture);

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -20,6 +21,9 @@ struct ValueInterval
   double Low;
   double High;
 };
+
+/// In order.
+using ValueIntervals = std::vector<ValueInterval>;
 
 /// Finds the segments of rays in the cells of a field, tile by tile, for one thread: front to back,
 /// but for what cells that are near to each other overlap in depth.

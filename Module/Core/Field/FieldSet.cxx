@@ -865,7 +865,7 @@ void FieldSet::FindTransmittance(
 }
 
 //------------------------------------------------------------------------------
-void FieldSet::AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+void FieldSet::AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
   const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
 {
   for (std::size_t i = 0; i < this->NumberOfMembers; ++i)

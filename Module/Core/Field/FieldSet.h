@@ -99,7 +99,7 @@ public:
   void TracePackets(TracedPacket* packets, int count, Beam* beam) override;
   void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance) override;
-  void AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+  void AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
     const Kernels* kernels, std::vector<ViewedCloud>& clouds) const override;
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;

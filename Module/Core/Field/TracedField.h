@@ -142,9 +142,10 @@ public:
     RayPacket& packet, const Departure* departures, double* transmittance);
 
   /// Appends what a thread finds the cells with that are drawn as a cloud, given the camera in the
-  /// object space of the field, and the values that show anything, in order: cells without them may
-  /// be passed over. A field that cannot be drawn so appends nothing. The kernels may be null.
-  virtual void AddClouds(const Camera& /*view*/, const std::vector<ValueInterval>& /*shown*/,
+  /// object space of the field, and the values that show anything: cells without them may be passed
+  /// over. They are those of the traced component, or of each component of the data, all of which
+  /// are found then. A field that cannot be drawn so appends nothing. The kernels may be null.
+  virtual void AddClouds(const Camera& /*view*/, const std::vector<ValueIntervals>& /*shown*/,
     const Kernels* /*kernels*/, std::vector<ViewedCloud>& /*clouds*/) const
   {
   }

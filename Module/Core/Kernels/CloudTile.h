@@ -43,6 +43,9 @@ struct CloudTile
   double Length[Capacity];
 };
 
+/// The largest number of components of a cloud.
+constexpr int MaximumCloudComponents = 4;
+
 /// Tetrahedra as a tile sees them.
 struct ProjectedTetrahedra
 {
@@ -57,7 +60,8 @@ struct ProjectedTetrahedra
   double Y[4][Capacity];
   double W[4][Capacity];
   double Depth[4][Capacity];
-  double Value[4][Capacity];
+  /// Of each component.
+  double Value[MaximumCloudComponents][4][Capacity];
 
   /// The area that the ray (i, j) and an edge span is A i + B j + C, up to less than Rounding.
   double A[Edges][Capacity];
@@ -91,10 +95,11 @@ struct CloudSegments
   /// tetrahedron has besides.
   int Enough = Batch;
   int Count = 0;
+  int Components = 1;
   alignas(64) int Pixel[Capacity];
-  /// The depths and the values at both ends.
+  /// The depths at both ends, and the values there of each component.
   double Depth[2][Capacity];
-  double Value[2][Capacity];
+  double Value[MaximumCloudComponents][2][Capacity];
 };
 
 /// What segments add to their rays: red, green and blue, and the part of the light that passes.
@@ -127,6 +132,16 @@ struct TransferPieces
   int Bins;
   double First;
   double BinsPerUnit;
+};
+
+/// The transfer functions of several components. Either each is a cloud by itself, and they are
+/// mixed: attenuations are added, and each gives light of its own colours. Or they are one cloud,
+/// whose attenuation and colours are the sums of those of the components.
+struct MixedTransfers
+{
+  int Components;
+  bool AreIndependent;
+  const TransferPieces* Transfers[MaximumCloudComponents];
 };
 
 }

@@ -104,15 +104,16 @@ SIMD_INLINE int FindCovered(
 }
 
 /// The crossings of a face by a vector of rays.
+template <int Components>
 struct FaceCrossings
 {
   Doubles Depth;
-  Doubles Value;
+  Doubles Value[Components];
 
   /// Given the corners and the areas opposite to them: a function of face and ray alone, which does
   /// not depend on the side that the face is seen from. Both are between those of the corners.
   SIMD_INLINE FaceCrossings(
-    const Doubles areas[3], const Doubles depths[3], const Doubles values[3])
+    const Doubles areas[3], const Doubles depths[3], const Doubles (&values)[Components][3])
   {
     const Doubles sum = areas[0] + areas[1] + areas[2];
     // All have one sign, but for rounding.
@@ -124,12 +125,52 @@ struct FaceCrossings
     const Doubles inverse = 1.0 / total;
     const Doubles second = Select(hasArea, weights[1] * inverse, Doubles(1.0 / 3.0));
     const Doubles third = Select(hasArea, weights[2] * inverse, Doubles(1.0 / 3.0));
-    this->Depth = depths[0] + (second * (depths[1] - depths[0]) + third * (depths[2] - depths[0]));
-    this->Value = values[0] + (second * (values[1] - values[0]) + third * (values[2] - values[0]));
+    const auto interpolate = [&](const Doubles numbers[3]) {
+      return numbers[0] + (second * (numbers[1] - numbers[0]) + third * (numbers[2] - numbers[0]));
+    };
+    this->Depth = interpolate(depths);
+    for (int i = 0; i < Components; ++i)
+    {
+      this->Value[i] = interpolate(values[i]);
+    }
+  }
+};
+
+/// The parts of a vector of rays that are in a tetrahedron: the depths and the values at both ends.
+template <int Components>
+struct RayParts
+{
+  Doubles Depth[2];
+  Doubles Value[Components][2];
+
+  /// Moves an end of other parts to a depth, where that is inside.
+  SIMD_INLINE void Cut(const RayParts& whole, int end, Mask isCut, Doubles at)
+  {
+    const Doubles fraction = (at - whole.Depth[0]) / (whole.Depth[1] - whole.Depth[0]);
+    this->Depth[end] = Select(isCut, at, whole.Depth[end]);
+    for (int i = 0; i < Components; ++i)
+    {
+      const Doubles there = Lerp(whole.Value[i][0], whole.Value[i][1], fraction);
+      this->Value[i][end] = Select(isCut, there, whole.Value[i][end]);
+    }
+  }
+
+  /// Puts them behind segments, all lanes.
+  SIMD_INLINE void PutBehind(CloudSegments& segments) const
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      Store(this->Depth[end], &segments.Depth[end][segments.Count]);
+      for (int i = 0; i < Components; ++i)
+      {
+        Store(this->Value[i][end], &segments.Value[i][end][segments.Count]);
+      }
+    }
   }
 };
 
 /// A vector of rays and one tetrahedron.
+template <int Components>
 class RaysInTetrahedron
 {
 public:
@@ -152,7 +193,7 @@ public:
 
   /// Finds the two faces that are crossed. Returns which rays pass the tetrahedron.
   SIMD_INLINE Mask Find(
-    const ProjectedTetrahedra& projected, int number, Doubles depth[2], Doubles value[2]) const
+    const ProjectedTetrahedra& projected, int number, RayParts<Components>& parts) const
   {
     const Mask crosses012 = this->Crosses(0, 3, 1);
     const Mask crosses013 = this->Crosses(0, 4, 2);
@@ -161,17 +202,22 @@ public:
     // Of the crossed faces, in this order, the first one has corner 0 and the last one corner 3.
     const Mask is023 = AndNot(AndNot(crosses023, crosses013), crosses012);
     const Mask is013 = AndNot(AndNot(crosses013, crosses023), crosses123);
-    const FaceCrossings one = this->MakeOne(projected, number, crosses012, is023);
-    const FaceCrossings other = this->MakeOther(projected, number, is013, crosses123);
+    const Crossings one = this->MakeOne(projected, number, crosses012, is023);
+    const Crossings other = this->MakeOther(projected, number, is013, crosses123);
     const Mask isOneFirst = one.Depth < other.Depth;
-    depth[0] = Select(isOneFirst, one.Depth, other.Depth);
-    depth[1] = Select(isOneFirst, other.Depth, one.Depth);
-    value[0] = Select(isOneFirst, one.Value, other.Value);
-    value[1] = Select(isOneFirst, other.Value, one.Value);
-    return (crosses012 | crosses013 | crosses023) & (depth[0] < depth[1]);
+    parts.Depth[0] = Select(isOneFirst, one.Depth, other.Depth);
+    parts.Depth[1] = Select(isOneFirst, other.Depth, one.Depth);
+    for (int i = 0; i < Components; ++i)
+    {
+      parts.Value[i][0] = Select(isOneFirst, one.Value[i], other.Value[i]);
+      parts.Value[i][1] = Select(isOneFirst, other.Value[i], one.Value[i]);
+    }
+    return (crosses012 | crosses013 | crosses023) & (parts.Depth[0] < parts.Depth[1]);
   }
 
 private:
+  using Crossings = FaceCrossings<Components>;
+
   /// Where rounding might decide, the signs are exact, see FrameEdge, and the areas are exact but
   /// for their last digit: the crossings of faces that are seen edge-on are in order, too.
   void DecideExactly(
@@ -209,7 +255,7 @@ private:
   }
 
   /// The face of the corners 0, 1 or 2, and 2 or 3.
-  SIMD_INLINE FaceCrossings MakeOne(
+  SIMD_INLINE Crossings MakeOne(
     const ProjectedTetrahedra& projected, int number, Mask is012, Mask is023) const
   {
     const Doubles areas[3] = {
@@ -222,15 +268,11 @@ private:
       numbers[1] = Select(is023, Doubles(of[2][number]), Doubles(of[1][number]));
       numbers[2] = Select(is012, Doubles(of[2][number]), Doubles(of[3][number]));
     };
-    Doubles depths[3];
-    Doubles values[3];
-    take(projected.Depth, depths);
-    take(projected.Value, values);
-    return { areas, depths, values };
+    return TakeCorners(areas, take, projected);
   }
 
   /// The face of the corners 0 or 1, 1 or 2, and 3.
-  SIMD_INLINE FaceCrossings MakeOther(
+  SIMD_INLINE Crossings MakeOther(
     const ProjectedTetrahedra& projected, int number, Mask is013, Mask is123) const
   {
     const Doubles areas[3] = { Select(is013, this->Area[4], this->Area[5]),
@@ -242,10 +284,21 @@ private:
       numbers[1] = Select(is013, Doubles(of[1][number]), Doubles(of[2][number]));
       numbers[2] = of[3][number];
     };
+    return TakeCorners(areas, take, projected);
+  }
+
+  /// Given what takes the numbers of three corners.
+  template <typename Take>
+  SIMD_INLINE static Crossings TakeCorners(
+    const Doubles areas[3], const Take& take, const ProjectedTetrahedra& projected)
+  {
     Doubles depths[3];
-    Doubles values[3];
+    Doubles values[Components][3];
     take(projected.Depth, depths);
-    take(projected.Value, values);
+    for (int i = 0; i < Components; ++i)
+    {
+      take(projected.Value[i], values[i]);
+    }
     return { areas, depths, values };
   }
 
@@ -253,18 +306,11 @@ private:
   Mask IsLeft[ProjectedTetrahedra::Edges];
 };
 
-/// Moves an end of segments to a depth, where that is inside.
-SIMD_INLINE void CutSegments(Mask isCut, Doubles at, int end, Doubles depth[2], Doubles value[2])
-{
-  const Doubles fraction = (at - depth[0]) / (depth[1] - depth[0]);
-  const Doubles there = Lerp(value[0], value[1], fraction);
-  depth[end] = Select(isCut, at, depth[end]);
-  value[end] = Select(isCut, there, value[end]);
-}
-
+template <int Components>
 int FindSegments(
   const CloudTile& tile, const ProjectedTetrahedra& projected, int number, CloudSegments& segments)
 {
+  segments.Components = Components;
   int columns[CloudTile::Capacity + DoubleWidth];
   int rows[CloudTile::Capacity + DoubleWidth];
   for (; number < projected.Count && segments.Count < segments.Enough; ++number)
@@ -285,33 +331,23 @@ int FindSegments(
       const Doubles column = LoadIntegers(columns + first);
       const Doubles row = LoadIntegers(rows + first);
       const Doubles middle = CloudTile::Middle;
-      const RaysInTetrahedron rays(projected, number, column - middle, row - middle);
-      Doubles depth[2];
-      Doubles value[2];
-      Mask isPassed = rays.Find(projected, number, depth, value);
+      const RaysInTetrahedron<Components> rays(projected, number, column - middle, row - middle);
+      RayParts<Components> parts;
+      Mask isPassed = rays.Find(projected, number, parts);
       int* pixels = segments.Pixel + segments.Count;
       StoreTruncated(row * CloudTile::Edge + column, pixels);
       const Doubles begin = Gather(tile.Begin, pixels);
       const Doubles end = Gather(tile.End, pixels);
-      isPassed = isPassed & (begin < depth[1]) & (depth[0] < end);
-      const Mask isBegun = depth[0] < begin;
-      const Mask isEnded = end < depth[1];
+      isPassed = isPassed & (begin < parts.Depth[1]) & (parts.Depth[0] < end);
+      const Mask isBegun = parts.Depth[0] < begin;
+      const Mask isEnded = end < parts.Depth[1];
       if (Any(isPassed & (isBegun | isEnded)))
       {
-        const Doubles last = depth[1];
-        const Doubles atLast = value[1];
-        CutSegments(isEnded, end, 1, depth, value);
-        Doubles whole[2] = { depth[0], last };
-        Doubles wholeValue[2] = { value[0], atLast };
-        CutSegments(isBegun, begin, 0, whole, wholeValue);
-        depth[0] = whole[0];
-        value[0] = wholeValue[0];
+        const RayParts<Components> whole = parts;
+        parts.Cut(whole, 0, isBegun, begin);
+        parts.Cut(whole, 1, isEnded, end);
       }
-      for (int k = 0; k < 2; ++k)
-      {
-        Store(depth[k], &segments.Depth[k][segments.Count]);
-        Store(value[k], &segments.Value[k][segments.Count]);
-      }
+      parts.PutBehind(segments);
       const unsigned int lanes =
         ToBits(isPassed) & ((1U << SmallerOf(count - first, DoubleWidth)) - 1U);
       int kept[DoubleWidth];
@@ -324,7 +360,10 @@ int FindSegments(
         for (int k = 0; k < 2; ++k)
         {
           segments.Depth[k][to] = segments.Depth[k][from];
-          segments.Value[k][to] = segments.Value[k][from];
+          for (int component = 0; component < Components; ++component)
+          {
+            segments.Value[component][k][to] = segments.Value[component][k][from];
+          }
         }
       }
       segments.Count += passed;

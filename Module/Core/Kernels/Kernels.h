@@ -334,12 +334,16 @@ struct Kernels
     ProjectedTetrahedra& projected);
 
   /// Appends the segments of the rays of a tile in projected tetrahedra, from one on, until there
-  /// is a batch. Returns the number of the first tetrahedron that is left.
-  int (*FindSegments)(const CloudTile& tile, const ProjectedTetrahedra& projected, int first,
-    CloudSegments& segments);
+  /// is a batch. Returns the number of the first tetrahedron that is left. One for every number of
+  /// components, from one on.
+  int (*FindSegments[MaximumCloudComponents])(const CloudTile& tile,
+    const ProjectedTetrahedra& projected, int first, CloudSegments& segments);
 
-  /// Finds the light of segments.
+  /// Finds the light of segments of one component...
   void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
+    const CloudSegments& segments, SegmentLight* lights);
+  /// ...or of several.
+  void (*IntegrateMixture)(const CloudTile& tile, const MixedTransfers& mixed,
     const CloudSegments& segments, SegmentLight* lights);
 
   /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room

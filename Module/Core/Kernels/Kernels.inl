@@ -93,6 +93,9 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/IntegrateSegments.inl"
+
+#include "Kernels/IntegrateMixture.inl"
+
 #include "Kernels/InterpolateGradients.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
@@ -122,5 +125,6 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
     FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
-    FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra, FindSegments,                   \
-    IntegrateSegments, FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }
+    FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra,                                 \
+    { FindSegments<1>, FindSegments<2>, FindSegments<3>, FindSegments<4> }, IntegrateSegments,     \
+    IntegrateMixture, FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }

@@ -125,7 +125,7 @@ void ProjectTetrahedra(
       Store(numbers[2], &projected.W[i][first]);
       Store(numbers[3], &projected.Depth[i][first]);
       const Doubles largest = LargestCloudValue;
-      Store(Max(0.0 - largest, Min(largest, placed[i].Numbers[3])), &projected.Value[i][first]);
+      Store(Max(0.0 - largest, Min(largest, placed[i].Numbers[3])), &projected.Value[0][i][first]);
       farthest = Max(farthest, numbers[3]);
       isInFront = isInFront & (0.0 < numbers[2]);
       const Doubles inverse = 1.0 / numbers[2];

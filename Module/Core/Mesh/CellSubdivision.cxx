@@ -4,6 +4,9 @@
 #include "Mesh/CellSubdivision.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -60,6 +63,35 @@ int SubdivideCell(const MeshCell& cell, double (*corners)[4][4])
       CopyCorner(cell, face.Corners[first], corners[count][1]);
       CopyCorner(cell, face.Corners[(first + k) % face.Count], corners[count][2]);
       CopyCorner(cell, face.Corners[(first + k + 1) % face.Count], corners[count][3]);
+    }
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+int SubdivideCell(const MeshCell& cell,
+  const double (&values)[MaximumCloudComponents][MaximumCorners], int components,
+  double (*corners)[4][4], ComponentsOfCorners* ofCorners)
+{
+  // The value of a corner is its number.
+  MeshCell numbered = cell;
+  std::iota(numbered.Values, numbered.Values + cell.Count, 0.0);
+  const int count = SubdivideCell(numbered, corners);
+  for (int i = 0; i < count; ++i)
+  {
+    std::array<double, 4> sorted[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      std::copy_n(corners[i][k], 4, sorted[k].begin());
+    }
+    std::sort(std::begin(sorted), std::end(sorted));
+    for (int k = 0; k < 4; ++k)
+    {
+      std::copy_n(sorted[k].begin(), 4, corners[i][k]);
+      for (int component = 0; component < components; ++component)
+      {
+        ofCorners[i].Values[component][k] = values[component][static_cast<int>(sorted[k][3])];
+      }
     }
   }
   return count;

@@ -4,6 +4,7 @@
 #ifndef CellSubdivision_h
 #define CellSubdivision_h
 
+#include "Kernels/CloudTile.h"
 #include "Mesh/MeshCell.h"
 
 namespace vtkIsosurfaceRayTracing
@@ -18,6 +19,19 @@ constexpr int MaximumTetrahedra = 6;
 /// quadrangle cut it along the same diagonal, whatever their shapes and the numbers of their points
 /// are. Returns the number of tetrahedra.
 int SubdivideCell(const MeshCell& cell, double (*corners)[4][4]);
+
+/// The values of all components at the corners of a tetrahedron.
+struct ComponentsOfCorners
+{
+  double Values[MaximumCloudComponents][4];
+};
+
+/// The same with several components, given their values at the corners of the cell. The corners of
+/// each tetrahedron are in the order of their places, which ProjectedTetrahedra have. What is
+/// instead of their values is undefined.
+int SubdivideCell(const MeshCell& cell,
+  const double (&values)[MaximumCloudComponents][MaximumCorners], int components,
+  double (*corners)[4][4], ComponentsOfCorners* ofCorners);
 
 }
 

@@ -62,6 +62,21 @@ void ReadTypedValues(const MeshView& view, MeshCell& cell)
   }
 }
 
+template <typename Value>
+void ReadTypedComponents(const MeshView& view, const MeshCell& cell,
+  double (&values)[MaximumCloudComponents][MaximumCorners])
+{
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    const Value* ofPoint =
+      static_cast<const Value*>(view.Components) + cell.Ids[i] * view.ValueStride;
+    for (int component = 0; component < view.NumberOfComponents; ++component)
+    {
+      values[component][i] = static_cast<double>(ofPoint[component]);
+    }
+  }
+}
+
 template <typename Id>
 void ReadListedTetrahedra(
   const MeshView& view, const std::uint32_t* numbers, int count, std::int64_t (*ids)[4])
@@ -209,6 +224,7 @@ MeshCells::MeshCells(const MeshView& view, int threads)
     [this](auto value)
     {
       this->ReadValues = ReadTypedValues<decltype(value)>;
+      this->ReadComponents = ReadTypedComponents<decltype(value)>;
       this->ReadCornerValues = ReadTypedCornerValues<decltype(value)>;
       this->ReadStraddling = this->View.IsLattice() ? FindLatticeStraddling
         : this->View.IdType == ScalarType::Int32

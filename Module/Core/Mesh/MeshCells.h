@@ -5,6 +5,7 @@
 #define MeshCells_h
 
 #include "Kernels/BeamPieces.h"
+#include "Kernels/CloudTile.h"
 #include "Math/Compiler.h"
 #include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"
@@ -37,6 +38,13 @@ public:
   /// Reads the points, or the values, alone.
   void LoadPoints(MeshCell& cell) const { this->ReadPoints(this->View, cell); }
   void LoadValues(MeshCell& cell) const { this->ReadValues(this->View, cell); }
+
+  /// Reads the values of all components at the corners of a cell of which the ids are there.
+  void LoadComponents(
+    const MeshCell& cell, double (&values)[MaximumCloudComponents][MaximumCorners]) const
+  {
+    this->ReadComponents(this->View, cell, values);
+  }
 
   /// Both ids and corners. A cell that is not to be traced returns false.
   bool Load(std::int64_t number, MeshCell& cell) const
@@ -90,6 +98,8 @@ private:
   bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
+  void (*ReadComponents)(const MeshView& view, const MeshCell& cell,
+    double (&values)[MaximumCloudComponents][MaximumCorners]) = nullptr;
   unsigned int (*ReadStraddling)(
     const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue) = nullptr;
   void (*ReadTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,

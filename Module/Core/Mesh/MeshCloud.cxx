@@ -28,15 +28,31 @@ double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)
   return sum;
 }
 
+/// Whether any of the values from low to high is shown; not if low > high.
+bool AreShown(const ValueIntervals& intervals, double low, double high)
+{
+  return low <= high &&
+    std::any_of(intervals.begin(), intervals.end(),
+      [low, high](const ValueInterval& shown) { return shown.Low <= high && low <= shown.High; });
+}
+
+bool AreShown(const ValueIntervals& intervals, const double (&values)[4])
+{
+  return AreShown(intervals,
+    std::min(std::min(values[0], values[1]), std::min(values[2], values[3])),
+    std::max(std::max(values[0], values[1]), std::max(values[2], values[3])));
+}
+
 }
 
 //------------------------------------------------------------------------------
 MeshCloud::MeshCloud(
-  const MeshSelection& selection, const std::vector<ValueInterval>& shown, const Kernels& kernels)
+  const MeshSelection& selection, const std::vector<ValueIntervals>& shown, const Kernels& kernels)
   : Selection(selection)
   , TheKernels(kernels)
   , AreTetrahedra(selection.Tree->AreAllFinite() && !selection.Request.Visible.HiddenCells)
   , Shown(shown)
+  , Components(shown.size() > 1 ? MostLoaded : 0)
 {
 }
 
@@ -172,12 +188,28 @@ bool MeshCloud::IsSeen(const Bounds& box) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether any of the values from low to high is shown; not if low > high.
-bool MeshCloud::IsShown(double low, double high) const
+/// The tree has the values of the traced component alone.
+bool MeshCloud::IsShown(const CellTreeNode& node, int child) const
 {
-  return low <= high &&
-    std::any_of(this->Shown.begin(), this->Shown.end(),
-      [low, high](const ValueInterval& shown) { return shown.Low <= high && low <= shown.High; });
+  const auto low = static_cast<double>(node.Low[child]);
+  const auto high = static_cast<double>(node.High[child]);
+  return this->HasComponents() ? low <= high : AreShown(this->Shown.front(), low, high);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a tetrahedron that is loaded shows anything of any component.
+bool MeshCloud::IsShown(int tetrahedron) const
+{
+  if (!this->HasComponents())
+  {
+    const auto& corners = this->Corners[tetrahedron];
+    const double values[4] = { corners[0][3], corners[1][3], corners[2][3], corners[3][3] };
+    return AreShown(this->Shown.front(), values);
+  }
+  const auto& components = this->Components[static_cast<std::size_t>(tetrahedron)];
+  const auto* values = components.Values;
+  return std::any_of(this->Shown.begin(), this->Shown.end(),
+    [&values](const ValueIntervals& shown) { return AreShown(shown, *values++); });
 }
 
 //------------------------------------------------------------------------------
@@ -187,16 +219,20 @@ int MeshCloud::KeepShown(int count)
   int kept = 0;
   for (int i = 0; i < count; ++i)
   {
-    const auto& corners = this->Corners[this->Loaded + i];
-    const double low = std::min({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
-    const double high = std::max({ corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
-    if (!this->IsShown(low, high))
+    const int from = this->Loaded + i;
+    const int to = this->Loaded + kept;
+    if (!this->IsShown(from))
     {
       continue;
     }
     if (kept < i)
     {
-      std::copy_n(&corners[0][0], 16, &this->Corners[this->Loaded + kept][0][0]);
+      std::copy_n(&this->Corners[from][0][0], 16, &this->Corners[to][0][0]);
+    }
+    if (kept < i && this->HasComponents())
+    {
+      this->Components[static_cast<std::size_t>(to)] =
+        this->Components[static_cast<std::size_t>(from)];
     }
     ++kept;
   }
@@ -211,8 +247,7 @@ void MeshCloud::FindBlocks(int level, std::size_t node)
   const CellTreeNode& parent = tree.GetNode(level, node);
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (!this->IsShown(
-          static_cast<double>(parent.Low[child]), static_cast<double>(parent.High[child])))
+    if (!this->IsShown(parent, child))
     {
       continue;
     }
@@ -267,8 +302,8 @@ void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegm
         return;
       }
     }
-    this->Searched =
-      this->TheKernels.FindSegments(this->Tile, this->Projected, this->Searched, segments);
+    const auto findSegments = this->TheKernels.FindSegments[this->Shown.size() - 1];
+    this->Searched = findSegments(this->Tile, this->Projected, this->Searched, segments);
   }
 }
 
@@ -288,6 +323,29 @@ void MeshCloud::LoadCells()
   this->Searched = 0;
   this->Loaded -= count;
   std::copy_n(&this->Corners[count][0][0], 16 * this->Loaded, &this->Corners[0][0][0]);
+  if (this->HasComponents())
+  {
+    this->SetComponents();
+    std::copy_n(this->Components.begin() + count, this->Loaded, this->Components.begin());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Gives the projected tetrahedra, whose corners are in order, the values of all components.
+void MeshCloud::SetComponents()
+{
+  for (int i = 0; i < this->Projected.Count; ++i)
+  {
+    const ComponentsOfCorners& components = this->Components[static_cast<std::size_t>(i)];
+    for (std::size_t component = 0; component < this->Shown.size(); ++component)
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        this->Projected.Value[component][corner][i] =
+          std::clamp(components.Values[component][corner], -LargestCloudValue, LargestCloudValue);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -313,7 +371,7 @@ int MeshCloud::LoadBlock(std::size_t block)
   const MeshCells& cells = *this->Selection.Cells;
   std::uint32_t numbers[CellTree::Width];
   const int count = this->FindCells(block, numbers);
-  const bool areTetrahedra = count > 0 && this->AreTetrahedra &&
+  const bool areTetrahedra = count > 0 && this->AreTetrahedra && !this->HasComponents() &&
     std::all_of(numbers, numbers + count,
       [&](std::uint32_t number) { return cells.GetShape(number) == CellShape::Tetrahedron; });
   if (areTetrahedra)
@@ -324,13 +382,40 @@ int MeshCloud::LoadBlock(std::size_t block)
   int added = 0;
   for (int i = 0; i < count; ++i)
   {
-    MeshCell cell;
-    if (!this->Selection.Request.Visible.IsHidden(numbers[i]) && cells.Load(numbers[i], cell))
+    if (!this->Selection.Request.Visible.IsHidden(numbers[i]))
     {
-      added += SubdivideCell(cell, this->Corners + this->Loaded + added);
+      added += this->LoadCell(numbers[i], this->Loaded + added);
     }
   }
   return added;
+}
+
+//------------------------------------------------------------------------------
+/// Loads the tetrahedra of a cell, from a place on. Returns how many there are.
+int MeshCloud::LoadCell(std::uint32_t number, int place)
+{
+  MeshCell cell;
+  if (!this->Selection.Cells->Load(number, cell))
+  {
+    return 0;
+  }
+  if (!this->HasComponents())
+  {
+    return SubdivideCell(cell, this->Corners + place);
+  }
+  double values[MaximumCloudComponents][MaximumCorners];
+  this->Selection.Cells->LoadComponents(cell, values);
+  const auto components = static_cast<int>(this->Shown.size());
+  for (int i = 0; i < components; ++i)
+  {
+    if (!std::all_of(
+          values[i], values[i] + cell.Count, [](double value) { return std::isfinite(value); }))
+    {
+      return 0;
+    }
+  }
+  return SubdivideCell(
+    cell, values, components, this->Corners + place, this->Components.data() + place);
 }
 
 }

@@ -25,8 +25,8 @@ class MeshCloud final : public CloudSource
 {
 public:
   /// The selection must outlive the source. Tetrahedra without a value that is shown are passed
-  /// over.
-  MeshCloud(const MeshSelection& selection, const std::vector<ValueInterval>& shown,
+  /// over: see TracedField::AddClouds.
+  MeshCloud(const MeshSelection& selection, const std::vector<ValueIntervals>& shown,
     const Kernels& kernels);
 
   void Begin(
@@ -48,17 +48,21 @@ private:
   void CutRays(const Camera& view, const PixelRectangle& pixels, const CloudTile& tile);
   void CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel);
   bool IsSeen(const Bounds& box) const;
-  bool IsShown(double low, double high) const;
+  bool IsShown(const CellTreeNode& node, int child) const;
+  bool IsShown(int tetrahedron) const;
   int KeepShown(int count);
   void FindBlocks(int level, std::size_t node);
   void LoadCells();
   int FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const;
   int LoadBlock(std::size_t block);
+  int LoadCell(std::uint32_t number, int place);
+  void SetComponents();
+  bool HasComponents() const { return this->Shown.size() > 1; }
 
   const MeshSelection& Selection;
   const Kernels& TheKernels;
   bool AreTetrahedra;
-  std::vector<ValueInterval> Shown;
+  std::vector<ValueIntervals> Shown;
 
   CloudTile Tile;
   /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.
@@ -75,7 +79,11 @@ private:
   /// How many of them have been searched.
   int Searched = 0;
   /// Those that are loaded and not projected yet: what is left of the last block.
-  double Corners[ProjectedTetrahedra::Capacity + MaximumTetrahedra * CellTree::Width][4][4];
+  static constexpr int MostLoaded =
+    ProjectedTetrahedra::Capacity + MaximumTetrahedra * CellTree::Width;
+  double Corners[MostLoaded][4][4];
+  /// Of each of them, if there are several components.
+  std::vector<ComponentsOfCorners> Components;
   int Loaded = 0;
   /// What tetrahedra do not begin before: those that are projected, and those of the last block.
   double DepthOfProjected = 0.0;

@@ -325,7 +325,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 }
 
 //------------------------------------------------------------------------------
-void MeshField::AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+void MeshField::AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
   const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
 {
   clouds.push_back(

@@ -50,7 +50,7 @@ public:
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
-  void AddClouds(const Camera& view, const std::vector<ValueInterval>& shown,
+  void AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
     const Kernels* kernels, std::vector<ViewedCloud>& clouds) const override;
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;

@@ -41,6 +41,10 @@ struct MeshView
   /// The distance between the values of neighbours, in values (the number of interleaved
   /// components).
   std::ptrdiff_t ValueStride = 1;
+  /// The values of all components at the first point, for clouds of so many: Values are those of
+  /// one of them. Null for one component.
+  const void* Components = nullptr;
+  int NumberOfComponents = 1;
 
   /// Of listed cells, their shapes, and the ids of their corners: those of cell i are from
   /// Connectivity[Offsets[i]] to before Connectivity[Offsets[i + 1]]. Both are Int32 or Int64. They

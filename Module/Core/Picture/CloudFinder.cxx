@@ -6,7 +6,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
 #include "Math/Matrix.h"
-#include "Picture/CloudTransfer.h"
+#include "Picture/CloudMedium.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,7 +51,10 @@ void RemoveBefore(double depth, CloudSegments& segments)
     for (int end = 0; end < 2; ++end)
     {
       segments.Depth[end][kept] = segments.Depth[end][i];
-      segments.Value[end][kept] = segments.Value[end][i];
+      for (int component = 0; component < segments.Components; ++component)
+      {
+        segments.Value[component][end][kept] = segments.Value[component][end][i];
+      }
     }
     ++kept;
   }
@@ -107,8 +110,8 @@ CloudFinder::CloudFinder(const Scene& scene, const Kernels* kernels)
     if (field.Cloud)
     {
       // The largest value may be one that shows nothing.
-      const std::vector<ValueInterval> shown = field.IsMaximum
-        ? std::vector<ValueInterval>{ { -Infinity, Infinity } }
+      const std::vector<ValueIntervals> shown = field.IsMaximum
+        ? std::vector<ValueIntervals>{ { { -Infinity, Infinity } } }
         : field.Cloud->FindShown();
       field.Field->AddClouds(field.View, shown, kernels, found);
       for (ViewedCloud& cloud : found)

@@ -6,7 +6,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
 #include "Math/ByteColor.h"
-#include "Picture/CloudTransfer.h"
+#include "Picture/CloudMedium.h"
 #include "Picture/RenderTiles.h"
 
 #include <algorithm>
@@ -48,6 +48,56 @@ void SortByKey(const std::vector<Element>& elements, std::size_t count, const Ke
 }
 
 }
+
+//------------------------------------------------------------------------------
+/// The depths and the values at both ends of a segment.
+struct CloudTileRenderer::SegmentEnds
+{
+  SegmentEnds(const CloudSegments& segments, int number)
+    : Components(segments.Components)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      this->Depth[end] = segments.Depth[end][number];
+      for (int i = 0; i < this->Components; ++i)
+      {
+        this->Value[i][end] = segments.Value[i][end][number];
+      }
+    }
+  }
+
+  /// Returns the part before a depth, and becomes the rest.
+  SegmentEnds CutOff(double depth)
+  {
+    SegmentEnds before = *this;
+    const double fraction = (depth - this->Depth[0]) / (this->Depth[1] - this->Depth[0]);
+    for (int i = 0; i < this->Components; ++i)
+    {
+      const double there = Lerp(this->Value[i][0], this->Value[i][1], fraction);
+      before.Value[i][1] = there;
+      this->Value[i][0] = there;
+    }
+    before.Depth[1] = depth;
+    this->Depth[0] = depth;
+    return before;
+  }
+
+  void Write(CloudSegments& segments, int number) const
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      segments.Depth[end][number] = this->Depth[end];
+      for (int i = 0; i < this->Components; ++i)
+      {
+        segments.Value[i][end][number] = this->Value[i][end];
+      }
+    }
+  }
+
+  int Components;
+  double Depth[2];
+  double Value[MaximumCloudComponents][2];
+};
 
 //------------------------------------------------------------------------------
 CloudTileRenderer::CloudTileRenderer(const Scene& scene, const Kernels* kernels)
@@ -152,7 +202,7 @@ void CloudTileRenderer::FindMaxima(const SceneField& field, const CloudSegments&
   for (int i = 0; i < segments.Count; ++i)
   {
     RayLight& ray = this->Rays[static_cast<std::size_t>(segments.Pixel[i])];
-    const double largest = std::max(segments.Value[0][i], segments.Value[1][i]);
+    const double largest = std::max(segments.Value[0][0][i], segments.Value[0][1][i]);
     if (largest > ray.Maximum || (largest == ray.Maximum && &field < ray.MaximumOf))
     {
       ray.Maximum = largest;
@@ -182,31 +232,27 @@ void CloudTileRenderer::IntegrateParts(const SceneField& field, const CloudSegme
 {
   CloudSegments& parts = *this->Parts;
   parts.Count = 0;
+  parts.Components = whole.Components;
   for (int i = 0; i < whole.Count; ++i)
   {
     const int pixel = whole.Pixel[i];
     const RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
-    double depth[2] = { whole.Depth[0][i], whole.Depth[1][i] };
-    double value[2] = { whole.Value[0][i], whole.Value[1][i] };
+    SegmentEnds ends(whole, i);
     for (std::size_t k = ray.Fragment; k < ray.End; ++k)
     {
       const double at = this->GetDepth(this->Surfaces[k], pixel);
-      if (depth[0] < at && at < depth[1])
+      if (ends.Depth[0] < at && at < ends.Depth[1])
       {
-        const double there = Lerp(value[0], value[1], (at - depth[0]) / (depth[1] - depth[0]));
-        this->AddPart(field, pixel, { depth[0], at }, { value[0], there });
-        depth[0] = at;
-        value[0] = there;
+        this->AddPart(field, pixel, ends.CutOff(at));
       }
     }
-    this->AddPart(field, pixel, { depth[0], depth[1] }, { value[0], value[1] });
+    this->AddPart(field, pixel, ends);
   }
   this->Integrate(field, parts);
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::AddPart(const SceneField& field, int pixel,
-  const std::array<double, 2>& depths, const std::array<double, 2>& values)
+void CloudTileRenderer::AddPart(const SceneField& field, int pixel, const SegmentEnds& ends)
 {
   CloudSegments& parts = *this->Parts;
   if (parts.Count == CloudSegments::Batch)
@@ -215,11 +261,7 @@ void CloudTileRenderer::AddPart(const SceneField& field, int pixel,
     parts.Count = 0;
   }
   parts.Pixel[parts.Count] = pixel;
-  for (std::size_t end = 0; end < 2; ++end)
-  {
-    parts.Depth[end][parts.Count] = depths[end];
-    parts.Value[end][parts.Count] = values[end];
-  }
+  ends.Write(parts, parts.Count);
   ++parts.Count;
 }
 
@@ -230,8 +272,16 @@ void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& 
   const auto count = static_cast<std::size_t>(segments.Count);
   this->Pending.resize(before + count);
   this->Lights.resize(before + count);
-  this->TheKernels.IntegrateSegments(
-    this->RaysOfTile, field.Cloud->GetPieces(), segments, this->Lights.data() + before);
+  const MixedTransfers& mixed = field.Cloud->GetMixed();
+  SegmentLight* lights = this->Lights.data() + before;
+  if (mixed.Components == 1)
+  {
+    this->TheKernels.IntegrateSegments(this->RaysOfTile, *mixed.Transfers[0], segments, lights);
+  }
+  else
+  {
+    this->TheKernels.IntegrateMixture(this->RaysOfTile, mixed, segments, lights);
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     this->Pending[before + i] = { segments.Depth[0][i], segments.Pixel[i],

@@ -88,11 +88,12 @@ private:
     std::size_t End;
   };
 
+  struct SegmentEnds;
+
   void FindMaxima(const SceneField& field, const CloudSegments& segments);
   void DrawMaximum(RayLight& ray) const;
   void IntegrateParts(const SceneField& field, const CloudSegments& whole);
-  void AddPart(const SceneField& field, int pixel, const std::array<double, 2>& depths,
-    const std::array<double, 2>& values);
+  void AddPart(const SceneField& field, int pixel, const SegmentEnds& ends);
   void Integrate(const SceneField& field, const CloudSegments& segments);
   void SortByPixel();
   void SortByDepth(PendingSegment* first, PendingSegment* last) const;

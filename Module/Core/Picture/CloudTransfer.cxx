@@ -70,9 +70,9 @@ void CloudTransfer::FillBins(double first, double last)
 }
 
 //------------------------------------------------------------------------------
-std::vector<ValueInterval> CloudTransfer::FindShown() const
+ValueIntervals CloudTransfer::FindShown() const
 {
-  std::vector<ValueInterval> shown;
+  ValueIntervals shown;
   for (const TransferPiece& piece : this->Pieces)
   {
     // Linear: it is anywhere if it is at an end. A piece without an end is constant.

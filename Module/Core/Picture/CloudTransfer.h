@@ -35,7 +35,7 @@ public:
   const TransferPieces& GetPieces() const { return this->View; }
 
   /// The values with an attenuation, in order: all that light is lost in, or comes from.
-  std::vector<ValueInterval> FindShown() const;
+  ValueIntervals FindShown() const;
 
   /// The colour and the attenuation of a value.
   CloudNode Get(double value) const;

@@ -6,6 +6,7 @@
 #include "Field/FirstException.h"
 #include "Math/Arithmetic.h"
 #include "Picture/CloudFinder.h"
+#include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
 #include "Picture/PixelBlockRenderer.h"
 #include "Picture/SharedNotes.h"
@@ -192,6 +193,17 @@ void SetFragments(
   }
 }
 
+/// What a segment takes in a message, at most.
+std::size_t FindBytesOfSegment(const Scene& scene)
+{
+  int components = 1;
+  for (const SceneField& field : scene.Fields)
+  {
+    components = std::max(components, field.Cloud ? field.Cloud->GetMixed().Components : 1);
+  }
+  return TileSegments::GetBytesOfOne(components);
+}
+
 //------------------------------------------------------------------------------
 class SharedRenderer
 {
@@ -212,7 +224,7 @@ public:
     , Finders(static_cast<std::size_t>(execution.Threads))
     , OwnTiles(static_cast<std::size_t>(this->Tiles.GetCount()))
     , IsFinished(static_cast<std::size_t>(this->Tiles.GetCount()), false)
-    , MessageBytes(sharing.BufferDepth * TileSegments::BytesOfOne)
+    , MessageBytes(sharing.BufferDepth * FindBytesOfSegment(scene))
     , Outgoing(static_cast<std::size_t>(this->Processes))
   {
     for (OwnTile& tile : this->OwnTiles)

@@ -59,7 +59,7 @@ public:
   virtual std::array<double, 4> Get(double value) const = 0;
 };
 
-class CloudTransfer;
+class CloudMedium;
 
 /// A field as part of a scene.
 struct SceneField
@@ -80,9 +80,10 @@ struct SceneField
   /// For a projection, which is not lit; and for caps, which have the colours of the values there.
   const ValueColors* ColorsOfValues = nullptr;
   Material Surface;
-  /// If not null, the field is drawn as a cloud, too, with these transfer functions.
-  const CloudTransfer* Cloud = nullptr;
-  /// Whether a cloud shows its largest value along each ray, by ColorsOfValues, and not its light.
+  /// If not null, the field is drawn as a cloud of it, too.
+  const CloudMedium* Cloud = nullptr;
+  /// Whether a cloud shows the largest traced value along each ray, by ColorsOfValues, and not its
+  /// light.
   bool IsMaximum = false;
 };
 

@@ -136,8 +136,11 @@ struct TileFragment
 class TileSegments
 {
 public:
-  /// What a segment takes in a message: its pixel, two depths and two values.
-  static constexpr std::size_t BytesOfOne = 1 + 4 * sizeof(double);
+  /// What a segment takes in a message: its pixel, two depths, and two values of each component.
+  static std::size_t GetBytesOfOne(int components)
+  {
+    return 1 + 2 * (1 + static_cast<std::size_t>(components)) * sizeof(double);
+  }
 
   void Clear()
   {
@@ -147,7 +150,10 @@ public:
     for (int end = 0; end < 2; ++end)
     {
       this->Depths[end].clear();
-      this->Values[end].clear();
+      for (auto& values : this->Values)
+      {
+        values[end].clear();
+      }
     }
   }
 
@@ -156,14 +162,21 @@ public:
 
   void Add(std::size_t field, const CloudSegments& segments)
   {
-    this->Runs.push_back({ static_cast<std::int32_t>(field), segments.Count });
+    const std::size_t before = this->GetCount();
+    this->Runs.push_back({ static_cast<std::int32_t>(field), segments.Count, segments.Components });
     this->Pixels.insert(this->Pixels.end(), segments.Pixel, segments.Pixel + segments.Count);
     for (int end = 0; end < 2; ++end)
     {
       const double* depths = segments.Depth[end];
-      const double* values = segments.Value[end];
       this->Depths[end].insert(this->Depths[end].end(), depths, depths + segments.Count);
-      this->Values[end].insert(this->Values[end].end(), values, values + segments.Count);
+      for (int i = 0; i < segments.Components; ++i)
+      {
+        // Runs before may have fewer components.
+        std::vector<double>& values = this->Values[i][end];
+        values.resize(before);
+        values.insert(
+          values.end(), segments.Value[i][end], segments.Value[i][end] + segments.Count);
+      }
     }
     this->Least = std::accumulate(segments.Depth[0], segments.Depth[0] + segments.Count,
       this->Least, [](double a, double b) { return std::min(a, b); });
@@ -181,7 +194,7 @@ public:
       {
         if (this->Depths[0][next] < depth)
         {
-          this->Move(next, kept++);
+          this->Move(next, kept++, run.Components);
         }
       }
       run.Count = static_cast<std::int32_t>(kept - keptBefore);
@@ -200,7 +213,10 @@ public:
       for (int end = 0; end < 2; ++end)
       {
         writer.Add(this->Depths[end].data() + first, count);
-        writer.Add(this->Values[end].data() + first, count);
+        for (int i = 0; i < run.Components; ++i)
+        {
+          writer.Add(this->Values[i][end].data() + first, count);
+        }
       }
       writer.Add(this->Pixels.data() + first, count);
       first += count;
@@ -217,11 +233,15 @@ public:
     for (const Run& run : runs)
     {
       segments.Count = run.Count;
+      segments.Components = run.Components;
       const auto count = static_cast<std::size_t>(run.Count);
       for (int end = 0; end < 2; ++end)
       {
         reader.Take(segments.Depth[end], count);
-        reader.Take(segments.Value[end], count);
+        for (int i = 0; i < run.Components; ++i)
+        {
+          reader.Take(segments.Value[i][end], count);
+        }
       }
       reader.Take(pixels, count);
       std::copy_n(pixels, count, segments.Pixel);
@@ -235,15 +255,19 @@ private:
   {
     std::int32_t Field;
     std::int32_t Count;
+    std::int32_t Components;
   };
 
-  void Move(std::size_t from, std::size_t to)
+  void Move(std::size_t from, std::size_t to, int components)
   {
     this->Pixels[to] = this->Pixels[from];
     for (int end = 0; end < 2; ++end)
     {
       this->Depths[end][to] = this->Depths[end][from];
-      this->Values[end][to] = this->Values[end][from];
+      for (int i = 0; i < components; ++i)
+      {
+        this->Values[i][end][to] = this->Values[i][end][from];
+      }
     }
   }
 
@@ -251,7 +275,7 @@ private:
   std::vector<Run> Runs;
   std::vector<std::uint8_t> Pixels;
   std::vector<double> Depths[2];
-  std::vector<double> Values[2];
+  std::vector<double> Values[MaximumCloudComponents][2];
 };
 
 }
