@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from ._errors import silence
 from ._patient import place_nifti, place_slices
 from ._slices import find_slices, warn_of_distances
+from .vtkIsosurfaceRayTracing import vtkMappedImageReader
 
 READERS = {
     ".nhdr": "vtkIOImage.vtkNrrdReader",
@@ -54,7 +55,9 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     vtkDataObject
         What the file holds, for example a vtkImageData. Those of DICOM and NIfTI have their axes and their origin in
         the patient: x to the right, y to the front, z to the head. Of several volumes in a NIfTI it is the first.
-        Values are scaled as DICOM and NIfTI (scl_slope, scl_inter) tell.
+        Values are scaled as DICOM and NIfTI (scl_slope, scl_inter) tell. Images of more than half the memory are
+        used where they are in the file (see vtkMappedImageReader), if that can be: an uncompressed MetaImage, NRRD, or
+        .vti with raw appended data, of which it has the active scalars.
 
     Raises
     ------
@@ -63,7 +66,7 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     ValueError
         VTK has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
     MemoryError
-        It announces more samples than this machine has memory for.
+        It announces more samples than this machine has memory for, and they cannot be used in the file.
 
     Warns
     -----
@@ -134,9 +137,12 @@ def _read_whole(reader, path):
     reader.UpdateInformation()
     if errors:
         return None
-    size = _count_bytes(reader)
-    if size > _count_memory():  # VTK ends the process if it cannot allocate it.
-        raise MemoryError(f"{path} asks for more memory than this machine has")
+    size, memory = _count_bytes(reader), _count_memory()
+    if size > memory / 2 and (mapped := _map(reader, path)):
+        return mapped
+    if size > memory:  # VTK ends the process if it cannot allocate it.
+        raise MemoryError(f"{path} asks for more memory than this machine has; an uncompressed MetaImage or NRRD file, "
+                          "or a .vti file with raw appended data, needs none")
     if _is_cut(path, size):
         return None
     reader.Update()
@@ -146,6 +152,16 @@ def _read_whole(reader, path):
     if reader.GetClassName() == "vtkNIFTIImageReader":
         _finish_nifti(data, reader, path)
     return data
+
+
+def _map(reader, path):
+    """The image in a file, whose samples stay there; None if they cannot. (Those of NIfTI are scaled.)"""
+    mapped = vtkMappedImageReader()
+    if reader.GetClassName() == "vtkNIFTIImageReader" or not mapped.CanReadFile(path):
+        return None
+    mapped.SetFileName(path)
+    mapped.Update()
+    return mapped.GetOutput()
 
 
 def _finish_nifti(image, reader, path):

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -246,6 +247,31 @@ class TestRead(unittest.TestCase):
             read(self.folder / "surface.vtp")
         with self.assertRaises(TypeError):
             read(7)
+
+    def test_files_larger_than_memory(self):
+        image = make_waves()
+        size = 4 * image.GetNumberOfPoints()
+        writer = vtkMetaImageWriter()
+        writer.SetCompression(False)
+        names = [self.write(writer, "waves.mhd", image), self.folder / "waves.nhdr"]
+        names[1].write_text("NRRD0004\ntype: float\ndimension: 3\nsizes: 41 41 41\nspacings: 1 1 1\nencoding: raw\n"
+                            f"endian: {sys.byteorder}\ndata file: waves.raw\n", encoding="ascii")
+        expected = [bytes(memoryview(read(name).GetPointData().GetScalars())) for name in names]
+        compressed = self.write(vtkXMLImageDataWriter(), "compressed.vti", image)
+        scaled = self.write(vtkNIFTIImageWriter(), "waves.nii", image)
+        for memory in (size - 1, size // 2):
+            with mock.patch("vtkIsosurfaceRayTracing._files._count_memory", return_value=memory):
+                for name, samples in zip(names, expected):
+                    data = read(name)
+                    self.assertEqual(bytes(memoryview(data.GetPointData().GetScalars())), samples)
+                    self.assertEqual((data.GetDimensions(), data.GetSpacing()), (image.GetDimensions(), image.GetSpacing()))
+                    self.assertIsNotNone(render(data, ISOVALUE, size=(16, 16)))
+                for name in (compressed, scaled):
+                    with self.assertRaisesRegex(MemoryError, f"{name} asks for more memory.*uncompressed MetaImage"):
+                        read(name)
+        with mock.patch("vtkIsosurfaceRayTracing._files._count_memory", return_value=2 * size):
+            with mock.patch("vtkIsosurfaceRayTracing._files.vtkMappedImageReader", side_effect=AssertionError):
+                read(names[0])
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
