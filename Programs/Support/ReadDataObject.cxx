@@ -155,7 +155,7 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, doubl
 {
   if (SystemTools::FileIsDirectory(fileName) || !IsGrid(fileName))
   {
-    return ReadVolume(fileName, maxMemory, Axes::OfPatient);
+    return ReadOrMapVolume(fileName, maxMemory, Axes::OfPatient);
   }
   if (!SystemTools::FileExists(fileName, true))
   {

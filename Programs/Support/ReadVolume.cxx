@@ -382,6 +382,28 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadOrMapVolume(
+  const std::string& fileName, double maxMemory, Axes axes)
+{
+  vtkNew<vtkMappedImageReader> mapped;
+  // NIfTI has axes and values of its own.
+  if (mapped->CanReadFile(fileName.c_str()) && !ImageFiles::IsNifti(fileName))
+  {
+    const double unlimited = std::numeric_limits<double>::infinity();
+    const auto image =
+      ReadFile(mapped.Get(), fileName, { unlimited, unlimited, ChooseWhole, axes });
+    constexpr double bytesPerMebibyte = 1 << 20;
+    const double size = static_cast<double>(image->GetNumberOfPoints()) *
+      image->GetNumberOfScalarComponents() * image->GetScalarSize() / bytesPerMebibyte;
+    if (size > maxMemory / 2.0)
+    {
+      return image;
+    }
+  }
+  return ReadVolume(fileName, maxMemory, axes);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadPiece(
   const std::string& fileName, double maxMemory, const ChooseExtent& choose)
 {

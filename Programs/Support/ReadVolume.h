@@ -40,6 +40,11 @@ enum class Axes
 vtkSmartPointer<vtkImageData> ReadVolume(
   const std::string& fileName, double maxMemory, Axes axes = Axes::OfSamples);
 
+/// The same for what is only looked at: an image of more than half that size is used where it is in
+/// the file, if it can be (see vtkMappedImageReader).
+vtkSmartPointer<vtkImageData> ReadOrMapVolume(
+  const std::string& fileName, double maxMemory, Axes axes);
+
 /// The extent that is to be read of an image with some whole extent.
 using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)>;
 

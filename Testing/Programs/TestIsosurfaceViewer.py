@@ -246,6 +246,19 @@ class TestIsosurfaceViewer(unittest.TestCase):
         # Upright, and the nose is to the front.
         self.assertLess(differ(pictures["slices"], pictures["waves.vti"]), 0.01)
 
+    def test_file_larger_than_memory(self):
+        """It is used where it is, and looks the same."""
+        writer = vtkMetaImageWriter()
+        writer.SetCompression(False)
+        path = self.write(writer, "waves.mhd", make_waves())
+        pictures = []
+        for memory in ("1000", "0.01"):
+            viewer = Viewer(PROGRAM, self.folder, path, "--max-memory", memory, size=SIZE)
+            self.addCleanup(viewer.process.kill)
+            pictures.append(viewer.take_picture())
+            viewer.quit()
+        self.assertLess(differ(*pictures), 0.01)
+
     def test_several_files(self):
         left = make_waves()
         right = make_waves()
