@@ -150,28 +150,40 @@ Numbers DescribePlanes(vtkPlaneCollection* planes)
   return numbers;
 }
 
-}
-
-namespace vtkIsosurfaceRayTraceAgreement
-{
-
-//------------------------------------------------------------------------------
-std::vector<Item> Describe(
-  vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width, int height)
+std::vector<vtkIsosurfaceRayTraceAgreement::Item> DescribeVolume(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   Numbers matrix;
   volume->ComputeMatrix();
   Append(volume->GetMatrix()->GetData(), 16, matrix);
-  return { { "sizes", { static_cast<double>(width), static_cast<double>(height) } },
-    { "cameras", DescribeCamera(camera, width, height) }, { "lights", DescribeLights(lights) },
-    { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
+  return { { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
     { "transfer functions", DescribeColors(property, 0) },
     { "materials", DescribeMaterial(property) },
     { "settings of the mappers", DescribeMapper(mapper) },
     { "clouds", DescribeCloud(mapper, property) },
     { "clipping planes", DescribePlanes(mapper->GetClippingPlanes()) } };
+}
+
+}
+
+namespace vtkIsosurfaceRayTraceAgreement
+{
+
+//------------------------------------------------------------------------------
+std::vector<Item> Describe(const std::vector<vtkVolume*>& volumes, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height)
+{
+  std::vector<Item> items = { { "sizes",
+                                { static_cast<double>(width), static_cast<double>(height) } },
+    { "cameras", DescribeCamera(camera, width, height) }, { "lights", DescribeLights(lights) },
+    { "numbers of volumes", { static_cast<double>(volumes.size()) } } };
+  for (vtkVolume* volume : volumes)
+  {
+    const std::vector<Item> ofVolume = DescribeVolume(volume);
+    items.insert(items.end(), ofVolume.begin(), ofVolume.end());
+  }
+  return items;
 }
 
 }

@@ -26,10 +26,10 @@ struct Item
   std::vector<double> Numbers;
 };
 
-/// The items of a picture: as many of the same names in all processes. The volume must have a
-/// mapper that traces isosurfaces; the lights may be null.
-std::vector<Item> Describe(
-  vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width, int height);
+/// The items of a picture: first those that all pictures have, then those of each volume. The
+/// volumes must have mappers that trace isosurfaces; the lights may be null.
+std::vector<Item> Describe(const std::vector<vtkVolume*>& volumes, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height);
 
 }
 

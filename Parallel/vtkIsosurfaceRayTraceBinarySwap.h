@@ -76,6 +76,32 @@ public:
   {
   }
 
+  /// The records of two groups of processes or of volumes, by pixel and in their order. Of those
+  /// equal in order, those of the first come first.
+  static std::vector<Record> Merge(
+    const std::vector<Record>& first, const std::vector<Record>& second)
+  {
+    std::vector<Record> all;
+    all.reserve(first.size() + second.size());
+    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all),
+      [](const Record& a, const Record& b) { return a.GetOrder() < b.GetOrder(); });
+    // What one process with all data would not see is dropped.
+    std::size_t kept = 0;
+    double transmittance = 1.0;
+    for (const Record& record : all)
+    {
+      const bool isSamePixel = kept > 0 && all[kept - 1].Pixel == record.Pixel;
+      transmittance = isSamePixel ? transmittance : 1.0;
+      if (transmittance >= vtkIsosurfaceRayTracing::NegligibleTransmittance)
+      {
+        all[kept++] = record;
+        transmittance *= 1.0 - record.GetOpacity();
+      }
+    }
+    all.resize(kept);
+    return all;
+  }
+
   /// Swaps with the other processes until each has some rows of what all have together; some
   /// processes may have none. All must call it.
   void Run(vtkMultiProcessController* controller)
@@ -115,32 +141,6 @@ public:
   vtkTypeInt64 GetBytesSent() const { return this->BytesSent; }
 
 private:
-  /// The records of two groups of processes. Of those equal in order, those of the first come
-  /// first.
-  static std::vector<Record> Merge(
-    const std::vector<Record>& first, const std::vector<Record>& second)
-  {
-    std::vector<Record> all;
-    all.reserve(first.size() + second.size());
-    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all),
-      [](const Record& a, const Record& b) { return a.GetOrder() < b.GetOrder(); });
-    // What one process with all data would not see is dropped.
-    std::size_t kept = 0;
-    double transmittance = 1.0;
-    for (const Record& record : all)
-    {
-      const bool isSamePixel = kept > 0 && all[kept - 1].Pixel == record.Pixel;
-      transmittance = isSamePixel ? transmittance : 1.0;
-      if (transmittance >= vtkIsosurfaceRayTracing::NegligibleTransmittance)
-      {
-        all[kept++] = record;
-        transmittance *= 1.0 - record.GetOpacity();
-      }
-    }
-    all.resize(kept);
-    return all;
-  }
-
   /// Keeps the lower or the upper half of the rows, and gives the other to another process.
   void Swap(int process, bool keepsLower)
   {

@@ -24,6 +24,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include "Field/Stopwatch.h"
 #include "Picture/RenderSharedTiles.h"
@@ -223,13 +224,19 @@ double GetSignOfProjection(vtkAbstractMapper* mapper)
                                                                : 0.0;
 }
 
+bool DrawsClouds(vtkAbstractMapper* mapper)
+{
+  return vtkCellProjectionMapper::SafeDownCast(mapper) != nullptr;
+}
+
+/// Whether a mapper draws isosurfaces, and nothing else.
 bool DrawsIsosurfaces(vtkAbstractMapper* mapper)
 {
   if (auto* ofImages = vtkIsosurfaceRayTraceMapper::SafeDownCast(mapper))
   {
     return ofImages->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
   }
-  return vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper) != nullptr;
+  return vtkIsosurfaceRayTraceMeshMapper::SafeDownCast(mapper) && !DrawsClouds(mapper);
 }
 
 /// Gives an array of all rows to process 0, and an empty one to the others. Each process has those
@@ -263,6 +270,28 @@ vtkTypeInt64 GatherRows(const std::vector<int>& rows, vtkIdType numbersInRow, in
   return 0;
 }
 
+/// What is wrong with the mapper of a cloud or of a projection; empty if nothing is.
+std::string FindProblemOfOne(vtkAbstractVolumeMapper* mapper, vtkMultiProcessController* controller)
+{
+  if (DrawsClouds(mapper))
+  {
+    return controller->GetNumberOfProcesses() == 1 || SendsByMPI(controller)
+      ? ""
+      : "Clouds of many processes are drawn by MPI alone: give the compositor a "
+        "vtkMPIController, of a VTK with the module ParallelMPI.";
+  }
+  if (GetSignOfProjection(mapper) == 0.0)
+  {
+    return "The volume needs a vtkIsosurfaceRayTraceMapper with the blend mode ISOSURFACE_BLEND, "
+           "MAXIMUM_INTENSITY_BLEND or MINIMUM_INTENSITY_BLEND, or a "
+           "vtkIsosurfaceRayTraceMeshMapper.";
+  }
+  return mapper->GetNumberOfInputConnections(0) > 1
+    ? "Projections of several connections are not composited. Give the mapper one input, such as a "
+      "vtkPartitionedDataSet of all data."
+    : "";
+}
+
 /// Whether a process has any data at all.
 bool HasData(vtkAbstractVolumeMapper* mapper)
 {
@@ -283,7 +312,7 @@ bool HasData(vtkAbstractVolumeMapper* mapper)
 /// The arguments of RenderToImage but for its output.
 struct vtkIsosurfaceRayTraceCompositor::View
 {
-  vtkVolume* Volume;
+  std::vector<vtkVolume*> Volumes;
   vtkCamera* Camera;
   vtkLightCollection* Lights;
   int Width;
@@ -292,10 +321,39 @@ struct vtkIsosurfaceRayTraceCompositor::View
 
   vtkIdType GetNumberOfPixels() const { return static_cast<vtkIdType>(this->Width) * this->Height; }
 
+  /// The mapper of the first volume, which is the only one unless all draw isosurfaces.
+  vtkAbstractVolumeMapper* GetMapper() const { return this->Volumes.front()->GetMapper(); }
+
   std::vector<vtkIsosurfaceRayTraceAgreement::Item> Describe() const
   {
     return vtkIsosurfaceRayTraceAgreement::Describe(
-      this->Volume, this->Camera, this->Lights, this->Width, this->Height);
+      this->Volumes, this->Camera, this->Lights, this->Width, this->Height);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// What the rays of this process met: the outputs of RenderToFragments of the volumes.
+struct vtkIsosurfaceRayTraceCompositor::Fragments
+{
+  std::vector<vtkSmartPointer<vtkTable>> OfVolumes;
+
+  bool AreOpaque() const
+  {
+    return std::all_of(this->OfVolumes.begin(), this->OfVolumes.end(),
+      [](vtkTable* fragments) { return ::AreOpaque(fragments); });
+  }
+
+  template <typename Record>
+  std::vector<Record> MakeRecords() const
+  {
+    std::vector<Record> all;
+    for (vtkTable* fragments : this->OfVolumes)
+    {
+      std::vector<Record> records = ::MakeRecords<Record>(fragments);
+      all = all.empty() ? std::move(records)
+                        : vtkIsosurfaceRayTraceBinarySwap<Record>::Merge(all, records);
+    }
+    return all;
   }
 };
 
@@ -421,8 +479,25 @@ void vtkIsosurfaceRayTraceCompositor::BroadcastCamera(vtkCamera* camera)
 bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera* camera,
   vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
 {
+  return this->Render({ { volume }, camera, lights, width, height, depths }, output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolumeCollection* volumes, vtkCamera* camera,
+  vtkLightCollection* lights, int width, int height, vtkImageData* output, vtkFloatArray* depths)
+{
+  View view = { {}, camera, lights, width, height, depths };
+  for (int i = 0; volumes && i < volumes->GetNumberOfItems(); ++i)
+  {
+    view.Volumes.push_back(vtkVolume::SafeDownCast(volumes->GetItemAsObject(i)));
+  }
+  return this->Render(std::move(view), output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceCompositor::Render(View view, vtkImageData* output)
+{
   const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController();
-  View view = { volume, camera, lights, width, height, depths };
   this->RenderTime = 0.0;
   this->CompositeTime = 0.0;
   this->BytesSent = 0;
@@ -443,9 +518,9 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   }
   const vtkSmartPointer<vtkFloatArray> nearest = FindNearestDepths(view, controller);
   view.Depths = nearest;
-  const bool isProjection = GetSignOfProjection(volume->GetMapper()) != 0.0;
-  Pixels pixels{ width, 0, height, {}, {}, isProjection, {} };
-  const bool isMade = vtkCellProjectionMapper::SafeDownCast(volume->GetMapper())
+  const bool isProjection = GetSignOfProjection(view.GetMapper()) != 0.0;
+  Pixels pixels{ view.Width, 0, view.Height, {}, {}, isProjection, {} };
+  const bool isMade = DrawsClouds(view.GetMapper())
     ? this->MakeCloud(view, controller, pixels)
     : this->MakeIsosurfaces(view, controller, pixels);
   if (!isMade)
@@ -455,7 +530,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderToImage(vtkVolume* volume, vtkCamera
   const vtkirt::Stopwatch ofPicture;
   if (this->Gather)
   {
-    this->GatherPixels(height, controller, pixels);
+    this->GatherPixels(view.Height, controller, pixels);
   }
   pixels.Write(output);
   this->CompositeTime += ofPicture.GetSeconds();
@@ -492,7 +567,7 @@ bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
   const View& view, vtkMultiProcessController* controller, Pixels& pixels)
 {
   const vtkirt::Stopwatch ofPiece;
-  vtkNew<vtkTable> fragments;
+  Fragments fragments;
   const bool isRendered = RenderPiece(view, fragments);
   this->RenderTime = ofPiece.GetSeconds();
   const vtkirt::Stopwatch ofPicture;
@@ -502,8 +577,8 @@ bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
   }
   if (pixels.HaveValues)
   {
-    const double sign = GetSignOfProjection(view.Volume->GetMapper());
-    this->Composite(MakeRecordsOfValues(fragments, sign), controller, pixels);
+    const double sign = GetSignOfProjection(view.GetMapper());
+    this->Composite(MakeRecordsOfValues(fragments.OfVolumes.front(), sign), controller, pixels);
     for (double& value : pixels.Values)
     {
       value *= sign;
@@ -520,18 +595,18 @@ bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
 //------------------------------------------------------------------------------
 /// Those that are opaque in all processes take fewer bytes.
 void vtkIsosurfaceRayTraceCompositor::CompositeFragments(
-  vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels)
+  const Fragments& fragments, vtkMultiProcessController* controller, Pixels& pixels)
 {
-  const int isTranslucent = AreOpaque(fragments) ? 0 : 1;
+  const int isTranslucent = fragments.AreOpaque() ? 0 : 1;
   int isAnyTranslucent = 0;
   controller->AllReduce(&isTranslucent, &isAnyTranslucent, 1, vtkCommunicator::MAX_OP);
   if (isAnyTranslucent)
   {
-    this->Composite(MakeRecords<SentFragment>(fragments), controller, pixels);
+    this->Composite(fragments.MakeRecords<SentFragment>(), controller, pixels);
   }
   else
   {
-    this->Composite(MakeRecords<OpaquePixel>(fragments), controller, pixels);
+    this->Composite(fragments.MakeRecords<OpaquePixel>(), controller, pixels);
   }
 }
 
@@ -560,7 +635,7 @@ bool vtkIsosurfaceRayTraceCompositor::MakeCloud(
 bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
   const View& view, vtkMultiProcessController* controller, vtkImageData* own)
 {
-  auto* mapper = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper());
+  auto* mapper = vtkCellProjectionMapper::SafeDownCast(view.GetMapper());
   const int hasData = HasData(mapper) ? 1 : 0;
   int withData = 0;
   controller->AllReduce(&hasData, &withData, 1, vtkCommunicator::SUM_OP);
@@ -580,9 +655,9 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
     vtkIsosurfaceRayTraceMPIExchange exchange(all);
     vtkirt::SharingCounts counts;
     const bool isRendered =
-      mapper->RenderOwnTiles(view.Volume, view.Camera, view.Lights, view.Width, view.Height,
-        { static_cast<std::size_t>(this->BufferDepth), this->PollingInterval }, exchange, counts,
-        own, view.Depths);
+      mapper->RenderOwnTiles(view.Volumes.front(), view.Camera, view.Lights, view.Width,
+        view.Height, { static_cast<std::size_t>(this->BufferDepth), this->PollingInterval },
+        exchange, counts, own, view.Depths);
     this->SegmentsFound = counts.SegmentsFound;
     this->SegmentsDrawn = counts.SegmentsDrawn;
     this->MostSegmentsStored = counts.MostStored;
@@ -592,7 +667,7 @@ bool vtkIsosurfaceRayTraceCompositor::RenderTiles(
 #endif
   return !hasData ||
     mapper->RenderToImage(
-      view.Volume, view.Camera, view.Lights, view.Width, view.Height, own, view.Depths);
+      view.Volumes.front(), view.Camera, view.Lights, view.Width, view.Height, own, view.Depths);
 }
 
 //------------------------------------------------------------------------------
@@ -601,7 +676,10 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
   const View& view, vtkMultiProcessController* controller, vtkImageData* output)
 {
   constexpr vtkTypeInt64 most = VTK_UNSIGNED_INT_MAX;
-  if (!view.Volume || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
+  const std::vector<vtkVolume*>& volumes = view.Volumes;
+  const bool haveVolumes =
+    !volumes.empty() && std::find(volumes.begin(), volumes.end(), nullptr) == volumes.end();
+  if (!haveVolumes || !view.Camera || !output || view.Width < 1 || view.Height < 1 ||
     view.GetNumberOfPixels() > most)
   {
     return "RenderToImage needs a volume, a camera, a size of at least 1 x 1 and no more than 2^32 "
@@ -614,22 +692,19 @@ std::string vtkIsosurfaceRayTraceCompositor::FindProblem(
     return "RenderToImage needs a depth for each pixel, or null where this process has drawn "
            "nothing.";
   }
-  const bool isCloud = vtkCellProjectionMapper::SafeDownCast(view.Volume->GetMapper()) != nullptr;
-  if (isCloud && controller->GetNumberOfProcesses() > 1 && !SendsByMPI(controller))
+  const bool areIsosurfaces = std::all_of(volumes.begin(), volumes.end(),
+    [](vtkVolume* volume) { return DrawsIsosurfaces(volume->GetMapper()); });
+  if (areIsosurfaces)
   {
-    return "Clouds of many processes are drawn by MPI alone: give the compositor a "
-           "vtkMPIController, of a VTK with the module ParallelMPI.";
+    return "";
   }
-  const bool isProjection = GetSignOfProjection(view.Volume->GetMapper()) != 0.0;
-  if (isProjection && view.Volume->GetMapper()->GetNumberOfInputConnections(0) > 1)
+  if (volumes.size() > 1)
   {
-    return "Projections of several connections are not composited. Give the mapper one input, such "
-           "as a vtkPartitionedDataSet of all data.";
+    return "Several volumes are composited as isosurfaces alone: each needs a "
+           "vtkIsosurfaceRayTraceMapper with the blend mode ISOSURFACE_BLEND, or a "
+           "vtkIsosurfaceRayTraceMeshMapper. Make a picture of each cloud and each projection.";
   }
-  return isProjection || DrawsIsosurfaces(view.Volume->GetMapper())
-    ? ""
-    : "The volume needs a vtkIsosurfaceRayTraceMapper with the blend mode ISOSURFACE_BLEND, "
-      "MAXIMUM_INTENSITY_BLEND or MINIMUM_INTENSITY_BLEND, or a vtkIsosurfaceRayTraceMeshMapper.";
+  return FindProblemOfOne(view.GetMapper(), controller);
 }
 
 //------------------------------------------------------------------------------
@@ -694,16 +769,22 @@ bool vtkIsosurfaceRayTraceCompositor::IsFineEverywhere(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, vtkTable* fragments)
+bool vtkIsosurfaceRayTraceCompositor::RenderPiece(const View& view, Fragments& fragments)
 {
-  vtkAbstractVolumeMapper* mapper = view.Volume->GetMapper();
-  return !HasData(mapper) ||
-    Visit(mapper,
-      [&](auto* tracing)
-      {
-        return tracing->RenderToFragments(
-          view.Volume, view.Camera, view.Lights, view.Width, view.Height, fragments, view.Depths);
-      });
+  bool areRendered = true;
+  for (vtkVolume* volume : view.Volumes)
+  {
+    fragments.OfVolumes.push_back(vtkSmartPointer<vtkTable>::New());
+    vtkTable* own = fragments.OfVolumes.back();
+    const auto render = [&](auto* tracing)
+    {
+      return tracing->RenderToFragments(
+        volume, view.Camera, view.Lights, view.Width, view.Height, own, view.Depths);
+    };
+    areRendered =
+      (!HasData(volume->GetMapper()) || Visit(volume->GetMapper(), render)) && areRendered;
+  }
+  return areRendered;
 }
 
 //------------------------------------------------------------------------------

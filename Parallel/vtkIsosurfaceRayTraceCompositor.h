@@ -79,8 +79,8 @@ class vtkFloatArray;
 class vtkImageData;
 class vtkLightCollection;
 class vtkMultiProcessController;
-class vtkTable;
 class vtkVolume;
+class vtkVolumeCollection;
 
 class VTKISOSURFACERAYTRACINGPARALLEL_EXPORT vtkIsosurfaceRayTraceCompositor : public vtkObject
 {
@@ -131,6 +131,15 @@ public:
   bool RenderToImage(vtkVolume* volume, vtkCamera* camera, vtkLightCollection* lights, int width,
     int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
+  /**
+   * The same for the isosurfaces of several volumes, translucent ones in each other, too: as many
+   * in all processes, in the same order. Where surfaces are in the same place, that of the first
+   * volume is in front. Each volume has a mapper of its own: a surface casts no shadow on those of
+   * others.
+   */
+  bool RenderToImage(vtkVolumeCollection* volumes, vtkCamera* camera, vtkLightCollection* lights,
+    int width, int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
+
   ///@{
   /**
    * Set/Get how clouds are sent: a message has at least BufferDepth segments of rays (from 1 to
@@ -176,7 +185,9 @@ private:
 
   struct View;
   struct Pixels;
+  struct Fragments;
 
+  bool Render(View view, vtkImageData* output);
   vtkSmartPointer<vtkMultiProcessController> FindController();
   static std::string FindProblem(
     const View& view, vtkMultiProcessController* controller, vtkImageData* output);
@@ -184,12 +195,12 @@ private:
   bool IsFineEverywhere(bool isFine, vtkMultiProcessController* controller);
   static vtkSmartPointer<vtkFloatArray> FindNearestDepths(
     const View& view, vtkMultiProcessController* controller);
-  static bool RenderPiece(const View& view, vtkTable* fragments);
+  static bool RenderPiece(const View& view, Fragments& fragments);
   bool MakeIsosurfaces(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool MakeCloud(const View& view, vtkMultiProcessController* controller, Pixels& pixels);
   bool RenderTiles(const View& view, vtkMultiProcessController* controller, vtkImageData* own);
   void CompositeFragments(
-    vtkTable* fragments, vtkMultiProcessController* controller, Pixels& pixels);
+    const Fragments& fragments, vtkMultiProcessController* controller, Pixels& pixels);
   template <typename Record>
   void Composite(std::vector<Record>&& own, vtkMultiProcessController* controller, Pixels& pixels);
   void GatherPixels(int height, vtkMultiProcessController* controller, Pixels& pixels);

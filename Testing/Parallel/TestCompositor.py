@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkVolumeCollection,
 )
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import (
@@ -99,6 +100,13 @@ def make_window(size):
     window.SetSize(size)
     window.AddRenderer(renderer)
     return window, renderer
+
+
+def as_collection(volumes):
+    collection = vtkVolumeCollection()
+    for volume in volumes:
+        collection.AddItem(volume)
+    return collection
 
 
 class TestCompositor(PicturesOfMany):
@@ -228,6 +236,35 @@ class TestCompositor(PicturesOfMany):
             whole.GetMapper().AddInputDataObject(moved(True))
             self.check_against_whole(picture, whole)
 
+    def test_several_volumes(self):
+        """Surfaces of an image and of a mesh in each other, each with its matrix and its colours."""
+        box = ((-9, 8), (-10, 11), (-12, 9))
+
+        def make_volumes(image, mesh, opacities):
+            of_image = {"isovalues": (120.0, 200.0), "opacities": opacities[0]}
+            of_mesh = {"isovalues": (150.0, 190.0), "opacities": opacities[1]}
+            settings = [*EXACT, ("AddClippingPlane", make_plane()), ("SetCapClippingPlanes", True)]
+            volumes = [
+                make_volume(image, settings=settings, **of_image),
+                make_volume(mesh, mapper_class=vtkIsosurfaceRayTraceMeshMapper, settings=settings, **of_mesh),
+            ]
+            volumes[1].SetPosition(7.0, 2.0, -3.0)
+            volumes[1].RotateZ(30.0)
+            volumes[1].GetProperty().GetRGBTransferFunction().AddRGBPoint(150.0, 0.1, 0.9, 0.3)
+            return volumes
+
+        pieces = make_piece(split(CELLS, SIZE)[RANK], 0), as_mesh(make_piece(split(box, SIZE)[RANK], 0, box))
+        for opacities in (((0.4, 0.5), (0.3, 0.6)), ((1.0, 1.0), (1.0, 1.0)), ((0.3, 0.4), (1.0, 1.0))):
+            is_rendered, picture = render(as_collection(make_volumes(*pieces, opacities)), make_camera(), (160, 120))
+            self.assertTrue(is_rendered)
+            # Of one process: a mapper with two connections, whose hits it orders itself.
+            wholes = make_volumes(make_piece(CELLS, 0), as_mesh(make_piece(box, 0, box)), opacities)
+            mapper = wholes[0].GetMapper()
+            mapper.AddInputDataObject(wholes[1].GetMapper().GetInputDataObject(0, 0))
+            mapper.SetConnectionVolume(1, wholes[1])
+            # Pieces of meshes have other centres than the whole.
+            self.check_against_whole(picture, wholes[0], depth_tolerance=1e-6)
+
     def test_data_that_come_and_go(self):
         """A connection without data changes nothing; it has them in the next picture, and none in the one after it."""
         settings = [*EXACT, ("ShadowsOn",), ("AmbientOcclusionOn",)]
@@ -317,6 +354,12 @@ class TestCompositor(PicturesOfMany):
         if RANK == last:
             volume.GetMapper().AddInputDataObject(make_own())
         self.check_failure(volume, "Projections of several connections", last)
+        volumes = as_collection([make_volume(make_own()), make_volume(make_own())])
+        if RANK == last:
+            volumes.GetItemAsObject(1).GetMapper().SetBlendModeToMaximumIntensity()
+        self.check_failure(volumes, "Several volumes are composited as isosurfaces alone", last)
+        volumes = as_collection([] if RANK == last else [make_volume(make_own())])
+        self.check_failure(volumes, "RenderToImage needs a volume", last)
 
     @unittest.skipIf(SIZE == 1, "one process agrees with itself")
     def test_different_settings(self):
@@ -337,6 +380,14 @@ class TestCompositor(PicturesOfMany):
         check("matrices of the volumes", lambda volume: volume.SetPosition(1.0, 0.0, 0.0))
         check("sizes", size=(41, 30) if RANK == last else (40, 30))
         check("cameras", camera=make_camera(RANK == last))
+
+        volumes = as_collection([make_volume(make_own()) for _ in range(3 if RANK == last else 2)])
+        text = f"numbers of volumes of process {last} differ from those of process 0"
+        self.check_failure(volumes, text, last)
+        volumes = as_collection([make_volume(make_own()) for _ in range(2)])
+        if RANK == last:
+            volumes.GetItemAsObject(1).GetProperty().SetSpecular(0.7)
+        self.check_failure(volumes, f"materials of process {last} differ from those of process 0", last)
 
 
 if __name__ == "__main__":
