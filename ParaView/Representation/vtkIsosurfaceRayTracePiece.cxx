@@ -104,37 +104,6 @@ vtkBoundingBox GetOwnBoundsOfBlock(vtkDataSet* block)
   }
   return GetOwnBoundsOfMesh(block, ghosts);
 }
-
-//------------------------------------------------------------------------------
-bool DoOverlap(const vtkBoundingBox& one, const vtkBoundingBox& other, double tolerance)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double begin = std::max(one.GetBound(2 * axis), other.GetBound(2 * axis));
-    const double end = std::min(one.GetBound(2 * axis + 1), other.GetBound(2 * axis + 1));
-    if (end - begin <= tolerance)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool DoAnyOverlap(const std::vector<vtkBoundingBox>& boxes, double tolerance)
-{
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-  {
-    for (std::size_t k = 0; k < i; ++k)
-    {
-      if (DoOverlap(boxes[i], boxes[k], tolerance))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -182,22 +151,13 @@ vtkIsosurfaceRayTracePiece::Together vtkIsosurfaceRayTracePiece::Gather(
     controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(count));
   }
   Together together;
-  std::vector<vtkBoundingBox> boxes;
   for (std::size_t i = 0; i < all.size(); i += count)
   {
     together.NumberOfComponents =
       std::max(together.NumberOfComponents, static_cast<int>(all[i + 6]));
     together.HasNewAmr = together.HasNewAmr || all[i + 7] > 0.0;
-    if (vtkMath::AreBoundsInitialized(&all[i]))
-    {
-      boxes.emplace_back(&all[i]);
-      together.Bounds.AddBox(boxes.back());
-    }
-  }
-  if (together.Bounds.IsValid())
-  {
-    // Boxes that touch may overlap by the rounding of their corners.
-    together.DoOverlap = DoAnyOverlap(boxes, 1e-6 * together.Bounds.GetDiagonalLength());
+    together.Bounds.push_back(
+      vtkMath::AreBoundsInitialized(&all[i]) ? vtkBoundingBox(&all[i]) : vtkBoundingBox());
   }
   return together;
 }

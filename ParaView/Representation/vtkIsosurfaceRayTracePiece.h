@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"               // for vtkSmartPointer
 
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -27,13 +28,11 @@ vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data);
 /// not.
 vtkBoundingBox GetOwnBounds(vtkDataObject* data);
 
-/// What is known of the pieces of all processes: the bounds of them together, whether those of two
-/// of them overlap by more than rounding, the most components that an array has in one, and whether
-/// one has new AMR data.
+/// What is known of the pieces of all processes: the bounds of each, in the order of the processes,
+/// the most components that an array has in one, and whether one has new AMR data.
 struct Together
 {
-  vtkBoundingBox Bounds;
-  bool DoOverlap = false;
+  std::vector<vtkBoundingBox> Bounds;
   int NumberOfComponents = 0;
   bool HasNewAmr = false;
 };

@@ -5,10 +5,8 @@
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTracePiece.h"
 #include "vtkIsosurfaceRayTraceRefinement.h"
-#include "vtkIsosurfaceRayTraceSharedPicture.h"
 #include "vtkIsosurfaceVolume.h"
 
-#include "vtkCameraPass.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkContourValues.h"
@@ -29,12 +27,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
 
-#if __has_include("vtkIceTCompositePass.h")
-#define HAS_ICET 1 // not without MPI
-#include "vtkIceTCompositePass.h"
-#else
-#define HAS_ICET 0
-#endif
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -59,23 +52,6 @@ bool IsInteractive(vtkPVRenderView* view)
 {
   // It sets a rate far below 1 for still pictures, on all processes.
   return view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
-}
-
-//------------------------------------------------------------------------------
-// Has the nearest of all processes win in this frame, and not the first in the order of processes.
-void CompositeByDepth(vtkRenderer* renderer)
-{
-#if HAS_ICET
-  auto* cameraPass = vtkCameraPass::SafeDownCast(renderer->GetPass());
-  auto* pass =
-    cameraPass ? vtkIceTCompositePass::SafeDownCast(cameraPass->GetDelegatePass()) : nullptr;
-  if (pass)
-  {
-    pass->UseOrderedCompositingOff(); // vtkPVRenderView sets it for each frame that is no selection
-  }
-#else
-  (void)renderer;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -111,10 +87,18 @@ vtkIsosurfaceRayTraceRepresentation::vtkIsosurfaceRayTraceRepresentation()
   this->SetDiffuseColor(1.0, 1.0, 1.0);
   this->SetOpacity(1.0);
   vtkMath::UninitializeBounds(this->OwnBounds);
+  this->Shown.Representation = this;
+  this->Shown.Volume = this->Volume;
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceRepresentation::~vtkIsosurfaceRayTraceRepresentation() = default;
+vtkIsosurfaceRayTraceRepresentation::~vtkIsosurfaceRayTraceRepresentation()
+{
+  if (this->SharedPicture)
+  {
+    this->SharedPicture->Remove(&this->Shown);
+  }
+}
 
 //------------------------------------------------------------------------------
 int vtkIsosurfaceRayTraceRepresentation::FillInputPortInformation(
@@ -140,12 +124,9 @@ bool vtkIsosurfaceRayTraceRepresentation::AddToView(vtkView* view)
   vtkRenderer* renderer = renderView->GetRenderer();
   renderer->AddViewProp(this->Volume);
   renderView->RegisterPropForHardwareSelection(this, this->Volume);
-  renderer->AddViewProp(this->SharedPicture);
-  // All processes that render come there, and before them vtkSynchronizedRenderers, which gives the
-  // server the camera of the client.
-  this->ObserverOfStart = renderer->AddObserver(
-    vtkCommand::StartEvent, this, &vtkIsosurfaceRayTraceRepresentation::PrepareToComposite, -1.0F);
-  this->ObserverOfEnd = renderer->AddObserver(
+  this->SharedPicture = vtkIsosurfaceRayTraceSharedPicture::Of(renderView);
+  this->SharedPicture->Add(&this->Shown);
+  this->Observer = renderer->AddObserver(
     vtkCommand::EndEvent, this, &vtkIsosurfaceRayTraceRepresentation::ContinueRefinement);
   return true;
 }
@@ -160,9 +141,9 @@ bool vtkIsosurfaceRayTraceRepresentation::RemoveFromView(vtkView* view)
   }
   renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
   renderView->GetRenderer()->RemoveViewProp(this->Volume);
-  renderView->GetRenderer()->RemoveViewProp(this->SharedPicture);
-  renderView->GetRenderer()->RemoveObserver(this->ObserverOfStart);
-  renderView->GetRenderer()->RemoveObserver(this->ObserverOfEnd);
+  renderView->GetRenderer()->RemoveObserver(this->Observer);
+  this->SharedPicture->Remove(&this->Shown);
+  this->SharedPicture = nullptr;
   this->Refinement->Stop();
   return this->Superclass::RemoveFromView(view);
 }
@@ -262,33 +243,20 @@ void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkI
     this->Piece = vtkIsosurfaceRayTracePiece::AddGhostBlocks(this->OwnPiece);
   }
   this->NumberOfComponents = together.NumberOfComponents;
-  if (this->IsPieceNew && together.Bounds.IsValid())
+  const bool isAnyThere = std::any_of(together.Bounds.begin(), together.Bounds.end(),
+    [](const vtkBoundingBox& piece) { return piece.IsValid(); });
+  if (this->IsPieceNew && isAnyThere)
   {
     this->ReportMissingArray();
   }
   this->IsPieceNew = false;
-  this->SharedPicture->SetBounds(together.Bounds);
-
-  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  this->DoPiecesOverlap =
-    together.DoOverlap && !view->InTileDisplayMode() && !view->InCaveDisplayMode();
-  if (this->DoPiecesOverlap)
-  {
-    // There is no order. With all bounds in process 0, which shows the picture, ParaView gives
-    // other geometry to that process, too, if something is composited in order.
-    vtkMath::UninitializeBounds(bounds);
-    if (IsFirstProcess())
-    {
-      together.Bounds.GetBounds(bounds);
-    }
-  }
+  this->Shown.Bounds = together.Bounds;
+  this->Shown.IsOpaque = this->IsOpaque();
+  this->SharedPicture->TellBounds(in);
   vtkPVView::SetPiece(in, this, this->Piece);
-  vtkPVRenderView::SetGeometryBounds(in, this, bounds);
   vtkPVRenderView::SetRequiresDistributedRendering(in, this, true);
   // Opaque surfaces are composited by depth: exactly, whatever the shape of the pieces.
   out->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->IsOpaque() ? 0 : 1);
-  vtkPVRenderView::SetOrderedCompositingConfiguration(
-    in, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -316,37 +284,7 @@ void vtkIsosurfaceRayTraceRepresentation::PrepareToRender(vtkInformation* in)
     // ParaView peels volumes together with translucent polygons; isosurfaces cannot be peeled.
     view->GetRenderer()->UseDepthPeelingForVolumesOff();
   }
-  this->IsComposited = this->DoPiecesOverlap && view->GetUseOrderedCompositing();
-  this->ShowVolume(true);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceRepresentation::ShowVolume(bool isShown)
-{
-  this->Volume->SetVisibility(
-    isShown && this->GetVisibility() && this->Mapper->GetNumberOfInputConnections(0) > 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceRepresentation::PrepareToComposite()
-{
-  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  vtkRenderer* renderer = view->GetRenderer();
-  // What is selected is found by the ids that the volume of each process draws.
-  const bool isComposited = this->IsComposited && this->GetVisibility() && !renderer->GetSelector();
-  this->SharedPicture->SetVisibility(isComposited && IsFirstProcess());
-  this->ShowVolume(!isComposited);
-  if (this->IsComposited && renderer->GetSelector())
-  {
-    CompositeByDepth(renderer);
-  }
-  if (isComposited)
-  {
-    const int reduction = IsInteractive(view) ? view->GetInteractiveRenderImageReductionFactor()
-                                              : view->GetStillRenderImageReductionFactor();
-    this->SharedPicture->Make(this->Volume, renderer, reduction,
-      static_cast<double>(this->Mapper->GetImageSampleDistance()));
-  }
+  this->Shown.HasData = this->Mapper->GetNumberOfInputConnections(0) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +292,7 @@ void vtkIsosurfaceRayTraceRepresentation::ContinueRefinement()
 {
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (this->Mapper->GetProgressiveAccumulation() && this->GetVisibility() && !IsInteractive(view) &&
-    !view->GetRenderer()->GetSelector())
+    !view->GetRenderer()->GetSelector() && !this->SharedPicture->IsUsed())
   {
     this->Refinement->Continue(view, this->Mapper->GetMaximumNumberOfAccumulatedFrames());
   }

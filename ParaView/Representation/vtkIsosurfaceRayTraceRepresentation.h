@@ -13,8 +13,9 @@
  * normals go on from piece to piece. Pictures of opaque surfaces are composited by depth, whatever
  * the shape of the pieces; translucent ones in the order of the bounds of the pieces, without
  * ghosts. Where such bounds overlap there is no order: then vtkIsosurfaceRayTraceCompositor makes
- * one picture, pixel by pixel, which process 0 shows. Rays of shadows and of ambient occlusion know
- * the piece of their process alone, which one warning says.
+ * one picture, pixel by pixel, which process 0 shows. It makes one of all representations of the
+ * view, too, where they are in each other and translucent. Rays of shadows and of ambient occlusion
+ * know the piece of their process alone, which one warning says.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceVolume
  */
@@ -22,6 +23,7 @@
 #ifndef vtkIsosurfaceRayTraceRepresentation_h
 #define vtkIsosurfaceRayTraceRepresentation_h
 
+#include "vtkIsosurfaceRayTraceSharedPicture.h"    // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"         // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkIsosurfaceRayTracingParaViewModule.h" // for export macro
 #include "vtkNew.h"                                // for ivars
@@ -36,7 +38,6 @@ class vtkColorTransferFunction;
 class vtkDataObject;
 class vtkIsosurfaceRayTraceMapper;
 class vtkIsosurfaceRayTraceRefinement;
-class vtkIsosurfaceRayTraceSharedPicture;
 class vtkIsosurfaceVolume;
 class vtkPVPlane;
 class vtkPiecewiseFunction;
@@ -162,9 +163,7 @@ private:
   bool IsOpaque();
   void DescribePiece(vtkInformation* in, vtkInformation* out);
   void PrepareToRender(vtkInformation* in);
-  void PrepareToComposite();
   void ContinueRefinement();
-  void ShowVolume(bool isShown);
   void UpdateMapper();
   void UpdateColors();
   void UpdateClippingPlane();
@@ -176,12 +175,10 @@ private:
   vtkSmartPointer<vtkDataObject> Piece; // the same, or with blocks of other processes
   bool IsPieceNew = false;
   double OwnBounds[6];
-  vtkNew<vtkIsosurfaceRayTraceSharedPicture> SharedPicture;
+  vtkSmartPointer<vtkIsosurfaceRayTraceSharedPicture> SharedPicture; // with others of the view
+  vtkIsosurfaceRayTraceSharedPicture::Member Shown;
   vtkNew<vtkIsosurfaceRayTraceRefinement> Refinement;
-  unsigned long ObserverOfStart = 0;
-  unsigned long ObserverOfEnd = 0;
-  bool DoPiecesOverlap = false;
-  bool IsComposited = false;
+  unsigned long Observer = 0;
   int NumberOfComponents = 0; // of the array, in whichever process has it
   int Component = 0;
   int ColorAssociation = -1;

@@ -247,6 +247,44 @@ def unordered_around_ball(view):
     return unordered_grid(view)
 
 
+def make_two_sets():
+    """A grid and an image, one in the other; the pieces of a process overlap those of others."""
+    turned = Transform(Input=make_wavelet())
+    turned.Transform.Rotate = [30.0, 20.0, 30.0]
+    image = Wavelet(WholeExtent=[-8, 14, -9, 9, -6, 13])
+    return turned, image
+
+
+def translucent_sets(view):
+    """Two sets of data, as two representations."""
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    for source in make_two_sets():
+        display = show(source, view, isovalues=(120.0, ISOVALUE), Opacity=0.4)
+    return display
+
+
+def translucent_sets_as_blocks(view):
+    """The same by one representation, which knows the order of its blocks."""
+    view.UseFXAA = 0
+    return show(GroupDatasets(Input=make_two_sets()), view, isovalues=(120.0, ISOVALUE), Opacity=0.4)
+
+
+def opaque_set_in_translucent(view):
+    view.UseFXAA = 0
+    turned, image = make_two_sets()
+    show(turned, view, isovalues=(120.0, ISOVALUE), Opacity=0.4)
+    return show(image, view, DiffuseColor=[0.4, 0.6, 0.9])
+
+
+def sets_around_ball(view):
+    """Two translucent sets of data, a ball of polygons, and a third set that is hidden."""
+    show_ball(view, 1.0, Radius=6.0, Center=[0.0, 0.0, 10.0])
+    display = translucent_sets(view)
+    hidden = show(make_wavelet(), view, isovalues=(200.0,))
+    hidden.Visibility = 0
+    return display
+
+
 def unordered_interactive(view):
     """As while the view is moved: with fewer rays, and on several processes fewer pixels."""
     display = unordered_grid(view)
