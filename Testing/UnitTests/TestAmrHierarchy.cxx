@@ -525,5 +525,25 @@ TEST(AmrNodes, AreKeptInSinglePrecisionWhereItHoldsThem)
   }
 }
 
+//------------------------------------------------------------------------------
+TEST(AmrNodes, AreRoundedBehindTheData)
+{
+  AmrNodes nodes;
+  nodes.Dimensions = { 4, 1, 1 };
+  nodes.Values = { 0.5, 0.1, -3.0, 16777217.0 };
+  nodes.Continued = { 1, 3 };
+  nodes.Shorten();
+  const std::vector<float> expected = { 0.5F, 0.1F, -3.0F, 16777216.0F };
+  EXPECT_EQ(nodes.Singles, expected);
+
+  // Some are too large for single precision.
+  const std::vector<double> large = { 0.5, 0.1, -3.0, -1e39 };
+  nodes.Values = large;
+  nodes.Singles = {};
+  nodes.Continued = { 1, 3 };
+  nodes.Shorten();
+  EXPECT_EQ(nodes.Values, large);
+}
+
 }
 }

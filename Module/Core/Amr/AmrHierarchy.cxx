@@ -317,18 +317,25 @@ private:
 //------------------------------------------------------------------------------
 void AmrNodes::Shorten()
 {
-  const bool areSame = std::all_of(this->Values.begin(), this->Values.end(),
+  constexpr double largest = std::numeric_limits<float>::max();
+  std::vector<double> rounded = this->Values;
+  for (const std::size_t place : this->Continued)
+  {
+    double& value = rounded[place];
+    value = std::abs(value) <= largest ? static_cast<double>(static_cast<float>(value)) : value;
+  }
+  const bool areSame = std::all_of(rounded.begin(), rounded.end(),
     [](double value)
     {
-      constexpr double largest = std::numeric_limits<float>::max();
       return !std::isfinite(value) ||
         (std::abs(value) <= largest && static_cast<double>(static_cast<float>(value)) == value);
     });
   if (areSame)
   {
-    this->Singles.assign(this->Values.begin(), this->Values.end());
+    this->Singles.assign(rounded.begin(), rounded.end());
     this->Values = {};
   }
+  this->Continued = {};
 }
 
 //------------------------------------------------------------------------------
@@ -525,6 +532,7 @@ AmrNodes AmrHierarchy::MakeNodes(std::size_t number) const
       value += atNearest - nodes.Values[Offset(next, nodes.Dimensions)];
     }
     nodes.Values[Offset(node, nodes.Dimensions)] = value;
+    nodes.Continued.push_back(Offset(node, nodes.Dimensions));
   }
   this->HideCells(patch, nodes);
   return nodes;

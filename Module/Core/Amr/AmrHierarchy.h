@@ -40,11 +40,13 @@ struct AmrNodes
   /// In double precision, or in single.
   std::vector<double> Values;
   std::vector<float> Singles;
+  /// The places of those behind the data, which continue them for one-sided differences.
+  std::vector<std::size_t> Continued;
   /// One for each cell between nodes, not zero where finer cells count, or none.
   std::vector<unsigned char> HiddenCells;
 
-  /// Keeps the values in single precision, if that changes none of them: those of samples often
-  /// are of a smaller type, means of them are not.
+  /// Keeps the values in single precision, if that changes none of them but for those behind the
+  /// data, which it rounds: those of samples often are of a smaller type, means of them are not.
   void Shorten();
 
   VolumeView GetSamples() const;
