@@ -32,9 +32,13 @@ def make_view(size=240):
     view = CreateRenderView(ViewSize=[size, size], OrientationAxesVisibility=0)
     view.UseColorPaletteForBackground = 0
     view.Background = [0.2, 0.22, 0.28]
+    place_camera(view)
+    return view
+
+
+def place_camera(view):
     view.CameraPosition = [32.0, 24.0, 42.0]
     view.CameraFocalPoint = [0.0, 0.0, 0.0]
-    return view
 
 
 def make_wavelet(cells=24):
