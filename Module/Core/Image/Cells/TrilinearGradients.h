@@ -208,16 +208,23 @@ private:
       steps[axis][3] = hasBehind[axis] ? 2 * stride : stride;
     }
     const T* first = this->TheSamples.At(cell);
-    for (int z = 0; z < 4; ++z)
+    const auto copyRow = [&](int y, int z, int begin, int end)
     {
-      for (int y = 0; y < 4; ++y)
+      const T* row = first + steps[1][y] + steps[2][z];
+      for (int x = begin; x < end; ++x)
       {
-        const T* row = first + steps[1][y] + steps[2][z];
-        for (int x = 0; x < 4; ++x)
-        {
-          copy[x + 4 * y + 16 * z] = static_cast<double>(row[steps[0][x]]);
-        }
+        copy[x + 4 * y + 16 * z] = static_cast<double>(row[steps[0][x]]);
       }
+    };
+    // Neighbours are along one axis: half of the 4^3 samples.
+    for (const int inner : { 1, 2 })
+    {
+      copyRow(inner, 0, 1, 3);
+      copyRow(0, inner, 1, 3);
+      copyRow(1, inner, 0, 4);
+      copyRow(2, inner, 0, 4);
+      copyRow(3, inner, 1, 3);
+      copyRow(inner, 3, 1, 3);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
