@@ -332,7 +332,7 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     --this->Cells[axis];
-    extent[2 * axis] = -1;
+    extent[2 * axis] = 0;
     extent[2 * axis + 1] = nodesOfCell * this->Cells[axis] + 1;
     ofNodes[axis] = spacing[axis] / nodesOfCell;
   }
@@ -405,13 +405,13 @@ std::size_t vtkIsosurfaceRayTraceAmrPart::GetMemory() const
 }
 
 //------------------------------------------------------------------------------
-/// Without the layer of nodes around it.
+/// Without the layer of nodes behind it.
 vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
 {
-  vtkirt::Bounds box = { { 1.0, 1.0, 1.0 }, {} };
+  vtkirt::Bounds box = {};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    box.Upper[axis] = 1.0 + this->Whole->Patches->GetNodesOfCell() * this->Cells[axis];
+    box.Upper[axis] = this->Whole->Patches->GetNodesOfCell() * this->Cells[axis];
   }
   return box;
 }
@@ -424,11 +424,9 @@ vtkirt::Index3 vtkIsosurfaceRayTraceAmrPart::FindStructuredCell(
   vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double place = (cell[axis] - 1 + hit.Parametric[axis]) / nodesOfCell;
-    // Hits may lie in the margin around the block.
-    cell[axis] =
-      std::clamp(static_cast<int>(std::floor((cell[axis] - 1) / static_cast<double>(nodesOfCell))),
-        0, this->Cells[axis] - 1);
+    const double place = (cell[axis] + hit.Parametric[axis]) / nodesOfCell;
+    // Hits may lie in the margin behind the block.
+    cell[axis] = std::min(cell[axis] / nodesOfCell, this->Cells[axis] - 1);
     parametric[axis] = std::clamp(place - cell[axis], 0.0, 1.0);
   }
   return cell;

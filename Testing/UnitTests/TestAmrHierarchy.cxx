@@ -111,7 +111,7 @@ public:
     return place;
   }
 
-  Matrix4 GetWorldFromNodes(std::size_t number) const
+  Matrix4 GetWorldFromSamples(std::size_t number) const
   {
     const Box& box = this->Boxes[number];
     Matrix4 matrix = Scaling({ 1.0, 1.0, 1.0 });
@@ -120,7 +120,7 @@ public:
       const double node =
         this->Sizes[static_cast<std::size_t>(box.Level)][axis] / this->NodesOfCell;
       matrix[5 * axis] = node;
-      matrix[4 * axis + 3] = node * (this->NodesOfCell * box.First[axis] - 1);
+      matrix[4 * axis + 3] = node * (this->NodesOfCell * box.First[axis]);
     }
     return matrix;
   }
@@ -174,11 +174,11 @@ public:
   {
     const AmrNodes& nodes = this->Nodes[number];
     const Vector3 place = this->ToNodes(number, point);
-    const Index3 cells = { nodes.Dimensions[0] - 1, nodes.Dimensions[1] - 1,
-      nodes.Dimensions[2] - 1 };
+    const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
+      nodes.Dimensions[2] - 2 };
     return !nodes.HiddenCells.empty() &&
-      nodes.HiddenCells[Offset(
-        { static_cast<int>(place[0]), static_cast<int>(place[1]), static_cast<int>(place[2]) },
+      nodes.HiddenCells[Offset({ static_cast<int>(place[0]) - 1, static_cast<int>(place[1]) - 1,
+                                 static_cast<int>(place[2]) - 1 },
         cells)] != 0;
   }
 
@@ -341,8 +341,7 @@ class Source final : public FieldSource
 public:
   Source(const Grids& grids, std::size_t number)
     : Nodes(grids.Nodes[number])
-    , Field(ImageField::New(
-        { this->Nodes.Values.data(), ScalarType::Float64, this->Nodes.Dimensions, 1 }, {}, 1))
+    , Field(ImageField::New(this->Nodes.GetSamples(), {}, 1))
   {
   }
 
@@ -370,10 +369,10 @@ struct Traced
       this->Sources.push_back(std::make_unique<Source>(grids, i));
       PlacedField field{};
       field.Source = this->Sources.back().get();
-      field.SetFromOwn = grids.GetWorldFromNodes(i);
+      field.SetFromOwn = grids.GetWorldFromSamples(i);
       const Index3& nodes = grids.Nodes[i].Dimensions;
       field.Box = TransformBounds(field.SetFromOwn,
-        { { 1.0, 1.0, 1.0 }, { nodes[0] - 2.0, nodes[1] - 2.0, nodes[2] - 2.0 } });
+        { { 0.0, 0.0, 0.0 }, { nodes[0] - 3.0, nodes[1] - 3.0, nodes[2] - 3.0 } });
       field.IsSeamless = true;
       placed.push_back(field);
     }
@@ -505,23 +504,29 @@ TEST(AmrNodes, AreKeptInSinglePrecisionWhereItHoldsThem)
   for (const double other : { 0.5, 0.1, 1e39, 1e-60, 16777217.0 })
   {
     AmrNodes nodes;
-    nodes.Dimensions = { 3, 3, 1 };
-    nodes.Values = exact;
-    nodes.Values.push_back(other);
+    nodes.Dimensions = { 4, 4, 4 };
+    nodes.Values.resize(64, other);
+    std::copy(exact.begin(), exact.end(), nodes.Values.begin() + 40);
+    const std::vector<double> values = nodes.Values;
     nodes.Shorten();
-    const VolumeView samples = nodes.GetSamples();
-    const bool isShort = samples.Type == ScalarType::Float32;
+    const VolumeView view = nodes.GetSamples();
+    const bool isShort = view.Type == ScalarType::Float32;
     EXPECT_EQ(isShort, other == 0.5) << other;
-    EXPECT_EQ(samples.Dimensions, nodes.Dimensions);
-    EXPECT_EQ(nodes.GetMemory(), 9 * (isShort ? sizeof(float) : sizeof(double)));
-    for (std::size_t i = 0; i < 9; ++i)
-    {
-      const double value = isShort
-        ? static_cast<double>(static_cast<const float*>(samples.Samples)[i])
-        : static_cast<const double*>(samples.Samples)[i];
-      const double expected = i < exact.size() ? exact[i] : other;
-      EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << i;
-    }
+    EXPECT_EQ(nodes.GetMemory(), 64 * (isShort ? sizeof(float) : sizeof(double)));
+    DispatchScalarType(view,
+      [&values](const auto& samples)
+      {
+        EXPECT_EQ(samples.GetDimensions(), (Index3{ 3, 3, 3 }));
+        EXPECT_EQ(samples.GetBefore(), 1);
+        for (int i = 0; i < 64; ++i)
+        {
+          // The node before the samples along each axis has the place -1.
+          const auto value =
+            static_cast<double>(*samples.At({ i % 4 - 1, i / 4 % 4 - 1, i / 16 - 1 }));
+          const double expected = values[static_cast<std::size_t>(i)];
+          EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << i;
+        }
+      });
   }
 }
 

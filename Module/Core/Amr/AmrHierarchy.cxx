@@ -341,11 +341,14 @@ void AmrNodes::Shorten()
 //------------------------------------------------------------------------------
 VolumeView AmrNodes::GetSamples() const
 {
-  VolumeView view;
+  const std::size_t first = Offset({ 1, 1, 1 }, this->Dimensions);
   const bool areSingle = this->Values.empty();
+  VolumeView view;
   view.Type = areSingle ? ScalarType::Float32 : ScalarType::Float64;
-  view.Samples = areSingle ? static_cast<const void*>(this->Singles.data()) : this->Values.data();
-  view.Dimensions = this->Dimensions;
+  view.Samples = areSingle ? static_cast<const void*>(this->Singles.data() + first)
+                           : this->Values.data() + first;
+  view.Dimensions = { this->Dimensions[0] - 1, this->Dimensions[1] - 1, this->Dimensions[2] - 1 };
+  view.Before = 1;
   return view;
 }
 
@@ -578,16 +581,15 @@ AmrRange AmrHierarchy::FindRange(std::size_t number) const
 }
 
 //------------------------------------------------------------------------------
-/// Cells around the patch count, too: a ray in a face of it may be taken for one in these.
+/// Cells behind the patch count, too: a ray in a face of it may be taken for one in these.
 void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
 {
-  const Index3 size = { patch.Cells[0] + 2, patch.Cells[1] + 2, patch.Cells[2] + 2 };
+  const Index3 size = { patch.Cells[0] + 1, patch.Cells[1] + 1, patch.Cells[2] + 1 };
   std::vector<unsigned char> isHidden(Count(size), 0);
   const auto hide = [&](const Index3& cell)
   {
     isHidden[Offset(
-      { cell[0] - patch.First[0] + 1, cell[1] - patch.First[1] + 1, cell[2] - patch.First[2] + 1 },
-      size)] = 1;
+      { cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] }, size)] = 1;
   };
   ForEachIndex(patch.First, patch.Cells,
     [&](const Index3& cell)
@@ -600,7 +602,7 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
       }
     });
   // In cells of each level.
-  Bounds around = GetBox({ patch.First[0] - 1, patch.First[1] - 1, patch.First[2] - 1 }, size);
+  Bounds around = GetBox(patch.First, size);
   Index3 ratio = { 1, 1, 1 };
   for (auto level = static_cast<std::size_t>(patch.Level); level < this->Levels.size(); ++level)
   {
@@ -625,8 +627,7 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
-          low[axis] =
-            std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis] - 1);
+          low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis]);
           count[axis] = std::min(end, patch.First[axis] + patch.Cells[axis] + 1) - low[axis];
         }
         ForEachIndex(low, count,
@@ -644,8 +645,8 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
     return;
   }
   const int nodesOfCell = this->GetNodesOfCell();
-  const Index3 cells = { nodes.Dimensions[0] - 1, nodes.Dimensions[1] - 1,
-    nodes.Dimensions[2] - 1 };
+  const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
+    nodes.Dimensions[2] - 2 };
   nodes.HiddenCells.resize(Count(cells), 0);
   ForEachIndex({ 0, 0, 0 }, cells,
     [&](const Index3& i)
@@ -653,7 +654,7 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
       Index3 cell;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        cell[axis] = FloorDivide(i[axis] - 1, nodesOfCell) + 1;
+        cell[axis] = i[axis] / nodesOfCell;
       }
       nodes.HiddenCells[Offset(i, cells)] = isHidden[Offset(cell, size)];
     });

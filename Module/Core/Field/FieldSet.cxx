@@ -763,11 +763,11 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
         { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
       this->DropTwins(packet.Rays->GetDirection(i), found);
     }
-    if (found.size() <= 1)
+    if (found.size() == 1)
     {
-      hits.Hits.insert(hits.Hits.end(), found.begin(), found.end());
+      hits.Hits.push_back(found.front());
     }
-    else if (this->Request.Projection)
+    else if (this->Request.Projection && !found.empty())
     {
       const bool isLargest = this->Request.Projection == Extremum::Largest;
       const auto extreme = std::min_element(found.begin(), found.end(),
@@ -917,20 +917,21 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
     const Member& member = this->GetMember(hits[left[0]]);
     int ownCount = 0;
     int others = 0;
+    // Which is which is unpredictable: counting is faster than branching.
     for (int k = 0; k < count; ++k)
     {
       const int i = left[k];
-      if (hits[i].Member == number)
-      {
-        own[ownCount] = member.ToOwn(hits[i]);
-        places[ownCount++] = i;
-      }
-      else
-      {
-        left[others++] = i;
-      }
+      const bool isOwn = hits[i].Member == number;
+      places[ownCount] = i;
+      ownCount += isOwn ? 1 : 0;
+      left[others] = i;
+      others += isOwn ? 0 : 1;
     }
     count = others;
+    for (int k = 0; k < ownCount; ++k)
+    {
+      own[k] = member.ToOwn(hits[places[k]]);
+    }
     member.Field->GetPointsAndGradients(own, ownCount, ownPoints, ownGradients);
     for (int k = 0; k < ownCount; ++k)
     {

@@ -35,8 +35,9 @@ class CubicEdges
 public:
   CubicEdges() = default;
 
-  /// The planes are null where samples stand at whole numbers.
-  CubicEdges(const Index3& dimensions, const UnevenPlanes* planes)
+  /// For cells that have a number of samples before the first, along each axis. The planes are null
+  /// where samples stand at whole numbers.
+  CubicEdges(const Index3& dimensions, int before, const UnevenPlanes* planes)
   {
     double product = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -46,7 +47,7 @@ public:
       for (int cell = 0; cell < last; ++cell)
       {
         const CubicEdge edge =
-          planes ? UnevenEdge(*planes, axis, cell) : EvenEdge(cell > 0, cell + 1 < last);
+          planes ? UnevenEdge(*planes, axis, cell) : EvenEdge(cell + before > 0, cell + 1 < last);
         largest =
           std::max({ largest, SumOfWeights(edge[0], edge[1]), SumOfWeights(edge[3], edge[2]) });
         this->Edges[axis].push_back(edge);

@@ -37,7 +37,7 @@ public:
   /// differs from the one before.
   bool SetPlanes(const UnevenPlanes* planes)
   {
-    CubicEdges edges(this->TheSamples.GetDimensions(), planes);
+    CubicEdges edges(this->TheSamples.GetDimensions(), this->TheSamples.GetBefore(), planes);
     const bool isOther = !(edges == this->Edges);
     this->Edges = std::move(edges);
     return isOther;
@@ -106,6 +106,13 @@ public:
   }
 
 private:
+  /// The sample along an axis that is nearest to a place, which may be outside of the volume.
+  int FindNearest(std::size_t axis, int place) const
+  {
+    return std::clamp(
+      place, -this->TheSamples.GetBefore(), this->TheSamples.GetDimensions()[axis] - 1);
+  }
+
   /// Reads the 4^3 samples around a cell. (Those outside of the volume have no weight.) Returns
   /// whether all are finite.
   bool Load(const Index3& cell, TricubicCell& samples) const
@@ -115,8 +122,7 @@ private:
     {
       for (int i = 0; i < 4; ++i)
       {
-        offsets[axis][i] =
-          std::clamp(cell[axis] + i - 1, 0, this->TheSamples.GetDimensions()[axis] - 1) *
+        offsets[axis][i] = this->FindNearest(axis, cell[axis] + i - 1) *
           this->TheSamples.GetStride(static_cast<int>(axis));
       }
     }
@@ -156,7 +162,6 @@ private:
   /// axis after the other, each takes in the next three.
   BlockRanges GetRanges(const Index3& first) const
   {
-    const Index3& dimensions = this->TheSamples.GetDimensions();
     BlockRanges ranges;
     std::size_t i = 0;
     for (int z = 0; z < RangesSize[2]; ++z)
@@ -165,10 +170,8 @@ private:
       {
         for (int x = 0; x < RangesSize[0]; ++x)
         {
-          const T sample =
-            *this->TheSamples.At({ std::clamp(first[0] + x - 1, 0, dimensions[0] - 1),
-              std::clamp(first[1] + y - 1, 0, dimensions[1] - 1),
-              std::clamp(first[2] + z - 1, 0, dimensions[2] - 1) });
+          const T sample = *this->TheSamples.At({ this->FindNearest(0, first[0] + x - 1),
+            this->FindNearest(1, first[1] + y - 1), this->FindNearest(2, first[2] + z - 1) });
           ranges[i++].Include(sample, sample);
         }
       }

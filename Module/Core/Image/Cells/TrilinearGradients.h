@@ -150,8 +150,9 @@ private:
   bool IsInner(const Index3& cell) const
   {
     const Index3& dimensions = this->TheSamples.GetDimensions();
-    return cell[0] > 0 && cell[1] > 0 && cell[2] > 0 && cell[0] < dimensions[0] - 2 &&
-      cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
+    const int before = this->TheSamples.GetBefore();
+    return cell[0] + before > 0 && cell[1] + before > 0 && cell[2] + before > 0 &&
+      cell[0] < dimensions[0] - 2 && cell[1] < dimensions[1] - 2 && cell[2] < dimensions[2] - 2;
   }
 
   static void AddCell(const void* corner, const Hit& hit, const Index3& cell,
@@ -200,7 +201,7 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::ptrdiff_t stride = this->TheSamples.GetStrides()[axis];
-      hasBefore[axis] = cell[axis] > 0;
+      hasBefore[axis] = cell[axis] + this->TheSamples.GetBefore() > 0;
       hasBehind[axis] = cell[axis] + 2 < this->TheSamples.GetDimensions()[axis];
       steps[axis][0] = hasBefore[axis] ? -stride : 0;
       steps[axis][1] = 0;

@@ -213,7 +213,8 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
   const Index3 size = this->Lattice.Levels[0].Size;
   const int edge = this->Lattice.Levels[0].Edge;
   const std::ptrdiff_t stride = samples.GetStride(0);
-  const auto length = static_cast<std::size_t>(dimensions[0]);
+  const int before = samples.GetBefore();
+  const auto length = static_cast<std::size_t>(before + dimensions[0]);
   const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
 
   // Of each thread, allocated here: no exception may leave a parallel region.
@@ -230,17 +231,20 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
       const Index3 first = { 0, row % size[1], row / size[1] };
       std::fill(low.begin(), low.end(), ValueRange<T>().Min);
       std::fill(high.begin(), high.end(), ValueRange<T>().Max);
-      // A macrocell of n cells has n + 1 samples along an edge, shared with its neighbours.
+      // A macrocell of n cells has n + 1 samples along an edge, shared with its neighbours. The
+      // first have those before the volume, too.
+      const auto firstOf = [before, edge](int macrocell)
+      { return macrocell == 0 ? -before : macrocell * edge; };
       const int yEnd = std::min((first[1] + 1) * edge, dimensions[1] - 1);
       const int zEnd = std::min((first[2] + 1) * edge, dimensions[2] - 1);
-      for (int z = first[2] * edge; z <= zEnd; ++z)
+      for (int z = firstOf(first[2]); z <= zEnd; ++z)
       {
-        for (int y = first[1] * edge; y <= yEnd; ++y)
+        for (int y = firstOf(first[1]); y <= yEnd; ++y)
         {
-          const T* sample = samples.At({ 0, y, z });
+          const T* sample = samples.At({ -before, y, z });
           if (stride == 1)
           {
-            includeRow(sample, low.data(), high.data(), dimensions[0]);
+            includeRow(sample, low.data(), high.data(), static_cast<int>(length));
             continue;
           }
           for (std::size_t x = 0; x < length; ++x)
@@ -256,9 +260,9 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
       {
         const int xEnd = std::min((i + 1) * edge, dimensions[0] - 1);
         ranges[i] = {};
-        for (int x = i * edge; x <= xEnd; ++x)
+        for (int x = firstOf(i); x <= xEnd; ++x)
         {
-          const auto index = static_cast<std::size_t>(x);
+          const auto index = static_cast<std::size_t>(before + x);
           ranges[i].Include(low[index], high[index]);
         }
       }

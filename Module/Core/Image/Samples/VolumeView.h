@@ -23,6 +23,9 @@ struct VolumeView
   Index3 Dimensions = { 0, 0, 0 };
   /// The distance between neighbours along x, in samples (the number of interleaved components).
   std::ptrdiff_t Stride = 1;
+  /// The number of further samples along each axis that memory has before these. Normals and the
+  /// tricubic interpolant take them for neighbours; even spacing alone may have them.
+  int Before = 0;
   /// Whether the memory is that of a file, which is mapped.
   bool AreInFile = false;
 };
@@ -37,13 +40,15 @@ public:
   explicit Samples(const VolumeView& view)
     : First(static_cast<const T*>(view.Samples))
     , Dimensions(view.Dimensions)
-    , Strides{ view.Stride, view.Stride * view.Dimensions[0],
-      view.Stride * view.Dimensions[0] * view.Dimensions[1] }
+    , Before(view.Before)
+    , Strides{ view.Stride, view.Stride * (view.Before + view.Dimensions[0]),
+      view.Stride * (view.Before + view.Dimensions[0]) * (view.Before + view.Dimensions[1]) }
     , IsFile(view.AreInFile)
   {
   }
 
   const Index3& GetDimensions() const { return this->Dimensions; }
+  int GetBefore() const { return this->Before; }
   std::ptrdiff_t GetStride(int axis) const { return this->Strides[static_cast<std::size_t>(axis)]; }
   const std::ptrdiff_t* GetStrides() const { return this->Strides.data(); }
 
@@ -58,6 +63,7 @@ public:
 private:
   const T* First;
   Index3 Dimensions;
+  int Before;
   std::array<std::ptrdiff_t, 3> Strides;
   bool IsFile;
 };
