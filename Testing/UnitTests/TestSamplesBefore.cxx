@@ -12,6 +12,7 @@
 #include "TestRequest.h"
 #include "TestVolume.h"
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -121,6 +122,30 @@ TEST_P(SamplesBefore, AreNeighbours)
       }
       EXPECT_GT(atBorder, 100U);
     });
+}
+
+//------------------------------------------------------------------------------
+/// The tricubic interpolant leaves the range of the samples that are equal next to others.
+TEST_P(SamplesBefore, MakeMacrocellsActive)
+{
+  TestVolume<float> volume(LargerSize, std::vector<float>(Count(LargerSize), 10.0F));
+  for (int z = 0; z < LargerSize[2]; ++z)
+  {
+    for (int y = 0; y < LargerSize[1]; ++y)
+    {
+      volume.At({ 0, y, z }) = 110.0F;
+    }
+  }
+  const auto rest = ImageField::New(ViewOfRest(volume), {}, 1);
+  TestRequest request({ { 5.0, 1.0 } });
+  request.Interpolation = Interpolant::Tricubic;
+  request.PacketKernels = &this->TheKernels;
+  Select(*rest, request, 1);
+  // Along the first cell it is 10 - 50 t (1 - t)^2, which is 5 for some t below 1/3.
+  const RayHits hits = CastRays(*rest, { { { 0.0, 4.5, 8.5 }, { 1.0, 0.0, 0.0 }, 0.0, 1.0 } }, 1);
+  ASSERT_EQ(hits.Hits.size(), 1U);
+  EXPECT_NEAR(10.0 - 50.0 * hits.Hits[0].T * std::pow(1.0 - hits.Hits[0].T, 2.0), 5.0, 1e-9);
+  EXPECT_LT(hits.Hits[0].T, 1.0 / 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SamplesBefore, AllKernels(), NameOfKernels);
