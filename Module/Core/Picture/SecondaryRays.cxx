@@ -16,7 +16,8 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// One of 96 numbers, equal for similar directions: a part of a face of a cube.
+/// A number that is near for similar directions: the place on a face of a cube in Morton order, so
+/// that halves of a sequence, and halves of them, have similar directions, too.
 int GetSector(const Vector3& direction)
 {
   std::size_t axis = 0;
@@ -29,10 +30,20 @@ int GetSector(const Vector3& direction)
   {
     return 0; // no ray
   }
+  constexpr int bits = 5;
+  int sector = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
   const auto part = [&direction, length](std::size_t other)
-  { return std::min(3, static_cast<int>(2.0 * (direction[other] / length + 1.0))); };
-  const int face = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
-  return 16 * face + 4 * part((axis + 1) % 3) + part((axis + 2) % 3);
+  {
+    constexpr int parts = 1 << bits;
+    return std::min(parts - 1, static_cast<int>(0.5 * parts * (direction[other] / length + 1.0)));
+  };
+  const int u = part((axis + 1) % 3);
+  const int v = part((axis + 2) % 3);
+  for (int bit = bits - 1; bit >= 0; --bit)
+  {
+    sector = 4 * sector + 2 * (u >> bit & 1) + (v >> bit & 1);
+  }
+  return sector;
 }
 
 }

@@ -57,7 +57,7 @@ public:
   };
 
   /// The maximum width of a frustum, in cells (uneven: of mean size).
-  static constexpr double LargestWidth = 96.0;
+  static constexpr double LargestWidth = 400.0;
 
   /// Planes are null where they stand at whole numbers. All must outlive the traversal.
   FrustumTraversal(const BlockTree& tree, const UnevenPlanes* planes, const Frustum& frustum)
