@@ -173,10 +173,11 @@ public:
 
   ///@{
   /**
-   * How the blocks of a composite input are displayed: whether they are visible, and their colours,
-   * which surfaces and caps have in place of those of the property and of ColorArrayName. What is
-   * said of a node holds for all blocks below it that have nothing of their own. Opacity is that of
-   * the property; pickability and materials are not used. Null, the default: all are displayed
+   * How the blocks of a composite input are displayed: whether they are visible, and their colours
+   * and opacities, which surfaces and caps have in place of those of the property and of
+   * ColorArrayName. What is said of a node holds for all blocks below it that have nothing of their
+   * own. An opacity, from 0 (not visible) to 1, is that of all surfaces of a block that are visible
+   * by the property. Pickability and materials are not used. Null, the default: all are displayed
    * alike.
    */
   void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
