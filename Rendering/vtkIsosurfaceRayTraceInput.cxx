@@ -609,8 +609,8 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
   }
   const bool areDirect = std::all_of(leaves.begin(), leaves.end(),
     [](const Leaf& leaf) { return vtkIsosurfaceRayTraceColors::IsDirect(leaf.GetAnyColors()); });
-  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(
-    *this, this->Leaves.AreColorsOfCells(), areDirect, colorsOfValues);
+  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(*this, this->Leaves.AreColorsOfCells(),
+    areDirect, leaves.front().GetAnyColors()->GetNumberOfComponents(), colorsOfValues);
 }
 
 //------------------------------------------------------------------------------

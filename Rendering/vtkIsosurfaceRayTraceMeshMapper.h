@@ -162,10 +162,12 @@ public:
   /**
    * Set/Get the name of an array of the input that colours the surfaces instead of their isovalues:
    * its value at a hit is mapped through the colour transfer function of the property; an array of
-   * unsigned char with three or four components holds the colours themselves. Values of points are
-   * interpolated in the cell. If no array of points has the name, it is one of cells, and a surface
-   * has one colour in a cell. All blocks of a composite input must have it, of the same kind.
-   * Opacity is always that of the isovalue. Default: empty, and surfaces are coloured by isovalue.
+   * unsigned char with three or four components holds the colours themselves. Of other vectors the
+   * function shows what its vector mode says (vtkScalarsToColors::SetVectorModeToMagnitude): a
+   * component, the first by default, or the magnitude, of nine components at most. Values of points
+   * are interpolated in the cell. If no array of points has the name, it is one of cells, and a
+   * surface has one colour in a cell. All blocks of a composite input must have it, of the same
+   * kind. It gives no opacities. Default: empty, and surfaces are coloured by isovalue.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
