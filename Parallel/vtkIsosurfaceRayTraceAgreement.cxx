@@ -79,6 +79,9 @@ Numbers DescribeColors(vtkVolumeProperty* property, int component)
   }
   vtkColorTransferFunction* colors = property->GetRGBTransferFunction(component);
   Append(colors->GetDataPointer(), 4 * colors->GetSize(), numbers);
+  numbers.insert(numbers.end(),
+    { static_cast<double>(colors->GetVectorMode()),
+      static_cast<double>(colors->GetVectorComponent()) });
   return numbers;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -60,6 +61,10 @@ void AppendRequest(const vtkirt::TraceRequest& request, std::vector<double>& num
   for (const vtkirt::Isosurface& surface : request.Surfaces)
   {
     Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, numbers);
+  }
+  for (const std::optional<double>& opacity : request.MemberOpacities)
+  {
+    numbers.push_back(opacity.value_or(-1.0));
   }
   for (const vtkirt::HalfSpace& half : request.Visible.HalfSpaces)
   {

@@ -51,6 +51,7 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  std::optional<double> FindOpacity() const override { return this->Leaf.Display.Opacity; }
   const vtkIsosurfaceRayTraceLeaf& FindLeaf(
     const vtkIsosurfaceRayTracing::Hit& /*hit*/) const override
   {

@@ -6,6 +6,7 @@
 #ifndef vtkIsosurfaceRayTraceArrayColors_h
 #define vtkIsosurfaceRayTraceArrayColors_h
 
+#include "vtkDataArray.h"                  // for its number of components
 #include "vtkIsosurfaceRayTraceColors.h"   // for base class
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
@@ -25,8 +26,8 @@ class vtkIsosurfaceRayTraceArrayColors final : public vtkIsosurfaceRayTraceColor
 public:
   /// Arrays of cells have one value in a cell. Direct: the arrays hold colours.
   vtkIsosurfaceRayTraceArrayColors(const vtkIsosurfaceRayTraceInput& input, bool areOfCells,
-    bool areDirect, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
-    : vtkIsosurfaceRayTraceColors(areDirect, colorsOfValues)
+    bool areDirect, int components, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
+    : vtkIsosurfaceRayTraceColors(areDirect, components, colorsOfValues)
     , Input(input)
     , AreOfCells(areOfCells)
   {
@@ -50,7 +51,7 @@ public:
     const vtkIsosurfaceRayTracing::TracedField& field,
     const vtkIsosurfaceRayTracing::Matrix4& physicalFromObject,
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
-    : vtkIsosurfaceRayTraceColors(IsDirect(array), colorsOfValues)
+    : vtkIsosurfaceRayTraceColors(IsDirect(array), array->GetNumberOfComponents(), colorsOfValues)
     , Image(image)
     , Array(array)
     , Field(field)

@@ -8,6 +8,8 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
@@ -30,6 +32,20 @@ void Override(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* node
     attributes->GetBlockColor(node, color.data());
     display.Color = color;
   }
+  if (attributes->HasBlockOpacity(node))
+  {
+    display.Opacity = attributes->GetBlockOpacity(node);
+  }
+}
+
+/// What is not opaque at all is not visible.
+void Normalize(Display& display)
+{
+  if (display.Opacity)
+  {
+    display.IsVisible = display.IsVisible && *display.Opacity > 0.0;
+    display.Opacity = std::min(*display.Opacity, 1.0);
+  }
 }
 
 }
@@ -37,7 +53,9 @@ void Override(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* node
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceBlockDisplays::vtkIsosurfaceRayTraceBlockDisplays(
   vtkDataObject* root, vtkCompositeDataDisplayAttributes* attributes)
-  : Attributes(attributes && (attributes->HasBlockVisibilities() || attributes->HasBlockColors())
+  : Attributes(attributes &&
+          (attributes->HasBlockVisibilities() || attributes->HasBlockColors() ||
+            attributes->HasBlockOpacities())
         ? attributes
         : nullptr)
 {
@@ -96,6 +114,7 @@ Display vtkIsosurfaceRayTraceBlockDisplays::Get(vtkDataObject* block) const
   const auto found = this->Displays.find(block);
   Display display = found != this->Displays.end() ? found->second : this->OfRoot;
   Override(this->Attributes, block, display);
+  Normalize(display);
   return display;
 }
 

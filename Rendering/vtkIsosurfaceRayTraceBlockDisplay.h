@@ -23,6 +23,8 @@ struct vtkIsosurfaceRayTraceBlockDisplay
   bool IsVisible = true;
   /// None: the colours are those of the volume.
   std::optional<vtkIsosurfaceRayTracing::Vector3> Color;
+  /// In (0, 1]. None: the opacities are those of the volume.
+  std::optional<double> Opacity;
 };
 
 /// Those of composite data. What is said of a node holds for all below it, unless they have their

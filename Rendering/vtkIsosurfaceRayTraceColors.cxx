@@ -9,9 +9,23 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+/// As many as a tensor has. An array may have more, which are not looked at.
+constexpr int MostComponents = 9;
+
+}
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkIsosurfaceRayTraceColors::FindArray(vtkDataSet* grid, const std::string& name)
@@ -57,20 +71,33 @@ bool vtkIsosurfaceRayTraceColors::IsDirect(vtkDataArray* array)
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceColors::vtkIsosurfaceRayTraceColors(
-  bool isDirect, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
+  bool isDirect, int components, const vtkIsosurfaceRayTraceValueColors& colorsOfValues)
   : AreDirect(isDirect)
+  , Components(std::min(components, MostComponents))
+  , AreMagnitudes(components > 1 && colorsOfValues.AreOfMagnitudes())
   , ColorsOfValues(colorsOfValues)
 {
+  if (!this->AreMagnitudes)
+  {
+    this->Components = std::min(this->Components, colorsOfValues.GetVectorComponent() + 1);
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkirt::Vector3 vtkIsosurfaceRayTraceColors::Get(const vtkirt::Hit& hit) const
 {
-  vtkirt::Vector3 values;
-  this->Sample(hit, this->AreDirect ? 3 : 1, values.data());
-  return this->AreDirect
-    ? vtkirt::Vector3{ values[0] / 255.0, values[1] / 255.0, values[2] / 255.0 }
-    : this->ColorsOfValues.GetColor(values[0]);
+  std::array<double, MostComponents> values;
+  if (this->AreDirect)
+  {
+    this->Sample(hit, 3, values.data());
+    return { values[0] / 255.0, values[1] / 255.0, values[2] / 255.0 };
+  }
+  const int count = this->Components;
+  this->Sample(hit, count, values.data());
+  const double value = this->AreMagnitudes
+    ? std::sqrt(std::inner_product(values.begin(), values.begin() + count, values.begin(), 0.0))
+    : values[static_cast<std::size_t>(count) - 1];
+  return this->ColorsOfValues.GetColor(value);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -38,9 +38,9 @@ public:
   vtkIsosurfaceRayTracing::Vector3 Get(const vtkIsosurfaceRayTracing::Hit& hit) const final;
 
 protected:
-  /// The values of the array have these colours, unless they are colours themselves.
+  /// The values of an array like this one have these colours, unless they are colours themselves.
   vtkIsosurfaceRayTraceColors(
-    bool isDirect, const vtkIsosurfaceRayTraceValueColors& colorsOfValues);
+    bool isDirect, int components, const vtkIsosurfaceRayTraceValueColors& colorsOfValues);
 
   /// Finds the first components of the array at a hit.
   virtual void Sample(
@@ -48,6 +48,9 @@ protected:
 
 private:
   bool AreDirect;
+  /// How many are looked at; and whether their magnitude is shown, or the last of them.
+  int Components;
+  bool AreMagnitudes;
   const vtkIsosurfaceRayTraceValueColors& ColorsOfValues;
 };
 

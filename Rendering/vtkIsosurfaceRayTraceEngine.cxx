@@ -491,10 +491,12 @@ try
   bool areOpaque = true;
   for (int i = 0; i < inputs.GetNumber(); ++i)
   {
-    const std::vector<vtkirt::Isosurface> surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(
-      volumes.GetProperty(i), inputs.Get(i).GetPropertyComponent());
-    areAny = areAny || !surfaces.empty();
-    areOpaque = areOpaque && vtkIsosurfaceRayTraceScene::AreOpaque(surfaces);
+    const vtkIsosurfaceRayTraceInput& input = inputs.Get(i);
+    vtkirt::TraceRequest request(vtkIsosurfaceRayTraceScene::GetSurfaces(
+      volumes.GetProperty(i), input.GetPropertyComponent()));
+    input.SetOpacities(request);
+    areAny = areAny || !request.Surfaces.empty();
+    areOpaque = areOpaque && request.HasOnlyOpaqueSurfaces();
   }
   return areAny && areOpaque;
 }

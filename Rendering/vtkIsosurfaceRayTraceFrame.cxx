@@ -366,8 +366,7 @@ bool vtkIsosurfaceRayTraceFrame::IsOpaque(const Drawing& drawing) const
       [](const vtkirt::SceneField& field)
       {
         const vtkirt::TraceRequest& request = field.Field->GetRequest();
-        return !request.Projection && !request.HasCloud &&
-          vtkIsosurfaceRayTraceScene::AreOpaque(request.Surfaces);
+        return !request.HasCloud && request.HasOnlyOpaqueSurfaces();
       });
 }
 

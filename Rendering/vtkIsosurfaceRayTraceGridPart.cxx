@@ -170,6 +170,12 @@ vtkIdType vtkIsosurfaceRayTraceGridPart::FindPoint(const vtkirt::Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
+std::optional<double> vtkIsosurfaceRayTraceGridPart::FindOpacity() const
+{
+  return this->Blocks.Get().front().Display.Opacity;
+}
+
+//------------------------------------------------------------------------------
 const vtkIsosurfaceRayTraceLeaf& vtkIsosurfaceRayTraceGridPart::FindLeaf(
   const vtkirt::Hit& hit) const
 {

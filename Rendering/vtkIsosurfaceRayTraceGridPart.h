@@ -11,8 +11,9 @@
 #include "vtkIsosurfaceRayTraceSource.h"   // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <optional> // for std::optional
+#include <string>   // for std::string
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -55,6 +56,7 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  std::optional<double> FindOpacity() const override;
   const vtkIsosurfaceRayTraceLeaf& FindLeaf(const vtkIsosurfaceRayTracing::Hit& hit) const override;
   void SampleColors(
     const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;

@@ -102,6 +102,11 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
+  if (this->Leaves.Get().empty())
+  {
+    this->RemoveParts();
+    return "";
+  }
   // Leaves have as many components as the first.
   vtkIsosurfaceRayTraceScalars scalars;
   scalars.Array = this->Leaves.Get().front().Scalars;
@@ -162,13 +167,20 @@ bool vtkIsosurfaceRayTraceInput::HasData() const
 void vtkIsosurfaceRayTraceInput::SelectNothing()
 {
   this->Leaves = {};
+  this->IsComposite = false;
+  this->RemoveParts();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::RemoveParts()
+{
   this->LeftOut = {};
+  this->Field = nullptr;
   this->Parts.clear();
   this->Placed.clear();
   this->Set.reset();
   this->Objects = nullptr;
   this->ArePartsKept = false;
-  this->IsComposite = false;
   this->PropertyComponent = 0;
   this->CloudComponents = { 0, false };
   this->ColorImage = nullptr;
@@ -190,7 +202,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
     this->AreSameLeaves =
       this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes, settings.Threads);
     const std::string problem = this->Leaves.GetLeftOut().Describe();
-    if (!this->Leaves.Get().empty())
+    if (!this->Leaves.Get().empty() || (problem.empty() && this->Leaves.AreSomeHidden()))
     {
       return "";
     }
@@ -523,6 +535,27 @@ vtkirt::Visibility vtkIsosurfaceRayTraceInput::FindVisible() const
 }
 
 //------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::SetOpacities(vtkirt::TraceRequest& request) const
+{
+  if (!this->Leaves.HaveOpacities())
+  {
+    return; // Thousands of blocks are not asked for them.
+  }
+  if (!this->IsLone())
+  {
+    for (const std::unique_ptr<Part>& part : this->Parts)
+    {
+      request.MemberOpacities.push_back(part->FindOpacity());
+    }
+    return;
+  }
+  for (vtkirt::Isosurface& surface : request.Surfaces)
+  {
+    surface.Opacity = this->Parts.front()->FindOpacity().value_or(surface.Opacity);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::FindScalarRange(double range[2]) const
 {
   range[0] = std::numeric_limits<double>::infinity();
@@ -576,8 +609,8 @@ std::unique_ptr<vtkirt::HitColors> vtkIsosurfaceRayTraceInput::MakeColorsOfArray
   }
   const bool areDirect = std::all_of(leaves.begin(), leaves.end(),
     [](const Leaf& leaf) { return vtkIsosurfaceRayTraceColors::IsDirect(leaf.GetAnyColors()); });
-  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(
-    *this, this->Leaves.AreColorsOfCells(), areDirect, colorsOfValues);
+  return std::make_unique<vtkIsosurfaceRayTraceArrayColors>(*this, this->Leaves.AreColorsOfCells(),
+    areDirect, leaves.front().GetAnyColors()->GetNumberOfComponents(), colorsOfValues);
 }
 
 //------------------------------------------------------------------------------

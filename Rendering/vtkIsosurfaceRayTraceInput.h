@@ -135,6 +135,9 @@ public:
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColors(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
 
+  /// Gives surfaces the opacities of the blocks that have their own.
+  void SetOpacities(vtkIsosurfaceRayTracing::TraceRequest& request) const;
+
   /// The range of the scalars. Returns whether it is that of all: false if the input is a piece of
   /// others, or has no finite scalars.
   bool FindScalarRange(double range[2]) const;
@@ -196,6 +199,7 @@ private:
   void AddGrid(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     PartList& before);
+  void RemoveParts();
   void JoinParts();
   bool ArePartsIntact(int threads) const;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColorsOfArray(

@@ -96,9 +96,10 @@ public:
       for (const std::size_t candidate : found->second)
       {
         Lattice& lattice = lattices[candidate];
+        const Leaf& ofFirst = leaves[lattice.Blocks.front()];
         vtkirt::Index3 first;
-        if (FindFirstPoint(
-              vtkImageData::SafeDownCast(leaves[lattice.Blocks.front()].Data), image, first))
+        if (ofFirst.Display.Opacity == leaves[number].Display.Opacity &&
+          FindFirstPoint(vtkImageData::SafeDownCast(ofFirst.Data), image, first))
         {
           lattice.Add(number, first, points);
           return lattice;

@@ -26,8 +26,8 @@ namespace vtkIsosurfaceRayTraceLattices
 bool FindFirstPoint(
   vtkImageData* lattice, vtkImageData* block, vtkIsosurfaceRayTracing::Index3& first);
 
-/// Divides blocks, in their order, into those that are to be joined: images on one lattice that
-/// fill a good part of the box around them. All others are by themselves.
+/// Divides blocks, in their order, into those that are to be joined: images on one lattice, of
+/// one opacity, that fill a good part of the box around them. All others are by themselves.
 std::vector<std::vector<vtkIsosurfaceRayTraceLeaf>> Group(
   const std::vector<vtkIsosurfaceRayTraceLeaf>& grids);
 

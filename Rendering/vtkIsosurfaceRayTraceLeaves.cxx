@@ -111,6 +111,8 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   this->Collected = {};
   this->LeftOut = {};
   this->Leaves.clear();
+  this->SomeAreHidden = false;
+  this->SomeHaveOpacities = false;
   this->NumberOfPoints = 0;
   this->NumberOfCells = 0;
   const vtkIsosurfaceRayTraceBlockDisplays displays(input, attributes);
@@ -127,10 +129,12 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
       displays.Get(data) };
     this->NumberOfPoints += data->GetNumberOfPoints();
     this->NumberOfCells += data->GetNumberOfCells();
+    this->SomeAreHidden = this->SomeAreHidden || !leaf.Display.IsVisible;
     if (!leaf.Display.IsVisible)
     {
       continue;
     }
+    this->SomeHaveOpacities = this->SomeHaveOpacities || leaf.Display.Opacity;
     const std::string problem = IsTraced(data)
       ? (HasVolume(data) ? this->Append(leaf, mapper, colorArrayName) : "")
       : std::string("It is a ") + data->GetClassName() + ". Give blocks of " + Names + ".";
@@ -150,6 +154,8 @@ void vtkIsosurfaceRayTraceLeaves::Take(
 {
   this->Collected = {};
   this->LeftOut = {};
+  this->SomeAreHidden = false;
+  this->SomeHaveOpacities = false;
   vtkIsosurfaceRayTraceScalars scalars;
   scalars.SelectArray(mapper, data);
   this->OfCells = scalars.AreOfCells;

@@ -87,6 +87,12 @@ public:
   const vtkIsosurfaceRayTraceLeftOut& GetLeftOut() const { return this->LeftOut; }
   bool AreScalarsOfCells() const { return this->OfCells; }
 
+  /// Whether there are blocks that are not visible.
+  bool AreSomeHidden() const { return this->SomeAreHidden; }
+
+  /// Whether leaves have opacities of their own.
+  bool HaveOpacities() const { return this->SomeHaveOpacities; }
+
   /// Whether the leaves have arrays of cells to colour by: those of all are of the same kind.
   bool AreColorsOfCells() const
   {
@@ -112,6 +118,8 @@ private:
   vtkIsosurfaceRayTraceLeftOut LeftOut;
   std::vector<Leaf> Leaves;
   bool OfCells = false;
+  bool SomeAreHidden = false;
+  bool SomeHaveOpacities = false;
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfCells = 0;
 };

@@ -347,13 +347,15 @@ public:
   /**
    * Set/Get the name of an array that colours the surfaces instead of their isovalues: its value at
    * a hit is mapped through the colour transfer function of the property; an array of unsigned char
-   * with three or four components holds the colours themselves. Values of points are interpolated
-   * trilinearly. If no array of points has the name, it is one of cells, and a surface has one
-   * colour in a cell. All blocks of a composite input must have it, of the same kind.
-   * It is an array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if
-   * there is one: an image of any resolution in the same coordinates, whose border values extend
-   * beyond it. An empty name takes the point scalars of the second input; without a second input,
-   * surfaces are coloured by isovalue. Opacity is always that of the isovalue. Default: empty.
+   * with three or four components holds the colours themselves. Of other vectors the function shows
+   * what its vector mode says (vtkScalarsToColors::SetVectorModeToMagnitude): a component, the
+   * first by default, or the magnitude, of nine components at most. Values of points are
+   * interpolated trilinearly. If no array of points has the name, it is one of cells, and a surface
+   * has one colour in a cell. All blocks of a composite input must have it, of the same kind. It is
+   * an array of the second input (SetInputData(1, image), SetInputConnection(1, port)) if there is
+   * one: an image of any resolution in the same coordinates, whose border values extend beyond it.
+   * An empty name takes the point scalars of the second input; without a second input, surfaces are
+   * coloured by isovalue. It gives no opacities. Default: empty.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
@@ -361,10 +363,11 @@ public:
 
   ///@{
   /**
-   * How the blocks of a composite input are displayed: whether they are visible, and their colours,
-   * which surfaces and caps have in place of those of the property and of ColorArrayName. What is
-   * said of a node holds for all blocks below it that have nothing of their own. Opacity is that of
-   * the property; pickability and materials are not used. Null, the default: all are displayed
+   * How the blocks of a composite input are displayed: whether they are visible, and their colours
+   * and opacities, which surfaces and caps have in place of those of the property and of
+   * ColorArrayName. What is said of a node holds for all blocks below it that have nothing of their
+   * own. An opacity, from 0 (not visible) to 1, is that of all surfaces of a block that are visible
+   * by the property. Pickability and materials are not used. Null, the default: all are displayed
    * alike.
    */
   void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);

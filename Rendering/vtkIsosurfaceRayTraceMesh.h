@@ -15,10 +15,11 @@
 
 #include "Mesh/MeshField.h"
 
-#include <cstdint> // for std::int64_t
-#include <memory>  // for std::unique_ptr
-#include <string>  // for std::string
-#include <vector>  // for std::vector
+#include <cstdint>  // for std::int64_t
+#include <memory>   // for std::unique_ptr
+#include <optional> // for std::optional
+#include <string>   // for std::string
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -72,6 +73,7 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  std::optional<double> FindOpacity() const override { return this->Leaf.Display.Opacity; }
   const vtkIsosurfaceRayTraceLeaf& FindLeaf(
     const vtkIsosurfaceRayTracing::Hit& /*hit*/) const override
   {

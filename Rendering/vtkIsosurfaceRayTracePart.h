@@ -13,8 +13,9 @@
 
 #include "Field/FieldSet.h"
 
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <optional> // for std::optional
+#include <string>   // for std::string
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -60,6 +61,9 @@ public:
   virtual vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
   virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+
+  /// The opacity of all its surfaces, in place of those of the volume; or none.
+  virtual std::optional<double> FindOpacity() const = 0;
 
   /// The leaf that has the cell of a hit.
   virtual const vtkIsosurfaceRayTraceLeaf& FindLeaf(

@@ -120,6 +120,7 @@ void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& s
   if (!settings.Projection && settings.HasSurfaces)
   {
     request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(volume.Property, volume.Component);
+    volume.Input->SetOpacities(request);
   }
   request.Interpolation = settings.InterpolationMode;
   request.Solver = settings.RootSolver;

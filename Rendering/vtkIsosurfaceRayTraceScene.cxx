@@ -88,13 +88,6 @@ std::vector<vtkirt::Isosurface> GetSurfaces(vtkVolumeProperty* property, int com
 }
 
 //------------------------------------------------------------------------------
-bool AreOpaque(const std::vector<vtkirt::Isosurface>& surfaces)
-{
-  return std::all_of(surfaces.begin(), surfaces.end(),
-    [](const vtkirt::Isosurface& surface) { return surface.Opacity >= 1.0; });
-}
-
-//------------------------------------------------------------------------------
 vtkirt::Material GetMaterial(vtkVolumeProperty* property, int component)
 {
   return { property->GetShade(component) != 0, property->GetAmbient(component),

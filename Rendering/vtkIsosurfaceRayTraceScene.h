@@ -29,8 +29,6 @@ int ChooseComponent(vtkVolumeProperty* property, int numberOfComponents);
 std::vector<vtkIsosurfaceRayTracing::Isosurface> GetSurfaces(
   vtkVolumeProperty* property, int component);
 
-bool AreOpaque(const std::vector<vtkIsosurfaceRayTracing::Isosurface>& surfaces);
-
 vtkIsosurfaceRayTracing::Material GetMaterial(vtkVolumeProperty* property, int component);
 
 /// Adds the lights that are on. On request, headlights and lights of the camera follow it, as a

@@ -26,6 +26,8 @@ vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* functio
   copy->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
   copy->SetAboveRangeColor(function->GetAboveRangeColor());
   copy->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
+  copy->SetVectorMode(function->GetVectorMode());
+  copy->SetVectorComponent(function->GetVectorComponent());
   auto* discrete = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
   if (discrete)
   {
@@ -87,6 +89,18 @@ vtkirt::Vector3 vtkIsosurfaceRayTraceValueColors::GetColor(double value) const
     this->Color->GetColor(value, color.data());
   }
   return color;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceValueColors::AreOfMagnitudes() const
+{
+  return this->Color && this->Color->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceValueColors::GetVectorComponent() const
+{
+  return this->Color ? std::max(0, this->Color->GetVectorComponent()) : 0;
 }
 
 //------------------------------------------------------------------------------

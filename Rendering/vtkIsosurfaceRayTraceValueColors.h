@@ -36,6 +36,12 @@ public:
   vtkIsosurfaceRayTracing::Vector3 GetColor(double value) const;
   std::array<double, 4> Get(double value) const override;
 
+  ///@{
+  /// What of vectors has these colours: the magnitude, or a component.
+  bool AreOfMagnitudes() const;
+  int GetVectorComponent() const;
+  ///@}
+
   /// The values at the nodes of the functions, in order, each once.
   std::vector<double> FindNodes() const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTracePiece.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -124,12 +125,16 @@ vtkSmartPointer<vtkDataObject> vtkIsosurfaceRayTracePiece::MakeInput(vtkDataObje
 }
 
 //------------------------------------------------------------------------------
-vtkBoundingBox vtkIsosurfaceRayTracePiece::GetOwnBounds(vtkDataObject* data)
+vtkBoundingBox vtkIsosurfaceRayTracePiece::GetOwnBounds(
+  vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes)
 {
   vtkBoundingBox bounds;
   for (vtkDataSet* block : GetBlocks(data))
   {
-    bounds.AddBox(GetOwnBoundsOfBlock(block));
+    if (attributes->GetBlockVisibility(block))
+    {
+      bounds.AddBox(GetOwnBoundsOfBlock(block));
+    }
   }
   return bounds;
 }

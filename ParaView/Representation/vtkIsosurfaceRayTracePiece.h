@@ -16,6 +16,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 
 namespace vtkIsosurfaceRayTracePiece
@@ -24,9 +25,9 @@ namespace vtkIsosurfaceRayTracePiece
 /// one block.
 vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data);
 
-/// The bounds of what is not a ghost: those of several processes do not overlap if their cells do
-/// not.
-vtkBoundingBox GetOwnBounds(vtkDataObject* data);
+/// The bounds of the cells of visible blocks that are no ghosts: those of several processes do not
+/// overlap if their cells do not. The data may be null.
+vtkBoundingBox GetOwnBounds(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes);
 
 /// What is known of the pieces of all processes: the bounds of each, in the order of the processes,
 /// the most components that an array has in one, and whether one has new AMR data.

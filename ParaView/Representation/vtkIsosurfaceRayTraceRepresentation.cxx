@@ -9,6 +9,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDiscretizableColorTransferFunction.h"
@@ -82,6 +83,7 @@ vtkIsosurfaceRayTraceRepresentation::vtkIsosurfaceRayTraceRepresentation()
 {
   // Each process would choose a distance of its own.
   this->Mapper->AutoAdjustSampleDistancesOff();
+  this->Mapper->SetCompositeDataDisplayAttributes(this->BlocksOfMapper);
   this->Volume->SetMapper(this->Mapper);
   this->Volume->GetProperty()->ShadeOn();
   this->SetDiffuseColor(1.0, 1.0, 1.0);
@@ -175,17 +177,11 @@ int vtkIsosurfaceRayTraceRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
   this->OwnPiece = nullptr;
-  vtkMath::UninitializeBounds(this->OwnBounds);
   if (vtkDataObject* input = vtkDataObject::GetData(in[0], 0))
   {
     this->OwnPiece = vtkIsosurfaceRayTracePiece::MakeInput(input);
-    const vtkBoundingBox bounds = vtkIsosurfaceRayTracePiece::GetOwnBounds(input);
-    if (bounds.IsValid())
-    {
-      bounds.GetBounds(this->OwnBounds);
-    }
-    this->IsPieceNew = true;
   }
+  this->IsPieceNew = true;
   this->Piece = this->OwnPiece;
   return this->Superclass::RequestData(request, in, out);
 }
@@ -229,6 +225,18 @@ int vtkIsosurfaceRayTraceRepresentation::ProcessViewRequest(
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceRepresentation::DescribePiece(vtkInformation* in, vtkInformation* out)
 {
+  if (this->IsPieceNew || this->BlocksOfPiece->GetMTime() < this->BlockStylesTime)
+  {
+    this->BlockStyles.Apply(this->OwnPiece, this->BlocksOfPiece);
+    this->BlocksOfPiece->Modified();
+    const vtkBoundingBox own =
+      vtkIsosurfaceRayTracePiece::GetOwnBounds(this->OwnPiece, this->BlocksOfPiece);
+    vtkMath::UninitializeBounds(this->OwnBounds);
+    if (own.IsValid())
+    {
+      own.GetBounds(this->OwnBounds);
+    }
+  }
   vtkNew<vtkMatrix4x4> matrix;
   this->Volume->GetMatrix(matrix);
   double bounds[6];
@@ -269,9 +277,9 @@ void vtkIsosurfaceRayTraceRepresentation::PrepareToRender(vtkInformation* in)
   {
     this->Mapper->RemoveAllInputs();
   }
-  else if (this->Mapper->GetDataObjectInput() != piece)
+  else
   {
-    this->Mapper->SetInputDataObject(piece);
+    this->SetInput(piece);
   }
   // All processes have the same settings, with data or without: the compositor insists on it.
   this->UpdateMapper();
@@ -295,6 +303,22 @@ void vtkIsosurfaceRayTraceRepresentation::ContinueRefinement()
     !view->GetRenderer()->GetSelector() && !this->SharedPicture->IsUsed())
   {
     this->Refinement->Continue(view, this->Mapper->GetMaximumNumberOfAccumulatedFrames());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::SetInput(vtkDataObject* piece)
+{
+  const bool isOther = this->Mapper->GetDataObjectInput() != piece;
+  if (isOther)
+  {
+    this->Mapper->SetInputDataObject(piece);
+  }
+  const vtkMTimeType time = this->BlocksOfMapper->GetMTime();
+  if (isOther || time < piece->GetMTime() || time < this->BlockStylesTime)
+  {
+    this->BlockStyles.Apply(piece, this->BlocksOfMapper);
+    this->BlocksOfMapper->Modified();
   }
 }
 
@@ -382,14 +406,22 @@ std::string vtkIsosurfaceRayTraceRepresentation::GetContourArrayName()
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceRepresentation::IsColoredByContourArray()
 {
-  return this->ColorArrayName == this->GetContourArrayName() &&
+  const bool isSameArray = this->ColorArrayName == this->GetContourArrayName() &&
     this->ColorAssociation == this->GetContourAssociation();
+  if (this->NumberOfComponents < 2 || !this->LookupTable)
+  {
+    return isSameArray;
+  }
+  return isSameArray &&
+    (this->LookupTable->GetVectorMode() == vtkScalarsToColors::MAGNITUDE
+        ? this->Component >= this->NumberOfComponents
+        : this->Component == this->LookupTable->GetVectorComponent());
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceRepresentation::IsOpaque()
 {
-  return this->OneOpacity->GetValue(0.0) >= 1.0 &&
+  return this->OneOpacity->GetValue(0.0) >= 1.0 && !this->BlockStyles.AreSomeTranslucent() &&
     !(this->UseOpacityFunction && this->IsColoredByContourArray());
 }
 
@@ -458,6 +490,49 @@ void vtkIsosurfaceRayTraceRepresentation::SetOpacity(double opacity)
 void vtkIsosurfaceRayTraceRepresentation::SetUseOpacityFunction(bool use)
 {
   this->UseOpacityFunction = use;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::AddBlockSelector(const char* selector)
+{
+  this->BlockStyles.AddVisible(selector);
+  this->BlockStylesTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::RemoveAllBlockSelectors()
+{
+  this->BlockStyles.RemoveVisible();
+  this->BlockStylesTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::SetBlockColor(
+  const char* selector, double red, double green, double blue)
+{
+  this->BlockStyles.SetColor(selector, { red, green, blue });
+  this->BlockStylesTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::RemoveAllBlockColors()
+{
+  this->BlockStyles.RemoveColors();
+  this->BlockStylesTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::SetBlockOpacity(const char* selector, double opacity)
+{
+  this->BlockStyles.SetOpacity(selector, opacity);
+  this->BlockStylesTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceRepresentation::RemoveAllBlockOpacities()
+{
+  this->BlockStyles.RemoveOpacities();
+  this->BlockStylesTime.Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -23,18 +23,21 @@
 #ifndef vtkIsosurfaceRayTraceRepresentation_h
 #define vtkIsosurfaceRayTraceRepresentation_h
 
+#include "vtkIsosurfaceRayTraceBlockStyles.h"      // for ivars
 #include "vtkIsosurfaceRayTraceSharedPicture.h"    // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"         // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkIsosurfaceRayTracingParaViewModule.h" // for export macro
 #include "vtkNew.h"                                // for ivars
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for ivars
+#include "vtkTimeStamp.h"    // for ivars
 
 #include <string> // for std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkColorTransferFunction;
+class vtkCompositeDataDisplayAttributes;
 class vtkDataObject;
 class vtkIsosurfaceRayTraceMapper;
 class vtkIsosurfaceRayTraceRefinement;
@@ -90,6 +93,20 @@ public:
    */
   void SetOpacity(double opacity);
   void SetUseOpacityFunction(bool use);
+  ///@}
+
+  ///@{
+  /**
+   * Set which blocks of multiblock data and of collections of partitioned data sets are visible,
+   * and their own colours and opacities, which all their surfaces have in place of those above: by
+   * selectors, as of vtkDataAssembly. Defaults: all ("/"), and none.
+   */
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  void SetBlockColor(const char* selector, double red, double green, double blue);
+  void RemoveAllBlockColors();
+  void SetBlockOpacity(const char* selector, double opacity);
+  void RemoveAllBlockOpacities();
   ///@}
 
   ///@{
@@ -164,6 +181,7 @@ private:
   void DescribePiece(vtkInformation* in, vtkInformation* out);
   void PrepareToRender(vtkInformation* in);
   void ContinueRefinement();
+  void SetInput(vtkDataObject* piece);
   void UpdateMapper();
   void UpdateColors();
   void UpdateClippingPlane();
@@ -174,6 +192,10 @@ private:
   vtkSmartPointer<vtkDataObject> OwnPiece;
   vtkSmartPointer<vtkDataObject> Piece; // the same, or with blocks of other processes
   bool IsPieceNew = false;
+  vtkIsosurfaceRayTraceBlockStyles BlockStyles;
+  vtkTimeStamp BlockStylesTime;
+  vtkNew<vtkCompositeDataDisplayAttributes> BlocksOfPiece; // by which its bounds are found
+  vtkNew<vtkCompositeDataDisplayAttributes> BlocksOfMapper;
   double OwnBounds[6];
   vtkSmartPointer<vtkIsosurfaceRayTraceSharedPicture> SharedPicture; // with others of the view
   vtkIsosurfaceRayTraceSharedPicture::Member Shown;

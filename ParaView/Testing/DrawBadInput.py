@@ -7,7 +7,15 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from paraview.simple import Cone, PassArrays, SaveScreenshot, Show, Sphere  # noqa: E402
+from paraview.simple import (  # noqa: E402
+    Cone,
+    PassArrays,
+    ProgrammableFilter,
+    ProgrammableSource,
+    SaveScreenshot,
+    Show,
+    Sphere,
+)
 
 import Scenes  # noqa: E402
 
@@ -27,6 +35,45 @@ def missing_color_array(view):
 
 def outside_range(view):
     Scenes.show(Scenes.make_wavelet(), view, isovalues=(1e6,))
+
+
+def fails_to_read(view):
+    """In the last process."""
+    source = ProgrammableFilter(Input=Scenes.make_wavelet(), OutputDataSetType="Same as Input")
+    source.Script = """
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+if controller.GetLocalProcessId() == controller.GetNumberOfProcesses() - 1:
+    raise RuntimeError("this process cannot read")
+self.GetOutputDataObject(0).ShallowCopy(self.GetInputDataObject(0, 0))
+"""
+    Scenes.show(source, view)
+    SaveScreenshot(picture, view)
+    Scenes.show(source, view, Opacity=0.5)
+
+
+def missing_in_a_time_step(view):
+    """The array that is contoured is missing at the time 1; the other time steps are as they would be without it."""
+    source = ProgrammableSource(OutputDataSetType="vtkImageData")
+    source.ScriptRequestInformation = """
+information = self.GetOutputInformation(0)
+information.Set(self.GetExecutive().WHOLE_EXTENT(), -12, 12, -12, 12, -12, 12)
+information.Set(self.GetExecutive().TIME_STEPS(), [0.0, 1.0, 2.0], 3)
+information.Set(self.GetExecutive().TIME_RANGE(), [0.0, 2.0], 2)
+"""
+    source.Script = """
+import numpy
+time = self.GetOutputInformation(0).Get(self.GetExecutive().UPDATE_TIME_STEP())
+output.SetExtent(-12, 12, -12, 12, -12, 12)
+z, y, x = numpy.meshgrid(*[numpy.arange(-12.0, 13.0)] * 3, indexing="ij")
+values = (x ** 2 + y ** 2 + z ** 2).ravel()
+# Of another type at the time 2.
+output.PointData.append(values if time < 2.0 else numpy.float32(values), "absent" if time == 1.0 else "RTData")
+"""
+    Scenes.show(source, view, isovalues=(121.0,))
+    for time in (0.0, 1.0, 2.0):
+        view.ViewTime = time
+        SaveScreenshot(f"{picture}-{time:.0f}.png", view)
 
 
 kind, picture = sys.argv[1:]

@@ -8,6 +8,8 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import (  # noqa: E402
+    Calculator,
+    ColorBy,
     CompositeKeyFrame,
     GetAnimationScene,
     GetAnimationTrack,
@@ -124,6 +126,35 @@ def scalar_bar():
     write_picture("with_bar", view)
 
 
+def vectors():
+    """Coloured by what the colour map shows of vectors, and by arrays of that; contoured by their magnitude, too."""
+    view = Scenes.make_view()
+    source = Scenes.make_wavelet()
+    functions = {
+        "along": "(25 + coordsY) * (0.6 * iHat + 0.8 * jHat)",
+        "length": "25 + coordsY",
+        "around": "coordsX * iHat + coordsY * jHat + coordsZ * kHat",
+        "height": "coordsY",
+    }
+    for name, function in functions.items():
+        source = Calculator(Input=source, ResultArrayName=name, Function=function)
+    display = Scenes.show(source, view)
+
+    def write_colored(name, *array):
+        ColorBy(display, ("POINTS", *array))
+        display.LookupTable.RescaleTransferFunction(-10.0, 40.0)
+        write_picture(f"colored_by_{name}", view)
+
+    write_colored("length", "length")
+    write_colored("magnitude", "along", "Magnitude")
+    display.IsosurfaceArray = ["POINTS", "around"]
+    display.IsosurfaceComponent = 3
+    display.Isovalues = [11.0]
+    write_colored("height", "height")
+    write_colored("component", "around", "Y")
+    write_colored("isovalue", "around", "Magnitude")
+
+
 # The state files have what there is then.
 states_and_sizes()
 first_apply()
@@ -132,3 +163,4 @@ animation()
 time_series()
 refinement()
 scalar_bar()
+vectors()

@@ -108,13 +108,38 @@ def hexahedra(view):
     return show(AppendDatasets(Input=make_wavelet()), view)
 
 
-def blocks(view):
-    """An image and two meshes in each other, as blocks of one data set."""
+def make_blocks():
+    """An image, a grid and a mesh."""
     turned = Transform(Input=make_wavelet(16))
     turned.Transform.Rotate = [0.0, 0.0, 30.0]
     turned.Transform.Translate = [0.0, 12.0, 0.0]
     voxels = AppendDatasets(Input=turned)
-    return show(GroupDatasets(Input=[make_wavelet(), turned, voxels]), view)
+    return [make_wavelet(), turned, voxels]
+
+
+def blocks(view):
+    """An image and two meshes in each other, as blocks of one data set."""
+    return show(GroupDatasets(Input=make_blocks()), view)
+
+
+def make_named_blocks():
+    """Blocks in each other: an image, a pair of a grid and a mesh in the same place, and another image."""
+    image, grid, mesh = make_blocks()
+    pair = GroupDatasets(Input=[grid, mesh], BlockNames=["grid", "mesh"])
+    above = Wavelet(WholeExtent=[-6, 6, -4, 8, 4, 16])
+    return GroupDatasets(Input=[image, pair, above], BlockNames=["image", "pair", "above"])
+
+
+def styled_blocks(view):
+    """As the multiblock inspector sets them: one translucent, one of another colour, one hidden."""
+    view.UseFXAA = 0  # on several processes ParaView smooths before it composites
+    return show(
+        make_named_blocks(),
+        view,
+        BlockSelectors=["/Root/image", "/Root/pair/grid", "/Root/above"],
+        BlockColors=["/Root/pair", "0.2", "0.5", "0.9"],
+        BlockOpacities=["/Root/image", "0.4"],
+    )
 
 
 def cell_blocks(view):

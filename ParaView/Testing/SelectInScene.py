@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Selects in the middle of a scene, and prints where the points and cells are, and what is told of the point and
-of the cell under the mouse there: pvbatch SelectInScene.py SCENE"""
+"""Selects in the middle of a scene, and prints where the points and cells are, how many a table of them has, and what
+is told of the point and of the cell under the mouse there: pvbatch SelectInScene.py SCENE"""
 
 import json
 import os
@@ -11,11 +11,14 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import (  # noqa: E402
     AppendDatasets,
+    CreateView,
+    Delete,
     ExtractSelection,
     MergeBlocks,
     Render,
     SelectSurfaceCells,
     SelectSurfacePoints,
+    Show,
 )
 from paraview import servermanager  # noqa: E402
 from paraview.modules.vtkRemotingMisc import vtkSMTooltipSelectionPipeline  # noqa: E402
@@ -32,6 +35,18 @@ def extract(source):
     append = AppendDatasets()
     merged = MergeBlocks(Input=ExtractSelection(Input=source), MergePoints=0)
     return servermanager.Fetch(merged, append, append)
+
+
+def count_rows(source, association):
+    """Of ParaView's table that shows selected elements alone."""
+    table = CreateView("SpreadSheetView")
+    Show(source, table)
+    table.FieldAssociation = association
+    table.SelectionOnly = 1
+    Render(table)
+    rows = table.SMProxy.GetClientSideObject().GetNumberOfRows()
+    Delete(table)
+    return rows
 
 
 def middle(cell):
@@ -63,8 +78,10 @@ source = display.Input
 Render(view)
 SelectSurfacePoints(Rectangle=RECTANGLE, View=view)
 points = extract(source)
+rows_of_points = count_rows(source, "Point Data")
 SelectSurfaceCells(Rectangle=RECTANGLE, View=view)
 cells = extract(source)
+rows_of_cells = count_rows(source, "Cell Data")
 # Several processes may have a point; a cell is of one.
 places = {tuple(round(x, 4) for x in points.GetPoint(i)) for i in range(points.GetNumberOfPoints())}
 middles = [middle(cells.GetCell(i)) for i in range(cells.GetNumberOfCells())]
@@ -73,6 +90,14 @@ point = hover(view.SMProxy.SelectSurfacePoints, vtkDataObject.FIELD_ASSOCIATION_
 cell = hover(view.SMProxy.SelectSurfaceCells, vtkDataObject.FIELD_ASSOCIATION_CELLS, view)
 print(
     json.dumps(
-        {"points": sorted(places), "cells": sorted(middles), "passed": passed, "point": point, "cell": cell}
+        {
+            "points": sorted(places),
+            "cells": sorted(middles),
+            "passed": passed,
+            "extracted": [points.GetNumberOfPoints(), cells.GetNumberOfCells()],
+            "rows": [rows_of_points, rows_of_cells],
+            "point": point,
+            "cell": cell,
+        }
     )
 )

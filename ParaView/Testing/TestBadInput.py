@@ -6,13 +6,15 @@
 import subprocess
 import unittest
 
-from Support import HERE, PICTURES, SECONDS, on_processes, program, read_picture
+from Support import HERE, PICTURES, SECONDS, differences, on_processes, program, read_picture
 
 MESSAGES = {
     "no_array": 'There is no array "RTData" of points or cells to contour. Choose one in "Contour By"',
     "polygons": "vtkPolyData",
     "missing_color_array": 'There is no array named "absent" in the input to colour by',
     "outside_range": "",
+    "fails_to_read": "RuntimeError: this process cannot read",
+    "missing_in_a_time_step": 'There is no array "RTData" of points or cells to contour',
 }
 
 
@@ -31,6 +33,10 @@ class TestBadInput(unittest.TestCase):
                     if not message:
                         self.assertNotIn("ERR|", output)
                     self.assertGreater(read_picture(picture).std(), 5, "the other prop is not drawn")
+                    if kind == "missing_in_a_time_step":
+                        first, without, last = (f"{picture}-{time}.png" for time in range(3))
+                        self.assertGreater(int((differences(first, without) > 10).sum()), 200)
+                        self.assertEqual(int(differences(first, last).max()), 0)
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ EXACT = (
     "rectilinear",
     "sets_around_ball",
     "shared_out_amr",
+    "styled_blocks",
     "translucent_sets",
     "trilinear",
     "unordered_around_ball",

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points and cells are selected through the surface: those it passes, the same on one process and on several.
 
-What the filter Extract Selection makes of a selection is compared, which is what ParaView shows of it in a table.
+What the filter Extract Selection makes of a selection is compared, and how much ParaView's table shows of it.
 """
 
 import json
@@ -33,6 +33,8 @@ class TestSelection(unittest.TestCase):
                 self.assertEqual(one["passed"], len(one["cells"]), "cells that the surface does not pass")
                 self.assertEqual(one["points"], two["points"])
                 self.assertEqual(one["cells"], two["cells"])
+                for found in (one, two):
+                    self.assertEqual(found["rows"], found["extracted"], "what the table of the selection shows")
 
     def test_where_pieces_have_no_order(self):
         one, two = (select(processes, "unordered_grid") for processes in (1, 2))

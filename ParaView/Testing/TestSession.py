@@ -26,9 +26,9 @@ class TestSession(unittest.TestCase):
         self.assertGreater(read_picture(PICTURES / "first_apply.png").std(), 5)
 
     def test_state_files(self):
-        for kind in ("pvsm", "py"):
-            with self.subTest(kind=kind):
-                run_pvbatch(1, "DrawState.py", PICTURES / f"state.{kind}", PICTURES / f"from_{kind}.png")
+        for kind, processes in (("pvsm", 1), ("py", 1), ("pvsm", 2)):
+            with self.subTest(kind=kind, processes=processes):
+                run_pvbatch(processes, "DrawState.py", PICTURES / f"state.{kind}", PICTURES / f"from_{kind}.png")
                 self.assert_same(f"from_{kind}", "still")
 
     def test_trace(self):
@@ -62,6 +62,13 @@ class TestSession(unittest.TestCase):
         self.assert_different("edited", "before_edit")
         self.assert_same("undone", "before_edit")
         self.assert_same("redone", "edited")
+
+    def test_colours_of_vectors(self):
+        for one, other in (("length", "magnitude"), ("height", "component")):
+            changed = differences(PICTURES / f"colored_by_{one}.png", PICTURES / f"colored_by_{other}.png")
+            self.assertGreater(read_picture(PICTURES / f"colored_by_{one}.png").std(), 5)
+            self.assertLessEqual(int(changed.max()), 2)
+        self.assert_different("colored_by_component", "colored_by_isovalue")
 
     def test_scalar_bar(self):
         self.assert_different("with_bar", "without_bar")

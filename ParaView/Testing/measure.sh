@@ -14,6 +14,7 @@ libraries=("$root"/lib/*-linux-gnu*)
 export PV_PLUGIN_PATH=${plugins[0]}
 export PYTHONPATH=$root/lib/python3/dist-packages
 export LD_LIBRARY_PATH=${libraries[0]}
+export OMP_NUM_THREADS=1 # threads that wait would count as time of processors
 
 # A process for each, because the memory is the largest that the process has had.
 for way in traced contour volume; do

@@ -377,6 +377,122 @@ class TestManyGrids(unittest.TestCase):
                                                255 * expected[channel], delta=1)
                 self.assertEqual(seen, {0, 1, 2})
 
+    def draw(self, mapper, volume):
+        """Of each pixel the colour, lit from a side, and the block; an error fails."""
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(-20, 10, 30)
+        light.SetFocalPoint(3, 3, 3)
+        lights = vtkLightCollection()
+        lights.AddItem(light)
+        camera = vtkRenderer().MakeCamera()
+        camera.SetPosition(10, 9, 24)
+        camera.SetFocalPoint(1, 3, 2)
+        camera.SetClippingRange(10, 60)
+        image = vtkImageData()
+
+        def render():
+            self.assertTrue(mapper.RenderToImage(volume, camera, lights, PIXELS, PIXELS, image))
+
+        self.assertEqual(errors_of(mapper, render), [])
+        data = image.GetPointData()
+        cell_in_block, flat_index = mutable(0), mutable(0)
+        pixels = []
+        for i in range(PIXELS**2):
+            cell = int(data.GetArray("CellId").GetValue(i))
+            block = mapper.FindBlock(cell, cell_in_block, flat_index) if cell >= 0 else None
+            pixels.append((data.GetArray("Colors").GetTuple(i), block))
+        return pixels
+
+    def check_same(self, pixels, others):
+        self.assertGreater(sum(block is not None for _, block in pixels), PIXELS**2 // 10)
+        different = 0
+        for (color, block), (other, expected) in zip(pixels, others):
+            different += max(abs(a - b) for a, b in zip(color, other)) > 1 or block is not expected
+        self.assertLess(different, PIXELS**2 // 1000)
+
+    def test_opacities_of_blocks(self):
+        """As of connections whose volumes have these opacities: also of images on one lattice."""
+        halves = [
+            make_image((-6 + 3.0 * i, 0, 0), (0.25, 0.25, 0.25), 13, lambda p: 1.4 - p[2] + 0.1 * p[0])
+            for i in range(2)
+        ]
+        blocks = halves + make_blocks()
+        for mapper_class in (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper):
+            for opacity, chosen in ((1.0, {0: 0.3, 3: 0.6, 5: 0.45}), (0.8, {1: 1.0, 4: 0.4, 6: 1.0})):
+                mapper, volume = make_volume(multi_block(blocks), 0.0, mapper_class=mapper_class, opacity=opacity)
+                mapper.ShadowsOn()
+                self.assertEqual(mapper.HasOnlyOpaqueSurfaces(volume), opacity == 1.0)
+                attributes = vtkCompositeDataDisplayAttributes()
+                mapper.SetCompositeDataDisplayAttributes(attributes)
+                plain = self.draw(mapper, volume)
+                for number, own in chosen.items():
+                    attributes.SetBlockOpacity(blocks[number], own)
+                self.assertFalse(mapper.HasOnlyOpaqueSurfaces(volume))
+                pixels = self.draw(mapper, volume)
+                expected_mapper, expected_volume = make_volume(None, mapper_class=mapper_class)
+                expected_mapper.ShadowsOn()
+                for number, block in enumerate(blocks):
+                    producer = vtkTrivialProducer()
+                    producer.SetOutput(multi_block([block]))
+                    expected_mapper.AddInputConnection(0, producer.GetOutputPort())
+                    _, own = make_volume(block, 0.0, mapper_class=mapper_class, opacity=chosen.get(number, opacity))
+                    expected_mapper.SetConnectionVolume(number, own)
+                self.check_same(pixels, self.draw(expected_mapper, expected_volume))
+                self.assertNotEqual(pixels, plain)
+                attributes.RemoveBlockOpacities()
+                self.assertEqual(self.draw(mapper, volume), plain)
+
+    def test_opacities_of_nodes_and_of_all_blocks(self):
+        blocks = make_blocks()
+        composite = vtkMultiBlockDataSet()
+        composite.SetBlock(0, multi_block(blocks[:3]))
+        composite.SetBlock(1, multi_block(blocks[3:]))
+        mapper, volume = make_volume(composite, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.5)
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        half = self.draw(mapper, volume)
+        attributes.SetBlockOpacity(composite, 7.0)
+        self.assertTrue(mapper.HasOnlyOpaqueSurfaces(volume))
+        opaque = self.draw(mapper, volume)
+        volume.GetProperty().GetScalarOpacity().RemoveAllPoints()
+        volume.GetProperty().GetScalarOpacity().AddPoint(0.0, 1.0)
+        attributes.RemoveBlockOpacities()
+        self.assertEqual(opaque, self.draw(mapper, volume))
+        attributes.SetBlockOpacity(composite, 0.5)
+        self.assertEqual(half, self.draw(mapper, volume))
+        attributes.SetBlockOpacity(composite.GetBlock(1), 0.0)
+        attributes.SetBlockOpacity(blocks[3], 1.0)
+        faded = self.draw(mapper, volume)
+        attributes.RemoveBlockOpacities()
+        attributes.SetBlockOpacity(composite.GetBlock(0), 0.5)
+        attributes.SetBlockVisibility(blocks[4], False)
+        self.assertEqual(faded, self.draw(mapper, volume))
+
+    def test_opacity_of_a_block_by_itself(self):
+        for block in make_blocks():
+            composite = multi_block([block])
+            mapper, volume = make_volume(composite, 0.0, mapper_class=mapper_of(block))
+            attributes = vtkCompositeDataDisplayAttributes()
+            mapper.SetCompositeDataDisplayAttributes(attributes)
+            attributes.SetBlockOpacity(block, 0.25)
+            expected = self.draw(*make_volume(composite, 0.0, mapper_class=mapper_of(block), opacity=0.25))
+            self.assertEqual(self.draw(mapper, volume), expected)
+
+    def test_nothing_is_drawn_of_hidden_blocks(self):
+        """Where no block is visible, that is no error."""
+        blocks = make_blocks()
+        composite = multi_block(blocks)
+        mapper, volume = make_volume(composite, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        before = self.draw(mapper, volume)
+        attributes.SetBlockVisibility(composite, False)
+        self.assertEqual({pixel for pixel in self.draw(mapper, volume)}, {((0.0, 0.0, 0.0, 0.0), None)})
+        self.assertEqual(cast(mapper, volume, parallel_rays(5)), [])
+        attributes.SetBlockVisibility(composite, True)
+        self.assertEqual(self.draw(mapper, volume), before)
+
     def make_two_volumes(self, mapper_class, opacity=0.01):
         """An image and a mesh, each with isovalues, colours and a matrix of its own; and each alone."""
         data = [make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball), make_grid(VTK_TETRA, plane)]

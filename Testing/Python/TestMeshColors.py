@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Isosurfaces of meshes coloured by another array."""
 
+import math
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
@@ -18,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2  # the window
 
-from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume, plane
+from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume, plane, set_values
 
 PIXELS = 60
 BLUE, RED = (0.1, 0.2, 0.9), (0.9, 0.1, 0.0)
@@ -34,6 +35,13 @@ def add_array(grid, name, function, array=None):
         array.InsertNextTuple(values)
     grid.GetPointData().AddArray(array)
     return grid
+
+
+def multi_block(*blocks):
+    composite = vtkMultiBlockDataSet()
+    for i, block in enumerate(blocks):
+        composite.SetBlock(i, block)
+    return composite
 
 
 def height(point):
@@ -94,6 +102,49 @@ class TestMeshColors(unittest.TestCase):
         grid = add_array(make_structured_grid(ball), "height", height)
         self.check(grid, "height", self.color_of_height)
 
+    def test_vectors(self):
+        """They have the colour of a component, at first of the first one, or of the magnitude."""
+
+        def vector(point):
+            (t,) = height(point)
+            return 0.3, 0.8 * t, 0.4 * (1.0 - t)
+
+        def twelve(point):
+            return [0.1] * 8 + [*height(point)] + [7.0] * 3
+
+        def mode(component):
+            def choose(colors):
+                colors.SetVectorModeToComponent()
+                colors.SetVectorComponent(component)
+
+            return choose
+
+        cases = (
+            (vector, lambda colors: None, lambda v: v[0]),
+            (vector, mode(1), lambda v: v[1]),
+            (vector, mode(2), lambda v: v[2]),
+            (vector, mode(7), lambda v: v[2]),  # the last there is
+            (vector, lambda colors: colors.SetVectorModeToMagnitude(), lambda v: math.hypot(*v)),
+            (twelve, lambda colors: colors.SetVectorModeToMagnitude(), lambda v: math.hypot(*v[:9])),
+            (height, lambda colors: colors.SetVectorModeToMagnitude(), lambda v: v[0]),
+            (height, mode(1), lambda v: v[0]),
+        )
+        image = vtkImageData()
+        image.SetDimensions(SIZE + 1, SIZE + 1, SIZE + 1)
+        grids = (make_grid(VTK_HEXAHEDRON, ball), make_structured_grid(ball), set_values(image, ball))
+        for i, (function, choose, shown) in enumerate(cases):
+            for grid in grids:
+                with self.subTest(case=i, grid=grid.GetClassName()):
+                    data = multi_block(add_array(grid, f"values {i}", function))
+                    scene = make_scene(data, f"values {i}")
+                    choose(scene[1].GetProperty().GetRGBTransferFunction())
+                    pixels = take_picture(scene)
+                    self.assertGreater(len(pixels), 400)
+                    for color, position in pixels:
+                        t = min(shown(function(position)), 1.0)
+                        for channel, a, b in zip(color, BLUE, RED):
+                            self.assertAlmostEqual(channel, 255.0 * ((1.0 - t) * a + t * b), delta=0.6)
+
     def test_colours_are_shown_as_they_are(self):
         grid = add_array(make_grid(VTK_TETRA, ball), "paint", paint, vtkUnsignedCharArray())
         pixels = take_picture(make_scene(grid, "paint"))
@@ -105,10 +156,7 @@ class TestMeshColors(unittest.TestCase):
     def test_blocks(self):
         one = add_array(make_grid(VTK_TETRA, ball), "height", height)
         other = add_array(make_structured_grid(lambda p: plane(p) - 4.0), "height", height)
-        blocks = vtkMultiBlockDataSet()
-        blocks.SetBlock(0, one)
-        blocks.SetBlock(1, other)
-        self.check(blocks, "height", self.color_of_height)
+        self.check(multi_block(one, other), "height", self.color_of_height)
 
     def test_a_new_colour_costs_a_frame(self):
         grid = add_array(make_grid(VTK_TETRA, ball), "height", height)

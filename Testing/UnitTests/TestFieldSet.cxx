@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -290,6 +291,46 @@ TEST(FieldSet, MembersAreSelectedAgainIfNeeded)
   EXPECT_EQ(count(), 7);
   trace(cut, {});
   EXPECT_EQ(count(), 8);
+}
+
+//------------------------------------------------------------------------------
+/// Rays end at the first hit of a member that is opaque.
+TEST(FieldSet, MembersHaveOpacitiesOfTheirOwn)
+{
+  const std::vector<CastRay> rays = MakeRays(4000);
+  for (const int edge : { 5, 16 })
+  {
+    Blocks blocks(edge, Turned, edge == 5);
+    TraceRequest request = MakeRequest(0.01);
+    blocks.Set->Select(request, {});
+    const RayHits all = CastRays(*blocks.Set, Transformed(Turned, rays), 2);
+    for (std::size_t number = 0; number < blocks.All.size(); ++number)
+    {
+      request.MemberOpacities.push_back(
+        number % 3 == 0 ? std::optional<double>(1.0) : std::nullopt);
+    }
+    EXPECT_FALSE(request.HasOnlyOpaqueSurfaces());
+    RayHits expected;
+    expected.Clear();
+    for (std::size_t ray = 0; ray < rays.size(); ++ray)
+    {
+      for (std::size_t i = all.First[ray]; i < all.First[ray + 1]; ++i)
+      {
+        expected.Hits.push_back(all.Hits[i]);
+        EXPECT_EQ(request.GetOpacity(all.Hits[i]), all.Hits[i].Member % 3 == 0 ? 1.0 : 0.01);
+        if (all.Hits[i].Member % 3 == 0)
+        {
+          break;
+        }
+      }
+      expected.EndRay();
+    }
+    EXPECT_LT(expected.Hits.size() + 1000, all.Hits.size());
+    blocks.Set->Select(request, {});
+    ExpectSameHits(CastRays(*blocks.Set, Transformed(Turned, rays), 2), expected);
+    std::fill(request.MemberOpacities.begin(), request.MemberOpacities.end(), 1.0);
+    EXPECT_TRUE(request.HasOnlyOpaqueSurfaces());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -356,9 +356,18 @@ void FieldSet::Select(
 
 //------------------------------------------------------------------------------
 /// That of all, in the object space of a member, with what is visible of it.
-TraceRequest FieldSet::MakeRequest(Member& member) const
+TraceRequest FieldSet::MakeRequest(std::size_t number) const
 {
+  Member& member = this->Members[number];
   TraceRequest request = this->Request;
+  if (!request.MemberOpacities.empty())
+  {
+    for (Isosurface& surface : request.Surfaces)
+    {
+      surface.Opacity = this->Request.MemberOpacities[number].value_or(surface.Opacity);
+    }
+    request.MemberOpacities.clear();
+  }
   request.Visible = member.Source->FindVisible();
   member.OwnHalfSpaces = static_cast<int>(request.Visible.HalfSpaces.size());
   for (const HalfSpace& half : this->Request.Visible.HalfSpaces)
@@ -371,14 +380,15 @@ TraceRequest FieldSet::MakeRequest(Member& member) const
 //------------------------------------------------------------------------------
 void FieldSet::SelectMember(std::size_t number, const Execution& execution) const
 {
-  const bool mayHit = this->SelectField(this->Members[number], execution);
+  const bool mayHit = this->SelectField(number, execution);
   this->States[number].store(2 * this->Selection + (mayHit ? 1 : 0), std::memory_order_release);
 }
 
 //------------------------------------------------------------------------------
 /// Selects the field of a member, if it is needed. Returns whether rays may hit anything of it.
-bool FieldSet::SelectField(Member& member, const Execution& execution) const
+bool FieldSet::SelectField(std::size_t number, const Execution& execution) const
 {
+  Member& member = this->Members[number];
   const bool mayHit = this->Request.Visible.HasCaps() || member.Source->MayHit(this->Request);
   if (!mayHit && member.IsOnDemand)
   {
@@ -391,7 +401,7 @@ bool FieldSet::SelectField(Member& member, const Execution& execution) const
     budget.CacheBytes = static_cast<std::size_t>(
       static_cast<double>(budget.CacheBytes) * (member.MemoryShare / this->MemoryShares));
   }
-  member.Field->Select(this->MakeRequest(member), execution, budget);
+  member.Field->Select(this->MakeRequest(number), execution, budget);
   return member.Field->MayHit();
 }
 

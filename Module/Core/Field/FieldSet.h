@@ -64,8 +64,8 @@ struct PlacedField
 /// their hits are put in order along each ray by T, which is the same in all affine spaces.
 ///
 /// Rays find the fields they meet by a hierarchy over boxes, front to back, and end at the nearest
-/// opaque hit so far. All have the same request, but for what is visible. Hits say which member
-/// they are of. A projection has the first of the extreme values of all members.
+/// opaque hit so far. All have the same request, but for what is visible and opaque. Hits say which
+/// member they are of. A projection has the first of the extreme values of all members.
 class FieldSet final : public TracedField
 {
 public:
@@ -117,9 +117,9 @@ private:
   struct Candidate;
   struct PacketOfSet;
 
-  TraceRequest MakeRequest(Member& member) const;
+  TraceRequest MakeRequest(std::size_t number) const;
   void SelectMember(std::size_t number, const Execution& execution) const;
-  bool SelectField(Member& member, const Execution& execution) const;
+  bool SelectField(std::size_t number, const Execution& execution) const;
   bool IsSelected(std::size_t number) const;
   bool MayHitMember(std::size_t number) const;
   Member* Prepare(std::size_t number) const;

@@ -107,8 +107,7 @@ bool Shader::CanUseKernels() const
 bool Shader::CanMakePixels() const
 {
   const TraceRequest& request = this->Field.GetRequest();
-  return this->CanUseKernels() && !request.Projection && request.Surfaces.size() == 1 &&
-    request.Surfaces[0].Opacity >= 1.0;
+  return this->CanUseKernels() && request.Surfaces.size() == 1 && request.HasOnlyOpaqueSurfaces();
 }
 
 //------------------------------------------------------------------------------

@@ -73,6 +73,9 @@ struct TraceRequest
 
   /// In ascending order of their isovalues.
   std::vector<Isosurface> Surfaces;
+  /// Of each member of a FieldSet the opacity of all its surfaces, in (0, 1], in place of their
+  /// own; or none. Empty: no member has one.
+  std::vector<std::optional<double>> MemberOpacities;
   /// What the surfaces are of. A projection is always of the trilinear one.
   Interpolant Interpolation = Interpolant::Trilinear;
   /// For Interpolant::Trilinear.
@@ -91,10 +94,11 @@ struct TraceRequest
 
   bool operator==(const TraceRequest& other) const
   {
-    return this->Surfaces == other.Surfaces && this->Interpolation == other.Interpolation &&
-      this->Solver == other.Solver && this->Interpolations == other.Interpolations &&
-      this->Projection == other.Projection && this->HasCloud == other.HasCloud &&
-      this->Visible == other.Visible && this->Normals == other.Normals;
+    return this->Surfaces == other.Surfaces && this->MemberOpacities == other.MemberOpacities &&
+      this->Interpolation == other.Interpolation && this->Solver == other.Solver &&
+      this->Interpolations == other.Interpolations && this->Projection == other.Projection &&
+      this->HasCloud == other.HasCloud && this->Visible == other.Visible &&
+      this->Normals == other.Normals;
   }
 
   bool IsNothing() const { return this->Surfaces.empty() && !this->Projection && !this->HasCloud; }
@@ -102,14 +106,22 @@ struct TraceRequest
   /// How much of the light a hit with a surface stops, and shows.
   double GetOpacity(const Hit& hit) const
   {
-    return this->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    const double opacity = this->Surfaces[static_cast<std::size_t>(hit.Surface)].Opacity;
+    return this->MemberOpacities.empty()
+      ? opacity
+      : this->MemberOpacities[static_cast<std::size_t>(hit.Member)].value_or(opacity);
   }
 
   bool HasOnlyOpaqueSurfaces() const
   {
-    return !this->Projection &&
-      std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
-        [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+    const bool areOpaque = std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
+      [](const Isosurface& surface) { return surface.Opacity >= 1.0; });
+    const bool areOpaqueOfMembers = this->MemberOpacities.empty()
+      ? areOpaque
+      : std::all_of(this->MemberOpacities.begin(), this->MemberOpacities.end(),
+          [areOpaque](const std::optional<double>& opacity)
+          { return opacity ? *opacity >= 1.0 : areOpaque; });
+    return !this->Projection && areOpaqueOfMembers;
   }
 };
 
