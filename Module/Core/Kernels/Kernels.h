@@ -335,16 +335,19 @@ struct Kernels
 
   /// Appends the segments of the rays of a tile in projected tetrahedra, from one on, until there
   /// is a batch. Returns the number of the first tetrahedron that is left. One for every number of
-  /// components, from one on.
-  int (*FindSegments[MaximumCloudComponents])(const CloudTile& tile,
+  /// components, from one on, and of gradients: none, one of two or four, or one of each component.
+  int (*FindSegments[MaximumCloudComponents][MaximumCloudComponents + 1])(const CloudTile& tile,
     const ProjectedTetrahedra& projected, int first, CloudSegments& segments);
 
   /// Finds the light of segments of one component...
   void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
     const CloudSegments& segments, SegmentLight* lights);
-  /// ...or of several.
+  /// ...or of several...
   void (*IntegrateMixture)(const CloudTile& tile, const MixedTransfers& mixed,
     const CloudSegments& segments, SegmentLight* lights);
+  /// ...or of any number that are lit.
+  void (*IntegrateLitMixture)(const CloudTile& tile, const MixedTransfers& mixed,
+    const CloudLighting& lighting, const CloudSegments& segments, SegmentLight* lights);
 
   /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room
   /// for Capacity cells, and all have numbers. Returns those of the first ones that it passes, a

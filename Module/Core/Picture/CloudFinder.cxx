@@ -55,6 +55,10 @@ void RemoveBefore(double depth, CloudSegments& segments)
       {
         segments.Value[component][end][kept] = segments.Value[component][end][i];
       }
+      for (int k = 0; k < 3 * segments.Gradients; ++k)
+      {
+        segments.Gradient[k][end][kept] = segments.Gradient[k][end][i];
+      }
     }
     ++kept;
   }

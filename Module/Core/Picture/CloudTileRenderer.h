@@ -90,6 +90,7 @@ private:
 
   struct SegmentEnds;
 
+  void FindRaysInWorld();
   void FindMaxima(const SceneField& field, const CloudSegments& segments);
   void DrawMaximum(RayLight& ray) const;
   void IntegrateParts(const SceneField& field, const CloudSegments& whole);
@@ -119,6 +120,9 @@ private:
   std::uint32_t Open[CloudTile::Edge];
   std::unique_ptr<RayLight[]> Rays;
   std::vector<Fragment> Surfaces;
+  /// Null if no cloud is lit.
+  std::unique_ptr<CloudLighting> Lighting;
+  std::vector<CloudLight> Lamps;
   std::unique_ptr<CloudSegments> Segments;
   std::unique_ptr<CloudSegments> Parts;
   std::vector<PendingSegment> Pending;

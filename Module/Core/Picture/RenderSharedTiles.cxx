@@ -196,12 +196,16 @@ void SetFragments(
 /// What a segment takes in a message, at most.
 std::size_t FindBytesOfSegment(const Scene& scene)
 {
-  int components = 1;
+  std::size_t bytes = TileSegments::GetBytesOfOne(1, 0);
   for (const SceneField& field : scene.Fields)
   {
-    components = std::max(components, field.Cloud ? field.Cloud->GetMixed().Components : 1);
+    if (field.Cloud)
+    {
+      const MixedTransfers& mixed = field.Cloud->GetMixed();
+      bytes = std::max(bytes, TileSegments::GetBytesOfOne(mixed.Components, mixed.Gradients));
+    }
   }
-  return TileSegments::GetBytesOfOne(components);
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
