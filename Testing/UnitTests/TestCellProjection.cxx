@@ -886,34 +886,44 @@ TEST_P(CellProjection, IsLitAtAnyScale)
 {
   RandomNumbers random(33);
   const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
-  const auto render = [&](double scale, NormalMode normals)
+  const auto render = [&](double scale, double size, NormalMode normals)
   {
     TestMesh scaled = mesh;
-    std::vector<CloudNode> nodes = { { -1.0, 0.0, { 0.2, 0.9, 0.5 } },
-      { 1.0, 0.6, { 0.9, 0.2, 0.1 } } };
+    std::vector<CloudNode> nodes = { { -scale, 0.0, { 0.2, 0.9, 0.5 } },
+      { scale, 0.6, { 0.9, 0.2, 0.1 } } };
     for (double& value : scaled.Values)
     {
       value *= scale;
     }
-    for (CloudNode& node : nodes)
+    for (double& coordinate : scaled.Points)
     {
-      node.Value *= scale;
+      coordinate *= size;
     }
-    CloudScene scene(scaled, nodes, MakeCamera(false));
+    const Camera view = MakeCamera(false);
+    const Matrix4 smaller = Scaling({ 1.0 / size, 1.0 / size, 1.0 / size });
+    const Matrix4 clip = Multiply(view.GetClipFromObject(), smaller);
+    const Matrix4 object = Multiply(Scaling({ size, size, size }), view.GetObjectFromClip());
+    CloudScene scene(
+      scaled, nodes, { clip, object, Multiply(view.GetWorldFromObject(), smaller), Width, Height });
     scene.AddLights({ { true, 0.1, 0.7, 0.2, 10.0 } }, normals);
     return scene.Render(this->TheKernels);
   };
-  for (const NormalMode normals :
-    { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
+  struct Case
   {
-    const auto expected = render(1.0, normals);
-    for (const double scale : { 0x1p-300, 0x1p300 })
+    double Scale;
+    double Size;
+    NormalMode Normals;
+  };
+  for (const Case& one : { Case{ 0x1p-900, 0x1p-80, NormalMode::InterpolantGradient },
+         Case{ 0x1p900, 0x1p80, NormalMode::InterpolantGradient },
+         Case{ 0x1p-300, 1.0, NormalMode::CentralDifferences },
+         Case{ 0x1p300, 1.0, NormalMode::CentralDifferences } })
+  {
+    const auto expected = render(1.0, 1.0, one.Normals);
+    const auto lights = render(one.Scale, one.Size, one.Normals);
+    for (std::size_t i = 0; i < lights.size(); ++i)
     {
-      const auto lights = render(scale, normals);
-      for (std::size_t i = 0; i < lights.size(); ++i)
-      {
-        EXPECT_NEAR(lights[i][0], expected[i][0], 1e-5);
-      }
+      EXPECT_NEAR(lights[i][0], expected[i][0], 1e-5);
     }
   }
 }
