@@ -126,7 +126,7 @@ const vtkirt::TileSegments& CloudTiles::Find(int tile)
   std::uint32_t open[vtkirt::CloudTile::Edge];
   std::fill(std::begin(open), std::end(open), ~0U);
   this->Found.Clear();
-  vtkirt::MakeCloudRays(this->TheScene, pixels, this->Rays);
+  vtkirt::MakeCloudRays(this->TheScene, pixels, vtkirt::GetBestKernels(), this->Rays);
   this->Finder.Begin(pixels, this->Rays, 0.0);
   while (std::isfinite(this->Finder.GetNextDepth()))
   {

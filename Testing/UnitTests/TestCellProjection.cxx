@@ -987,7 +987,7 @@ TEST_P(CellProjection, PassesOverWhatIsNotShown)
     const PixelRectangle tile = { 16, 16, 16, 16 };
     std::uint32_t open[CloudTile::Edge];
     std::fill(std::begin(open), std::end(open), ~0U);
-    MakeCloudRays(shown, tile, *rays);
+    MakeCloudRays(shown, tile, this->TheKernels, *rays);
     finder.Begin(tile, *rays, 0.0);
     int found = 0;
     while (finder.GetNextDepth() < Infinity)

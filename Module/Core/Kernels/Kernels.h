@@ -328,6 +328,11 @@ struct Kernels
   /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
   void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
 
+  /// Makes the rays of a tile: each begins at the near plane. The block has no dimensions, and no
+  /// more pixels than a tile. With a lighting, which may be null, the rays in the world are found.
+  void (*MakeCloudRays)(const PixelBlock& block, const double* worldFromObject, CloudTile& tile,
+    CloudLighting* lighting);
+
   /// Projects tetrahedra to a tile, given their corners: coordinates and value. There may be up to
   /// ProjectedTetrahedra::Capacity.
   void (*ProjectTetrahedra)(const CloudTile& tile, const double (*corners)[4][4], int count,

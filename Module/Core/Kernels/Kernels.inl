@@ -98,6 +98,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/IntegrateMixture.inl"
 
 #include "Kernels/InterpolateGradients.inl"
+#include "Kernels/MakeCloudRays.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
@@ -126,7 +127,7 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
     FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
-    FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra,                                 \
+    FindPairs, SolveTetrahedra, SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                  \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

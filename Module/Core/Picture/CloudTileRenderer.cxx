@@ -163,11 +163,7 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
   this->Surfaces.clear();
   this->Pending.clear();
   this->Lights.clear();
-  MakeCloudRays(this->TheScene, tile, this->RaysOfTile);
-  if (this->Lighting)
-  {
-    this->FindRaysInWorld();
-  }
+  MakeCloudRays(this->TheScene, tile, this->TheKernels, this->RaysOfTile, this->Lighting.get());
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
     this->Open[row] = row < tile.Height ? (1U << tile.Width) - 1U : 0U;
@@ -176,31 +172,6 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
   {
     this->Rays[static_cast<std::size_t>(pixel)] = { {}, 1.0, PixelWithoutDepth, -Infinity, nullptr,
       0, 0 };
-  }
-}
-
-//------------------------------------------------------------------------------
-/// All fields are in one world.
-void CloudTileRenderer::FindRaysInWorld()
-{
-  const Camera& view = this->TheScene.Fields.front().View;
-  const PixelRectangle& pixels = this->TheScene.Pixels;
-  for (int y = 0; y < this->Tile.Height; ++y)
-  {
-    for (int x = 0; x < this->Tile.Width; ++x)
-    {
-      const Camera::PixelRay ray =
-        view.GetRay(pixels.X + this->Tile.X + x, pixels.Y + this->Tile.Y + y, 1.0);
-      const Vector3 origin = TransformPoint(view.GetWorldFromObject(), ray.Origin);
-      const Vector3 direction =
-        Normalized(TransformDirection(view.GetWorldFromObject(), ray.Direction));
-      const int pixel = y * CloudTile::Edge + x;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        this->Lighting->Origin[axis][pixel] = origin[axis];
-        this->Lighting->ToViewer[axis][pixel] = -direction[axis];
-      }
-    }
   }
 }
 

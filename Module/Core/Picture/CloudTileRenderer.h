@@ -90,7 +90,6 @@ private:
 
   struct SegmentEnds;
 
-  void FindRaysInWorld();
   void FindMaxima(const SceneField& field, const CloudSegments& segments);
   void DrawMaximum(RayLight& ray) const;
   void IntegrateParts(const SceneField& field, const CloudSegments& whole);
