@@ -85,10 +85,11 @@ Numbers DescribeColors(vtkVolumeProperty* property, int component)
   return numbers;
 }
 
-Numbers DescribeMaterial(vtkVolumeProperty* property)
+Numbers DescribeMaterial(vtkVolumeProperty* property, int component)
 {
-  return { static_cast<double>(property->GetShade()), property->GetAmbient(),
-    property->GetDiffuse(), property->GetSpecular(), property->GetSpecularPower() };
+  return { static_cast<double>(property->GetShade(component)), property->GetAmbient(component),
+    property->GetDiffuse(component), property->GetSpecular(component),
+    property->GetSpecularPower(component) };
 }
 
 template <typename Mapper>
@@ -134,8 +135,11 @@ Numbers DescribeCloud(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* proper
   // A process without data does not know how many there are.
   for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
   {
-    const Numbers functions = DescribeColors(property, component);
-    numbers.insert(numbers.end(), functions.begin(), functions.end());
+    for (const Numbers& described :
+      { DescribeColors(property, component), DescribeMaterial(property, component) })
+    {
+      numbers.insert(numbers.end(), described.begin(), described.end());
+    }
     numbers.push_back(property->GetScalarOpacityUnitDistance(component));
     numbers.push_back(property->GetComponentWeight(component));
   }
@@ -162,7 +166,7 @@ std::vector<vtkIsosurfaceRayTraceAgreement::Item> DescribeVolume(vtkVolume* volu
   Append(volume->GetMatrix()->GetData(), 16, matrix);
   return { { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
     { "transfer functions", DescribeColors(property, 0) },
-    { "materials", DescribeMaterial(property) },
+    { "materials", DescribeMaterial(property, 0) },
     { "settings of the mappers", DescribeMapper(mapper) },
     { "clouds", DescribeCloud(mapper, property) },
     { "clipping planes", DescribePlanes(mapper->GetClippingPlanes()) } };

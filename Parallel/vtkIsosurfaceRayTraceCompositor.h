@@ -43,7 +43,9 @@
  * cells, front to back, and send them to the owner, which draws them by depth as they come, and
  * tells where the cloud is opaque. The picture is that of one process, bit for bit, for any number
  * of processes, pieces and threads. (Inputs that are composite data or several connections may
- * differ in the last bits, as above.)
+ * differ in the last bits, as above.) Clouds that are lit (vtkVolumeProperty::ShadeOn) need the
+ * ghosts that isosurfaces need: none with NormalMode INTERPOLANT_GRADIENT, one layer with central
+ * differences.
  *
  * The pixels are composited by binary swap: in each of the logarithm of the number of processes
  * steps a process gives half of its rows to another, and takes the other half of the other's

@@ -30,18 +30,39 @@
  *
  * As in the other mappers for unstructured grids, the opacity function is the attenuation for one
  * ScalarOpacityUnitDistance, which is a length in the world: through a thickness d of the opacity a
- * the transmittance is exp(-a d / unit). The cloud is not shaded.
+ * the transmittance is exp(-a d / unit).
+ *
+ * With vtkVolumeProperty::ShadeOn (default: off) the light that the cloud gives is that which it
+ * reflects, as an isosurface through each of its points would: by the lights, and the ambient,
+ * diffuse, specular and specular power of the property. The normal is that of the gradient:
+ * - NormalMode CENTRAL_DIFFERENCES (the default): linear between those at points, each of which is
+ *   the mean of the cells around, weighted by volumes. In composite data, and in pieces of many
+ *   processes, a layer of ghost cells makes it that of the whole, as for isosurfaces.
+ * - INTERPOLANT_GRADIENT: that of each tetrahedron, constant in it.
+ * Where the gradient is zero, there is ambient light alone. As in vtkFixedPointVolumeRayCastMapper
+ * the side that is towards the viewer is lit, whichever it is, or, with
+ * vtkRenderer::TwoSidedLightingOff, the side of smaller values. (Its highlights are wider: they are
+ * by the half-way vector. It takes ambient light from lights, which is black by default; here, as
+ * on surfaces, it is white.) The reflected light is found at
+ * both ends of the part of a ray in a tetrahedron and is linear between them, and that is
+ * integrated as exactly as all else. So for tetrahedra with gradients of their own and lights
+ * without a position it is exact, and otherwise right at the faces, and the better the smaller the
+ * cells are. It is not clamped: highlights are rounded to white in the picture alone. A cloud casts
+ * and receives no shadows, and maximum intensity is not lit.
  *
  * The cloud takes all components of the scalars, if there are several and VectorMode is DISABLED:
  * - vtkVolumeProperty::IndependentComponents on (the default), 2 to 4: each is a cloud by itself,
  *   with the transfer functions and the unit distance of its component of the property, and the
  *   clouds are mixed, as vtkUnstructuredGridLinearRayIntegrator mixes them: attenuations are
  *   added, and the colour is the mean of the colours, weighted by attenuations. An attenuation is
- *   multiplied by the ComponentWeight (from 0 to 1; default: 1).
+ *   multiplied by the ComponentWeight (from 0 to 1; default: 1). Each is lit by its own gradient,
+ *   with its own material, if its own Shade is on.
  * - Off, 2: the colour is that of the first component, and the opacity that of the second, by the
  *   transfer functions of component 0 of the property, as in vtkProjectedTetrahedraMapper.
  * - Off, 4: the components are red, green, blue and the opacity themselves, from 0 to 255 of
  *   unsigned char and from 0 to 1 of other types. Lower and higher ones count as these.
+ * If these dependent components are lit, it is by the gradient of the last one, the opacity, with
+ * the material of component 0 of the property.
  *
  * All components are linear along a ray in a tetrahedron: the light of a mixture is integrated as
  * exactly as that of one component. Other numbers of components are an error; cells with a value

@@ -3,6 +3,7 @@
 
 #include "vtkIsosurfaceRayTraceClouds.h"
 
+#include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceValueColors.h"
 
 #include "vtkDataArray.h"
@@ -148,6 +149,15 @@ std::vector<Nodes> MakeDirectNodes(double largest, double unitDistance)
   return direct;
 }
 
+/// A component that is not shaded is as if the light were white and ambient.
+vtkirt::CloudMaterial MakeMaterial(vtkVolumeProperty* property, int component)
+{
+  const vtkirt::Material own = vtkIsosurfaceRayTraceScene::GetMaterial(property, component);
+  return own.Shade
+    ? vtkirt::CloudMaterial{ own.Ambient, own.Diffuse, own.Specular, own.SpecularPower }
+    : vtkirt::CloudMaterial{ 1.0, 0.0, 0.0, 1.0 };
+}
+
 }
 
 namespace vtkIsosurfaceRayTraceClouds
@@ -182,28 +192,59 @@ std::string FindProblem(const Components& components, vtkVolumeProperty* propert
 }
 
 //------------------------------------------------------------------------------
+int FindLitComponents(const Components& components, vtkVolumeProperty* property, int component)
+{
+  if (components.Count <= 1)
+  {
+    return property->GetShade(component) ? 1 : 0;
+  }
+  if (!property->GetIndependentComponents())
+  {
+    return property->GetShade() ? 1 : 0;
+  }
+  for (int i = 0; i < components.Count; ++i)
+  {
+    if (property->GetShade(i))
+    {
+      return components.Count;
+    }
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<vtkirt::CloudMedium> MakeMedium(
   const Components& components, vtkVolumeProperty* property, int component)
 {
-  const bool areIndependent = property->GetIndependentComponents() != 0;
+  const bool areMixed = components.Count > 1 && property->GetIndependentComponents();
+  std::vector<Nodes> nodes;
   if (components.Count <= 1)
   {
-    return std::make_unique<vtkirt::CloudMedium>(MakeNodes(property, component));
+    nodes.push_back(MakeNodes(property, component));
   }
-  if (areIndependent)
+  else if (areMixed)
   {
-    std::vector<Nodes> nodes;
     for (int i = 0; i < components.Count; ++i)
     {
       nodes.push_back(MakeNodes(property, i));
       Scale(property->GetComponentWeight(i), nodes.back());
     }
-    return std::make_unique<vtkirt::CloudMedium>(nodes, true);
   }
-  const std::vector<Nodes> nodes = components.Count == 2
-    ? SplitNodes(MakeNodes(property, 0))
-    : MakeDirectNodes(components.AreBytes ? 255.0 : 1.0, property->GetScalarOpacityUnitDistance());
-  return std::make_unique<vtkirt::CloudMedium>(nodes, false);
+  else
+  {
+    nodes = components.Count == 2 ? SplitNodes(MakeNodes(property, 0))
+                                  : MakeDirectNodes(components.AreBytes ? 255.0 : 1.0,
+                                      property->GetScalarOpacityUnitDistance());
+  }
+  auto medium = std::make_unique<vtkirt::CloudMedium>(nodes, areMixed || components.Count <= 1);
+  std::vector<vtkirt::CloudMaterial> materials;
+  for (int i = 0; i < FindLitComponents(components, property, component); ++i)
+  {
+    const int dependent = components.Count <= 1 ? component : 0;
+    materials.push_back(MakeMaterial(property, areMixed ? i : dependent));
+  }
+  medium->SetMaterials(materials);
+  return medium;
 }
 
 }

@@ -41,6 +41,10 @@ Components FindComponents(vtkDataArray* array, vtkVolumeProperty* property);
 /// Why a property cannot draw components; empty if it can.
 std::string FindProblem(const Components& components, vtkVolumeProperty* property);
 
+/// How many components of the cloud, the last ones, have gradients that light it: none, if the
+/// property does not shade any of them; all, if they are independent; else one.
+int FindLitComponents(const Components& components, vtkVolumeProperty* property, int component);
+
 /// Makes the cloud that a property makes of components, or of the given component of the property
 /// if there is one. Transfer functions are linear between nodes: those of the property, and as many
 /// between them as it takes where its functions are not linear (midpoints, sharpness, colour

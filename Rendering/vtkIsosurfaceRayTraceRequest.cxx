@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceRequest.h"
 
+#include "vtkIsosurfaceRayTraceClouds.h"
 #include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
@@ -117,6 +118,11 @@ void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& s
   vtkirt::TraceRequest request;
   request.Projection = settings.Projection;
   request.HasCloud = settings.HasCloud;
+  if (settings.HasCloud && !settings.IsMaximum)
+  {
+    request.LitComponents = vtkIsosurfaceRayTraceClouds::FindLitComponents(
+      volume.Input->GetCloudComponents(), volume.Property, volume.Component);
+  }
   if (!settings.Projection && settings.HasSurfaces)
   {
     request.Surfaces = vtkIsosurfaceRayTraceScene::GetSurfaces(volume.Property, volume.Component);

@@ -144,7 +144,7 @@ def fire(data):
 
 
 def smoke(data):
-    """The same as a cloud: the hotter the gas, the denser; and the flame in it."""
+    """The same as a cloud, which is lit: the hotter the gas, the denser; and the flame in it."""
     picture = Picture(read(vtkXMLUnstructuredGridReader(), data, "fire_ug.vtu"), "t", vtkCellProjectionMapper)
     cloud = ((299.0, 0.0, (0.3, 0.3, 0.4)), (330.0, 0.2, (0.35, 0.4, 0.6)), (480.0, 0.3, (0.9, 0.4, 0.2)))
     picture.set_cloud(0.4, *cloud)
@@ -158,6 +158,8 @@ def gas(data):
     picture = Picture(read(vtkExodusIIReader(), data, "disk_out_ref.ex2"), "Temp", vtkCellProjectionMapper)
     cloud = ((300.0, 0.0, (0.3, 0.45, 1.0)), (400.0, 0.12, (0.3, 0.85, 0.8)), (600.0, 0.5, (1.0, 0.8, 0.3)))
     picture.set_cloud(1.5, *cloud)
+    picture.surface.SetAmbient(0.5)  # it glows by itself
+    picture.surface.SetDiffuse(0.6)
     picture.add_surface(800.0, (1.0, 0.3, 0.15), 1.0)
     picture.add_plane((0.0, 0.0, 0.0), (-0.5, 1.0, 0.0))
     picture.look_from((0.65, -0.65, 0.4), (0.0, 0.0, 1.0), 1.55)

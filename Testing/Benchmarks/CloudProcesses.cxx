@@ -126,7 +126,7 @@ const vtkirt::TileSegments& CloudTiles::Find(int tile)
   std::uint32_t open[vtkirt::CloudTile::Edge];
   std::fill(std::begin(open), std::end(open), ~0U);
   this->Found.Clear();
-  vtkirt::MakeCloudRays(this->TheScene, pixels, this->Rays);
+  vtkirt::MakeCloudRays(this->TheScene, pixels, vtkirt::GetBestKernels(), this->Rays);
   this->Finder.Begin(pixels, this->Rays, 0.0);
   while (std::isfinite(this->Finder.GetNextDepth()))
   {
@@ -223,7 +223,7 @@ void SimulateProcesses(vtkUnstructuredGrid* grid, const std::vector<vtkirt::Clou
     // A message for each part, and the tiles of which it says that they are finished.
     const double messages = processes == 1 ? 0.0
                                            : MessageTime * 2.0 * tiles.GetCount() +
-        sent * static_cast<double>(vtkirt::TileSegments::GetBytesOfOne(1)) / Bandwidth;
+        sent * static_cast<double>(vtkirt::TileSegments::GetBytesOfOne(1, 0)) / Bandwidth;
     const double picture = finding + times.Slowest + messages;
     const double waiting = finding + times.Waiting + messages;
     alone = processes == 1 ? picture : alone;

@@ -28,6 +28,7 @@ from Pieces import (
     make_volume,
     pixels_of,
     render,
+    split,
     whole_picture,
 )
 
@@ -76,15 +77,14 @@ def to_the_last(mesh):
     return mesh if RANK == SIZE - 1 else None
 
 
-def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threads=1):
-    settings = [
-        ("SetNumberOfThreads", threads),
-        ("SetDrawIsosurfaces", surfaces),
-        ("SetNormalMode", vtkCellProjectionMapper.INTERPOLANT_GRADIENT),  # without ghosts
-    ]
+def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threads=1, shade=False, smooth=False):
+    settings = [("SetNumberOfThreads", threads), ("SetDrawIsosurfaces", surfaces)]
+    if not smooth:
+        settings.append(("SetNormalMode", vtkCellProjectionMapper.INTERPOLANT_GRADIENT))  # without ghosts
     if maximum:
         settings.append(("SetBlendModeToMaximumIntensity",))
     volume = make_volume(data, mapper_class=vtkCellProjectionMapper, settings=settings)
+    volume.GetProperty().SetShade(shade)
     volume.GetProperty().GetScalarOpacity().RemoveAllPoints()
     for value, opacity in ((60.0, 0.0), (120.0, 0.1), (150.0, 0.6), (200.0, 0.2), (260.0, 0.9)):
         volume.GetProperty().GetScalarOpacity().AddPoint(value, opacity)
@@ -125,6 +125,7 @@ def make_mixture(data, are_independent=True, **settings):
         volume.GetProperty().SetColor(i, colors)
         volume.GetProperty().SetScalarOpacity(i, opacities)
         volume.GetProperty().SetScalarOpacityUnitDistance(i, 8.0)
+        volume.GetProperty().SetShade(i, volume.GetProperty().GetShade())
     return volume
 
 
@@ -152,6 +153,8 @@ class TestClouds(PicturesOfMany):
             {"is_parallel": True},
             {"maximum": True},
             {"surfaces": True},
+            {"shade": True},
+            {"shade": True, "surfaces": True, "plane": True, "threads": 2},
             {"threads": 3},
             {"plane": True},
             {"unit": 0.01},  # so dense that little is seen
@@ -161,6 +164,15 @@ class TestClouds(PicturesOfMany):
                 with self.subTest(settings):
                     self.check(self.tetrahedra, deal, **settings)
 
+    def test_smooth_shading(self):
+        """By the gradients at points, which a layer of ghosts makes those of the whole."""
+        own = as_mesh(make_piece(split(CELLS, SIZE)[RANK], 1))
+        for surfaces in (False, True):
+            is_rendered, picture = render(make_cloud(own, surfaces, shade=True, smooth=True), make_camera(), PICTURE)
+            self.assertTrue(is_rendered)
+            whole = make_cloud(self.cells, surfaces, shade=True, smooth=True)
+            self.check_against_whole(picture, whole, make_camera(), PICTURE, name=f"smooth shading, surfaces {surfaces}")
+
     def test_components(self):
         camera = make_camera()
         for are_independent, dtype, surfaces in (
@@ -169,10 +181,11 @@ class TestClouds(PicturesOfMany):
             mesh = with_components(self.tetrahedra, dtype)
             for deal in (round_robin, with_some_empty):
                 with self.subTest(f"{are_independent} {dtype}"):
+                    shade = deal == round_robin
                     is_rendered, picture = render(
-                        make_mixture(deal(mesh), are_independent, surfaces=surfaces), camera, PICTURE)
+                        make_mixture(deal(mesh), are_independent, surfaces=surfaces, shade=shade), camera, PICTURE)
                     self.assertTrue(is_rendered)
-                    whole = make_mixture(mesh, are_independent, surfaces=surfaces)
+                    whole = make_mixture(mesh, are_independent, surfaces=surfaces, shade=shade)
                     self.check_against_whole(
                         picture, whole, camera, PICTURE, name=f"components {are_independent} {surfaces}")
 
@@ -205,6 +218,11 @@ class TestClouds(PicturesOfMany):
         volume = make_mixture(round_robin(with_components(self.tetrahedra)))
         if is_last:
             volume.GetProperty().SetScalarOpacityUnitDistance(3, 1.0)
+        self.check_failure(
+            volume, f"clouds of process {SIZE - 1} differ from those of process 0", SIZE - 1)
+        volume = make_mixture(round_robin(with_components(self.tetrahedra)))
+        if is_last:
+            volume.GetProperty().SetShade(2, 1)
         self.check_failure(
             volume, f"clouds of process {SIZE - 1} differ from those of process 0", SIZE - 1)
 

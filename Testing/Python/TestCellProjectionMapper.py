@@ -24,17 +24,21 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
     vtkColorTransferFunction,
+    vtkLight,
+    vtkLightCollection,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
     vtkVolume,
 )
 from vtkmodules.vtkRenderingVolume import (
+    vtkFixedPointVolumeRayCastMapper,
     vtkUnstructuredGridLinearRayIntegrator,
     vtkUnstructuredGridVolumeRayCastMapper,
 )
@@ -65,6 +69,7 @@ def fill_property(volume_property, low=-2.0, high=2.0, opacity=0.4, unit=1.0):
 def make_cloud(grid, mapper_class=vtkCellProjectionMapper, **transfer):
     mapper, volume = make_volume(grid, mapper_class=mapper_class)
     fill_property(volume.GetProperty(), **transfer)
+    volume.GetProperty().ShadeOff()
     return mapper, volume
 
 
@@ -215,6 +220,130 @@ class TestAgainstVtk(unittest.TestCase):
         self.assertGreater(pictures[0][..., 3].max(), 0.3)
         for picture in pictures[1:]:
             self.assertLess(np.abs(picture - pictures[0]).max(), 1.01 / 255)
+
+
+def make_light(direction, color=(1.0, 1.0, 1.0)):
+    """A light from so far away that its rays are parallel, in a list."""
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetFocalPoint(CENTER)
+    light.SetPosition(np.array(CENTER) + direction)
+    light.SetColor(color)
+    light.SetAmbientColor(1.0, 1.0, 1.0)  # for vtkFixedPointVolumeRayCastMapper
+    lights = vtkLightCollection()
+    lights.AddItem(light)
+    return lights
+
+
+def shade(volume_property, ambient=0.1, diffuse=0.6, specular=0.3, power=10.0, component=0):
+    volume_property.SetShade(component, 1)
+    volume_property.SetAmbient(component, ambient)
+    volume_property.SetDiffuse(component, diffuse)
+    volume_property.SetSpecular(component, specular)
+    volume_property.SetSpecularPower(component, power)
+
+
+class TestShading(unittest.TestCase):
+    NORMALS = (vtkCellProjectionMapper.CENTRAL_DIFFERENCES, vtkCellProjectionMapper.INTERPOLANT_GRADIENT)
+
+    def render(self, mapper, volume, lights, camera=None):
+        image = vtkImageData()
+        camera = camera or make_camera_along_y()
+        self.assertTrue(mapper.RenderToImage(volume, camera, lights, PIXELS, PIXELS, image))
+        return vtk_to_numpy(image.GetPointData().GetArray("Colors")).reshape(PIXELS, PIXELS, 4) / 255.0
+
+    def test_a_linear_field(self):
+        """Its normal is the same everywhere: as bright as a plane, whatever the cells are."""
+        normal = np.array((0.4, -0.8, 0.2)) / np.linalg.norm((0.4, -0.8, 0.2))
+        direction = np.array((0.3, -0.9, 0.5)) / np.linalg.norm((0.3, -0.9, 0.5))
+        to_viewer = np.array((0.0, -1.0, 0.0))
+        cosine = normal @ direction
+        mirrored = (2 * cosine * normal - direction) @ to_viewer
+        for shape, normals, side in zip(TestClosedForms.SHAPES, 2 * self.NORMALS, (1.0, 1.0, -1.0, -1.0)):
+            with self.subTest(shape=shape, normals=normals):
+                mapper, volume = make_cloud(make_grid(shape, lambda p: side * (np.dot(p, normal) - 2.0)), opacity=1.0)
+                mapper.SetNormalMode(normals)
+                colors = vtkColorTransferFunction()
+                colors.AddRGBPoint(0.0, 0.5, 0.8, 0.3)
+                volume.GetProperty().SetColor(colors)
+                lights = make_light(direction, (0.9, 1.0, 0.4))
+                unlit = self.render(mapper, volume, lights)
+                shade(volume.GetProperty())
+                lit = self.render(mapper, volume, lights)
+                self.assertGreater(lit[..., 3].max(), 0.5)
+                self.assertTrue(np.array_equal(lit[..., 3], unlit[..., 3]))
+                for channel, light in enumerate((0.9, 1.0, 0.4)):
+                    own = colors.GetColor(0.0)[channel]
+                    expected = own * (0.1 + 0.6 * cosine * light) + 0.3 * mirrored**10 * light
+                    self.assertLess(np.abs(lit[..., channel] - lit[..., 3] * expected).max(), 1.01 / 255)
+
+    def test_each_component_has_its_own(self):
+        """Light from behind shows nothing of a component that is shaded: what is left is the other one."""
+        mapper, volume = make_mixture(make_components(VTK_TETRA, WAVES[:2]), HUES[:2])
+        lights = make_light((0.0, 1.0, 0.0))
+        for shaded, other in ((0, 1), (1, 0)):
+            shade(volume.GetProperty(), ambient=0.0, component=shaded)
+            volume.GetProperty().SetShade(other, 0)
+            colors = self.render(mapper, volume, lights)[..., :3].reshape(-1, 3)
+            self.assertGreater(colors.max(), 0.3)
+            self.assertLess(np.abs(np.cross(colors, HUES[other])).max(), 0.01)
+
+    def test_dependent_components(self):
+        """They are lit by the gradient of the opacity."""
+        functions = (lambda p: 255.0, lambda p: 127.0, lambda p: 40.0 * p[2], lambda p: 40.0 * p[1])
+        mapper, volume = make_cloud(make_components(VTK_TETRA, functions, np.uint8), unit=0.3)
+        volume.GetProperty().IndependentComponentsOff()
+        unlit = self.render(mapper, volume, None)
+        cosine = 0.8
+        shade(volume.GetProperty(), 0.1, 0.6, 0.0)
+        lit = self.render(mapper, volume, make_light((0.6, -0.8, 0.0)))
+        self.assertGreater(unlit[..., :3].min(axis=(0, 1))[0], 0.9)
+        self.assertLess(np.abs(lit[..., :3] - (0.1 + 0.6 * cosine) * unlit[..., :3]).max(), 1.01 / 255)
+
+    def test_fixed_point_mapper(self):
+        """The shading of the mapper for images, of an image that is cut into tetrahedra. Its opacity
+        is that of the unit distance, not the attenuation."""
+        size = 40
+        image = vtkImageData()
+        image.SetDimensions(size, size, size)
+        image.SetSpacing(3 * (SIZE / (size - 1),))
+        points = np.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())]) - CENTER
+        values = np.sin(1.1 * points[:, 0]) + np.cos(0.9 * points[:, 1]) - 0.5 * points[:, 2]
+        scalars = numpy_to_vtk((1000.0 * (values + 4.0)).astype(np.uint16), deep=True)
+        image.GetPointData().SetScalars(scalars)
+        tetrahedra = vtkDataSetTriangleFilter()
+        tetrahedra.SetInputData(image)
+        tetrahedra.Update()
+        for is_two_sided in (True, False):
+            pictures = []
+            for mapper, data in (
+                (vtkCellProjectionMapper(), tetrahedra.GetOutput()), (vtkFixedPointVolumeRayCastMapper(), image)
+            ):
+                mapper.SetInputData(data)
+                volume = vtkVolume()
+                volume.SetMapper(mapper)
+                fill_property(volume.GetProperty(), low=3000.0, high=6500.0, opacity=0.25, unit=0.1)
+                shade(volume.GetProperty())
+                if mapper.IsA("vtkFixedPointVolumeRayCastMapper"):
+                    opacities = volume.GetProperty().GetScalarOpacity()
+                    for value in np.linspace(3000.0, 6500.0, 100):
+                        opacities.AddPoint(value, 1.0 - math.exp(-0.25 * (value - 3000.0) / 3500.0))
+                    # By the half-way vector, whose angle to the normal is half of that of the mirrored light.
+                    volume.GetProperty().SetSpecularPower(40.0)
+                    volume.GetProperty().SetInterpolationTypeToLinear()
+                    mapper.SetAutoAdjustSampleDistances(0)
+                    mapper.SetSampleDistance(0.05)
+                window = make_window(volume, size=200)
+                renderer = window.GetRenderers().GetFirstRenderer()
+                renderer.SetTwoSidedLighting(is_two_sided)
+                renderer.GetActiveCamera().ParallelProjectionOn()  # it has one direction to the viewer
+                renderer.GetActiveCamera().SetParallelScale(5.0)
+                renderer.AddLight(make_light((0.8, -0.5, 0.6)).GetItemAsObject(0))
+                pictures.append(draw_in(window))
+            difference = np.abs(pictures[0] - pictures[1])
+            self.assertGreater(pictures[0].mean(), 20)
+            self.assertLess(difference.mean(), 2.0)
+            self.assertLess(np.mean(difference.max(axis=-1) > 16), 0.02)
 
 
 class TestScenes(unittest.TestCase):

@@ -7,6 +7,7 @@
 #include "Mesh/CellSubdivision.h"
 #include "Mesh/MeshCells.h"
 #include "Picture/CloudTransfer.h"
+#include "Picture/Scene.h"
 #include "Rays/Camera.h"
 
 #include <algorithm>
@@ -160,10 +161,28 @@ struct ReferenceMixture
   bool AreIndependent;
 };
 
-/// Goes on with a segment of a mixture, by the values of each component at both ends.
+/// The light that a cloud of a colour reflects at both ends of a segment, and linear between them:
+/// Times the colour, and Plus.
+template <typename Extended>
+struct ReferenceReflection
+{
+  Extended Times[3][2];
+  Extended Plus[3][2];
+
+  Extended Get(int color, Extended own, Extended x) const
+  {
+    const auto& times = this->Times[color];
+    const auto& plus = this->Plus[color];
+    return own * (times[0] + (times[1] - times[0]) * x) + plus[0] + (plus[1] - plus[0]) * x;
+  }
+};
+
+/// Goes on with a segment of a mixture, by the values of each component at both ends. If it is lit,
+/// there is a reflection for each cloud.
 template <typename Extended>
 void AddMixedSegment(const ReferenceMixture& mixture, Extended length,
-  const std::vector<std::array<Extended, 2>>& values, ReferenceLight<Extended>& light)
+  const std::vector<std::array<Extended, 2>>& values, ReferenceLight<Extended>& light,
+  const std::vector<ReferenceReflection<Extended>>& reflections = {})
 {
   const std::size_t components = mixture.Nodes.size();
   // Where any function bends or jumps.
@@ -220,14 +239,20 @@ void AddMixedSegment(const ReferenceMixture& mixture, Extended length,
       }
       return all;
     };
+    const auto reflect = [&](int color, std::size_t cloud, Extended own, Extended x)
+    { return reflections.empty() ? own : reflections[cloud].Get(color, own, begin + width * x); };
     const auto glow = [&](int color, Extended x)
     {
+      if (!mixture.AreIndependent)
+      {
+        return sum(0, x) * reflect(color, 0, sum(1 + color, x), x);
+      }
       Extended all = 0;
       for (std::size_t i = 0; i < components; ++i)
       {
-        all += get(0, i, x) * get(1 + color, i, x);
+        all += get(0, i, x) * reflect(color, i, get(1 + color, i, x), x);
       }
-      return mixture.AreIndependent ? all : sum(0, x) * sum(1 + color, x);
+      return all;
     };
     const Extended unit = length * width;
     const Extended first = sum(0, 0) * unit;
@@ -296,6 +321,8 @@ struct ReferenceSegment
 {
   Extended T[2];
   Extended Value[2];
+  /// The barycentric coordinates at both ends.
+  Extended Weights[2][4];
 };
 
 /// Returns whether there is one.
@@ -345,10 +372,128 @@ bool Intersect(
     segment.Value[end] = 0;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      segment.Value[end] += (at[i] + slope[i] * segment.T[end]) * tetrahedron[i][3];
+      segment.Weights[end][i] = at[i] + slope[i] * segment.T[end];
+      segment.Value[end] += segment.Weights[end][i] * tetrahedron[i][3];
     }
   }
   return segment.T[0] < segment.T[1];
+}
+
+/// What lights a cloud: the lights of a scene, and of each cloud of a mixture a material and
+/// gradients.
+struct ReferenceLighting
+{
+  const Scene* Shown;
+  std::vector<Material> Materials;
+  /// At every corner of every tetrahedron.
+  std::vector<std::vector<std::array<Vector3, 4>>> Gradients;
+};
+
+/// The gradient in a tetrahedron, by Cramer's rule.
+template <typename Extended>
+std::array<Extended, 3> FindGradient(const Tetrahedron& tetrahedron)
+{
+  Extended across[3][3];
+  Extended rises[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      // Columns are axes.
+      across[axis][i] = static_cast<Extended>(tetrahedron[i + 1][axis]) - tetrahedron[0][axis];
+    }
+    rises[i] = static_cast<Extended>(tetrahedron[i + 1][3]) - tetrahedron[0][3];
+  }
+  const Extended volume = Determinant(across[0], across[1], across[2]);
+  return { Determinant(rises, across[1], across[2]) / volume,
+    Determinant(across[0], rises, across[2]) / volume,
+    Determinant(across[0], across[1], rises) / volume };
+}
+
+/// What is reflected at an end of a segment, by the gradient there.
+template <typename Extended>
+void Reflect(const ReferenceLighting& lighting, std::size_t cloud, const Camera& view,
+  const Camera::PixelRay& ray, Extended t, const std::array<Extended, 3>& gradient, int end,
+  ReferenceReflection<Extended>& reflection)
+{
+  using Triple = std::array<Extended, 3>;
+  const auto dot = [](const Triple& a, const Triple& b)
+  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto normalized = [&dot](const Triple& a)
+  {
+    const Extended length = std::sqrt(dot(a, a));
+    return length > 0 ? Triple{ a[0] / length, a[1] / length, a[2] / length } : Triple{};
+  };
+  const Matrix4& m = view.GetWorldFromObject();
+  Extended rows[3][3];
+  Extended own[3];
+  Triple direction;
+  Triple point;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    direction[i] = 0;
+    point[i] = m[4 * i + 3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      rows[i][k] = m[4 * i + k];
+      direction[i] -= rows[i][k] * ray.Direction[k];
+      point[i] += rows[i][k] * (ray.Origin[k] + t * ray.Direction[k]);
+    }
+    own[i] = gradient[i];
+  }
+  const Triple toViewer = normalized(direction);
+  // That of the world is what, seen from the object, is the gradient: transposed it is carried
+  // back.
+  const Extended volume = Determinant(rows[0], rows[1], rows[2]);
+  Triple normal = normalized({ -Determinant(own, rows[1], rows[2]) / volume,
+    -Determinant(rows[0], own, rows[2]) / volume, -Determinant(rows[0], rows[1], own) / volume });
+  if (lighting.Shown->TwoSidedLighting && dot(normal, toViewer) < 0)
+  {
+    normal = { -normal[0], -normal[1], -normal[2] };
+  }
+  const Material& material = lighting.Materials[cloud];
+  for (int i = 0; i < 3; ++i)
+  {
+    reflection.Times[i][end] = material.Shade ? material.Ambient : 1;
+    reflection.Plus[i][end] = 0;
+  }
+  for (const Light& light : lighting.Shown->Lights)
+  {
+    Triple toLight = { light.Direction[0], light.Direction[1], light.Direction[2] };
+    Extended strength = 1;
+    if (light.Positional)
+    {
+      const Triple shone = toLight;
+      toLight = { light.Position[0] - point[0], light.Position[1] - point[1],
+        light.Position[2] - point[2] };
+      const Extended distance = std::sqrt(dot(toLight, toLight));
+      toLight = normalized(toLight);
+      strength /= light.Attenuation[0] + light.Attenuation[1] * distance +
+        light.Attenuation[2] * distance * distance;
+      const Extended cosine = dot(toLight, shone);
+      const Extended degrees = std::acos(cosine) * 180 / std::acos(static_cast<Extended>(-1));
+      if (light.ConeAngle < 90.0)
+      {
+        strength *=
+          degrees <= light.ConeAngle ? std::pow(cosine, static_cast<Extended>(light.Exponent)) : 0;
+      }
+    }
+    const Extended cosine = dot(normal, toLight);
+    if (cosine <= 0 || !material.Shade)
+    {
+      continue;
+    }
+    const Extended mirrored = 2 * cosine * dot(normal, toViewer) - dot(toLight, toViewer);
+    const Extended highlight = mirrored > 0
+      ? std::pow(mirrored, static_cast<Extended>(material.SpecularPower))
+      : static_cast<Extended>(0);
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto k = static_cast<std::size_t>(i);
+      reflection.Times[i][end] += material.Diffuse * strength * cosine * light.DiffuseColor[k];
+      reflection.Plus[i][end] += material.Specular * strength * highlight * light.SpecularColor[k];
+    }
+  }
 }
 
 /// The light of a pixel, by a ray that is intersected with tetrahedra.
@@ -381,10 +526,16 @@ ReferenceLight<Extended> FindLight(const std::vector<Tetrahedron>& tetrahedra, c
 /// The same of a mixture, by the tetrahedra with the values of each component.
 template <typename Extended>
 ReferenceLight<Extended> FindMixedLight(const std::vector<std::vector<Tetrahedron>>& ofComponents,
-  const Camera& view, const ReferenceMixture& mixture, int x, int y)
+  const Camera& view, const ReferenceMixture& mixture, int x, int y,
+  const ReferenceLighting& lighting = {})
 {
   const Camera::PixelRay ray = view.GetRay(x, y, 1.0);
-  std::vector<std::vector<ReferenceSegment<Extended>>> segments;
+  struct Segments
+  {
+    std::size_t Tetrahedron;
+    std::vector<ReferenceSegment<Extended>> OfComponents;
+  };
+  std::vector<Segments> segments;
   for (std::size_t i = 0; i < ofComponents.front().size(); ++i)
   {
     std::vector<ReferenceSegment<Extended>> own;
@@ -398,22 +549,40 @@ ReferenceLight<Extended> FindMixedLight(const std::vector<std::vector<Tetrahedro
     }
     if (!own.empty())
     {
-      segments.push_back(own);
+      segments.push_back({ i, own });
     }
   }
   std::sort(segments.begin(), segments.end(),
-    [](const auto& a, const auto& b) { return a.front().T[0] < b.front().T[0]; });
+    [](const Segments& a, const Segments& b)
+    { return a.OfComponents.front().T[0] < b.OfComponents.front().T[0]; });
   const Extended unit = Length(TransformDirection(view.GetWorldFromObject(), ray.Direction));
   ReferenceLight<Extended> light;
-  for (const std::vector<ReferenceSegment<Extended>>& own : segments)
+  for (const auto& [tetrahedron, own] : segments)
   {
+    std::vector<ReferenceReflection<Extended>> reflections(lighting.Materials.size());
+    for (std::size_t cloud = 0; cloud < reflections.size(); ++cloud)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        std::array<Extended, 3> gradient = { 0, 0, 0 };
+        for (std::size_t corner = 0; corner < 4; ++corner)
+        {
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            gradient[axis] += own.front().Weights[end][corner] *
+              lighting.Gradients[cloud][tetrahedron][corner][axis];
+          }
+        }
+        Reflect(lighting, cloud, view, ray, own.front().T[end], gradient, end, reflections[cloud]);
+      }
+    }
     std::vector<std::array<Extended, 2>> values;
     for (const ReferenceSegment<Extended>& segment : own)
     {
       values.push_back({ segment.Value[0], segment.Value[1] });
     }
     const Extended length = own.front().T[1] - own.front().T[0];
-    AddMixedSegment<Extended>(mixture, length * unit, values, light);
+    AddMixedSegment<Extended>(mixture, length * unit, values, light, reflections);
   }
   return light;
 }

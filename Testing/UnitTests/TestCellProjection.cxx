@@ -137,6 +137,31 @@ struct CloudScene
     this->Shown.TileHeight = CloudTile::Edge;
   }
 
+  /// Lights it from afar and from nearby, given the materials of its clouds.
+  void AddLights(const std::vector<Material>& materials, NormalMode normals)
+  {
+    std::vector<CloudMaterial> ofClouds;
+    for (const Material& own : materials)
+    {
+      ofClouds.push_back({ own.Ambient, own.Diffuse, own.Specular, own.SpecularPower });
+    }
+    this->Medium.SetMaterials(ofClouds);
+    this->Request.LitComponents = static_cast<int>(materials.size());
+    this->Request.Normals = normals;
+    this->Shown.Lights.resize(2);
+    this->Shown.Lights[0].DiffuseColor = { 0.9, 0.8, 0.7 };
+    this->Shown.Lights[0].SpecularColor = { 0.5, 0.9, 0.6 };
+    this->Shown.Lights[0].Direction = Normalized(Vector3{ 0.3, 0.4, 0.9 });
+    Light& nearby = this->Shown.Lights[1];
+    nearby.DiffuseColor = { 0.3, 0.2, 0.9 };
+    nearby.Positional = true;
+    nearby.Position = { 3.0, 4.0, 9.0 };
+    nearby.Direction = Normalized(Vector3{ 0.1, 0.2, 0.9 });
+    nearby.ConeAngle = 30.0;
+    nearby.Exponent = 1.5;
+    nearby.Attenuation = { 0.5, 0.03, 0.01 };
+  }
+
   /// The light of all pixels, unrounded.
   std::vector<std::array<double, 4>> Render(const Kernels& kernels)
   {
@@ -485,6 +510,18 @@ void AddComponents(RandomNumbers& random, int components, TestMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+std::vector<Material> MakeMaterials(RandomNumbers& random, std::size_t count)
+{
+  std::vector<Material> materials(count);
+  for (Material& material : materials)
+  {
+    material = { true, random.Uniform(0.0, 0.3), random.Uniform(0.3, 0.9), random.Uniform(0.1, 0.6),
+      &material == materials.data() ? 10.0 : random.Uniform(1.0, 20.0) };
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
 TEST_P(CellProjection, IntegratesMixtures)
 {
   RandomNumbers random(21);
@@ -621,13 +658,16 @@ TEST_P(CellProjection, DrawsWhatIntegralsOfMixturesSay)
 }
 
 //------------------------------------------------------------------------------
-/// Surfaces that are not seen cut segments of mixtures, and change nothing.
+/// Surfaces that are not seen cut segments of mixtures, and change nothing; nor where these are lit
+/// from afar, by gradients that do not change along them.
 TEST_P(CellProjection, CutsSegmentsOfMixtures)
 {
   RandomNumbers random(24);
   TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
   AddComponents(random, 3, mesh);
   CloudScene scene(mesh, MakeMixture(random, 3, true, 0.5), MakeCamera(false));
+  scene.AddLights(MakeMaterials(random, 3), NormalMode::InterpolantGradient);
+  scene.Shown.Lights.pop_back();
   scene.Field.Select(scene.Request, { 1, &this->TheKernels });
   Frame frame;
   frame.Colors.resize(std::size_t{ 4 } * Width * Height);
@@ -680,6 +720,212 @@ TEST_P(CellProjection, PassesOverCellsThatAreNotFinite)
   }
   EXPECT_TRUE(lights[0] == lights[1]);
   EXPECT_FALSE(lights[0] == CloudScene(mesh, mixture, MakeCamera(false)).Render(this->TheKernels));
+}
+
+//------------------------------------------------------------------------------
+/// The gradient of each tetrahedron, at all of its corners.
+std::vector<std::array<Vector3, 4>> FindGradients(const std::vector<Tetrahedron>& tetrahedra)
+{
+  std::vector<std::array<Vector3, 4>> gradients;
+  for (const Tetrahedron& tetrahedron : tetrahedra)
+  {
+    const std::array<Extended, 3> found = FindGradient<Extended>(tetrahedron);
+    const Vector3 gradient = { static_cast<double>(found[0]), static_cast<double>(found[1]),
+      static_cast<double>(found[2]) };
+    gradients.push_back({ gradient, gradient, gradient, gradient });
+  }
+  return gradients;
+}
+
+/// The means around each corner, weighted by volumes.
+std::vector<std::array<Vector3, 4>> FindMeanGradients(const std::vector<Tetrahedron>& tetrahedra)
+{
+  struct Sum
+  {
+    Vector3 Gradients = {};
+    double Volumes = 0.0;
+  };
+  std::vector<std::array<Vector3, 4>> gradients = FindGradients(tetrahedra);
+  std::map<std::array<double, 3>, Sum> sums;
+  const auto getPlace = [](const std::array<double, 4>& corner) {
+    return std::array<double, 3>{ corner[0], corner[1], corner[2] };
+  };
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    Vector3 edges[3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        edges[k][axis] = tetrahedra[i][k + 1][axis] - tetrahedra[i][0][axis];
+      }
+    }
+    const double volume = std::abs(Dot(edges[0], Cross(edges[1], edges[2])));
+    for (const std::array<double, 4>& corner : tetrahedra[i])
+    {
+      Sum& sum = sums[getPlace(corner)];
+      sum.Gradients = sum.Gradients + gradients[i][0] * volume;
+      sum.Volumes += volume;
+    }
+  }
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Sum& sum = sums.at(getPlace(tetrahedra[i][k]));
+      gradients[i][k] = sum.Gradients * (1.0 / sum.Volumes);
+    }
+  }
+  return gradients;
+}
+
+/// Pictures of clouds that are lit: by the gradients of tetrahedra, or by those at points.
+TEST_P(CellProjection, DrawsWhatLitIntegralsSay)
+{
+  struct Case
+  {
+    Cutting Cut;
+    int Components;
+    NormalMode Normals;
+    bool IsInside;
+    bool IsTwoSided;
+  };
+  constexpr NormalMode ofCells = NormalMode::InterpolantGradient;
+  constexpr NormalMode ofPoints = NormalMode::CentralDifferences;
+  RandomNumbers random(31);
+  double worst = 0.0;
+  for (const Case& one : { Case{ Cutting::Tetrahedra, 1, ofCells, false, true },
+         Case{ Cutting::Mixed, 1, ofCells, true, false },
+         Case{ Cutting::Tetrahedra, 1, ofPoints, false, false },
+         Case{ Cutting::Tetrahedra, 1, ofPoints, true, true },
+         Case{ Cutting::Tetrahedra, 3, ofPoints, false, true },
+         Case{ Cutting::Mixed, 2, ofCells, false, true },
+         Case{ Cutting::Wedges, 4, ofCells, true, true },
+         Case{ Cutting::Mixed, -2, ofCells, false, false },
+         Case{ Cutting::Tetrahedra, -2, ofPoints, false, true },
+         Case{ Cutting::Tetrahedra, -4, ofPoints, false, true } })
+  {
+    const auto count = static_cast<std::size_t>(std::abs(one.Components));
+    const bool areIndependent = one.Components > 0;
+    TestMesh mesh = MakeConvexMesh(random, one.Cut, 0.2);
+    if (count > 1)
+    {
+      AddComponents(random, std::abs(one.Components), mesh);
+    }
+    const ReferenceMixture mixture =
+      MakeMixture(random, std::abs(one.Components), areIndependent, 0.5);
+    CloudScene scene(mesh, mixture, MakeCamera(one.IsInside));
+    const std::vector<Material> materials = MakeMaterials(random, areIndependent ? count : 1);
+    scene.AddLights(materials, one.Normals);
+    scene.Shown.TwoSidedLighting = one.IsTwoSided;
+    std::vector<std::vector<Tetrahedron>> tetrahedra;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      tetrahedra.push_back(Subdivide(MeshCells(mesh.View(i))));
+    }
+    ReferenceLighting lighting{ &scene.Shown, materials, {} };
+    for (std::size_t i = count - materials.size(); i < count; ++i)
+    {
+      lighting.Gradients.push_back(
+        one.Normals == ofCells ? FindGradients(tetrahedra[i]) : FindMeanGradients(tetrahedra[i]));
+    }
+    const auto lights = scene.Render(this->TheKernels);
+    double brightest = 0.0;
+    double changed = 0.0;
+    for (int y = 1; y < Height; y += 6)
+    {
+      for (int x = 2; x < Width; x += 8)
+      {
+        const Camera& view = scene.Shown.Fields.front().View;
+        const ReferenceLight<Extended> reference =
+          FindMixedLight<Extended>(tetrahedra, view, mixture, x, y, lighting);
+        const std::array<double, 4>& light = lights[static_cast<std::size_t>(y * Width + x)];
+        const double error = FindError(light, reference);
+        worst = std::max(worst, error);
+        EXPECT_LT(error, 4e-5) << one.Components << " " << x << " " << y;
+        brightest = std::max(brightest, light[0]);
+        changed = std::max(
+          changed, FindError(light, FindMixedLight<Extended>(tetrahedra, view, mixture, x, y)));
+      }
+    }
+    EXPECT_GT(brightest, 0.05) << one.Components;
+    EXPECT_GT(changed, 0.05) << one.Components;
+  }
+  this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// Where values do not change there is no gradient, and ambient light alone.
+TEST_P(CellProjection, HasAmbientLightWithoutGradient)
+{
+  RandomNumbers random(32);
+  TestMesh mesh = MakeConvexMesh(random, Cutting::Mixed, 0.2);
+  std::fill(mesh.Values.begin(), mesh.Values.end(), 0.25);
+  const std::vector<CloudNode> nodes = { { 0.0, 0.4, { 0.9, 0.5, 0.2 } } };
+  const auto unlit = CloudScene(mesh, nodes, MakeCamera(false)).Render(this->TheKernels);
+  for (const NormalMode normals :
+    { NormalMode::InterpolantGradient, NormalMode::CentralDifferences })
+  {
+    CloudScene scene(mesh, nodes, MakeCamera(false));
+    scene.AddLights({ { true, 0.3, 0.7, 0.2, 10.0 } }, normals);
+    const auto lit = scene.Render(this->TheKernels);
+    for (std::size_t i = 0; i < lit.size(); ++i)
+    {
+      EXPECT_NEAR(lit[i][3], unlit[i][3], 1e-6);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        EXPECT_NEAR(lit[i][k], 0.3 * unlit[i][k], 1e-6);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whatever the scales of places and values are, the gradient is found.
+TEST_P(CellProjection, IsLitAtAnyScale)
+{
+  RandomNumbers random(33);
+  const TestMesh mesh = MakeConvexMesh(random, Cutting::Tetrahedra, 0.2);
+  const auto render = [&](double scale, double size, NormalMode normals)
+  {
+    TestMesh scaled = mesh;
+    std::vector<CloudNode> nodes = { { -scale, 0.0, { 0.2, 0.9, 0.5 } },
+      { scale, 0.6, { 0.9, 0.2, 0.1 } } };
+    for (double& value : scaled.Values)
+    {
+      value *= scale;
+    }
+    for (double& coordinate : scaled.Points)
+    {
+      coordinate *= size;
+    }
+    const Camera view = MakeCamera(false);
+    const Matrix4 smaller = Scaling({ 1.0 / size, 1.0 / size, 1.0 / size });
+    const Matrix4 clip = Multiply(view.GetClipFromObject(), smaller);
+    const Matrix4 object = Multiply(Scaling({ size, size, size }), view.GetObjectFromClip());
+    CloudScene scene(
+      scaled, nodes, { clip, object, Multiply(view.GetWorldFromObject(), smaller), Width, Height });
+    scene.AddLights({ { true, 0.1, 0.7, 0.2, 10.0 } }, normals);
+    return scene.Render(this->TheKernels);
+  };
+  struct Case
+  {
+    double Scale;
+    double Size;
+    NormalMode Normals;
+  };
+  for (const Case& one : { Case{ 0x1p-900, 0x1p-80, NormalMode::InterpolantGradient },
+         Case{ 0x1p900, 0x1p80, NormalMode::InterpolantGradient },
+         Case{ 0x1p-300, 1.0, NormalMode::CentralDifferences },
+         Case{ 0x1p300, 1.0, NormalMode::CentralDifferences } })
+  {
+    const auto expected = render(1.0, 1.0, one.Normals);
+    const auto lights = render(one.Scale, one.Size, one.Normals);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      EXPECT_NEAR(lights[i][0], expected[i][0], 1e-5);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -741,7 +987,7 @@ TEST_P(CellProjection, PassesOverWhatIsNotShown)
     const PixelRectangle tile = { 16, 16, 16, 16 };
     std::uint32_t open[CloudTile::Edge];
     std::fill(std::begin(open), std::end(open), ~0U);
-    MakeCloudRays(shown, tile, *rays);
+    MakeCloudRays(shown, tile, this->TheKernels, *rays);
     finder.Begin(tile, *rays, 0.0);
     int found = 0;
     while (finder.GetNextDepth() < Infinity)
@@ -825,10 +1071,18 @@ TEST(CellProjection, HasTheSameBitsWithAllKernels)
     AddComponents(random, std::abs(components), mesh);
     CloudScene scene(
       mesh, MakeMixture(random, std::abs(components), components > 0, 2.0), MakeCamera(false));
-    const auto expected = scene.Render(*GetKernels().front());
-    for (const Kernels* kernels : GetKernels())
+    for (const bool isLit : { false, true })
     {
-      EXPECT_TRUE(expected == scene.Render(*kernels));
+      if (isLit)
+      {
+        const auto clouds = static_cast<std::size_t>(std::max(components, 1));
+        scene.AddLights(MakeMaterials(random, clouds), NormalMode::CentralDifferences);
+      }
+      const auto expected = scene.Render(*GetKernels().front());
+      for (const Kernels* kernels : GetKernels())
+      {
+        EXPECT_TRUE(expected == scene.Render(*kernels)) << components << " " << isLit;
+      }
     }
   }
 }

@@ -178,6 +178,7 @@ struct Piece
     this->Shown.Pixels = { 0, 0, Width, Height };
     this->Shown.TileWidth = CloudTile::Edge;
     this->Shown.TileHeight = CloudTile::Edge;
+    this->Shown.Lights.resize(1);
     this->Field.Select(this->Request, { 1 });
   }
 
@@ -247,7 +248,7 @@ std::vector<TestMesh> Deal(const TestMesh& mesh, int processes, Dealing dealing)
 /// A mesh in which all is drawn, and its picture by one process.
 struct Whole
 {
-  Whole(double attenuation, bool hasSurfaces, bool hasComponents = false)
+  Whole(double attenuation, bool hasSurfaces, bool hasComponents = false, bool isLit = false)
   {
     RandomNumbers random(17);
     this->Mesh = MakeMesh(random, Index3{ 8, 7, 6 }, Cutting::Mixed, 0.2,
@@ -270,6 +271,13 @@ struct Whole
       }
     }
     this->Medium = std::make_unique<CloudMedium>(ofComponents, true);
+    if (isLit)
+    {
+      this->Medium->SetMaterials(
+        std::vector<CloudMaterial>(ofComponents.size(), { 0.2, 0.7, 0.4, 12.0 }));
+      this->Request.LitComponents = static_cast<int>(ofComponents.size());
+      this->Request.Normals = NormalMode::InterpolantGradient;
+    }
     Piece piece(this->Mesh, *this->Medium, this->Request);
     FrameTimes times;
     EXPECT_TRUE(RenderTiles(piece.Shown, { 1 }, this->Picture, times, [](double) { return true; }));
@@ -388,10 +396,11 @@ class SharedPicture : public testing::TestWithParam<std::tuple<int, Dealing>>
 TEST_P(SharedPicture, IsThatOfOneProcess)
 {
   const auto [processes, dealing] = this->GetParam();
-  for (const auto& [hasSurfaces, hasComponents] :
-    { std::pair(false, false), std::pair(true, false), std::pair(true, true) })
+  for (const auto& [hasSurfaces, hasComponents, isLit] :
+    { std::tuple(false, false, false), std::tuple(true, false, false),
+      std::tuple(true, true, false), std::tuple(false, false, true), std::tuple(true, true, true) })
   {
-    const Whole whole(0.5, hasSurfaces, hasComponents);
+    const Whole whole(0.5, hasSurfaces, hasComponents, isLit);
     EXPECT_GT(*std::max_element(whole.Picture.Colors.begin(), whole.Picture.Colors.end()), 100);
     const Shared shared = RenderTogether(whole, processes, dealing, 1, {});
     ExpectSame(shared.Picture, whole.Picture);

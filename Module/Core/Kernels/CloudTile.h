@@ -62,6 +62,8 @@ struct ProjectedTetrahedra
   double Depth[4][Capacity];
   /// Of each component.
   double Value[MaximumCloudComponents][4][Capacity];
+  /// The coordinates of the gradients at the corners, one after the other; null without.
+  const double (*Gradient)[4][Capacity] = nullptr;
 
   /// The area that the ray (i, j) and an edge span is A i + B j + C, up to less than Rounding.
   double A[Edges][Capacity];
@@ -83,7 +85,8 @@ struct ProjectedTetrahedra
 /// The largest magnitude of values; those beyond are taken for it.
 constexpr double LargestCloudValue = 1e300;
 
-/// Segments of rays in tetrahedra, in which the values are linear.
+/// Segments of rays in tetrahedra, in which the values are linear, and so are the gradients that
+/// light them.
 struct CloudSegments
 {
   /// The most that are looked for at once. (A tetrahedron may cover all pixels, and vectors are
@@ -96,10 +99,15 @@ struct CloudSegments
   int Enough = Batch;
   int Count = 0;
   int Components = 1;
+  /// How many of the last components have gradients.
+  int Gradients = 0;
   alignas(64) int Pixel[Capacity];
   /// The depths at both ends, and the values there of each component.
   double Depth[2][Capacity];
   double Value[MaximumCloudComponents][2][Capacity];
+  /// The coordinates of the gradients, one after the other. Their directions count, not their
+  /// lengths.
+  float Gradient[3 * MaximumCloudComponents][2][Capacity];
 };
 
 /// What segments add to their rays: red, green and blue, and the part of the light that passes.
@@ -134,6 +142,15 @@ struct TransferPieces
   double BinsPerUnit;
 };
 
+/// How the light that falls on a cloud is reflected; see Material.
+struct CloudMaterial
+{
+  double Ambient;
+  double Diffuse;
+  double Specular;
+  double SpecularPower;
+};
+
 /// The transfer functions of several components. Either each is a cloud by itself, and they are
 /// mixed: attenuations are added, and each gives light of its own colours. Or they are one cloud,
 /// whose attenuation and colours are the sums of those of the components.
@@ -142,6 +159,40 @@ struct MixedTransfers
   int Components;
   bool AreIndependent;
   const TransferPieces* Transfers[MaximumCloudComponents];
+  /// The cloud is lit if there are gradients: of all components if they are independent, else of
+  /// the last one; and so many materials.
+  int Gradients;
+  CloudMaterial Materials[MaximumCloudComponents];
+};
+
+/// A light in world coordinates; see Light.
+struct CloudLight
+{
+  double DiffuseColor[3];
+  double SpecularColor[3];
+  /// From the cloud to the light, of length one.
+  double Direction[3];
+  bool IsPositional;
+  double Position[3];
+  double Attenuation[3];
+  /// It shines where the cosine to the direction is not less.
+  bool HasCone;
+  double LeastCosine;
+  double Exponent;
+};
+
+/// What lights the segments of a tile.
+struct CloudLighting
+{
+  int LightCount;
+  const CloudLight* Lights;
+  bool AreTwoSided;
+  /// Takes a gradient of a field to the direction that it has in the world.
+  double WorldFromGradient[16];
+  /// Of each ray in the world, where it has the depth 0, and the direction back along it, of length
+  /// one.
+  double Origin[3][CloudTile::Capacity];
+  double ToViewer[3][CloudTile::Capacity];
 };
 
 }

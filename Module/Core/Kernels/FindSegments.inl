@@ -103,17 +103,18 @@ SIMD_INLINE int FindCovered(
   return count;
 }
 
-/// The crossings of a face by a vector of rays.
-template <int Components>
+/// The crossings of a face by a vector of rays: depths, and some numbers that are linear in
+/// tetrahedra.
+template <int Numbers>
 struct FaceCrossings
 {
   Doubles Depth;
-  Doubles Value[Components];
+  Doubles Number[Numbers];
 
   /// Given the corners and the areas opposite to them: a function of face and ray alone, which does
-  /// not depend on the side that the face is seen from. Both are between those of the corners.
+  /// not depend on the side that the face is seen from. All are between those of the corners.
   SIMD_INLINE FaceCrossings(
-    const Doubles areas[3], const Doubles depths[3], const Doubles (&values)[Components][3])
+    const Doubles areas[3], const Doubles depths[3], const Doubles (&numbers)[Numbers][3])
   {
     const Doubles sum = areas[0] + areas[1] + areas[2];
     // All have one sign, but for rounding.
@@ -125,33 +126,35 @@ struct FaceCrossings
     const Doubles inverse = 1.0 / total;
     const Doubles second = Select(hasArea, weights[1] * inverse, Doubles(1.0 / 3.0));
     const Doubles third = Select(hasArea, weights[2] * inverse, Doubles(1.0 / 3.0));
-    const auto interpolate = [&](const Doubles numbers[3]) {
-      return numbers[0] + (second * (numbers[1] - numbers[0]) + third * (numbers[2] - numbers[0]));
-    };
+    const auto interpolate = [&](const Doubles at[3])
+    { return at[0] + (second * (at[1] - at[0]) + third * (at[2] - at[0])); };
     this->Depth = interpolate(depths);
-    for (int i = 0; i < Components; ++i)
+    for (int i = 0; i < Numbers; ++i)
     {
-      this->Value[i] = interpolate(values[i]);
+      this->Number[i] = interpolate(numbers[i]);
     }
   }
 };
 
-/// The parts of a vector of rays that are in a tetrahedron: the depths and the values at both ends.
-template <int Components>
+/// The parts of a vector of rays that are in a tetrahedron: the depths at both ends, and the values
+/// and gradients there.
+template <int Components, int Gradients>
 struct RayParts
 {
+  static constexpr int Numbers = Components + 3 * Gradients;
+
   Doubles Depth[2];
-  Doubles Value[Components][2];
+  Doubles Number[Numbers][2];
 
   /// Moves an end of other parts to a depth, where that is inside.
   SIMD_INLINE void Cut(const RayParts& whole, int end, Mask isCut, Doubles at)
   {
     const Doubles fraction = (at - whole.Depth[0]) / (whole.Depth[1] - whole.Depth[0]);
     this->Depth[end] = Select(isCut, at, whole.Depth[end]);
-    for (int i = 0; i < Components; ++i)
+    for (int i = 0; i < Numbers; ++i)
     {
-      const Doubles there = Lerp(whole.Value[i][0], whole.Value[i][1], fraction);
-      this->Value[i][end] = Select(isCut, there, whole.Value[i][end]);
+      const Doubles there = Lerp(whole.Number[i][0], whole.Number[i][1], fraction);
+      this->Number[i][end] = Select(isCut, there, whole.Number[i][end]);
     }
   }
 
@@ -163,17 +166,47 @@ struct RayParts
       Store(this->Depth[end], &segments.Depth[end][segments.Count]);
       for (int i = 0; i < Components; ++i)
       {
-        Store(this->Value[i][end], &segments.Value[i][end][segments.Count]);
+        Store(this->Number[i][end], &segments.Value[i][end][segments.Count]);
+      }
+      for (int i = Components; i < Numbers; ++i)
+      {
+        double wide[DoubleWidth];
+        Store(this->Number[i][end], wide);
+        for (int lane = 0; lane < DoubleWidth; ++lane)
+        {
+          segments.Gradient[i - Components][end][segments.Count + lane] =
+            static_cast<float>(wide[lane]);
+        }
+      }
+    }
+  }
+
+  /// Moves a segment to another place.
+  SIMD_INLINE static void Move(int from, int to, CloudSegments& segments)
+  {
+    segments.Pixel[to] = segments.Pixel[from];
+    for (int end = 0; end < 2; ++end)
+    {
+      segments.Depth[end][to] = segments.Depth[end][from];
+      for (int i = 0; i < Components; ++i)
+      {
+        segments.Value[i][end][to] = segments.Value[i][end][from];
+      }
+      for (int i = 0; i < 3 * Gradients; ++i)
+      {
+        segments.Gradient[i][end][to] = segments.Gradient[i][end][from];
       }
     }
   }
 };
 
 /// A vector of rays and one tetrahedron.
-template <int Components>
+template <int Components, int Gradients>
 class RaysInTetrahedron
 {
 public:
+  using Parts = RayParts<Components, Gradients>;
+
   SIMD_INLINE RaysInTetrahedron(
     const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row)
   {
@@ -192,8 +225,7 @@ public:
   }
 
   /// Finds the two faces that are crossed. Returns which rays pass the tetrahedron.
-  SIMD_INLINE Mask Find(
-    const ProjectedTetrahedra& projected, int number, RayParts<Components>& parts) const
+  SIMD_INLINE Mask Find(const ProjectedTetrahedra& projected, int number, Parts& parts) const
   {
     const Mask crosses012 = this->Crosses(0, 3, 1);
     const Mask crosses013 = this->Crosses(0, 4, 2);
@@ -207,16 +239,16 @@ public:
     const Mask isOneFirst = one.Depth < other.Depth;
     parts.Depth[0] = Select(isOneFirst, one.Depth, other.Depth);
     parts.Depth[1] = Select(isOneFirst, other.Depth, one.Depth);
-    for (int i = 0; i < Components; ++i)
+    for (int i = 0; i < Parts::Numbers; ++i)
     {
-      parts.Value[i][0] = Select(isOneFirst, one.Value[i], other.Value[i]);
-      parts.Value[i][1] = Select(isOneFirst, other.Value[i], one.Value[i]);
+      parts.Number[i][0] = Select(isOneFirst, one.Number[i], other.Number[i]);
+      parts.Number[i][1] = Select(isOneFirst, other.Number[i], one.Number[i]);
     }
     return (crosses012 | crosses013 | crosses023) & (parts.Depth[0] < parts.Depth[1]);
   }
 
 private:
-  using Crossings = FaceCrossings<Components>;
+  using Crossings = FaceCrossings<Parts::Numbers>;
 
   /// Where rounding might decide, the signs are exact, see FrameEdge, and the areas are exact but
   /// for their last digit: the crossings of faces that are seen edge-on are in order, too.
@@ -293,24 +325,31 @@ private:
     const Doubles areas[3], const Take& take, const ProjectedTetrahedra& projected)
   {
     Doubles depths[3];
-    Doubles values[Components][3];
+    Doubles numbers[Parts::Numbers][3];
     take(projected.Depth, depths);
     for (int i = 0; i < Components; ++i)
     {
-      take(projected.Value[i], values[i]);
+      take(projected.Value[i], numbers[i]);
     }
-    return { areas, depths, values };
+    for (int i = 0; i < 3 * Gradients; ++i)
+    {
+      take(projected.Gradient[i], numbers[Components + i]);
+    }
+    return { areas, depths, numbers };
   }
 
   Doubles Area[ProjectedTetrahedra::Edges];
   Mask IsLeft[ProjectedTetrahedra::Edges];
 };
 
-template <int Components>
+template <int Components, int Gradients>
 int FindSegments(
   const CloudTile& tile, const ProjectedTetrahedra& projected, int number, CloudSegments& segments)
 {
+  using Rays = RaysInTetrahedron<Components, Gradients>;
+  using Parts = typename Rays::Parts;
   segments.Components = Components;
+  segments.Gradients = Gradients;
   int columns[CloudTile::Capacity + DoubleWidth];
   int rows[CloudTile::Capacity + DoubleWidth];
   for (; number < projected.Count && segments.Count < segments.Enough; ++number)
@@ -331,8 +370,8 @@ int FindSegments(
       const Doubles column = LoadIntegers(columns + first);
       const Doubles row = LoadIntegers(rows + first);
       const Doubles middle = CloudTile::Middle;
-      const RaysInTetrahedron<Components> rays(projected, number, column - middle, row - middle);
-      RayParts<Components> parts;
+      const Rays rays(projected, number, column - middle, row - middle);
+      Parts parts;
       Mask isPassed = rays.Find(projected, number, parts);
       int* pixels = segments.Pixel + segments.Count;
       StoreTruncated(row * CloudTile::Edge + column, pixels);
@@ -343,7 +382,7 @@ int FindSegments(
       const Mask isEnded = end < parts.Depth[1];
       if (Any(isPassed & (isBegun | isEnded)))
       {
-        const RayParts<Components> whole = parts;
+        const Parts whole = parts;
         parts.Cut(whole, 0, isBegun, begin);
         parts.Cut(whole, 1, isEnded, end);
       }
@@ -354,17 +393,7 @@ int FindSegments(
       const int passed = AppendLanes(segments.Count, lanes, kept);
       for (int i = 0; i < passed; ++i)
       {
-        const int from = kept[i];
-        const int to = segments.Count + i;
-        segments.Pixel[to] = segments.Pixel[from];
-        for (int k = 0; k < 2; ++k)
-        {
-          segments.Depth[k][to] = segments.Depth[k][from];
-          for (int component = 0; component < Components; ++component)
-          {
-            segments.Value[component][k][to] = segments.Value[component][k][from];
-          }
-        }
+        Parts::Move(kept[i], segments.Count + i, segments);
       }
       segments.Count += passed;
     }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The light of segments in a mixture of several components, step by step as in
-// IntegrateSegments.inl: no piece of any transfer function ends within a step. Included by
-// Kernels.inl only.
+// IntegrateSegments.inl: no piece of any transfer function ends within a step. The same for clouds
+// that are lit, of one component, too. Included by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -40,6 +40,7 @@ struct FunctionsOfStep
 };
 
 /// The clouds in a mixture, in a step: as many as there are independent components, else one.
+template <bool IsLit>
 class MixtureOfStep
 {
 public:
@@ -58,11 +59,24 @@ public:
     this->Clouds[this->Count++] = functions;
   }
 
+  /// Sets what each of them reflects, given that of the segments, of which it is a part.
+  SIMD_INLINE void SetLight(const ReflectedLight* ofSegments, Doubles from, Doubles to)
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      this->Reflected[i] = ofSegments[i].GetPart(from, to);
+    }
+  }
+
   /// Ends the step after a part of its length.
   SIMD_INLINE void Shorten(Doubles part)
   {
     for (int i = 0; i < this->Count; ++i)
     {
+      if constexpr (IsLit)
+      {
+        this->Reflected[i] = this->Reflected[i].GetPart(0.0, part);
+      }
       for (Doubles(&atEnds)[2] : this->Clouds[i].AtEnds)
       {
         atEnds[1] = Lerp(atEnds[0], atEnds[1], part);
@@ -81,13 +95,31 @@ public:
     return { sums[0] * length, sums[1] * length };
   }
 
+  /// How many moments that takes: one more than the degree of the light.
+  static constexpr int Moments = IsLit ? 4 : 3;
+
   /// The light of a unit of length, given the moments of what passes.
-  SIMD_INLINE Doubles FindGlow(int color, const Doubles moments[3]) const
+  SIMD_INLINE Doubles FindGlow(int color, const Doubles (&moments)[Moments]) const
   {
     Doubles sum = 0.0;
     for (int i = 0; i < this->Count; ++i)
     {
-      const LinearProduct product(this->Clouds[i].AtEnds[0], this->Clouds[i].AtEnds[1 + color]);
+      const auto& attenuation = this->Clouds[i].AtEnds[0];
+      if constexpr (IsLit)
+      {
+        const auto& plus = this->Reflected[i].Plus[color];
+        LinearProduct shown(this->Clouds[i].AtEnds[1 + color], this->Reflected[i].Times[color]);
+        shown.Coefficients[0] = shown.Coefficients[0] + plus[0];
+        shown.Coefficients[1] = shown.Coefficients[1] + (plus[1] - plus[0]);
+        const Doubles change = attenuation[1] - attenuation[0];
+        for (int k = 0; k < 3; ++k)
+        {
+          sum =
+            sum + shown.Coefficients[k] * (attenuation[0] * moments[k] + change * moments[k + 1]);
+        }
+        continue;
+      }
+      const LinearProduct product(attenuation, this->Clouds[i].AtEnds[1 + color]);
       for (int k = 0; k < 3; ++k)
       {
         sum = sum + product.Coefficients[k] * moments[k];
@@ -109,7 +141,16 @@ public:
       weights = weights + weight;
       for (int k = 0; k < 3; ++k)
       {
-        color[k] = color[k] + weight * atEnds[1 + k][0];
+        if constexpr (IsLit)
+        {
+          const ReflectedLight& reflected = this->Reflected[i];
+          color[k] =
+            color[k] + weight * (atEnds[1 + k][0] * reflected.Times[k][0] + reflected.Plus[k][0]);
+        }
+        else
+        {
+          color[k] = color[k] + weight * atEnds[1 + k][0];
+        }
       }
     }
     for (int k = 0; k < 3; ++k)
@@ -122,6 +163,7 @@ private:
   bool AreIndependent;
   int Count = 0;
   FunctionsOfStep Clouds[MaximumCloudComponents];
+  ReflectedLight Reflected[IsLit ? MaximumCloudComponents : 1];
 };
 
 /// A vector of segments of a mixture.
@@ -139,7 +181,8 @@ public:
   }
 
   /// Finds the mixture from x to where the first piece of a component ends.
-  SIMD_INLINE MixtureOfStep FindStep(Doubles x, Doubles& end)
+  template <bool IsLit>
+  SIMD_INLINE MixtureOfStep<IsLit> FindStep(Doubles x, Doubles& end)
   {
     end = 1.0;
     LoadedPieces pieces[MaximumCloudComponents];
@@ -149,7 +192,7 @@ public:
       this->Border[i] = Max(this->Values[i].FindBorder(pieces[i]), x);
       end = Min(end, this->Border[i]);
     }
-    MixtureOfStep mixture(this->Mixed.AreIndependent);
+    MixtureOfStep<IsLit> mixture(this->Mixed.AreIndependent);
     for (int i = 0; i < this->Mixed.Components; ++i)
     {
       FunctionsOfStep functions;
@@ -179,14 +222,21 @@ private:
   Doubles Border[MaximumCloudComponents];
 };
 
-void IntegrateMixture(const CloudTile& tile, const MixedTransfers& mixed,
-  const CloudSegments& segments, SegmentLight* lights)
+/// Segments that are lit have a lighting.
+template <bool IsLit>
+SIMD_INLINE void IntegrateAnyMixture(const CloudTile& tile, const MixedTransfers& mixed,
+  const CloudLighting* lighting, const CloudSegments& segments, SegmentLight* lights)
 {
   for (int first = 0; first < segments.Count; first += DoubleWidth)
   {
     const int count = SmallerOf(segments.Count - first, DoubleWidth);
     const Doubles length = FindLengths(tile, segments, first, count);
     SegmentsOfMixture mixture(mixed, segments, first, count);
+    ReflectedLight reflected[MaximumCloudComponents];
+    if constexpr (IsLit)
+    {
+      LightSegments(tile, mixed, *lighting, segments, first, count, reflected);
+    }
 
     // What is left of each segment begins at x.
     Doubles x = 0.0;
@@ -196,7 +246,11 @@ void IntegrateMixture(const CloudTile& tile, const MixedTransfers& mixed,
     while (Any(isOpen))
     {
       Doubles end;
-      MixtureOfStep step = mixture.FindStep(x, end);
+      MixtureOfStep<IsLit> step = mixture.FindStep<IsLit>(x, end);
+      if constexpr (IsLit)
+      {
+        step.SetLight(reflected, x, end);
+      }
       Doubles next = end;
       AbsorptionStep<Doubles> absorption = step.FindAbsorption(length * (end - x));
       Mask isOpaque = Doubles(1.0) < Doubles(0.0);
@@ -212,7 +266,7 @@ void IntegrateMixture(const CloudTile& tile, const MixedTransfers& mixed,
         step.Shorten(part);
         absorption = step.FindAbsorption(length * (next - x));
       }
-      Doubles moments[3];
+      Doubles moments[MixtureOfStep<IsLit>::Moments];
       absorption.GetMoments(moments);
       const Doubles unit = length * (next - x);
       for (int i = 0; i < 3; ++i)
@@ -229,6 +283,18 @@ void IntegrateMixture(const CloudTile& tile, const MixedTransfers& mixed,
     }
     StoreLights(light, transmittance, count, lights + first);
   }
+}
+
+void IntegrateMixture(const CloudTile& tile, const MixedTransfers& mixed,
+  const CloudSegments& segments, SegmentLight* lights)
+{
+  IntegrateAnyMixture<false>(tile, mixed, nullptr, segments, lights);
+}
+
+void IntegrateLitMixture(const CloudTile& tile, const MixedTransfers& mixed,
+  const CloudLighting& lighting, const CloudSegments& segments, SegmentLight* lights)
+{
+  IntegrateAnyMixture<true>(tile, mixed, &lighting, segments, lights);
 }
 
 }

@@ -328,6 +328,11 @@ struct Kernels
   /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
   void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
 
+  /// Makes the rays of a tile: each begins at the near plane. The block has no dimensions, and no
+  /// more pixels than a tile. With a lighting, which may be null, the rays in the world are found.
+  void (*MakeCloudRays)(const PixelBlock& block, const double* worldFromObject, CloudTile& tile,
+    CloudLighting* lighting);
+
   /// Projects tetrahedra to a tile, given their corners: coordinates and value. There may be up to
   /// ProjectedTetrahedra::Capacity.
   void (*ProjectTetrahedra)(const CloudTile& tile, const double (*corners)[4][4], int count,
@@ -335,16 +340,19 @@ struct Kernels
 
   /// Appends the segments of the rays of a tile in projected tetrahedra, from one on, until there
   /// is a batch. Returns the number of the first tetrahedron that is left. One for every number of
-  /// components, from one on.
-  int (*FindSegments[MaximumCloudComponents])(const CloudTile& tile,
+  /// components, from one on, and of gradients: none, one of two or four, or one of each component.
+  int (*FindSegments[MaximumCloudComponents][MaximumCloudComponents + 1])(const CloudTile& tile,
     const ProjectedTetrahedra& projected, int first, CloudSegments& segments);
 
   /// Finds the light of segments of one component...
   void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
     const CloudSegments& segments, SegmentLight* lights);
-  /// ...or of several.
+  /// ...or of several...
   void (*IntegrateMixture)(const CloudTile& tile, const MixedTransfers& mixed,
     const CloudSegments& segments, SegmentLight* lights);
+  /// ...or of any number that are lit.
+  void (*IntegrateLitMixture)(const CloudTile& tile, const MixedTransfers& mixed,
+    const CloudLighting& lighting, const CloudSegments& segments, SegmentLight* lights);
 
   /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room
   /// for Capacity cells, and all have numbers. Returns those of the first ones that it passes, a

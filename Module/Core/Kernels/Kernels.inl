@@ -93,10 +93,12 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FrameRays.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/IntegrateSegments.inl"
+#include "Kernels/LightSegments.inl"
 
 #include "Kernels/IntegrateMixture.inl"
 
 #include "Kernels/InterpolateGradients.inl"
+#include "Kernels/MakeCloudRays.inl"
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
@@ -125,6 +127,10 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
     FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
-    FindPairs, SolveTetrahedra, SolveTrilinear, ProjectTetrahedra,                                 \
-    { FindSegments<1>, FindSegments<2>, FindSegments<3>, FindSegments<4> }, IntegrateSegments,     \
-    IntegrateMixture, FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }
+    FindPairs, SolveTetrahedra, SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                  \
+    { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
+      { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
+      { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \
+      { FindSegments<4, 0>, FindSegments<4, 1>, nullptr, nullptr, FindSegments<4, 4> } },          \
+    IntegrateSegments, IntegrateMixture, IntegrateLitMixture, FindSegmentsInCells,                 \
+    InterpolateSamples, RestrictCell, FindCellGradient }

@@ -18,6 +18,7 @@
 //
 // Of a mixture, whose light is the sum of several products c a, that sum is a polynomial of second
 // degree: its integral takes the means of exp(-d), x exp(-d) and x^2 exp(-d), which are series too.
+// Where it is lit, and the light is linear as well, it is of third degree.
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -79,14 +80,15 @@ struct AbsorptionStep
     return 1.0 - (first - (second - (third - fourth)));
   }
 
-  /// The means of x^0, x^1 and x^2 times the light that has passed: of the power series of exp(-d),
-  /// whose derivative is that of -d times itself.
-  SIMD_INLINE void GetMoments(Number moments[3]) const
+  /// The means of x^0, x^1 and so on times the light that has passed: of the power series of
+  /// exp(-d), whose derivative is that of -d times itself.
+  template <int Count>
+  SIMD_INLINE void GetMoments(Number (&moments)[Count]) const
   {
     constexpr int degree = 8;
     Number before = 0.0;
     Number power = 1.0;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < Count; ++k)
     {
       moments[k] = 1.0 / (k + 1);
     }
@@ -95,7 +97,7 @@ struct AbsorptionStep
       const Number next = (this->Linear * power + 2.0 * this->Square * before) * (-1.0 / n);
       before = power;
       power = next;
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < Count; ++k)
       {
         moments[k] = moments[k] + power * (1.0 / (n + k + 1));
       }

@@ -69,15 +69,14 @@ int SubdivideCell(const MeshCell& cell, double (*corners)[4][4])
 }
 
 //------------------------------------------------------------------------------
-int SubdivideCell(const MeshCell& cell,
-  const double (&values)[MaximumCloudComponents][MaximumCorners], int components,
-  double (*corners)[4][4], ComponentsOfCorners* ofCorners)
+int SubdivideCell(const MeshCell& cell, const double (*numbers)[MaximumCorners], int count,
+  double (*corners)[4][4], std::array<double, 4>* ofCorners)
 {
-  // The value of a corner is its number.
-  MeshCell numbered = cell;
-  std::iota(numbered.Values, numbered.Values + cell.Count, 0.0);
-  const int count = SubdivideCell(numbered, corners);
-  for (int i = 0; i < count; ++i)
+  // The value of a corner is its place in the cell.
+  MeshCell placed = cell;
+  std::iota(placed.Values, placed.Values + cell.Count, 0.0);
+  const int tetrahedra = SubdivideCell(placed, corners);
+  for (int i = 0; i < tetrahedra; ++i)
   {
     std::array<double, 4> sorted[4];
     for (int k = 0; k < 4; ++k)
@@ -88,13 +87,13 @@ int SubdivideCell(const MeshCell& cell,
     for (int k = 0; k < 4; ++k)
     {
       std::copy_n(sorted[k].begin(), 4, corners[i][k]);
-      for (int component = 0; component < components; ++component)
+      for (int number = 0; number < count; ++number)
       {
-        ofCorners[i].Values[component][k] = values[component][static_cast<int>(sorted[k][3])];
+        ofCorners[i * count + number][k] = numbers[number][static_cast<int>(sorted[k][3])];
       }
     }
   }
-  return count;
+  return tetrahedra;
 }
 
 }

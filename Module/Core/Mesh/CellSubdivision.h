@@ -4,8 +4,9 @@
 #ifndef CellSubdivision_h
 #define CellSubdivision_h
 
-#include "Kernels/CloudTile.h"
 #include "Mesh/MeshCell.h"
+
+#include <array>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -20,18 +21,11 @@ constexpr int MaximumTetrahedra = 6;
 /// are. Returns the number of tetrahedra.
 int SubdivideCell(const MeshCell& cell, double (*corners)[4][4]);
 
-/// The values of all components at the corners of a tetrahedron.
-struct ComponentsOfCorners
-{
-  double Values[MaximumCloudComponents][4];
-};
-
-/// The same with several components, given their values at the corners of the cell. The corners of
-/// each tetrahedron are in the order of their places, which ProjectedTetrahedra have. What is
-/// instead of their values is undefined.
-int SubdivideCell(const MeshCell& cell,
-  const double (&values)[MaximumCloudComponents][MaximumCorners], int components,
-  double (*corners)[4][4], ComponentsOfCorners* ofCorners);
+/// The same with several numbers, given those at the corners of the cell, which each tetrahedron
+/// has at its own: as many rows for each. The corners are in the order of their places, which
+/// ProjectedTetrahedra have. What is instead of their values is undefined.
+int SubdivideCell(const MeshCell& cell, const double (*numbers)[MaximumCorners], int count,
+  double (*corners)[4][4], std::array<double, 4>* ofCorners);
 
 }
 

@@ -63,8 +63,8 @@ void ReadTypedValues(const MeshView& view, MeshCell& cell)
 }
 
 template <typename Value>
-void ReadTypedComponents(const MeshView& view, const MeshCell& cell,
-  double (&values)[MaximumCloudComponents][MaximumCorners])
+void ReadTypedComponents(
+  const MeshView& view, const MeshCell& cell, double (*values)[MaximumCorners])
 {
   for (int i = 0; i < cell.Count; ++i)
   {
@@ -231,6 +231,17 @@ MeshCells::MeshCells(const MeshView& view, int threads)
         ? FindListedStraddling<std::int32_t, decltype(value)>
         : FindListedStraddling<std::int64_t, decltype(value)>;
     });
+}
+
+//------------------------------------------------------------------------------
+MeshCells MeshCells::OfComponent(int component) const
+{
+  MeshCells cells = *this;
+  DispatchScalarType(this->View.ValueType,
+    [&cells, component](auto value) {
+      cells.View.Values = static_cast<const decltype(value)*>(cells.View.Components) + component;
+    });
+  return cells;
 }
 
 //------------------------------------------------------------------------------

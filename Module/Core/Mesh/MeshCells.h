@@ -5,7 +5,6 @@
 #define MeshCells_h
 
 #include "Kernels/BeamPieces.h"
-#include "Kernels/CloudTile.h"
 #include "Math/Compiler.h"
 #include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"
@@ -27,6 +26,10 @@ public:
   std::int64_t GetNumberOfPoints() const { return this->View.NumberOfPoints; }
   ScalarType GetPointType() const { return this->View.PointType; }
 
+  int GetNumberOfComponents() const { return this->View.NumberOfComponents; }
+  /// The same cells, of which a component is traced.
+  MeshCells OfComponent(int component) const;
+
   /// Reads the shape and the ids of the corners. Returns whether the cell has a shape that is
   /// traced.
   bool LoadIds(std::int64_t number, MeshCell& cell) const;
@@ -40,8 +43,7 @@ public:
   void LoadValues(MeshCell& cell) const { this->ReadValues(this->View, cell); }
 
   /// Reads the values of all components at the corners of a cell of which the ids are there.
-  void LoadComponents(
-    const MeshCell& cell, double (&values)[MaximumCloudComponents][MaximumCorners]) const
+  void LoadComponents(const MeshCell& cell, double (*values)[MaximumCorners]) const
   {
     this->ReadComponents(this->View, cell, values);
   }
@@ -98,8 +100,8 @@ private:
   bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
-  void (*ReadComponents)(const MeshView& view, const MeshCell& cell,
-    double (&values)[MaximumCloudComponents][MaximumCorners]) = nullptr;
+  void (*ReadComponents)(
+    const MeshView& view, const MeshCell& cell, double (*values)[MaximumCorners]) = nullptr;
   unsigned int (*ReadStraddling)(
     const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue) = nullptr;
   void (*ReadTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,

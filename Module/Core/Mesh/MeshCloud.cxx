@@ -28,6 +28,43 @@ double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)
   return sum;
 }
 
+/// The most numbers that a corner has.
+constexpr int MaximumNumbers = 4 * MaximumCloudComponents;
+
+/// Scales numbers so that the largest is about one. Returns whether any is not zero.
+template <std::size_t Count>
+bool Scale(double (&numbers)[Count])
+{
+  double largest = 0.0;
+  for (const double number : numbers)
+  {
+    largest = std::max(largest, std::abs(number));
+  }
+  for (double& number : numbers)
+  {
+    number /= largest;
+  }
+  return largest > 0.0;
+}
+
+/// The direction of the gradient in a tetrahedron, of length one, given the edges from a corner and
+/// the rises of the value along them; zero if there is none.
+Vector3 FindGradientDirection(double (&edges)[9], double (&rises)[3])
+{
+  if (!Scale(edges) || !Scale(rises))
+  {
+    return {};
+  }
+  const auto edge = [&edges](int i) {
+    return Vector3{ edges[3 * i], edges[3 * i + 1], edges[3 * i + 2] };
+  };
+  const Vector3 across[3] = { Cross(edge(1), edge(2)), Cross(edge(2), edge(0)),
+    Cross(edge(0), edge(1)) };
+  const Vector3 sum = across[0] * rises[0] + across[1] * rises[1] + across[2] * rises[2];
+  const double volume = Dot(edge(0), across[0]);
+  return volume == 0.0 ? Vector3{} : Normalized(sum) * std::copysign(1.0, volume);
+}
+
 /// Whether any of the values from low to high is shown; not if low > high.
 bool AreShown(const ValueIntervals& intervals, double low, double high)
 {
@@ -36,7 +73,7 @@ bool AreShown(const ValueIntervals& intervals, double low, double high)
       [low, high](const ValueInterval& shown) { return shown.Low <= high && low <= shown.High; });
 }
 
-bool AreShown(const ValueIntervals& intervals, const double (&values)[4])
+bool AreShown(const ValueIntervals& intervals, const std::array<double, 4>& values)
 {
   return AreShown(intervals,
     std::min(std::min(values[0], values[1]), std::min(values[2], values[3])),
@@ -52,8 +89,20 @@ MeshCloud::MeshCloud(
   , TheKernels(kernels)
   , AreTetrahedra(selection.Tree->AreAllFinite() && !selection.Request.Visible.HiddenCells)
   , Shown(shown)
-  , Components(shown.size() > 1 ? MostLoaded : 0)
+  , Components(static_cast<int>(shown.size()))
+  , Gradients(selection.Request.LitComponents)
 {
+  if (this->Components > 1 || this->Gradients > 0)
+  {
+    this->Numbers = this->Components + 3 * this->Gradients;
+    this->NumbersOfCorners.resize(static_cast<std::size_t>(MostLoaded * this->Numbers));
+  }
+  if (this->Gradients > 0)
+  {
+    this->GradientsOfProjected.reset(
+      new double[static_cast<std::size_t>(3 * this->Gradients)][4][ProjectedTetrahedra::Capacity]);
+    this->Projected.Gradient = this->GradientsOfProjected.get();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -193,23 +242,33 @@ bool MeshCloud::IsShown(const CellTreeNode& node, int child) const
 {
   const auto low = static_cast<double>(node.Low[child]);
   const auto high = static_cast<double>(node.High[child]);
-  return this->HasComponents() ? low <= high : AreShown(this->Shown.front(), low, high);
+  return this->Components > 1 ? low <= high : AreShown(this->Shown.front(), low, high);
 }
 
 //------------------------------------------------------------------------------
 /// Whether a tetrahedron that is loaded shows anything of any component.
-bool MeshCloud::IsShown(int tetrahedron) const
+bool MeshCloud::IsShown(int tetrahedron)
 {
-  if (!this->HasComponents())
+  if (!this->HasNumbers())
   {
     const auto& corners = this->Corners[tetrahedron];
-    const double values[4] = { corners[0][3], corners[1][3], corners[2][3], corners[3][3] };
-    return AreShown(this->Shown.front(), values);
+    return AreShown(
+      this->Shown.front(), { corners[0][3], corners[1][3], corners[2][3], corners[3][3] });
   }
-  const auto& components = this->Components[static_cast<std::size_t>(tetrahedron)];
-  const auto* values = components.Values;
+  const std::array<double, 4>* values = this->GetNumbers(tetrahedron);
   return std::any_of(this->Shown.begin(), this->Shown.end(),
     [&values](const ValueIntervals& shown) { return AreShown(shown, *values++); });
+}
+
+//------------------------------------------------------------------------------
+/// Moves some of the tetrahedra that are loaded to earlier places.
+void MeshCloud::Move(int from, int to, int count)
+{
+  std::copy_n(&this->Corners[from][0][0], 16 * count, &this->Corners[to][0][0]);
+  if (this->HasNumbers())
+  {
+    std::copy_n(this->GetNumbers(from), this->Numbers * count, this->GetNumbers(to));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -227,12 +286,7 @@ int MeshCloud::KeepShown(int count)
     }
     if (kept < i)
     {
-      std::copy_n(&this->Corners[from][0][0], 16, &this->Corners[to][0][0]);
-    }
-    if (kept < i && this->HasComponents())
-    {
-      this->Components[static_cast<std::size_t>(to)] =
-        this->Components[static_cast<std::size_t>(from)];
+      this->Move(from, to, 1);
     }
     ++kept;
   }
@@ -302,7 +356,7 @@ void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegm
         return;
       }
     }
-    const auto findSegments = this->TheKernels.FindSegments[this->Shown.size() - 1];
+    const auto findSegments = this->TheKernels.FindSegments[this->Components - 1][this->Gradients];
     this->Searched = findSegments(this->Tile, this->Projected, this->Searched, segments);
   }
 }
@@ -322,27 +376,33 @@ void MeshCloud::LoadCells()
   this->TheKernels.ProjectTetrahedra(this->Tile, this->Corners, count, this->Projected);
   this->Searched = 0;
   this->Loaded -= count;
-  std::copy_n(&this->Corners[count][0][0], 16 * this->Loaded, &this->Corners[0][0][0]);
-  if (this->HasComponents())
+  if (this->HasNumbers())
   {
-    this->SetComponents();
-    std::copy_n(this->Components.begin() + count, this->Loaded, this->Components.begin());
+    this->SetNumbers();
+  }
+  if (this->Loaded > 0)
+  {
+    this->Move(count, 0, this->Loaded);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Gives the projected tetrahedra, whose corners are in order, the values of all components.
-void MeshCloud::SetComponents()
+/// Gives the projected tetrahedra, whose corners are in order, their values and gradients.
+void MeshCloud::SetNumbers()
 {
   for (int i = 0; i < this->Projected.Count; ++i)
   {
-    const ComponentsOfCorners& components = this->Components[static_cast<std::size_t>(i)];
-    for (std::size_t component = 0; component < this->Shown.size(); ++component)
+    const std::array<double, 4>* numbers = this->GetNumbers(i);
+    for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      for (int corner = 0; corner < 4; ++corner)
+      for (int k = 0; k < this->Components; ++k)
       {
-        this->Projected.Value[component][corner][i] =
-          std::clamp(components.Values[component][corner], -LargestCloudValue, LargestCloudValue);
+        this->Projected.Value[k][corner][i] =
+          std::clamp(numbers[k][corner], -LargestCloudValue, LargestCloudValue);
+      }
+      for (int k = this->Components; k < this->Numbers; ++k)
+      {
+        this->GradientsOfProjected[k - this->Components][corner][i] = numbers[k][corner];
       }
     }
   }
@@ -371,7 +431,7 @@ int MeshCloud::LoadBlock(std::size_t block)
   const MeshCells& cells = *this->Selection.Cells;
   std::uint32_t numbers[CellTree::Width];
   const int count = this->FindCells(block, numbers);
-  const bool areTetrahedra = count > 0 && this->AreTetrahedra && !this->HasComponents() &&
+  const bool areTetrahedra = count > 0 && this->AreTetrahedra && !this->HasNumbers() &&
     std::all_of(numbers, numbers + count,
       [&](std::uint32_t number) { return cells.GetShape(number) == CellShape::Tetrahedron; });
   if (areTetrahedra)
@@ -399,23 +459,83 @@ int MeshCloud::LoadCell(std::uint32_t number, int place)
   {
     return 0;
   }
-  if (!this->HasComponents())
+  if (!this->HasNumbers())
   {
     return SubdivideCell(cell, this->Corners + place);
   }
-  double values[MaximumCloudComponents][MaximumCorners];
-  this->Selection.Cells->LoadComponents(cell, values);
-  const auto components = static_cast<int>(this->Shown.size());
-  for (int i = 0; i < components; ++i)
+  double numbers[MaximumNumbers][MaximumCorners];
+  this->LoadNumbers(cell, numbers);
+  for (int i = 0; i < this->Components; ++i)
   {
     if (!std::all_of(
-          values[i], values[i] + cell.Count, [](double value) { return std::isfinite(value); }))
+          numbers[i], numbers[i] + cell.Count, [](double value) { return std::isfinite(value); }))
     {
       return 0;
     }
   }
-  return SubdivideCell(
-    cell, values, components, this->Corners + place, this->Components.data() + place);
+  const int count =
+    SubdivideCell(cell, numbers, this->Numbers, this->Corners + place, this->GetNumbers(place));
+  for (int i = 0; i < count && this->Selection.GradientsOfCloud.empty(); ++i)
+  {
+    this->FindGradients(place + i);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// Loads the values at the corners of a cell, and the gradients there, or zeros if they are those
+/// of its tetrahedra.
+void MeshCloud::LoadNumbers(const MeshCell& cell, double (*numbers)[MaximumCorners]) const
+{
+  if (this->Components > 1)
+  {
+    this->Selection.Cells->LoadComponents(cell, numbers);
+  }
+  else
+  {
+    std::copy_n(cell.Values, cell.Count, numbers[0]);
+  }
+  std::fill_n(numbers[this->Components], 3 * this->Gradients * MaximumCorners, 0.0);
+  double(*coordinates)[MaximumCorners] = numbers + this->Components;
+  for (const PointGradients* gradients : this->Selection.GradientsOfCloud)
+  {
+    for (int corner = 0; corner < cell.Count; ++corner)
+    {
+      const std::array<float, 3>& gradient = gradients->Get(cell.Ids[corner]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        coordinates[axis][corner] = static_cast<double>(gradient[axis]);
+      }
+    }
+    coordinates += 3;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Finds the gradients in a tetrahedron that is loaded, up to their lengths.
+void MeshCloud::FindGradients(int tetrahedron)
+{
+  std::array<double, 4>* numbers = this->GetNumbers(tetrahedron);
+  const auto& corners = this->Corners[tetrahedron];
+  for (int i = 0; i < this->Gradients; ++i)
+  {
+    const std::array<double, 4>& values = numbers[this->Components - this->Gradients + i];
+    double edges[9];
+    double rises[3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        edges[3 * k + axis] = corners[k + 1][axis] - corners[0][axis];
+      }
+      rises[k] = values[k + 1] - values[0];
+    }
+    const Vector3 gradient = FindGradientDirection(edges, rises);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      numbers[this->Components + 3 * i + static_cast<int>(axis)].fill(gradient[axis]);
+    }
+  }
 }
 
 }

@@ -9,8 +9,10 @@
 #include "Mesh/CellSubdivision.h"
 #include "Mesh/MeshSelection.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -49,20 +51,33 @@ private:
   void CutRay(const Camera::PixelRay& ray, const CloudTile& tile, int pixel);
   bool IsSeen(const Bounds& box) const;
   bool IsShown(const CellTreeNode& node, int child) const;
-  bool IsShown(int tetrahedron) const;
+  bool IsShown(int tetrahedron);
+  void Move(int from, int to, int count);
   int KeepShown(int count);
   void FindBlocks(int level, std::size_t node);
   void LoadCells();
   int FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const;
   int LoadBlock(std::size_t block);
   int LoadCell(std::uint32_t number, int place);
-  void SetComponents();
-  bool HasComponents() const { return this->Shown.size() > 1; }
+  void LoadNumbers(const MeshCell& cell, double (*numbers)[MaximumCorners]) const;
+  void FindGradients(int tetrahedron);
+  void SetNumbers();
+  /// The numbers of a tetrahedron that is loaded, each at the four corners.
+  std::array<double, 4>* GetNumbers(int tetrahedron)
+  {
+    return &this->NumbersOfCorners[static_cast<std::size_t>(tetrahedron * this->Numbers)];
+  }
+  bool HasNumbers() const { return this->Numbers > 0; }
 
   const MeshSelection& Selection;
   const Kernels& TheKernels;
   bool AreTetrahedra;
   std::vector<ValueIntervals> Shown;
+  int Components;
+  int Gradients;
+  /// Of each corner: the values of all components, and the coordinates of the gradients; none if
+  /// there is no more than the value that corners have.
+  int Numbers = 0;
 
   CloudTile Tile;
   /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.
@@ -82,9 +97,10 @@ private:
   static constexpr int MostLoaded =
     ProjectedTetrahedra::Capacity + MaximumTetrahedra * CellTree::Width;
   double Corners[MostLoaded][4][4];
-  /// Of each of them, if there are several components.
-  std::vector<ComponentsOfCorners> Components;
+  std::vector<std::array<double, 4>> NumbersOfCorners;
   int Loaded = 0;
+  /// Those of the tetrahedra that are projected.
+  std::unique_ptr<double[][4][ProjectedTetrahedra::Capacity]> GradientsOfProjected;
   /// What tetrahedra do not begin before: those that are projected, and those of the last block.
   double DepthOfProjected = 0.0;
   double DepthOfLast = 0.0;

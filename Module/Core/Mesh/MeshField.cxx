@@ -102,6 +102,19 @@ private:
 };
 
 //------------------------------------------------------------------------------
+struct MeshField::GradientsOfComponent
+{
+  GradientsOfComponent(const MeshField& field, int component)
+    : Cells(field.Cells.OfComponent(component))
+    , Smooth(this->Cells, field.Tree, field.GetUnitOfGradients())
+  {
+  }
+
+  MeshCells Cells;
+  PointGradients Smooth;
+};
+
+//------------------------------------------------------------------------------
 MeshField::MeshField(const MeshCells& cells, int threads)
   : Cells(cells)
   , Tree(this->Cells, threads)
@@ -122,9 +135,11 @@ void MeshField::Select(
   const TraceRequest& request, const Execution& execution, const MemoryBudget& /*budget*/)
 {
   this->GradientSeconds = 0.0;
+  std::vector<const PointGradients*> ofCloud;
   if (request.Normals == NormalMode::CentralDifferences)
   {
-    this->FindSmoothGradients(request.Surfaces, execution.Threads);
+    this->FindSmoothGradients(request, execution.Threads);
+    ofCloud = this->FindGradientsOfCloud(request.LitComponents, execution.Threads);
   }
   std::vector<MeshSurface> surfaces;
   for (const Isosurface& surface : request.Surfaces)
@@ -137,12 +152,12 @@ void MeshField::Select(
   {
     this->Boxes = std::make_unique<CellBoxes>(this->Cells, this->Tree, execution.Threads);
   }
-  this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), request, std::move(halves),
-    std::move(surfaces), execution.PacketKernels };
+  this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), std::move(ofCloud), request,
+    std::move(halves), std::move(surfaces), execution.PacketKernels };
 }
 
 //------------------------------------------------------------------------------
-void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads)
+void MeshField::FindSmoothGradients(const TraceRequest& request, int threads)
 {
   const Stopwatch watch;
   // If there is not enough memory, they are not there.
@@ -152,13 +167,44 @@ void MeshField::FindSmoothGradients(const std::vector<Isosurface>& surfaces, int
     smooth = std::make_unique<PointGradients>(this->Cells, this->Tree, this->GetUnitOfGradients());
   }
   std::vector<double> isovalues;
-  for (const Isosurface& surface : surfaces)
+  for (const Isosurface& surface : request.Surfaces)
   {
     isovalues.push_back(surface.Isovalue);
   }
-  const bool areKnown = smooth->Find(isovalues, threads);
+  const bool isLit = request.LitComponents > 0 && this->Cells.GetNumberOfComponents() == 1;
+  const bool areKnown = isLit ? smooth->FindAll(threads) : smooth->Find(isovalues, threads);
   this->Smooth = std::move(smooth);
   this->GradientSeconds = areKnown ? 0.0 : watch.GetSeconds();
+}
+
+//------------------------------------------------------------------------------
+/// Those at the points of the last components, which light a cloud.
+std::vector<const PointGradients*> MeshField::FindGradientsOfCloud(int components, int threads)
+{
+  std::vector<const PointGradients*> found;
+  const int all = this->Cells.GetNumberOfComponents();
+  if (components > 0 && all == 1)
+  {
+    return { this->Smooth.get() };
+  }
+  this->SmoothOfComponents.resize(static_cast<std::size_t>(all));
+  const Stopwatch watch;
+  for (int component = all - components; component < all; ++component)
+  {
+    auto& kept = this->SmoothOfComponents[static_cast<std::size_t>(component)];
+    auto smooth = std::move(kept);
+    if (!smooth)
+    {
+      smooth = std::make_unique<GradientsOfComponent>(*this, component);
+    }
+    if (!smooth->Smooth.FindAll(threads))
+    {
+      this->GradientSeconds += watch.GetSeconds();
+    }
+    kept = std::move(smooth);
+    found.push_back(&kept->Smooth);
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -441,6 +487,10 @@ FieldStatistics MeshField::GetStatistics() const
   FieldStatistics statistics;
   statistics.HierarchyMemory = this->Tree.GetMemory() +
     (this->Boxes ? this->Boxes->GetMemory() : 0) + (this->Smooth ? this->Smooth->GetMemory() : 0);
+  for (const std::unique_ptr<GradientsOfComponent>& component : this->SmoothOfComponents)
+  {
+    statistics.HierarchyMemory += component ? component->Smooth.GetMemory() : 0;
+  }
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
     statistics.CacheMemory += surface.Pieces->GetMemory();

@@ -64,7 +64,10 @@ private:
   class ThreadBeam;
   class LoneRays;
 
-  void FindSmoothGradients(const std::vector<Isosurface>& surfaces, int threads);
+  struct GradientsOfComponent;
+
+  void FindSmoothGradients(const TraceRequest& request, int threads);
+  std::vector<const PointGradients*> FindGradientsOfCloud(int components, int threads);
   MeshSurface SelectSurface(double isovalue) const;
   std::unique_ptr<ThreadBeam> MakeBeamOf(const RayPacket& packet) const;
 
@@ -81,6 +84,8 @@ private:
   std::unique_ptr<CellBoxes> Boxes;
   /// Null until they are requested first.
   std::unique_ptr<PointGradients> Smooth;
+  /// Those of each component of a cloud of several.
+  std::vector<std::unique_ptr<GradientsOfComponent>> SmoothOfComponents;
   double GradientSeconds = 0.0;
   MeshSelection Selection;
 };

@@ -8,6 +8,7 @@
 #include "Mesh/CellBoxes.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
+#include "Mesh/PointGradients.h"
 #include "Mesh/SurfacePieces.h"
 #include "Rays/TraceRequest.h"
 
@@ -33,6 +34,8 @@ struct MeshSelection
   const CellTree* Tree = nullptr;
   /// Null without a cloud.
   const CellBoxes* Boxes = nullptr;
+  /// Of each component that lights a cloud, if the gradients are those at points.
+  std::vector<const PointGradients*> GradientsOfCloud;
   TraceRequest Request;
   /// Those of the request, as rays are cut to them: see MeshCaps.h.
   std::vector<HalfSpace> HalfSpaces;

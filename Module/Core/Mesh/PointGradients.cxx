@@ -212,22 +212,30 @@ bool PointGradients::Find(const std::vector<double>& isovalues, int threads)
   {
     return true;
   }
-  ValueRange range = { Infinity, -Infinity };
-  if (this->Isovalues.empty())
+  if (!this->Isovalues.empty())
   {
-    this->Isovalues = isovalues;
-    for (const double isovalue : isovalues)
-    {
-      const ValueRange marked = this->MarkCorners(isovalue, threads);
-      range = { std::min(range.Low, marked.Low), std::max(range.High, marked.High) };
-    }
+    return this->FindAll(threads);
   }
-  else
+  this->Isovalues = isovalues;
+  ValueRange range = { Infinity, -Infinity };
+  for (const double isovalue : isovalues)
   {
-    this->AreAllFound = true;
-    range = this->MarkAll(threads);
+    const ValueRange marked = this->MarkCorners(isovalue, threads);
+    range = { std::min(range.Low, marked.Low), std::max(range.High, marked.High) };
   }
   this->FindMeans(this->FindCellsAround(range, threads), threads);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool PointGradients::FindAll(int threads)
+{
+  if (this->AreAllFound)
+  {
+    return true;
+  }
+  this->AreAllFound = true;
+  this->FindMeans(this->FindCellsAround(this->MarkAll(threads), threads), threads);
   return false;
 }
 

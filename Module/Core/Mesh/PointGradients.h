@@ -35,6 +35,15 @@ public:
   /// nothing is known any more. Returns whether all were known before.
   bool Find(const std::vector<double>& isovalues, int threads);
 
+  /// The same for all points.
+  bool FindAll(int threads);
+
+  /// That of a point, times the unit; zero where there is none.
+  const std::array<float, 3>& Get(std::int64_t point) const
+  {
+    return this->Gradients[static_cast<std::size_t>(point)];
+  }
+
   /// The gradient at a point of a cell with one of these isovalues, by the weights of its corners.
   Vector3 Get(const MeshCell& cell, const CornerWeights& weights) const;
 

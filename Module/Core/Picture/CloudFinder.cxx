@@ -3,9 +3,9 @@
 
 #include "Picture/CloudFinder.h"
 
+#include "Field/PixelBlocks.h"
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
-#include "Math/Matrix.h"
 #include "Picture/CloudMedium.h"
 
 #include <algorithm>
@@ -19,22 +19,6 @@ namespace
 PixelRectangle InViewport(const Scene& scene, const PixelRectangle& tile)
 {
   return { scene.Pixels.X + tile.X, scene.Pixels.Y + tile.Y, tile.Width, tile.Height };
-}
-
-/// Depths grow with the T of the ray: see MakePixelRays, where w is one over that of the clip
-/// coordinates.
-void MakeRay(const Camera& view, int column, int row, double depth, int pixel, CloudTile& rays)
-{
-  const Camera::PixelRay ray = view.GetRay(column, row, depth);
-  const Matrix4& object = view.GetObjectFromClip();
-  const double x = (column + 0.5) * (2.0 / view.GetWidth()) - 1.0;
-  const double y = (row + 0.5) * (2.0 / view.GetHeight()) - 1.0;
-  const double depthOfT = object[12] * x + object[13] * y + object[15] - object[14];
-  rays.DepthOfT[pixel] = depthOfT;
-  rays.Length[pixel] =
-    Length(TransformDirection(view.GetWorldFromObject(), ray.Direction)) / depthOfT;
-  rays.Begin[pixel] = 0.0;
-  rays.End[pixel] = ray.End * depthOfT;
 }
 
 /// Leaves out the segments that begin before a depth.
@@ -55,6 +39,10 @@ void RemoveBefore(double depth, CloudSegments& segments)
       {
         segments.Value[component][end][kept] = segments.Value[component][end][i];
       }
+      for (int k = 0; k < 3 * segments.Gradients; ++k)
+      {
+        segments.Gradient[k][end][kept] = segments.Gradient[k][end][i];
+      }
     }
     ++kept;
   }
@@ -71,23 +59,15 @@ bool HasClouds(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, CloudTile& rays)
+void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, const Kernels& kernels,
+  CloudTile& rays, CloudLighting* lighting)
 {
   const Camera& view = scene.Fields.front().View;
-  const PixelRectangle inViewport = InViewport(scene, tile);
   const std::ptrdiff_t stride = scene.Pixels.Width;
   const PixelDepths depths = { scene.Depth ? scene.Depth + tile.Y * stride + tile.X : nullptr,
     stride };
-  rays.Columns = tile.Width;
-  rays.Rows = tile.Height;
-  for (int y = 0; y < tile.Height; ++y)
-  {
-    for (int x = 0; x < tile.Width; ++x)
-    {
-      MakeRay(
-        view, inViewport.X + x, inViewport.Y + y, depths.Get(x, y), y * CloudTile::Edge + x, rays);
-    }
-  }
+  kernels.MakeCloudRays(MakePixelBlock(view, InViewport(scene, tile), depths),
+    view.GetWorldFromObject().data(), rays, lighting);
 }
 
 //------------------------------------------------------------------------------

@@ -19,8 +19,9 @@ namespace vtkIsosurfaceRayTracing
 bool HasClouds(const Scene& scene);
 
 /// Makes the rays of a tile, counted from the rectangle drawn: each begins at the near plane and
-/// ends at the depth of the scene.
-void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, CloudTile& rays);
+/// ends at the depth of the scene. With a lighting, its rays in the world are found, too.
+void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, const Kernels& kernels,
+  CloudTile& rays, CloudLighting* lighting = nullptr);
 
 /// Ends a ray at the last of its fragments, if that is opaque: nothing is seen behind it.
 void CutCloudRay(const Fragment* fragments, std::size_t count, int pixel, CloudTile& rays);

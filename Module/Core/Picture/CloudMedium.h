@@ -6,6 +6,7 @@
 
 #include "Picture/CloudTransfer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -34,6 +35,14 @@ public:
       this->Transfers.push_back(std::make_unique<CloudTransfer>(ofComponents[i]));
       this->Mixed.Transfers[i] = &this->Transfers[i]->GetPieces();
     }
+  }
+
+  /// Lights the cloud, if there is any material: one for each component if they are independent,
+  /// else one, with the gradient of the last component.
+  void SetMaterials(const std::vector<CloudMaterial>& materials)
+  {
+    this->Mixed.Gradients = static_cast<int>(materials.size());
+    std::copy(materials.begin(), materials.end(), this->Mixed.Materials);
   }
 
   const MixedTransfers& GetMixed() const { return this->Mixed; }

@@ -6,6 +6,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
 #include "Math/ByteColor.h"
+#include "Math/Matrix.h"
 #include "Picture/CloudMedium.h"
 #include "Picture/RenderTiles.h"
 
@@ -23,6 +24,21 @@ constexpr double NegligibleLight = 0x1p-15;
 
 /// How many segments are put in order at once.
 constexpr std::size_t SegmentsAtOnce = 128 * CloudTile::Capacity;
+
+CloudLight MakeCloudLight(const Light& light)
+{
+  CloudLight made{};
+  std::copy(light.DiffuseColor.begin(), light.DiffuseColor.end(), made.DiffuseColor);
+  std::copy(light.SpecularColor.begin(), light.SpecularColor.end(), made.SpecularColor);
+  std::copy(light.Direction.begin(), light.Direction.end(), made.Direction);
+  made.IsPositional = light.Positional;
+  std::copy(light.Position.begin(), light.Position.end(), made.Position);
+  std::copy(light.Attenuation.begin(), light.Attenuation.end(), made.Attenuation);
+  made.HasCone = light.ConeAngle < 90.0;
+  made.LeastCosine = light.FindLeastCosine();
+  made.Exponent = light.Exponent;
+  return made;
+}
 
 /// Puts elements in order by a key from 0 to count - 1. Those of a key are from first[key] to
 /// first[key + 1], in the order that they had.
@@ -50,11 +66,12 @@ void SortByKey(const std::vector<Element>& elements, std::size_t count, const Ke
 }
 
 //------------------------------------------------------------------------------
-/// The depths and the values at both ends of a segment.
+/// The depths, the values and the gradients at both ends of a segment.
 struct CloudTileRenderer::SegmentEnds
 {
   SegmentEnds(const CloudSegments& segments, int number)
     : Components(segments.Components)
+    , Coordinates(3 * segments.Gradients)
   {
     for (int end = 0; end < 2; ++end)
     {
@@ -62,6 +79,10 @@ struct CloudTileRenderer::SegmentEnds
       for (int i = 0; i < this->Components; ++i)
       {
         this->Value[i][end] = segments.Value[i][end][number];
+      }
+      for (int i = 0; i < this->Coordinates; ++i)
+      {
+        this->Gradient[i][end] = segments.Gradient[i][end][number];
       }
     }
   }
@@ -77,6 +98,13 @@ struct CloudTileRenderer::SegmentEnds
       before.Value[i][1] = there;
       this->Value[i][0] = there;
     }
+    for (int i = 0; i < this->Coordinates; ++i)
+    {
+      const float there =
+        Lerp(this->Gradient[i][0], this->Gradient[i][1], static_cast<float>(fraction));
+      before.Gradient[i][1] = there;
+      this->Gradient[i][0] = there;
+    }
     before.Depth[1] = depth;
     this->Depth[0] = depth;
     return before;
@@ -91,12 +119,19 @@ struct CloudTileRenderer::SegmentEnds
       {
         segments.Value[i][end][number] = this->Value[i][end];
       }
+      for (int i = 0; i < this->Coordinates; ++i)
+      {
+        segments.Gradient[i][end][number] = this->Gradient[i][end];
+      }
     }
   }
 
   int Components;
+  /// Of all gradients.
+  int Coordinates;
   double Depth[2];
   double Value[MaximumCloudComponents][2];
+  float Gradient[3 * MaximumCloudComponents][2];
 };
 
 //------------------------------------------------------------------------------
@@ -107,6 +142,18 @@ CloudTileRenderer::CloudTileRenderer(const Scene& scene, const Kernels* kernels)
   , Segments(new CloudSegments)
   , Parts(new CloudSegments)
 {
+  const bool isLit = std::any_of(scene.Fields.begin(), scene.Fields.end(),
+    [](const SceneField& field)
+    { return field.Cloud && !field.IsMaximum && field.Cloud->GetMixed().Gradients > 0; });
+  if (isLit)
+  {
+    std::transform(
+      scene.Lights.begin(), scene.Lights.end(), std::back_inserter(this->Lamps), MakeCloudLight);
+    this->Lighting = std::make_unique<CloudLighting>();
+    this->Lighting->LightCount = static_cast<int>(this->Lamps.size());
+    this->Lighting->Lights = this->Lamps.data();
+    this->Lighting->AreTwoSided = scene.TwoSidedLighting;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +163,7 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
   this->Surfaces.clear();
   this->Pending.clear();
   this->Lights.clear();
-  MakeCloudRays(this->TheScene, tile, this->RaysOfTile);
+  MakeCloudRays(this->TheScene, tile, this->TheKernels, this->RaysOfTile, this->Lighting.get());
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
     this->Open[row] = row < tile.Height ? (1U << tile.Width) - 1U : 0U;
@@ -233,6 +280,7 @@ void CloudTileRenderer::IntegrateParts(const SceneField& field, const CloudSegme
   CloudSegments& parts = *this->Parts;
   parts.Count = 0;
   parts.Components = whole.Components;
+  parts.Gradients = whole.Gradients;
   for (int i = 0; i < whole.Count; ++i)
   {
     const int pixel = whole.Pixel[i];
@@ -274,7 +322,14 @@ void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& 
   this->Lights.resize(before + count);
   const MixedTransfers& mixed = field.Cloud->GetMixed();
   SegmentLight* lights = this->Lights.data() + before;
-  if (mixed.Components == 1)
+  if (segments.Gradients > 0)
+  {
+    const Matrix4 toWorld = NormalMatrix(field.View.GetWorldFromObject());
+    std::copy(toWorld.begin(), toWorld.end(), this->Lighting->WorldFromGradient);
+    this->TheKernels.IntegrateLitMixture(
+      this->RaysOfTile, mixed, *this->Lighting, segments, lights);
+  }
+  else if (mixed.Components == 1)
   {
     this->TheKernels.IntegrateSegments(this->RaysOfTile, *mixed.Transfers[0], segments, lights);
   }

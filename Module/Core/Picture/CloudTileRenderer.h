@@ -119,6 +119,9 @@ private:
   std::uint32_t Open[CloudTile::Edge];
   std::unique_ptr<RayLight[]> Rays;
   std::vector<Fragment> Surfaces;
+  /// Null if no cloud is lit.
+  std::unique_ptr<CloudLighting> Lighting;
+  std::vector<CloudLight> Lamps;
   std::unique_ptr<CloudSegments> Segments;
   std::unique_ptr<CloudSegments> Parts;
   std::vector<PendingSegment> Pending;

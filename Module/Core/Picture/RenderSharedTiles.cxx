@@ -48,6 +48,7 @@ public:
   PartFinder(const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels,
     Frame& frame, std::size_t enough)
     : TheScene(scene)
+    , TheKernels(kernels ? *kernels : BaselineKernels)
     , Enough(enough)
     , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
     , Blocks(scene, shaders, this, frame)
@@ -72,7 +73,7 @@ public:
   {
     this->Fragments.clear();
     this->Found.Clear();
-    MakeCloudRays(this->TheScene, tile, this->Rays);
+    MakeCloudRays(this->TheScene, tile, this->TheKernels, this->Rays);
     // Later parts begin behind the near plane.
     if (request.From == 0.0)
     {
@@ -130,6 +131,7 @@ private:
   }
 
   const Scene& TheScene;
+  const Kernels& TheKernels;
   std::size_t Enough;
   int BlocksAtOnce;
   PixelBlockRenderer Blocks;
@@ -196,12 +198,16 @@ void SetFragments(
 /// What a segment takes in a message, at most.
 std::size_t FindBytesOfSegment(const Scene& scene)
 {
-  int components = 1;
+  std::size_t bytes = TileSegments::GetBytesOfOne(1, 0);
   for (const SceneField& field : scene.Fields)
   {
-    components = std::max(components, field.Cloud ? field.Cloud->GetMixed().Components : 1);
+    if (field.Cloud)
+    {
+      const MixedTransfers& mixed = field.Cloud->GetMixed();
+      bytes = std::max(bytes, TileSegments::GetBytesOfOne(mixed.Components, mixed.Gradients));
+    }
   }
-  return TileSegments::GetBytesOfOne(components);
+  return bytes;
 }
 
 //------------------------------------------------------------------------------

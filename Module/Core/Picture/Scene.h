@@ -9,6 +9,7 @@
 #include "Rays/PixelRectangle.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct Light
   double Exponent = 1.0;
   /// Constant, linear and quadratic.
   Vector3 Attenuation = { 1.0, 0.0, 0.0 };
+
+  /// The cosine of the half angle.
+  double FindLeastCosine() const
+  {
+    return std::cos(this->ConeAngle * (3.14159265358979323846 / 180.0));
+  }
 };
 
 struct Material

@@ -14,8 +14,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-constexpr double RadiansPerDegree = 3.14159265358979323846 / 180.0;
-
 struct Illumination
 {
   /// From the surface to the light, of length one.
@@ -37,9 +35,7 @@ Illumination Illuminate(const Light& light, const Vector3& point)
   if (light.ConeAngle < 90.0)
   {
     const double cosine = Dot(direction, light.Direction);
-    strength *= cosine >= std::cos(light.ConeAngle * RadiansPerDegree)
-      ? std::pow(cosine, light.Exponent)
-      : 0.0;
+    strength *= cosine >= light.FindLeastCosine() ? std::pow(cosine, light.Exponent) : 0.0;
   }
   return { direction, strength };
 }

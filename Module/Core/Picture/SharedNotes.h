@@ -136,10 +136,12 @@ struct TileFragment
 class TileSegments
 {
 public:
-  /// What a segment takes in a message: its pixel, two depths, and two values of each component.
-  static std::size_t GetBytesOfOne(int components)
+  /// What a segment takes in a message: its pixel, two depths, two values of each component, and
+  /// two of each gradient.
+  static std::size_t GetBytesOfOne(int components, int gradients)
   {
-    return 1 + 2 * (1 + static_cast<std::size_t>(components)) * sizeof(double);
+    return 1 + 2 * (1 + static_cast<std::size_t>(components)) * sizeof(double) +
+      2 * 3 * static_cast<std::size_t>(gradients) * sizeof(float);
   }
 
   void Clear()
@@ -154,6 +156,10 @@ public:
       {
         values[end].clear();
       }
+      for (auto& coordinates : this->Gradients)
+      {
+        coordinates[end].clear();
+      }
     }
   }
 
@@ -163,7 +169,8 @@ public:
   void Add(std::size_t field, const CloudSegments& segments)
   {
     const std::size_t before = this->GetCount();
-    this->Runs.push_back({ static_cast<std::int32_t>(field), segments.Count, segments.Components });
+    this->Runs.push_back({ static_cast<std::int32_t>(field), segments.Count, segments.Components,
+      segments.Gradients });
     this->Pixels.insert(this->Pixels.end(), segments.Pixel, segments.Pixel + segments.Count);
     for (int end = 0; end < 2; ++end)
     {
@@ -171,11 +178,11 @@ public:
       this->Depths[end].insert(this->Depths[end].end(), depths, depths + segments.Count);
       for (int i = 0; i < segments.Components; ++i)
       {
-        // Runs before may have fewer components.
-        std::vector<double>& values = this->Values[i][end];
-        values.resize(before);
-        values.insert(
-          values.end(), segments.Value[i][end], segments.Value[i][end] + segments.Count);
+        Append(segments.Value[i][end], segments.Count, before, this->Values[i][end]);
+      }
+      for (int i = 0; i < 3 * segments.Gradients; ++i)
+      {
+        Append(segments.Gradient[i][end], segments.Count, before, this->Gradients[i][end]);
       }
     }
     this->Least = std::accumulate(segments.Depth[0], segments.Depth[0] + segments.Count,
@@ -194,7 +201,7 @@ public:
       {
         if (this->Depths[0][next] < depth)
         {
-          this->Move(next, kept++, run.Components);
+          this->Move(next, kept++, run);
         }
       }
       run.Count = static_cast<std::int32_t>(kept - keptBefore);
@@ -217,6 +224,10 @@ public:
         {
           writer.Add(this->Values[i][end].data() + first, count);
         }
+        for (int i = 0; i < 3 * run.Gradients; ++i)
+        {
+          writer.Add(this->Gradients[i][end].data() + first, count);
+        }
       }
       writer.Add(this->Pixels.data() + first, count);
       first += count;
@@ -234,6 +245,7 @@ public:
     {
       segments.Count = run.Count;
       segments.Components = run.Components;
+      segments.Gradients = run.Gradients;
       const auto count = static_cast<std::size_t>(run.Count);
       for (int end = 0; end < 2; ++end)
       {
@@ -241,6 +253,10 @@ public:
         for (int i = 0; i < run.Components; ++i)
         {
           reader.Take(segments.Value[i][end], count);
+        }
+        for (int i = 0; i < 3 * run.Gradients; ++i)
+        {
+          reader.Take(segments.Gradient[i][end], count);
         }
       }
       reader.Take(pixels, count);
@@ -256,17 +272,30 @@ private:
     std::int32_t Field;
     std::int32_t Count;
     std::int32_t Components;
+    std::int32_t Gradients;
   };
 
-  void Move(std::size_t from, std::size_t to, int components)
+  /// Appends numbers to those of the runs before, which may have fewer components.
+  template <typename Number>
+  static void Append(const Number* numbers, int count, std::size_t before, std::vector<Number>& all)
+  {
+    all.resize(before);
+    all.insert(all.end(), numbers, numbers + count);
+  }
+
+  void Move(std::size_t from, std::size_t to, const Run& run)
   {
     this->Pixels[to] = this->Pixels[from];
     for (int end = 0; end < 2; ++end)
     {
       this->Depths[end][to] = this->Depths[end][from];
-      for (int i = 0; i < components; ++i)
+      for (int i = 0; i < run.Components; ++i)
       {
         this->Values[i][end][to] = this->Values[i][end][from];
+      }
+      for (int i = 0; i < 3 * run.Gradients; ++i)
+      {
+        this->Gradients[i][end][to] = this->Gradients[i][end][from];
       }
     }
   }
@@ -276,6 +305,7 @@ private:
   std::vector<std::uint8_t> Pixels;
   std::vector<double> Depths[2];
   std::vector<double> Values[MaximumCloudComponents][2];
+  std::vector<float> Gradients[3 * MaximumCloudComponents][2];
 };
 
 }

@@ -87,9 +87,12 @@ struct TraceRequest
   std::optional<Extremum> Projection;
   /// Whether the field is drawn as a cloud, too: see TracedField::AddClouds.
   bool HasCloud = false;
+  /// How many components of the cloud, the last of those that it takes, have gradients that light
+  /// it: none, one, or all.
+  int LitComponents = 0;
   /// What of the field is visible at all.
   Visibility Visible;
-  /// The gradients that hits are shaded by.
+  /// The gradients that hits and clouds are shaded by.
   NormalMode Normals = NormalMode::CentralDifferences;
 
   bool operator==(const TraceRequest& other) const
@@ -97,7 +100,8 @@ struct TraceRequest
     return this->Surfaces == other.Surfaces && this->MemberOpacities == other.MemberOpacities &&
       this->Interpolation == other.Interpolation && this->Solver == other.Solver &&
       this->Interpolations == other.Interpolations && this->Projection == other.Projection &&
-      this->HasCloud == other.HasCloud && this->Visible == other.Visible &&
+      this->HasCloud == other.HasCloud && this->LitComponents == other.LitComponents &&
+      this->Visible == other.Visible &&
       this->Normals == other.Normals;
   }
 
