@@ -23,6 +23,10 @@
 #include <string>   // for std::string
 #include <vector>   // for std::vector
 
+#ifndef _WIN32
+#include <unistd.h> // for getpid
+#endif
+
 VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkIsosurfaceRayTraceSharedSettings
@@ -59,7 +63,21 @@ struct vtkIsosurfaceRayTraceSharedSettings
   template <typename Mapper>
   static int FindNumberOfThreads(const Mapper& mapper)
   {
-    return mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads());
+    return IsForked()
+      ? 1
+      : (mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads()));
+  }
+
+  /// Whether this process was forked from one that had asked this before (as by multiprocessing of
+  /// Python): GNU's OpenMP waits forever for the threads that it had there.
+  static bool IsForked()
+  {
+#ifdef _WIN32
+    return false;
+#else
+    static const pid_t first = getpid();
+    return getpid() != first;
+#endif
   }
 
   /// What the settings of a mapper stand for.
