@@ -12,20 +12,15 @@
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceRayTraceThreads.h"
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkVolume.h"
-
-#include <omp.h>
 
 #include <algorithm>
 #include <cstddef>  // for std::size_t
 #include <iterator> // for std::begin
 #include <string>   // for std::string
 #include <vector>   // for std::vector
-
-#ifndef _WIN32
-#include <unistd.h> // for getpid
-#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -63,21 +58,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
   template <typename Mapper>
   static int FindNumberOfThreads(const Mapper& mapper)
   {
-    return IsForked()
-      ? 1
-      : (mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads()));
-  }
-
-  /// Whether this process was forked from one that had asked this before (as by multiprocessing of
-  /// Python): GNU's OpenMP waits forever for the threads that it had there.
-  static bool IsForked()
-  {
-#ifdef _WIN32
-    return false;
-#else
-    static const pid_t first = getpid();
-    return getpid() != first;
-#endif
+    return vtkIsosurfaceRayTraceThreads::Find(mapper.NumberOfThreads);
   }
 
   /// What the settings of a mapper stand for.
