@@ -6,6 +6,8 @@
 #ifndef HeaderText_h
 #define HeaderText_h
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <fstream>
 #include <sstream>
@@ -48,6 +50,19 @@ std::vector<Number> ParseNumbers(const std::string& text)
     numbers.push_back(number);
   }
   return words.eof() ? numbers : std::vector<Number>{};
+}
+
+/// So many numbers; zeros if there is anything else.
+template <std::size_t Count>
+std::array<double, Count> ParseArray(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers<double>(text);
+  std::array<double, Count> values{};
+  if (numbers.size() == Count)
+  {
+    std::copy(numbers.begin(), numbers.end(), values.begin());
+  }
+  return values;
 }
 
 }

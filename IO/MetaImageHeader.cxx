@@ -9,9 +9,12 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -100,6 +103,29 @@ std::vector<int> GetNumbers(const Header& header, const std::string& name)
     header.Throw("its header has " + name + " = " + header.Get(name));
   }
   return numbers;
+}
+
+//------------------------------------------------------------------------------
+/// A field that has several names; empty if it is not there.
+std::string GetFirst(const Header& header, std::initializer_list<const char*> names)
+{
+  for (const char* name : names)
+  {
+    if (!header.Get(name).empty())
+    {
+      return header.Get(name);
+    }
+  }
+  return {};
+}
+
+/// Three letters, one for each axis.
+bool IsInPatient(const Header& header)
+{
+  const std::string letters = SystemTools::UpperCase(header.Get("AnatomicalOrientation"));
+  const auto hasOneOf = [&letters](const char* pair)
+  { return letters.find_first_of(pair) != std::string::npos; };
+  return letters.size() == 3 && hasOneOf("RL") && hasOneOf("AP") && hasOneOf("IS");
 }
 
 //------------------------------------------------------------------------------
@@ -289,6 +315,34 @@ std::optional<RawSamples> FindRawSamples(const std::string& fileName)
   samples.AreBigEndian =
     header.IsTrue("BinaryDataByteOrderMSB") || header.IsTrue("ElementByteOrderMSB");
   return samples;
+}
+
+//------------------------------------------------------------------------------
+std::optional<ImagePlace> FindPlaceOfMetaImage(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  const std::string matrix = GetFirst(header, { "TransformMatrix", "Rotation", "Orientation" });
+  const bool isInPatient = IsInPatient(header);
+  if (matrix.empty() && !isInPatient)
+  {
+    return {};
+  }
+  const std::string spacing = GetFirst(header, { "ElementSpacing", "ElementSize" });
+  const auto directions = ParseArray<9>(matrix.empty() ? "1 0 0 0 1 0 0 0 1" : matrix);
+  const auto lengths = ParseArray<3>(spacing.empty() ? "1 1 1" : spacing);
+  ImagePlace place{ {}, ParseArray<3>(GetFirst(header, { "Offset", "Position", "Origin" })) };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      place.Steps[axis][i] = directions[3 * axis + i] * std::abs(lengths[axis]);
+    }
+  }
+  if (isInPatient)
+  {
+    place.Turn(-1.0, -1.0);
+  }
+  return place;
 }
 
 }

@@ -7,6 +7,7 @@
 #ifndef MetaImageHeader_h
 #define MetaImageHeader_h
 
+#include "ImagePlace.h"
 #include "RawSamples.h"
 
 #include <optional>
@@ -28,6 +29,11 @@ double GetCapacityOfMetaImage(const std::string& fileName);
 /// None if the samples are compressed, text, or in several files. Throws std::runtime_error if the
 /// header is damaged.
 std::optional<RawSamples> FindRawSamples(const std::string& fileName);
+
+/// None if the header tells neither directions nor of a patient (AnatomicalOrientation). Places in
+/// a patient, which are in the coordinates of ITK, become such with x to the right, y to the front
+/// and z to the head. Throws std::runtime_error if the header is damaged.
+std::optional<ImagePlace> FindPlaceOfMetaImage(const std::string& fileName);
 
 }
 

@@ -8,6 +8,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -118,6 +119,35 @@ bool IsZero(const std::string& number)
   return number.empty() || number == "0";
 }
 
+//------------------------------------------------------------------------------
+/// The numbers of a vector such as (1,0,0).
+std::array<double, 3> ParseVector(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '(' || c == ',' || c == ')'; }, ' ');
+  return ParseArray<3>(text);
+}
+
+/// Three vectors; zeros if there are others. Axes that are not in space, as that of the components,
+/// have "none".
+std::array<std::array<double, 3>, 3> ParseVectors(const std::string& text)
+{
+  std::array<std::array<double, 3>, 3> vectors{};
+  std::size_t count = 0;
+  std::size_t begin = text.find('(');
+  while (begin != std::string::npos)
+  {
+    const std::size_t end = text.find(')', begin);
+    if (end == std::string::npos || count == vectors.size())
+    {
+      return {};
+    }
+    vectors[count++] = ParseVector(text.substr(begin, end - begin));
+    begin = text.find('(', end);
+  }
+  return vectors;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -125,6 +155,25 @@ bool IsNrrd(const std::string& fileName)
 {
   const std::string name = SystemTools::LowerCase(fileName);
   return SystemTools::StringEndsWith(name, ".nrrd") || SystemTools::StringEndsWith(name, ".nhdr");
+}
+
+//------------------------------------------------------------------------------
+void CheckNrrd(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  const std::string encoding = SystemTools::LowerCase(header.Get("encoding"));
+  if (encoding == "ascii" || encoding == "text" || encoding == "txt")
+  {
+    header.Throw(
+      "says that its samples are text, of which VTK's reader skips some. Write them with "
+      "the encoding raw or gzip.");
+  }
+  const std::size_t none = header.Get("space directions").rfind("none");
+  if (none != std::string::npos && none > 0)
+  {
+    header.Throw("has components, or several volumes, along an axis that is not the first, which "
+                 "VTK's reader takes for them. Write one volume.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +201,31 @@ std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
     samples.Offset = -1;
   }
   return samples;
+}
+
+//------------------------------------------------------------------------------
+std::optional<NrrdPlace> FindPlaceOfNrrd(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  const std::string directions = header.Get("space directions");
+  if (directions.empty())
+  {
+    return {};
+  }
+  NrrdPlace place{ { ParseVectors(directions), ParseVector(header.Get("space origin")) }, false };
+  const std::string name = header.Get("space");
+  place.AreRowsReversed =
+    name == "left-anterior-superior" || name == "LAS" || name == "3D-left-handed";
+  const std::string space = SystemTools::LowerCase(name);
+  if (space == "left-posterior-superior" || space == "lps")
+  {
+    place.Turn(-1.0, -1.0);
+  }
+  else if (space == "left-anterior-superior" || space == "las")
+  {
+    place.Turn(-1.0, 1.0);
+  }
+  return place;
 }
 
 }

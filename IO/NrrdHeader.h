@@ -6,6 +6,7 @@
 #ifndef NrrdHeader_h
 #define NrrdHeader_h
 
+#include "ImagePlace.h"
 #include "RawSamples.h"
 
 #include <cstdint>
@@ -17,6 +18,10 @@ namespace ImageFiles
 
 bool IsNrrd(const std::string& fileName);
 
+/// Throws std::runtime_error if the header is damaged, or if VTK's reader would give other samples
+/// than there are: of text, and where components or volumes are the last axis.
+void CheckNrrd(const std::string& fileName);
+
 /// The samples of a NRRD, and how many the header says that there are.
 struct NrrdSamples : RawSamples
 {
@@ -26,6 +31,17 @@ struct NrrdSamples : RawSamples
 /// None if the samples are compressed, text, in several files, or after bytes or lines to be
 /// skipped. Throws std::runtime_error if the header is damaged.
 std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName);
+
+struct NrrdPlace : ImagePlace
+{
+  /// VTK's reader reverses them, and leaves the origin where it is.
+  bool AreRowsReversed;
+};
+
+/// None if the header tells no directions. Places in a patient (a space that begins with left or
+/// right) become such with x to the right, y to the front and z to the head. Throws
+/// std::runtime_error if the header is damaged.
+std::optional<NrrdPlace> FindPlaceOfNrrd(const std::string& fileName);
 
 }
 

@@ -62,7 +62,8 @@ set(private_headers
   Rendering/vtkIsosurfaceRayTraceLatticeSampling.h
   Rendering/vtkIsosurfaceRayTracePart.h
   Rendering/vtkIsosurfaceRayTraceSettings.h
-  Rendering/vtkIsosurfaceRayTraceSharedSettings.h)
+  Rendering/vtkIsosurfaceRayTraceSharedSettings.h
+  Rendering/vtkIsosurfaceRayTraceThreads.h)
 
 find_package(OpenMP COMPONENTS CXX)
 if (NOT OpenMP_CXX_FOUND)

@@ -47,3 +47,6 @@ def __getattr__(name):
 
 def __dir__():
     return sorted({*globals(), *_MODULES})
+
+
+__all__ = [name for name in __dir__() if not name.startswith("_") and name not in ("importlib", "typing")]

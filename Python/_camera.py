@@ -51,7 +51,8 @@ def find_corners(volume):
     """The corners of the box around the surfaces of a volume."""
     bounds = [0.0] * 6
     if not call(volume.GetMapper(), "FindSurfaceBounds", volume, bounds):
-        raise ValueError("there is no surface to be seen: no isovalue is within the scalars, or clip removes it all")
+        raise ValueError("there is no surface to be seen: no isovalue is within the scalars, all surfaces have the "
+                         "opacity 0, or clip removes them")
     return _corners_of(bounds)
 
 

@@ -53,7 +53,7 @@ def map_colors(colors, parts):
         rows = np.asarray(colors(np.asarray(parts)), dtype=float)
         if rows.ndim == 2 and rows.shape[0] == len(parts) and rows.shape[1] >= 3:
             return rows[:, :3]
-    elif isinstance(colors, (list, tuple)) and colors:
+    elif isinstance(colors, (list, tuple, np.ndarray)) and len(colors):
         points = np.array([to_rgb(color) for color in colors])
         places = np.linspace(0.0, 1.0, len(points))
         return np.stack([np.interp(parts, places, points[:, channel]) for channel in range(3)], axis=1)

@@ -7,7 +7,6 @@ from __future__ import annotations
 import importlib
 import math
 import os
-import re
 import warnings
 
 import numpy as np
@@ -17,7 +16,8 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
-from ._patient import place_nifti, place_slices
+from ._headers import check_nrrd, fields_of_metaimage
+from ._patient import place_by_header, place_nifti, place_slices
 from ._slices import find_slices, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
 
@@ -53,8 +53,10 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Returns
     -------
     vtkDataObject
-        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI have their axes and their origin in
-        the patient: x to the right, y to the front, z to the head. Of several volumes in a NIfTI it is the first.
+        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI, and of NRRD and MetaImage files that
+        tell of a patient (space, AnatomicalOrientation), have their axes and their origin in the patient: x to the
+        right, y to the front, z to the head. Those of other NRRD and MetaImage files have the axes that the file gives.
+        Of several volumes in a NIfTI it is the first.
         Values are scaled as DICOM and NIfTI (scl_slope, scl_inter) tell. Images of more than half the memory are
         used where they are in the file (see vtkMappedImageReader), if that can be: an uncompressed MetaImage, NRRD, or
         .vti with raw appended data, of which it has the active scalars.
@@ -114,6 +116,8 @@ def _make_reader(path):
             reader = None
     if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
+    if reader is not None and reader.GetClassName() == "vtkNrrdReader":
+        check_nrrd(path)
     if reader is None:
         raise ValueError(f"VTK has no reader for {path}; read it by another one, and give its data")
     reader.SetFileName(path)
@@ -151,6 +155,8 @@ def _read_whole(reader, path):
         return None
     if reader.GetClassName() == "vtkNIFTIImageReader":
         _finish_nifti(data, reader, path)
+    else:
+        place_by_header(data, path, is_mapped=False)
     return data
 
 
@@ -161,6 +167,7 @@ def _map(reader, path):
         return None
     mapped.SetFileName(path)
     mapped.Update()
+    place_by_header(mapped.GetOutput(), path, is_mapped=True)
     return mapped.GetOutput()
 
 
@@ -211,11 +218,10 @@ def _is_cut(path, size):
     """Whether a MetaImage has fewer bytes: VTK's reader leaves the other samples undefined."""
     if not path.lower().endswith((".mhd", ".mha")):
         return False
-    with open(path, "rb") as stream:
-        fields = dict(re.findall(rb"^(\w+) *= *(.*?)\s*$", stream.read(4096), re.MULTILINE))
-    if fields.get(b"CompressedData", b"").lower() == b"true":
-        digits = fields.get(b"CompressedDataSize", b"")
+    fields = fields_of_metaimage(path)
+    if fields.get("CompressedData", b"").lower() == b"true":
+        digits = fields.get("CompressedDataSize", b"")
         size = int(digits) if digits.isdigit() else 0
-    samples = os.fsdecode(fields.get(b"ElementDataFile", b""))
+    samples = os.fsdecode(fields.get("ElementDataFile", b""))
     file_of_samples = path if samples == "LOCAL" else os.path.join(os.path.dirname(path), samples)
     return os.path.isfile(file_of_samples) and os.path.getsize(file_of_samples) < size

@@ -6,6 +6,7 @@ import warnings
 
 import numpy as np
 
+from ._headers import place_of_metaimage, place_of_nrrd
 from ._slices import distances_of
 
 FROM_DICOM = np.array([-1.0, -1.0, 1.0])  # DICOM has x to the left and y to the back
@@ -27,14 +28,37 @@ def place_nifti(image, reader, path):
     if not matrix:
         return
     axes = np.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
+    origin = np.array([matrix.GetElement(row, 3) for row in range(3)])
     # An sform has spacings of its own.
     scales = np.ones(3) if reader.GetQFormMatrix() else np.linalg.norm(axes, axis=0)
-    if scales.all() and _set_axes(image, axes / scales):
-        image.SetSpacing(scales * image.GetSpacing())
-        image.SetOrigin([matrix.GetElement(row, 3) for row in range(3)])
+    _set_place(image, axes, scales, scales * image.GetSpacing(), origin, f"{path}: the axes that its sform gives")
+
+
+def place_by_header(image, path, is_mapped):
+    """The same of MetaImage and NRRD, where their headers tell it; of a mapped image the samples are as in the file."""
+    name = path.lower()
+    if name.endswith((".mhd", ".mha")):
+        place = place_of_metaimage(path)
     else:
-        warnings.warn(f"{path}: the axes that its sform gives are not perpendicular; they are left out, and the samples "
-                      "have the axes of the file", RuntimeWarning, stacklevel=5)
+        place = place_of_nrrd(path) if name.endswith((".nrrd", ".nhdr")) else None
+    if place is None or not all(image.GetSpacing()):  # which is an error
+        return
+    steps, origin = place.steps.copy(), place.origin
+    if place.are_rows_reversed and not is_mapped:
+        origin = origin + (image.GetDimensions()[1] - 1) * steps[:, 1]
+        steps[:, 1] *= -1.0
+    spacing = np.linalg.norm(steps, axis=0)
+    _set_place(image, steps, spacing, spacing, origin, f"{path}: the axes that its header gives")
+
+
+def _set_place(image, axes, lengths, spacing, origin, name):
+    """Take the columns of a matrix, which have these lengths; warn, and leave all out, if they are not perpendicular."""
+    if lengths.all() and _set_axes(image, axes / lengths):
+        image.SetSpacing(spacing)
+        image.SetOrigin(origin)
+    else:
+        warnings.warn(f"{name} are not perpendicular; they are left out, and the samples have the axes of the file",
+                      RuntimeWarning, stacklevel=6)
 
 
 def _set_axes(image, axes):

@@ -78,8 +78,8 @@ def check_size(size):
         width, height = map(operator.index, size)
     except (TypeError, ValueError):
         raise ValueError(f"size is {size!r}; give width and height, in pixels") from None
-    if min(width, height) < 1:
-        raise ValueError(f"size is {size!r}; give at least one pixel each")
+    if min(width, height) < 1 or max(width, height) >= 2**31:
+        raise ValueError(f"size is {size!r}; give at least one pixel each, and fewer than 2**31")
     return width, height
 
 

@@ -373,6 +373,7 @@ public:
   ///@{
   /**
    * Set/Get the number of threads; 0 uses the default of OpenMP (OMP_NUM_THREADS, or all cores).
+   * In a process that was forked from one in which a mapper has drawn, it is one thread always.
    * Range: 0 to 1024. Default: 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);

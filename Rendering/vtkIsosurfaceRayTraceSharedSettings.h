@@ -12,10 +12,9 @@
 #include "vtkIsosurfaceRayTraceEnumerators.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceRayTraceThreads.h"
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkVolume.h"
-
-#include <omp.h>
 
 #include <algorithm>
 #include <cstddef>  // for std::size_t
@@ -59,7 +58,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
   template <typename Mapper>
   static int FindNumberOfThreads(const Mapper& mapper)
   {
-    return mapper.NumberOfThreads > 0 ? mapper.NumberOfThreads : std::max(1, omp_get_max_threads());
+    return vtkIsosurfaceRayTraceThreads::Find(mapper.NumberOfThreads);
   }
 
   /// What the settings of a mapper stand for.

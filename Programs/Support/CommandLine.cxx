@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <regex>
 #include <stdexcept>
 
 namespace Programs
@@ -21,9 +22,14 @@ using Parsing = vtksys::CommandLineArguments;
 //------------------------------------------------------------------------------
 double ToNumber(const std::string& text)
 {
+  // The parser takes all that follows an option with several values for these.
+  if (text.rfind("--", 0) == 0)
+  {
+    throw std::runtime_error("unknown option " + text + "; see --help");
+  }
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0')
+  if (text.empty() || *end != '\0' || std::isnan(number))
   {
     throw std::runtime_error(text + " is not a number; see --help");
   }
@@ -114,6 +120,15 @@ bool CommandLine::Parse()
     convert();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string CommandLine::GetHelp()
+{
+  // The parser calls values "opt", and cuts off the second "opt" of options with several.
+  const std::string help =
+    std::regex_replace(this->Parser.GetHelp(), std::regex("( --[-a-z]+) opt o\\w*"), "$1 VALUE...");
+  return std::regex_replace(help, std::regex("( --[-a-z]+) opt "), "$1 VALUE ");
 }
 
 //------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ public:
   /// Returns whether the options are to be done, false if only the help is asked for. Throws
   /// std::runtime_error if an option is unknown or lacks its value, or if a number is none.
   bool Parse();
-  std::string GetHelp() { return this->Parser.GetHelp(); }
+  std::string GetHelp();
 
 private:
   void TakeFiles();

@@ -3,14 +3,21 @@
 
 #include "PatientAxes.h"
 
+#include "MetaImageHeader.h"
+#include "NrrdHeader.h"
+
 #include <vtkImageData.h>
+#include <vtkImageReader2.h>
 #include <vtkMath.h>
+#include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageReader.h>
 
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <optional>
+#include <string>
 
 namespace Programs
 {
@@ -45,6 +52,49 @@ std::array<double, 3> FromDicom(const std::array<double, 3>& v)
   return { -v[0], -v[1], v[2] };
 }
 
+//------------------------------------------------------------------------------
+/// Takes axes that have these lengths. Warns, and leaves all out, if they are not perpendicular.
+void SetPlace(vtkImageData* image, const std::array<std::array<double, 3>, 3>& axes,
+  const std::array<double, 3>& lengths, const std::array<double, 3>& spacing,
+  const std::array<double, 3>& origin, const std::string& name)
+{
+  double matrix[9];
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      matrix[3 * row + column] = axes[column][row] / lengths[column];
+    }
+  }
+  if (!AreAxes(matrix))
+  {
+    std::cerr << "warning: " << name
+              << " are not perpendicular; they are left out, and the samples have the axes of the "
+                 "file\n";
+    return;
+  }
+  image->SetDirectionMatrix(matrix);
+  image->SetSpacing(spacing.data());
+  image->SetOrigin(origin.data());
+}
+
+//------------------------------------------------------------------------------
+/// That of the first sample of the image, which may be in the last row of the file.
+std::optional<ImageFiles::ImagePlace> FindPlaceOfNrrd(const std::string& name, vtkImageData* image)
+{
+  std::optional<ImageFiles::NrrdPlace> place = ImageFiles::FindPlaceOfNrrd(name);
+  // vtkMappedImageReader leaves rows where they are, and turns the axis.
+  if (place && place->AreRowsReversed && image->GetDirectionMatrix()->GetElement(1, 1) > 0.0)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      place->Origin[i] += (image->GetDimensions()[1] - 1) * place->Steps[1][i];
+      place->Steps[1][i] = -place->Steps[1][i];
+    }
+  }
+  return place;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -77,31 +127,46 @@ void PlaceInPatient(vtkNIFTIImageReader* reader, vtkImageData* image)
   {
     return;
   }
-  double matrix[9];
+  std::array<std::array<double, 3>, 3> axes;
+  std::array<double, 3> lengths;
   std::array<double, 3> spacing;
   image->GetSpacing(spacing.data());
-  for (int column = 0; column < 3; ++column)
+  for (int i = 0; i < 3; ++i)
   {
-    const std::array<double, 3> axis = { place->GetElement(0, column), place->GetElement(1, column),
-      place->GetElement(2, column) };
+    axes[i] = { place->GetElement(0, i), place->GetElement(1, i), place->GetElement(2, i) };
     // An sform has spacings of its own.
-    const double scale = isRigid ? 1.0 : vtkMath::Norm(axis.data());
-    for (int row = 0; row < 3; ++row)
-    {
-      matrix[3 * row + column] = axis[row] / scale;
-    }
-    spacing[column] *= scale;
+    lengths[i] = isRigid ? 1.0 : vtkMath::Norm(axes[i].data());
+    spacing[i] *= lengths[i];
   }
-  if (!AreAxes(matrix))
+  SetPlace(image, axes, lengths, spacing,
+    { place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3) },
+    std::string(reader->GetFileName()) + ": the axes that its sform gives");
+}
+
+//------------------------------------------------------------------------------
+void PlaceInPatient(vtkImageReader2* reader, vtkImageData* image)
+{
+  const std::string name = reader->GetFileName();
+  std::optional<ImageFiles::ImagePlace> place;
+  if (ImageFiles::IsMetaImage(name))
   {
-    std::cerr << "warning: " << reader->GetFileName()
-              << ": the axes that its sform gives are not perpendicular; they are left out, and "
-                 "the samples have the axes of the file\n";
+    place = ImageFiles::FindPlaceOfMetaImage(name);
+  }
+  else if (ImageFiles::IsNrrd(name))
+  {
+    place = FindPlaceOfNrrd(name, image);
+  }
+  if (!place)
+  {
     return;
   }
-  image->SetDirectionMatrix(matrix);
-  image->SetSpacing(spacing.data());
-  image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  std::array<double, 3> spacing;
+  for (int i = 0; i < 3; ++i)
+  {
+    spacing[i] = vtkMath::Norm(place->Steps[i].data());
+  }
+  SetPlace(image, place->Steps, spacing, spacing, place->Origin,
+    name + ": the axes that its header gives");
 }
 
 }

@@ -6,6 +6,7 @@
 #include "DicomSlices.h"
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
+#include "NrrdHeader.h"
 #include "PatientAxes.h"
 #include "ReaderErrors.h"
 #include "ScaledValues.h"
@@ -325,10 +326,9 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
       vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
   }
   // The factory does not have these readers.
-  const std::string extension =
-    SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(fileName));
-  if (extension == ".nrrd" || extension == ".nhdr")
+  if (ImageFiles::IsNrrd(fileName))
   {
+    ImageFiles::CheckNrrd(fileName);
     return ReadFile(vtkNew<vtkNrrdReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
   }
   if (ImageFiles::IsNifti(fileName))

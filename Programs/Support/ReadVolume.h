@@ -25,8 +25,8 @@ double GetDefaultMaxMemory();
 /// What --help says of it.
 extern const char* const MaxMemoryHelp;
 
-/// The axes of an image: those of its samples, or, if its file tells (DICOM, NIfTI), those of the
-/// patient: x to the right, y to the front and z to the head.
+/// The axes of an image: those of its samples, or, if its file tells (DICOM, NIfTI, NRRD,
+/// MetaImage), those of the patient: x to the right, y to the front and z to the head.
 enum class Axes
 {
   OfSamples,

@@ -222,6 +222,8 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--opacity", "1.5"), "--opacity takes")
         self.check_failure(run(*arguments, "--opacity", "0.5", "0.5"), "--opacity takes")
         self.check_failure(run(*arguments, "--azimuth", "front"), "front is not a number")
+        self.check_failure(run(*arguments, "--azimuth", "nan"), "nan is not a number")
+        self.check_failure(run("--isovalue", "157", "--frame", *arguments), "unknown option --frame")
         self.check_failure(run(*arguments, "--width", "99.5"), "99.5 is not an integer")
         self.check_failure(run(*arguments, "--max-memory", "0.001"), "--max-memory sets this limit")
 
@@ -229,7 +231,7 @@ class TestIsosurfaceRender(unittest.TestCase):
         for processes in (None, 2):
             result = run("--help", processes=processes)
             self.assertEqual(result.returncode, 0)
-            self.assertEqual(result.stdout.count("--isovalue opt"), 1)
+            self.assertEqual(result.stdout.count("--isovalue VALUE...  One or more"), 1)
             self.assertIn("mpirun -n 4 vtkIsosurfaceRender", result.stdout)
 
 

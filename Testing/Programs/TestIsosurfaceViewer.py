@@ -192,6 +192,17 @@ class TestIsosurfaceViewer(unittest.TestCase):
         (self.folder / "waves.nhdr").write_text(
             "NRRD0004\ntype: short\ndimension: 3\nsizes: 41 41 41\nendian: little\nencoding: raw\n"
             "spacings: 0.8 1 1.25\ndata file: waves.raw\n", encoding="ascii")
+        # In other orders, with headers that put them to the same places.
+        turned = samples.reshape(image.GetDimensions(), order="F").T
+        (self.folder / "turned.raw").write_bytes(turned.tobytes(order="F"))
+        (self.folder / "waves-turned.mhd").write_text(
+            "NDims = 3\nBinaryData = True\nTransformMatrix = 0 0 1 0 -1 0 -1 0 0\nElementSpacing = 1.25 1 0.8\n"
+            "DimSize = 41 41 41\nAnatomicalOrientation = IPL\nElementType = MET_SHORT\nElementDataFile = turned.raw\n",
+            encoding="ascii")
+        (self.folder / "waves-left.nhdr").write_text(
+            "NRRD0004\ntype: short\ndimension: 3\nspace: left-anterior-superior\nsizes: 41 41 41\nendian: little\n"
+            "encoding: raw\nspace directions: (0,0,1.25) (0,1,0) (-0.8,0,0)\nspace origin: (0,0,0)\n"
+            "data file: turned.raw\n", encoding="ascii")
         lattice = vtkRectilinearGrid()
         lattice.SetDimensions(image.GetDimensions())
         for axis, name in enumerate("XYZ"):
@@ -215,6 +226,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
             slices,
             self.write(scaled, "waves-scaled.nii", stored.GetOutput()),
             self.folder / "waves.nhdr",
+            self.folder / "waves-turned.mhd",
+            self.folder / "waves-left.nhdr",
             self.write(vtkMetaImageWriter(), "waves.mha", image),
             self.write(vtkXMLImageDataWriter(), "waves.vti", image),
             self.write(vtkNIFTIImageWriter(), "waves.nii.gz", image),

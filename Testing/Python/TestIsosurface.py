@@ -251,6 +251,8 @@ class TestColorBy(unittest.TestCase):
     def test_maps(self):
         for cmap in ("viridis", "coolwarm", "gray", "inferno", lambda parts: np.stack([parts, parts, parts], axis=1)):
             self.assertTrue(picture_of(make_ball(), 0.0, color_by=make_ball(), cmap=cmap).any())
+        rows = picture_of(make_ball(), 0.0, color_by=make_ball(), cmap=np.eye(3)[[2, 0]])
+        np.testing.assert_array_equal(rows, picture_of(make_ball(), 0.0, color_by=make_ball(), cmap=["blue", "red"]))
 
     def test_map_of_matplotlib(self):
         try:
@@ -414,6 +416,7 @@ class TestPackage(unittest.TestCase):
     def test_names(self):
         for name in ("Hits", "Picture", "cast_rays", "isosurface", "read", "render", "show", "vtkIsosurfacePicker"):
             self.assertIn(name, dir(vtkIsosurfaceRayTracing))
+            self.assertIn(name, vtkIsosurfaceRayTracing.__all__)
             self.assertTrue(getattr(vtkIsosurfaceRayTracing, name).__doc__, name)
         self.assertRegex(vtkIsosurfaceRayTracing.__version__, r"^\d+\.\d+\.\d+$")
         with self.assertRaisesRegex(AttributeError, "no attribute 'isosurfaces'"):

@@ -102,7 +102,10 @@ class TestMeshMapper(unittest.TestCase):
                 mapper.TetrahedralizeOff()
                 self.assertEqual(cast(mapper, volume, parallel_rays()), of_cells)
                 if grid.GetCellType(0) == VTK_TETRA:
-                    self.assertEqual(found, of_cells)
+                    # From VTK 9.3 on, the filter orders their corners anew.
+                    self.assertEqual([(hit[0], hit[2]) for hit in found], [(hit[0], hit[2]) for hit in of_cells])
+                    for hit, other in zip(found, of_cells):
+                        self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
                 else:
                     self.assertNotEqual([hit[1] for hit in found], [hit[1] for hit in of_cells])
 

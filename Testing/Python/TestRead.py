@@ -204,6 +204,53 @@ class TestRead(unittest.TestCase):
             image = read(self.write(writer, "sheared.nii", make_waves(5)))
         self.assertTrue(image.GetDirectionMatrix().IsIdentity())
 
+    def test_directions_in_headers(self):
+        """Of NRRD and MetaImage: a marked sample is where the header puts it, also where it is used in the file."""
+        samples = np.zeros((11, 8, 7), np.int16)
+        samples[2, 1, 5] = 100
+        (self.folder / "marked.raw").write_bytes(samples.tobytes(order="F"))
+        axes = np.array([(0.6, 0.8, 0.0), (0.0, 0.0, 1.0), (0.8, -0.6, 0.0)])  # rows, of each axis
+        steps, origin = axes * [[0.5], [2.0], [3.0]], np.array([10.0, -20.0, 30.0])
+        metaimage = ("NDims = 3\nBinaryData = True\nTransformMatrix = {}\nOffset = 10 -20 30\nElementSpacing = 0.5 2 3\n"
+                     "DimSize = 11 8 7\n{}ElementType = MET_SHORT\nElementDataFile = marked.raw\n")
+        nrrd = ("NRRD0005\ntype: short\ndimension: 3\n{}\nsizes: 11 8 7\nspace directions: {}\nspace origin: (10,-20,30)\n"
+                "endian: little\nencoding: raw\ndata file: marked.raw\n")
+        matrix, vectors = " ".join(map(str, axes.ravel())), " ".join("({},{},{})".format(*each) for each in steps)
+        headers = [(f"{code}.mhd", metaimage.format(matrix, line), turn) for code, line, turn in (
+            ("lps", "AnatomicalOrientation = RAI\n", (-1, -1, 1)), ("unknown", "AnatomicalOrientation = ???\n", (1, 1, 1)),
+            ("none", "", (1, 1, 1)))]  # fmt: skip
+        headers += [(f"{i}.nhdr", nrrd.format(space, vectors), turn) for i, (space, turn) in enumerate((
+            ("space: left-posterior-superior", (-1, -1, 1)), ("space: LPS", (-1, -1, 1)), ("space: RAS", (1, 1, 1)),
+            ("space: right-anterior-superior", (1, 1, 1)), ("space: left-anterior-superior", (-1, 1, 1)),
+            ("space: LAS", (-1, 1, 1)), ("space: 3D-left-handed", (1, 1, 1)), ("space: scanner-xyz", (1, 1, 1)),
+            ("space dimension: 3", (1, 1, 1))))]  # fmt: skip
+        for name, header, turn in headers:
+            (self.folder / name).write_text(header, encoding="ascii")
+            for memory in (1 << 40, 1):
+                with mock.patch("vtkIsosurfaceRayTracing._files._count_memory", return_value=memory):
+                    image = read(self.folder / name)
+                marked = int(np.argmax(vtk_to_numpy(image.GetPointData().GetScalars())))
+                expected = turn * (origin + np.array([2, 1, 5]) @ steps)
+                np.testing.assert_allclose(image.GetPoint(marked), expected, atol=1e-12, err_msg=f"{name} {memory}")
+                self.assertEqual(image.GetSpacing(), (0.5, 2.0, 3.0))
+        identity, sheared = "1 0 0 0 1 0 0 0 1", "1 0 0 0.5 1 0 0 0 1"
+        (self.folder / "upright.mha").write_text(
+            metaimage.format(identity, "AnatomicalOrientation = RAI\n").replace("Transform", "# "), encoding="ascii")
+        self.assertEqual(read(self.folder / "upright.mha").GetOrigin(), (-10.0, 20.0, 30.0))
+        for name, header in (("sheared.mhd", metaimage.format(sheared, "")),
+                             ("two.nhdr", nrrd.format("space: RAS", "(0.5,0,0) (0,2,0)"))):  # fmt: skip
+            (self.folder / name).write_text(header, encoding="ascii")
+            with self.subTest(name), self.assertWarnsRegex(RuntimeWarning, f"{name}: the axes that its header gives are not"):
+                image = read(self.folder / name)
+                self.assertTrue(image.GetDirectionMatrix().IsIdentity())
+        last = nrrd.format("space: RAS", vectors + " none").replace("sizes: 11 8 7", "sizes: 11 8 7 1")
+        for name, header, message in (
+                ("text.nhdr", nrrd.format("space: RAS", vectors).replace("raw\n", "ASCII\n"), "as text"),
+                ("last.nhdr", last.replace("dimension: 3", "dimension: 4"), "components, or several volumes")):  # fmt: skip
+            (self.folder / name).write_text(header, encoding="ascii")
+            with self.assertRaisesRegex(ValueError, f"{name} has .*{message}"):
+                read(self.folder / name)
+
     def test_meshes(self):
         tetrahedra, curved = make_grid(VTK_TETRA, ball), make_structured_grid(ball)
         blocks = vtkMultiBlockDataSet()

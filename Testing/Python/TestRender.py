@@ -245,7 +245,8 @@ class TestErrors(unittest.TestCase):
             ({"size": 300}, "size is 300"), ({"size": (0, 3)}, "at least one pixel"), ({"size": (3.5, 3)}, "in pixels"),
             ({"view": "front"}, "view is 'front'"), ({"view": (0, 0, 0)}, "view is"), ({"up": 3}, "up is 3"),
             ({"view": "z", "up": "-z"}, "give up another direction"), ({"zoom": 0}, "zoom is 0"),
-            ({"background": "whitish"}, "no colour"), ({"clip": ((0, 0, 99), "z")}, "clip removes it all"),
+            ({"background": "whitish"}, "no colour"), ({"clip": ((0, 0, 99), "z")}, "or clip removes them"),
+            ({"size": (10**10, 1)}, r"fewer than 2\*\*31"), ({"opacity": 0}, "have the opacity 0"),
         ):  # fmt: skip
             with self.subTest(message), self.assertRaisesRegex(ValueError, message):
                 render(make_waves(), 150, **options)
@@ -337,6 +338,26 @@ except RuntimeError as error:
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
         self.assertIn("there is no display", result.stdout)
+
+    def test_forked_processes(self):
+        """OpenMP's threads are not in them."""
+        code = """
+import multiprocessing, os
+os.environ["OMP_NUM_THREADS"] = "3"
+import numpy as np
+from vtkIsosurfaceRayTracing import isosurface, render
+samples = np.indices((9, 9, 9)).sum(axis=0)
+def draw(threads):
+    volume = isosurface(samples, 11.0)
+    volume.GetMapper().SetNumberOfThreads(threads)
+    return render(volume, size=(64, 64)).rgba
+expected = draw(3)
+with multiprocessing.get_context("fork").Pool(2) as pool:
+    for rgba in pool.map_async(draw, (0, 1, 3)).get(60):
+        assert np.array_equal(rgba, expected)
+"""
+        result = self.run_python(code)
+        self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_classes_need_no_numpy(self):
         code = """
