@@ -101,8 +101,7 @@ struct TraceRequest
       this->Interpolation == other.Interpolation && this->Solver == other.Solver &&
       this->Interpolations == other.Interpolations && this->Projection == other.Projection &&
       this->HasCloud == other.HasCloud && this->LitComponents == other.LitComponents &&
-      this->Visible == other.Visible &&
-      this->Normals == other.Normals;
+      this->Visible == other.Visible && this->Normals == other.Normals;
   }
 
   bool IsNothing() const { return this->Surfaces.empty() && !this->Projection && !this->HasCloud; }
