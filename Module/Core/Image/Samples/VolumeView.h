@@ -23,11 +23,11 @@ struct VolumeView
   Index3 Dimensions = { 0, 0, 0 };
   /// The distance between neighbours along x, in samples (the number of interleaved components).
   std::ptrdiff_t Stride = 1;
+  /// Whether the memory is that of a file, which is mapped.
+  bool AreInFile = false;
   /// The number of further samples along each axis that memory has before these. Normals and the
   /// tricubic interpolant take them for neighbours; even spacing alone may have them.
   int Before = 0;
-  /// Whether the memory is that of a file, which is mapped.
-  bool AreInFile = false;
 };
 
 /// The view with its type known to the compiler.
