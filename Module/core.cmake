@@ -68,11 +68,13 @@ endforeach ()
 set(no_contraction "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>")
 
 # The inner loops, once for every instruction set; the program takes what the processor has. Only
-# these files may be compiled for more than the baseline. (GCC 12 takes the undefined registers of
-# its own intrinsics for variables that were forgotten: bug 105593.)
+# these files may be compiled for more than the baseline. They need all of the optimizer, but in debug
+# builds. (GCC 12 takes the undefined registers of its own intrinsics for variables that were
+# forgotten: bug 105593.)
 set(kernels "${CMAKE_CURRENT_LIST_DIR}/Core/Kernels/Kernels")
 set(kernel_options
-  "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3>" "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno>"
+  "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<NOT:$<CONFIG:Debug>>>:-O3>"
+  "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno>"
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>" "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>")
 list(APPEND core_sources "${kernels}Baseline.cxx")
 set_source_files_properties("${kernels}Baseline.cxx" PROPERTIES COMPILE_OPTIONS "${kernel_options}")
