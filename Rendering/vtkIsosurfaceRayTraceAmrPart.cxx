@@ -28,6 +28,10 @@ namespace
 
 using Leaf = vtkIsosurfaceRayTraceLeaf;
 
+/// Blocks are small, and each field costs every ray that comes to it; but a ray that comes to a
+/// region makes the samples of all of it.
+constexpr int CellsOfRegion = 32;
+
 /// A thousandth of a cell is less than is visible, and more than the rounding of coordinates that
 /// were written as text.
 constexpr double Slack = 1e-3;
@@ -201,6 +205,14 @@ private:
   std::vector<vtkirt::Index3> Ratios;
 };
 
+/// What the blocks of a region have in common: their opacity, and whether all cells are hidden.
+using BlockKind = std::pair<std::optional<double>, bool>;
+
+bool AreAllHidden(const std::vector<unsigned char>& hidden)
+{
+  return !hidden.empty() && std::find(hidden.begin(), hidden.end(), 0) == hidden.end();
+}
+
 /// The flags of some kinds, for each cell of a block; none if it has no flags.
 std::vector<unsigned char> FindFlags(const Leaf& leaf, int kinds)
 {
@@ -242,13 +254,25 @@ std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceAmrPart::Block::IsIntact() const
+{
+  vtkDataArray* scalars = this->Leaf.Scalars;
+  const vtkDataArray* colors = this->Leaf.Colors;
+  return scalars->GetVoidPointer(0) == this->Memory &&
+    scalars->GetNumberOfTuples() >= this->NumberOfTuples &&
+    (!colors || colors->GetNumberOfTuples() >= this->Leaf.Data->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
 struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
 {
+  /// A patch for each block.
   std::unique_ptr<vtkirt::AmrHierarchy> Patches;
+  std::vector<Block> Blocks;
   bool OfCells;
   vtkirt::ImageSettings Settings;
   vtkVolumeMapper* Cropping;
-  /// Copies of scalars that are not plain arrays in memory, and flags of cells, of each patch.
+  /// Copies of scalars that are not plain arrays in memory, and flags of cells, of each block.
   std::vector<vtkSmartPointer<vtkDataArray>> PlainScalars;
   std::vector<std::vector<unsigned char>> GhostCells;
   std::vector<std::vector<unsigned char>> HiddenCells;
@@ -272,7 +296,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
   whole->Cropping = cropping;
   const Levels levels(leaves);
   std::vector<vtkirt::AmrPatch> patches;
-  std::vector<const vtkIsosurfaceRayTraceLeaf*> placed;
+  std::vector<BlockKind> kinds;
   for (const vtkIsosurfaceRayTraceLeaf& leaf : leaves)
   {
     vtkirt::AmrPatch patch{};
@@ -301,39 +325,43 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
     patch.GhostCells =
       keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate), whole->GhostCells);
     patch.HiddenCells = keep(FindHiddenCells(leaf), whole->HiddenCells);
+    const BlockKind kind = { leaf.Display.Opacity, AreAllHidden(whole->HiddenCells.back()) };
+    patch.Kind = static_cast<int>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+    if (patch.Kind == static_cast<int>(kinds.size()))
+    {
+      kinds.push_back(kind);
+    }
     patches.push_back(patch);
-    placed.push_back(&leaf);
+    whole->Blocks.push_back(
+      { leaf, leaf.Scalars->GetVoidPointer(0), leaf.Scalars->GetNumberOfTuples() });
   }
   whole->Patches = std::make_unique<vtkirt::AmrHierarchy>(
     levels.GetRatios(), std::move(patches), scalars.AreOfCells);
-  for (std::size_t i = 0; i < placed.size(); ++i)
+  for (vtkirt::AmrRegion& region : whole->Patches->MakeRegions(CellsOfRegion))
   {
-    parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(*placed[i], i, whole));
+    parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(std::move(region), whole));
   }
   return parts;
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
-  const vtkIsosurfaceRayTraceLeaf& leaf, std::size_t number, std::shared_ptr<Hierarchy> whole)
-  : Leaf(leaf)
-  , Number(number)
+  vtkirt::AmrRegion&& region, std::shared_ptr<Hierarchy> whole)
+  : Region(std::move(region))
   , Whole(std::move(whole))
-  , Memory(leaf.Scalars->GetVoidPointer(0))
-  , NumberOfTuples(leaf.Scalars->GetNumberOfTuples())
 {
-  this->Cells = vtkIsosurfaceRayTraceGeometry::GetDimensions(leaf.Data);
+  const Leaf& first =
+    this->Whole->Blocks[this->Whole->Patches->FindPatch(this->Region, this->Region.First)].Leaf;
   const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
-  const vtkirt::Vector3 spacing = GetSpacing(leaf);
-  const vtkirt::Vector3 corner = GetCorner(leaf);
+  const vtkirt::Vector3 spacing = GetSpacing(first);
+  const vtkirt::Vector3 corner = GetCorner(first);
   vtkNew<vtkImageData> nodes;
   int extent[6];
   double ofNodes[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    --this->Cells[axis];
     extent[2 * axis] = 0;
-    extent[2 * axis + 1] = nodesOfCell * this->Cells[axis] + 1;
+    extent[2 * axis + 1] = nodesOfCell * this->Region.Cells[axis] + 1;
     ofNodes[axis] = spacing[axis] / nodesOfCell;
   }
   nodes->SetExtent(extent);
@@ -343,12 +371,20 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
 }
 
 //------------------------------------------------------------------------------
+/// Whether that is true of all of its blocks.
+template <typename Test>
+bool vtkIsosurfaceRayTraceAmrPart::AreAllBlocks(const Test& test) const
+{
+  return std::all_of(this->Region.Patches.begin(), this->Region.Patches.end(), test);
+}
+
+//------------------------------------------------------------------------------
 /// Most blocks of a simulation have nothing of a surface, and blocks whose cells are hidden lend
 /// others their samples alone: they need no nodes.
 bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
 {
-  const std::vector<unsigned char>& hidden = this->Whole->HiddenCells[this->Number];
-  if (!hidden.empty() && std::find(hidden.begin(), hidden.end(), 0) == hidden.end())
+  if (this->AreAllBlocks(
+        [this](std::size_t block) { return AreAllHidden(this->Whole->HiddenCells[block]); }))
   {
     return false;
   }
@@ -359,7 +395,7 @@ bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
   }
   if (!this->Range)
   {
-    this->Range = this->Whole->Patches->FindRange(this->Number);
+    this->Range = this->Whole->Patches->FindRange(this->Region);
   }
   return std::any_of(request.Surfaces.begin(), request.Surfaces.end(),
     [this](const vtkirt::Isosurface& surface)
@@ -380,7 +416,7 @@ bool vtkIsosurfaceRayTraceAmrPart::Update(int threads)
   {
     return false;
   }
-  this->Nodes = this->Whole->Patches->MakeNodes(this->Number);
+  this->Nodes = this->Whole->Patches->MakeNodes(this->Region);
   this->Nodes.Shorten();
   this->Field = vtkirt::ImageField::New(this->Nodes.GetSamples(), this->Whole->Settings, threads);
   return true;
@@ -411,82 +447,105 @@ vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
   vtkirt::Bounds box = {};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    box.Upper[axis] = this->Whole->Patches->GetNodesOfCell() * this->Cells[axis];
+    box.Upper[axis] = this->Whole->Patches->GetNodesOfCell() * this->Region.Cells[axis];
   }
   return box;
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Index3 vtkIsosurfaceRayTraceAmrPart::FindStructuredCell(
-  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+std::optional<double> vtkIsosurfaceRayTraceAmrPart::FindOpacity() const
+{
+  return this->Whole->Blocks[this->Region.Patches.front()].Leaf.Display.Opacity;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceAmrPart::BlockCell vtkIsosurfaceRayTraceAmrPart::FindBlockCell(
+  const vtkirt::Hit& hit) const
 {
   const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
   vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
+  vtkirt::Vector3 parametric;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double place = (cell[axis] + hit.Parametric[axis]) / nodesOfCell;
-    // Hits may lie in the margin behind the block.
-    cell[axis] = std::min(cell[axis] / nodesOfCell, this->Cells[axis] - 1);
+    // Hits may lie in the margin behind the region.
+    cell[axis] = std::min(cell[axis] / nodesOfCell, this->Region.Cells[axis] - 1);
     parametric[axis] = std::clamp(place - cell[axis], 0.0, 1.0);
+    cell[axis] += this->Region.First[axis];
   }
-  return cell;
+  const std::size_t number = this->Whole->Patches->FindPatch(this->Region, cell);
+  const vtkirt::AmrPatch& patch = this->Whole->Patches->GetPatch(number);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    cell[axis] -= patch.First[axis];
+  }
+  return { this->Whole->Blocks[number].Leaf, patch.Cells, cell, parametric };
+}
+
+//------------------------------------------------------------------------------
+const vtkIsosurfaceRayTraceLeaf& vtkIsosurfaceRayTraceAmrPart::FindLeaf(
+  const vtkirt::Hit& hit) const
+{
+  return this->FindBlockCell(hit).Leaf;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceAmrPart::FindCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
-  return this->Leaf.FirstCell +
-    static_cast<vtkIdType>(vtkirt::Offset(this->FindStructuredCell(hit, parametric), this->Cells));
+  const BlockCell found = this->FindBlockCell(hit);
+  parametric = found.Parametric;
+  return found.Leaf.FirstCell + static_cast<vtkIdType>(vtkirt::Offset(found.Cell, found.Cells));
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceAmrPart::FindPoint(const vtkirt::Hit& hit) const
 {
-  vtkirt::Vector3 parametric;
-  vtkirt::Index3 point = this->FindStructuredCell(hit, parametric);
-  vtkirt::Index3 points = this->Cells;
+  const BlockCell found = this->FindBlockCell(hit);
+  vtkirt::Index3 point = found.Cell;
+  vtkirt::Index3 points = found.Cells;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    point[axis] += parametric[axis] >= 0.5 ? 1 : 0;
+    point[axis] += found.Parametric[axis] >= 0.5 ? 1 : 0;
     ++points[axis];
   }
-  return this->Leaf.FirstPoint + static_cast<vtkIdType>(vtkirt::Offset(point, points));
+  return found.Leaf.FirstPoint + static_cast<vtkIdType>(vtkirt::Offset(point, points));
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceAmrPart::SampleColors(
   const vtkirt::Hit& hit, int components, double* values) const
 {
-  vtkirt::Vector3 index;
-  const vtkirt::Index3 cell = this->FindStructuredCell(hit, index);
-  vtkirt::Index3 points = this->Cells;
+  const BlockCell found = this->FindBlockCell(hit);
+  vtkirt::Vector3 index = found.Parametric;
+  vtkirt::Index3 points = found.Cells;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    index[axis] += cell[axis];
+    index[axis] += found.Cell[axis];
     ++points[axis];
   }
   for (int component = 0; component < components; ++component)
   {
     values[component] =
-      vtkIsosurfaceRayTraceSampleLattice(this->Leaf.Colors, points, index, component);
+      vtkIsosurfaceRayTraceSampleLattice(found.Leaf.Colors, points, index, component);
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceAmrPart::IsIntact() const
 {
-  vtkDataArray* scalars = this->Leaf.Scalars;
-  const vtkDataArray* colors = this->Leaf.Colors;
-  return scalars->GetVoidPointer(0) == this->Memory &&
-    scalars->GetNumberOfTuples() >= this->NumberOfTuples &&
-    (!colors || colors->GetNumberOfTuples() >= this->Leaf.Data->GetNumberOfPoints());
+  return this->AreAllBlocks(
+    [this](std::size_t block) { return this->Whole->Blocks[block].IsIntact(); });
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceAmrPart::AddObjects(std::vector<vtkObject*>& objects) const
 {
-  objects.insert(objects.end(), { this->Leaf.Data, this->Leaf.Scalars, this->Leaf.Colors });
+  for (const std::size_t block : this->Region.Patches)
+  {
+    const Leaf& leaf = this->Whole->Blocks[block].Leaf;
+    objects.insert(objects.end(), { leaf.Data, leaf.Scalars, leaf.Colors });
+  }
 }
 
 VTK_ABI_NAMESPACE_END

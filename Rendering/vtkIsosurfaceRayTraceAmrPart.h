@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A block of an AMR data set, as a field that is traced.
+// Blocks of an AMR data set that fill a box of a level, as a field that is traced.
 
 #ifndef vtkIsosurfaceRayTraceAmrPart_h
 #define vtkIsosurfaceRayTraceAmrPart_h
@@ -51,40 +51,51 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
-  std::optional<double> FindOpacity() const override { return this->Leaf.Display.Opacity; }
-  const vtkIsosurfaceRayTraceLeaf& FindLeaf(
-    const vtkIsosurfaceRayTracing::Hit& /*hit*/) const override
-  {
-    return this->Leaf;
-  }
+  std::optional<double> FindOpacity() const override;
+  const vtkIsosurfaceRayTraceLeaf& FindLeaf(const vtkIsosurfaceRayTracing::Hit& hit) const override;
   void SampleColors(
     const vtkIsosurfaceRayTracing::Hit& hit, int components, double* values) const override;
   bool IsIntact() const override;
   void AddObjects(std::vector<vtkObject*>& objects) const override;
 
 private:
+  /// A block, and what its scalars were when they were selected.
+  struct Block
+  {
+    vtkIsosurfaceRayTraceLeaf Leaf;
+    const void* Memory;
+    vtkIdType NumberOfTuples;
+
+    bool IsIntact() const;
+  };
+
   /// What the parts of a data set share.
   struct Hierarchy;
 
-  vtkIsosurfaceRayTraceAmrPart(
-    const vtkIsosurfaceRayTraceLeaf& leaf, std::size_t number, std::shared_ptr<Hierarchy> whole);
-  vtkIsosurfaceRayTracing::Index3 FindStructuredCell(
-    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
+  /// A cell of a block that a hit is in.
+  struct BlockCell
+  {
+    const vtkIsosurfaceRayTraceLeaf& Leaf;
+    /// The numbers of cells of the block.
+    vtkIsosurfaceRayTracing::Index3 Cells;
+    vtkIsosurfaceRayTracing::Index3 Cell;
+    vtkIsosurfaceRayTracing::Vector3 Parametric;
+  };
 
-  vtkIsosurfaceRayTraceLeaf Leaf;
-  /// Of the patch in the hierarchy.
-  std::size_t Number;
+  vtkIsosurfaceRayTraceAmrPart(
+    vtkIsosurfaceRayTracing::AmrRegion&& region, std::shared_ptr<Hierarchy> whole);
+  BlockCell FindBlockCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
+  template <typename Test>
+  bool AreAllBlocks(const Test& test) const;
+
+  vtkIsosurfaceRayTracing::AmrRegion Region;
   std::shared_ptr<Hierarchy> Whole;
-  vtkIsosurfaceRayTracing::Index3 Cells;
   /// Of the nodes.
   vtkIsosurfaceRayTraceGeometry Geometry;
   /// None before it is asked for first.
   std::optional<vtkIsosurfaceRayTracing::AmrRange> Range;
   vtkIsosurfaceRayTracing::AmrNodes Nodes;
   std::unique_ptr<vtkIsosurfaceRayTracing::ImageField> Field;
-  /// What the scalars were when they were selected.
-  const void* Memory;
-  vtkIdType NumberOfTuples;
 };
 
 VTK_ABI_NAMESPACE_END

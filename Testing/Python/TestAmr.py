@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUniformGrid,
 )
 from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
-from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkCompositeDataDisplayAttributes
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
 from MeshTesting import cast, errors_of, make_volume
@@ -130,29 +130,33 @@ class TestAmr(unittest.TestCase):
                         self.check_closed(amr)
 
     def test_hits_are_in_the_finest_cells(self):
+        """Also where blocks fill a box, and are traced as one."""
         for of_cells in (False, True):
-            amr = vtkOverlappingAMR()
-            grids = fill(amr, NESTED, of_cells)
-            mapper, _, hits, rays = self.check_closed(amr)
-            in_block, flat_index = mutable(0), mutable(0)
-            seen = set()
-            for ray, t, cell, _ in hits[::7]:
-                point = [o + t * d for o, d in zip(*rays[ray])]
-                # On the sphere, to within the curvature of the field in a cell.
-                self.assertAlmostEqual(ball(point), 0.0, delta=0.3)
-                block = mapper.FindBlock(cell, in_block, flat_index)
-                number = next(i for i, grid in enumerate(grids) if grid is block)
-                seen.add(number)
-                bounds = block.GetCell(int(in_block)).GetBounds()
-                for axis in range(3):
-                    self.assertGreater(point[axis], bounds[2 * axis] - 1e-6)
-                    self.assertLess(point[axis], bounds[2 * axis + 1] + 1e-6)
-                inside = [i for i, grid in enumerate(grids)
-                          if all(grid.GetBounds()[2 * axis] + 1e-6 < point[axis] < grid.GetBounds()[2 * axis + 1] - 1e-6
-                                 for axis in range(3))]  # fmt: skip
-                if inside:
-                    self.assertGreaterEqual(NESTED[number][0], NESTED[max(inside)][0])
-            self.assertEqual(len(seen), 4)
+            # On the sphere, to within the curvature of the field in a cell; means are of one side beside
+            # finer cells that no coarser ones lie behind.
+            for kind, blocks, least, delta in (
+                    (vtkOverlappingAMR, NESTED, 4, 0.1), (vtkNonOverlappingAMR, APART, 30, 0.6 if of_cells else 0.1)):
+                amr = kind()
+                grids = fill(amr, blocks, of_cells)
+                mapper, _, hits, rays = self.check_closed(amr)
+                in_block, flat_index = mutable(0), mutable(0)
+                seen = set()
+                for ray, t, cell, _ in hits[::7]:
+                    point = [o + t * d for o, d in zip(*rays[ray])]
+                    self.assertAlmostEqual(ball(point), 0.0, delta=delta)
+                    block = mapper.FindBlock(cell, in_block, flat_index)
+                    number = next(i for i, grid in enumerate(grids) if grid is block)
+                    seen.add(number)
+                    bounds = block.GetCell(int(in_block)).GetBounds()
+                    for axis in range(3):
+                        self.assertGreater(point[axis], bounds[2 * axis] - 1e-6)
+                        self.assertLess(point[axis], bounds[2 * axis + 1] + 1e-6)
+                    inside = [i for i, grid in enumerate(grids)
+                              if all(grid.GetBounds()[2 * k] + 1e-6 < point[k] < grid.GetBounds()[2 * k + 1] - 1e-6
+                                     for k in range(3))]  # fmt: skip
+                    if inside:
+                        self.assertGreaterEqual(blocks[number][0], blocks[max(inside)][0])
+                self.assertGreaterEqual(len(seen), least)
 
     def test_a_linear_field_has_no_levels(self):
         """All interpolants are exact, so the surface is a plane, and every ray hits it once."""
@@ -188,6 +192,68 @@ class TestAmr(unittest.TestCase):
         for hit, other in zip(hits, expected):
             self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
             self.assertLess(math.dist(hit[3], other[3]), 1.5)
+
+    def test_blocks_that_fill_a_box_have_displays_of_their_own(self):
+        """They are traced as one, where they have one opacity."""
+        amr = vtkOverlappingAMR()
+        grids = fill(amr, [(0, (x, y, z), (4, 4, 4)) for z in (0, 4) for y in (0, 4) for x in (0, 4)], False)
+        mapper, volume = make_mapper(amr, opacity=1.0)
+        volume.GetProperty().ShadeOff()
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        in_block, flat_index = mutable(0), mutable(0)
+        generator = random.Random(5)
+        rays = []
+        for _ in range(3000):
+            through = [generator.uniform(1, 7) for _ in range(3)]
+            direction = [generator.uniform(-1, 1) for _ in range(3)]
+            rays.append(([k - 200 * d for k, d in zip(through, direction)], direction))
+
+        def hits_of_blocks():
+            """Of each ray the numbers of the blocks that it hits, one after the other."""
+            found = {}
+            for ray, _, cell, _ in cast(mapper, volume, rays):
+                block = mapper.FindBlock(cell, in_block, flat_index)
+                found.setdefault(ray, []).append(next(i for i, grid in enumerate(grids) if grid is block))
+            return found
+
+        plain = hits_of_blocks()
+        self.assertEqual({len(blocks) for blocks in plain.values()}, {1})
+        self.assertEqual({blocks[0] for blocks in plain.values()}, set(range(8)))
+        attributes.SetBlockOpacity(grids[5], 0.5)
+        through = 0
+        for ray, blocks in hits_of_blocks().items():
+            self.assertEqual(blocks[0], plain[ray][0])
+            self.assertEqual(set(blocks[:-1]), {5} if len(blocks) > 1 else set())
+            through += len(blocks) > 1
+        self.assertGreater(through, 30)
+        attributes.RemoveBlockOpacities()
+        attributes.SetBlockVisibility(grids[2], False)
+        seen = {block for blocks in hits_of_blocks().values() for block in blocks}
+        self.assertEqual(seen, set(range(8)) - {2})
+        attributes.RemoveBlockVisibilities()
+        self.assertEqual(hits_of_blocks(), plain)
+        colors = [(0.1 * i, 1.0 - 0.1 * i, 0.5) for i in range(8)]
+        for grid, color in zip(grids, colors):
+            attributes.SetBlockColor(grid, color)
+        camera = vtkCamera()
+        camera.SetFocalPoint(4, 4, 4)
+        camera.SetPosition(12, 8, -14)
+        camera.SetClippingRange(1, 60)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, camera, None, 60, 60, image))
+        data = image.GetPointData()
+        seen = set()
+        for pixel in range(60 * 60):
+            cell = int(data.GetArray("CellId").GetValue(pixel))
+            if cell >= 0:
+                block = mapper.FindBlock(cell, in_block, flat_index)
+                number = next(i for i, grid in enumerate(grids) if grid is block)
+                seen.add(number)
+                for channel in range(3):
+                    self.assertAlmostEqual(
+                        data.GetArray("Colors").GetComponent(pixel, channel), 255 * colors[number][channel], delta=1)
+        self.assertGreater(len(seen), 5)
 
     def test_pulse(self):
         """The source of VTK: a Gaussian pulse, two levels."""

@@ -6,12 +6,18 @@
 import unittest
 
 from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkImageData, vtkOverlappingAMR
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_TETRA,
+    vtkImageData,
+    vtkNonOverlappingAMR,
+    vtkOverlappingAMR,
+)
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 from MeshTesting import ball, errors_of, make_grid, make_structured_grid, make_volume
-from TestAmr import NESTED, fill
+from TestAmr import APART, NESTED, fill
 from TestManyGrids import make_image, make_rectilinear, multi_block, saddle
 
 PIXELS = 70
@@ -108,10 +114,10 @@ class TestCellColors(unittest.TestCase):
 
     def test_amr(self):
         for of_cells in (False, True):
-            amr = vtkOverlappingAMR()
-            for grid in fill(amr, NESTED, of_cells):
-                paint(grid)
-            self.assertGreater(len(self.check_colors(amr)), 2)
+            for amr, blocks, least in ((vtkOverlappingAMR(), NESTED, 3), (vtkNonOverlappingAMR(), APART, 15)):
+                for grid in fill(amr, blocks, of_cells):
+                    paint(grid)
+                self.assertGreaterEqual(len(self.check_colors(amr)), least)
 
     def test_arrays_of_points_come_first(self):
         image = paint(make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball))

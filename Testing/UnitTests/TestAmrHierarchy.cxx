@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -35,13 +36,14 @@ struct Box
   Index3 Cells;
 };
 
-/// A hierarchy of patches with samples of a ball, each with errors of its own level.
+/// A hierarchy of patches with samples of a ball, each with errors of its own level; and its
+/// regions of a size, whose boxes these are then.
 class Grids
 {
 public:
-  Grids(std::vector<Index3> ratios, const std::vector<Box>& boxes, bool ofCells, double noise)
+  Grids(std::vector<Index3> ratios, const std::vector<Box>& boxes, bool ofCells, double noise,
+    int cellsOfRegion = 1)
     : Ratios(std::move(ratios))
-    , Boxes(boxes)
     , NodesOfCell(ofCells ? 2 : 1)
   {
     Vector3 size = { 1.0, 1.0, 1.0 };
@@ -89,15 +91,17 @@ public:
       patches[i].Samples = this->Volumes[i].View();
     }
     this->Hierarchy = std::make_unique<AmrHierarchy>(this->Ratios, patches, ofCells);
-    for (std::size_t i = 0; i < patches.size(); ++i)
+    this->Regions = this->Hierarchy->MakeRegions(cellsOfRegion);
+    for (const AmrRegion& region : this->Regions)
     {
-      this->Nodes.push_back(this->Hierarchy->MakeNodes(i));
+      this->Boxes.push_back({ region.Level, region.First, region.Cells });
+      this->Nodes.push_back(this->Hierarchy->MakeNodes(region));
     }
   }
 
-  std::size_t GetNumberOfPatches() const { return this->Boxes.size(); }
+  std::size_t GetNumberOfRegions() const { return this->Boxes.size(); }
 
-  /// The place of a point among the nodes of a patch.
+  /// The place of a point among the nodes of a region.
   Vector3 ToNodes(std::size_t number, const Vector3& point) const
   {
     const Box& box = this->Boxes[number];
@@ -125,7 +129,7 @@ public:
     return matrix;
   }
 
-  /// The patch whose cell counts at a point: none outside.
+  /// The region whose cell counts at a point: none outside.
   int FindLeaf(const Vector3& point) const
   {
     int leaf = -1;
@@ -147,7 +151,7 @@ public:
     return leaf;
   }
 
-  /// The interpolant of a patch, in a cell of nodes that a point near by is in.
+  /// The interpolant of a region, in a cell of nodes that a point near by is in.
   double Interpolate(std::size_t number, const Vector3& point, const Vector3& inCell) const
   {
     const AmrNodes& nodes = this->Nodes[number];
@@ -182,7 +186,7 @@ public:
         cells)] != 0;
   }
 
-  /// A place of a corner of a cell, an edge or a face of a patch, or inside of it.
+  /// A place of a corner of a cell, an edge or a face of a region, or inside of it.
   Vector3 PickPlace(RandomNumbers& random, int free) const
   {
     const auto number =
@@ -213,30 +217,38 @@ public:
   std::vector<Vector3> Sizes;
   std::vector<TestVolume<float>> Volumes;
   std::unique_ptr<AmrHierarchy> Hierarchy;
+  std::vector<AmrRegion> Regions;
   std::vector<AmrNodes> Nodes;
 };
 
-/// Three levels, by 2 and by 3; patches that touch at faces, edges and corners, and levels that
-/// differ by two where they meet.
+/// Three levels, by 2 and by 3; patches that touch at faces, edges and corners, some of which fill
+/// boxes, and levels that differ by two where they meet.
 std::vector<Box> MakeBoxes()
 {
   return { { 0, { 0, 0, 0 }, { 8, 8, 4 } }, { 0, { 0, 0, 4 }, { 8, 8, 4 } },
-    { 1, { 2, 2, 2 }, { 6, 6, 6 } }, { 1, { 8, 2, 2 }, { 4, 4, 8 } },
-    { 1, { 8, 8, 8 }, { 6, 4, 4 } }, { 1, { 4, 10, 2 }, { 4, 4, 2 } },
-    { 2, { 6, 6, 6 }, { 9, 12, 6 } }, { 2, { 15, 9, 6 }, { 9, 6, 6 } },
-    { 2, { 30, 24, 24 }, { 12, 6, 12 } } };
+    { 1, { 4, 2, 2 }, { 4, 2, 6 } }, { 1, { 8, 2, 2 }, { 4, 4, 8 } },
+    { 1, { 2, 2, 2 }, { 2, 6, 6 } }, { 1, { 8, 8, 8 }, { 6, 4, 4 } },
+    { 1, { 4, 10, 2 }, { 4, 4, 2 } }, { 1, { 4, 4, 2 }, { 4, 4, 6 } },
+    { 2, { 6, 6, 6 }, { 9, 6, 6 } }, { 2, { 6, 12, 6 }, { 9, 6, 6 } },
+    { 2, { 15, 9, 6 }, { 9, 6, 6 } }, { 2, { 30, 24, 24 }, { 12, 6, 12 } } };
 }
 
 const std::vector<Index3> TheRatios = { { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 } };
 
-class AmrSamples : public testing::TestWithParam<bool>
+/// Of cells or of points; and the size of regions.
+class AmrSamples : public testing::TestWithParam<std::tuple<bool, int>>
 {
+protected:
+  static Grids MakeGrids(double noise)
+  {
+    return { TheRatios, MakeBoxes(), std::get<0>(GetParam()), noise, std::get<1>(GetParam()) };
+  }
 };
 
 //------------------------------------------------------------------------------
 TEST_P(AmrSamples, InterpolantsMeet)
 {
-  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.5);
+  const Grids grids = MakeGrids(0.5);
   RandomNumbers random(11);
   int different = 0;
   for (int i = 0; i < 20000; ++i)
@@ -274,14 +286,14 @@ TEST_P(AmrSamples, InterpolantsMeet)
 }
 
 //------------------------------------------------------------------------------
-/// The values of the interpolant in a patch are in the range that is known before.
+/// The values of the interpolant in a region are in the range that is known before.
 TEST_P(AmrSamples, RangesHoldAllValues)
 {
-  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.5);
+  const Grids grids = MakeGrids(0.5);
   double widest = 0.0;
-  for (std::size_t i = 0; i < grids.GetNumberOfPatches(); ++i)
+  for (std::size_t i = 0; i < grids.GetNumberOfRegions(); ++i)
   {
-    const AmrRange range = grids.Hierarchy->FindRange(i);
+    const AmrRange range = grids.Hierarchy->FindRange(grids.Regions[i]);
     const AmrNodes& nodes = grids.Nodes[i];
     AmrRange actual;
     Index3 node;
@@ -299,7 +311,7 @@ TEST_P(AmrSamples, RangesHoldAllValues)
     }
     EXPECT_LE(range.Min, actual.Min);
     EXPECT_GE(range.Max, actual.Max);
-    // Cells beside the patch are a small part of the data.
+    // Cells beside the region are a small part of the data.
     EXPECT_LT(range.Max - range.Min, 12.0);
     widest = std::max(widest, (range.Max - range.Min) / (actual.Max - actual.Min));
   }
@@ -309,14 +321,14 @@ TEST_P(AmrSamples, RangesHoldAllValues)
 //------------------------------------------------------------------------------
 TEST_P(AmrSamples, FinerCellsCount)
 {
-  const Grids grids(TheRatios, MakeBoxes(), GetParam(), 0.0);
+  const Grids grids = MakeGrids(0.0);
   RandomNumbers random(12);
   for (int i = 0; i < 5000; ++i)
   {
     const Vector3 point = { random.Uniform(0.0, 8.0), random.Uniform(0.0, 8.0),
       random.Uniform(0.0, 8.0) };
     const int leaf = grids.FindLeaf(point);
-    for (std::size_t number = 0; number < grids.GetNumberOfPatches(); ++number)
+    for (std::size_t number = 0; number < grids.GetNumberOfRegions(); ++number)
     {
       const Box& box = grids.Boxes[number];
       const Vector3 place = grids.ToNodes(number, point);
@@ -335,7 +347,7 @@ TEST_P(AmrSamples, FinerCellsCount)
 }
 
 //------------------------------------------------------------------------------
-/// A patch of a level.
+/// A region of a level.
 class Source final : public FieldSource
 {
 public:
@@ -364,7 +376,7 @@ struct Traced
   explicit Traced(const Grids& grids)
   {
     std::vector<PlacedField> placed;
-    for (std::size_t i = 0; i < grids.GetNumberOfPatches(); ++i)
+    for (std::size_t i = 0; i < grids.GetNumberOfRegions(); ++i)
     {
       this->Sources.push_back(std::make_unique<Source>(grids, i));
       PlacedField field{};
@@ -419,7 +431,7 @@ TEST_P(AmrSamples, NoRaySlipsThroughAClosedSurface)
   const int count = asked ? std::atoi(asked) : 200000;
   for (const double noise : { 0.0, 0.35 })
   {
-    const Grids grids(TheRatios, MakeBoxes(), GetParam(), noise);
+    const Grids grids = MakeGrids(noise);
     Traced traced(grids);
     TraceRequest request;
     request.Surfaces = { { 0.0, 1e-6 } };
@@ -446,8 +458,160 @@ TEST_P(AmrSamples, NoRaySlipsThroughAClosedSurface)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AmrSamples, testing::Bool(),
-  [](const testing::TestParamInfo<bool>& kind) { return kind.param ? "OfCells" : "OfPoints"; });
+INSTANTIATE_TEST_SUITE_P(All, AmrSamples, testing::Combine(testing::Bool(), testing::Values(1, 32)),
+  [](const testing::TestParamInfo<std::tuple<bool, int>>& kind)
+  {
+    return std::string(std::get<0>(kind.param) ? "OfCells" : "OfPoints") +
+      (std::get<1>(kind.param) == 1 ? "" : "InRegions");
+  });
+
+//------------------------------------------------------------------------------
+/// Which patches are traced as one.
+std::vector<std::vector<std::size_t>> FindRegions(
+  const std::vector<Box>& boxes, int cells, const std::vector<int>& kinds = {})
+{
+  std::vector<AmrPatch> patches;
+  for (const Box& box : boxes)
+  {
+    AmrPatch patch{};
+    patch.Level = box.Level;
+    patch.First = box.First;
+    patch.Cells = box.Cells;
+    patch.Kind = kinds.empty() ? 0 : kinds[patches.size()];
+    patches.push_back(patch);
+  }
+  const AmrHierarchy hierarchy({ { 1, 1, 1 }, { 2, 2, 2 } }, patches, false);
+  std::vector<std::vector<std::size_t>> numbers;
+  for (const AmrRegion& region : hierarchy.MakeRegions(cells))
+  {
+    std::size_t count = 0;
+    Index3 cell;
+    for (cell[2] = region.First[2]; cell[2] < region.First[2] + region.Cells[2]; ++cell[2])
+    {
+      for (cell[1] = region.First[1]; cell[1] < region.First[1] + region.Cells[1]; ++cell[1])
+      {
+        for (cell[0] = region.First[0]; cell[0] < region.First[0] + region.Cells[0]; ++cell[0])
+        {
+          const std::size_t number = hierarchy.FindPatch(region, cell);
+          const Box& box = boxes[number];
+          EXPECT_EQ(box.Level, region.Level);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            EXPECT_GE(cell[axis], box.First[axis]);
+            EXPECT_LT(cell[axis], box.First[axis] + box.Cells[axis]);
+          }
+          EXPECT_EQ(std::count(region.Patches.begin(), region.Patches.end(), number), 1);
+          ++count;
+        }
+      }
+    }
+    EXPECT_EQ(count, Count(region.Cells));
+    numbers.push_back(region.Patches);
+    std::sort(numbers.back().begin(), numbers.back().end());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+/// The boxes of a lattice of blocks.
+std::vector<Box> MakeBlocks(int level, const Index3& first, const Index3& count, int size)
+{
+  std::vector<Box> boxes;
+  for (int i = 0; i < count[0] * count[1] * count[2]; ++i)
+  {
+    boxes.push_back({ level,
+      { first[0] + size * (i % count[0]), first[1] + size * (i / count[0] % count[1]),
+        first[2] + size * (i / count[0] / count[1]) },
+      { size, size, size } });
+  }
+  return boxes;
+}
+
+using Regions = std::vector<std::vector<std::size_t>>;
+
+//------------------------------------------------------------------------------
+TEST(AmrRegions, ArePatchesThatFillABox)
+{
+  const std::vector<Box> eight = MakeBlocks(0, { 0, 0, 0 }, { 2, 2, 2 }, 8);
+  EXPECT_EQ(FindRegions(eight, 16), (Regions{ { 0, 1, 2, 3, 4, 5, 6, 7 } }));
+  EXPECT_EQ(FindRegions(eight, 15).size(), 8U);
+  EXPECT_EQ(FindRegions(MakeBlocks(0, { -16, -16, -16 }, { 4, 4, 4 }, 8), 16).size(), 8U);
+  // Cubes start at the origin.
+  EXPECT_EQ(FindRegions(MakeBlocks(0, { 8, 0, 0 }, { 2, 1, 1 }, 8), 16), (Regions{ { 0 }, { 1 } }));
+  // One corner is missing.
+  const std::vector<Box> seven(eight.begin(), eight.end() - 1);
+  EXPECT_EQ(FindRegions(seven, 16), (Regions{ { 0, 2, 4, 6 }, { 1, 5 }, { 3 } }));
+  // No plane parts four around a hole.
+  const std::vector<Box> wheel = { { 0, { 0, 0, 0 }, { 4, 2, 1 } }, { 0, { 4, 0, 0 }, { 2, 4, 1 } },
+    { 0, { 2, 4, 0 }, { 4, 2, 1 } }, { 0, { 0, 2, 0 }, { 2, 4, 1 } } };
+  EXPECT_EQ(FindRegions(wheel, 8).size(), 4U);
+  std::vector<Box> filled = wheel;
+  filled.push_back({ 0, { 2, 2, 0 }, { 2, 2, 1 } });
+  EXPECT_EQ(FindRegions(filled, 8), (Regions{ { 0, 1, 2, 3, 4 } }));
+}
+
+//------------------------------------------------------------------------------
+TEST(AmrRegions, AreOfOneLevelAndOneKind)
+{
+  std::vector<Box> boxes = MakeBlocks(0, { 0, 0, 0 }, { 2, 1, 1 }, 4);
+  const std::vector<Box> finer = MakeBlocks(1, { 4, 0, 0 }, { 2, 1, 1 }, 4);
+  boxes.insert(boxes.end(), finer.begin(), finer.end());
+  EXPECT_EQ(FindRegions(boxes, 16), (Regions{ { 0, 1 }, { 2, 3 } }));
+  EXPECT_EQ(FindRegions(boxes, 16, { 0, 1, 1, 1 }), (Regions{ { 0 }, { 1 }, { 2, 3 } }));
+}
+
+//------------------------------------------------------------------------------
+TEST(AmrRegions, HaveNoOverlaps)
+{
+  std::vector<Box> boxes = MakeBlocks(0, { 0, 0, 0 }, { 2, 2, 1 }, 4);
+  boxes.push_back({ 0, { 2, 2, 0 }, { 4, 4, 4 } });
+  EXPECT_EQ(FindRegions(boxes, 16).size(), 5U);
+}
+
+//------------------------------------------------------------------------------
+/// A hidden block among others, and a ghost of which another region has the cells.
+TEST(AmrRegions, HideTheCellsOfTheirPatches)
+{
+  std::vector<AmrPatch> patches;
+  std::vector<TestVolume<float>> volumes;
+  const std::vector<Box> boxes = MakeBlocks(0, { 0, 0, 0 }, { 2, 2, 1 }, 4);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    volumes.push_back(TestVolume<float>::Of(
+      { 5, 5, 5 }, [i](const Vector3& index) { return index[0] + 10.0 * static_cast<double>(i); }));
+  }
+  std::vector<unsigned char> flags(64, 0);
+  flags[Offset({ 1, 2, 3 }, { 4, 4, 4 })] = 1;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    AmrPatch patch{};
+    patch.First = boxes[i].First;
+    patch.Cells = boxes[i].Cells;
+    patch.Samples = volumes[i].View();
+    patch.HiddenCells = i == 1 ? flags.data() : nullptr;
+    patch.GhostCells = i == 2 ? flags.data() : nullptr;
+    patches.push_back(patch);
+  }
+  const AmrHierarchy hierarchy({ { 1, 1, 1 } }, patches, false);
+  const std::vector<AmrRegion> regions = hierarchy.MakeRegions(8);
+  ASSERT_EQ(regions.size(), 1U);
+  const AmrNodes nodes = hierarchy.MakeNodes(regions.front());
+  const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
+    nodes.Dimensions[2] - 2 };
+  ASSERT_EQ(nodes.HiddenCells.size(), Count(cells));
+  EXPECT_EQ(std::count(nodes.HiddenCells.begin(), nodes.HiddenCells.end(), 0),
+    static_cast<std::ptrdiff_t>(Count(cells)) - 2);
+  EXPECT_EQ(nodes.HiddenCells[Offset({ 5, 2, 3 }, cells)], 1);
+  EXPECT_EQ(nodes.HiddenCells[Offset({ 1, 6, 3 }, cells)], 1);
+  // Of nodes that patches share the first has the sample, unless all of its cells there are ghosts.
+  const auto at = [&nodes](const Index3& node) {
+    return nodes.Values[Offset({ node[0] + 1, node[1] + 1, node[2] + 1 }, nodes.Dimensions)];
+  };
+  EXPECT_EQ(at({ 4, 4, 2 }), 4.0);
+  EXPECT_EQ(at({ 5, 4, 2 }), 11.0);
+  EXPECT_EQ(at({ 3, 5, 2 }), 23.0);
+  EXPECT_EQ(at({ 6, 6, 2 }), 32.0);
+}
 
 //------------------------------------------------------------------------------
 TEST(AmrHierarchy, BetweenEqualLevelsTheInterpolantIsThatOfImages)

@@ -20,13 +20,15 @@ int FloorDivide(int dividend, int divisor)
   return dividend / divisor - (dividend % divisor < 0 ? 1 : 0);
 }
 
-bool IsIn(const AmrPatch& patch, const Index3& cell)
+/// Whether a cell is in the box of a patch or of a region.
+template <typename Cells>
+bool IsIn(const Cells& cells, const Index3& cell)
 {
   bool isIn = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int place = cell[axis] - patch.First[axis];
-    isIn = isIn && place >= 0 && place < patch.Cells[axis];
+    const int place = cell[axis] - cells.First[axis];
+    isIn = isIn && place >= 0 && place < cells.Cells[axis];
   }
   return isIn;
 }
@@ -139,17 +141,6 @@ void ForEachTouching(const Index3& node, int nodesOfCell, const Visit& visit)
   ForEachIndex({ x.First, y.First, z.First }, { x.Count, y.Count, z.Count }, visit);
 }
 
-/// Whether all cells that touch a node of a patch are its own.
-bool IsInner(const Index3& node, const AmrNodes& nodes)
-{
-  bool isInner = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    isInner = isInner && node[axis] >= 2 && node[axis] < nodes.Dimensions[axis] - 2;
-  }
-  return isInner;
-}
-
 /// Doubles the resolution of lines of values, from the centres of cells to all nodes between the
 /// first and the last border: each line has a number of values side by side.
 void Refine(const double* lines, int cells, std::size_t values, double* refined)
@@ -166,14 +157,9 @@ void Refine(const double* lines, int cells, std::size_t values, double* refined)
   }
 }
 
-/// The means at the inner nodes of cells: along one axis after the other.
-template <typename T>
-std::vector<double> RefineCells(const Samples<T>& samples, const Index3& cells)
+/// The means of values of cells at their inner nodes: along one axis after the other.
+std::vector<double> RefineCells(std::vector<double> values, const Index3& cells)
 {
-  std::vector<double> values;
-  values.reserve(Count(cells));
-  ForEachIndex({ 0, 0, 0 }, cells,
-    [&](const Index3& cell) { values.push_back(static_cast<double>(*samples.At(cell))); });
   std::size_t before = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -191,27 +177,66 @@ std::vector<double> RefineCells(const Samples<T>& samples, const Index3& cells)
   return values;
 }
 
-/// Fills the nodes of a patch of which that is true, as NodeReader reads them, but faster.
-void FillInner(const AmrPatch& patch, int nodesOfCell, AmrNodes& nodes)
+/// Whether all cells that touch a node of a region are its own.
+bool IsInner(const Index3& node, const AmrNodes& nodes)
 {
-  const Index3 count = { nodes.Dimensions[0] - 4, nodes.Dimensions[1] - 4,
-    nodes.Dimensions[2] - 4 };
-  DispatchScalarType(patch.Samples,
-    [&](const auto& samples)
+  bool isInner = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    isInner = isInner && node[axis] >= 2 && node[axis] < nodes.Dimensions[axis] - 2;
+  }
+  return isInner;
+}
+
+/// The places along an axis where the patches of a region can be parted: none reaches across.
+std::vector<int> FindGaps(
+  const std::vector<AmrPatch>& patches, const AmrRegion& region, std::size_t axis)
+{
+  std::vector<std::pair<int, int>> ranges;
+  for (const std::size_t number : region.Patches)
+  {
+    const int first = patches[number].First[axis];
+    ranges.emplace_back(first, first + patches[number].Cells[axis]);
+  }
+  std::sort(ranges.begin(), ranges.end());
+  std::vector<int> gaps;
+  int end = ranges.front().second;
+  for (const auto& range : ranges)
+  {
+    if (range.first >= end)
     {
-      std::vector<double> refined;
-      if (nodesOfCell == 2)
+      gaps.push_back(range.first);
+    }
+    end = std::max(end, range.second);
+  }
+  return gaps;
+}
+
+/// A plane between patches.
+struct Cut
+{
+  std::size_t Axis;
+  int Place;
+};
+
+/// The cut of a region that is the nearest to the middle, in parts of its size.
+std::optional<Cut> FindCut(const std::vector<AmrPatch>& patches, const AmrRegion& region)
+{
+  std::optional<Cut> cut;
+  double nearest = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const int place : FindGaps(patches, region, axis))
+    {
+      const double part = static_cast<double>(place - region.First[axis]) / region.Cells[axis];
+      if (std::abs(part - 0.5) < nearest)
       {
-        refined = RefineCells(samples, patch.Cells);
+        nearest = std::abs(part - 0.5);
+        cut = Cut{ axis, place };
       }
-      ForEachIndex({ 0, 0, 0 }, count,
-        [&](const Index3& i)
-        {
-          const Index3 node = { i[0] + 1, i[1] + 1, i[2] + 1 };
-          nodes.Values[Offset({ i[0] + 2, i[1] + 2, i[2] + 2 }, nodes.Dimensions)] =
-            nodesOfCell == 2 ? refined[Offset(i, count)] : static_cast<double>(*samples.At(node));
-        });
-    });
+    }
+  }
+  return cut;
 }
 
 }
@@ -221,12 +246,11 @@ void FillInner(const AmrPatch& patch, int nodesOfCell, AmrNodes& nodes)
 class AmrHierarchy::NodeReader
 {
 public:
-  NodeReader(const AmrHierarchy& hierarchy, const AmrPatch& patch)
+  explicit NodeReader(const AmrHierarchy& hierarchy)
     : Hierarchy(hierarchy)
     , Lately(hierarchy.Levels.size())
     , Coarser(hierarchy.Levels.size())
   {
-    this->Lately[static_cast<std::size_t>(patch.Level)].Patches.back() = &patch;
   }
 
   /// None where no cell touches the node.
@@ -417,9 +441,8 @@ const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell, Likely& l
   const AmrPatch* owner = this->FindOwner(level, cell);
   if (owner)
   {
-    // The last place is that of the patch whose nodes are found.
     likely.Patches[likely.Next] = owner;
-    likely.Next = (likely.Next + 1) % (likely.Patches.size() - 1);
+    likely.Next = (likely.Next + 1) % likely.Patches.size();
   }
   return owner;
 }
@@ -483,35 +506,199 @@ bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell) const
 }
 
 //------------------------------------------------------------------------------
-AmrNodes AmrHierarchy::MakeNodes(std::size_t number) const
+std::vector<AmrRegion> AmrHierarchy::MakeRegions(int cells) const
 {
-  const AmrPatch& patch = this->Patches[number];
+  std::vector<AmrRegion> regions;
+  for (const Level& level : this->Levels)
+  {
+    std::map<Index3, std::vector<std::size_t>> cubes;
+    for (const std::size_t number : level.Patches)
+    {
+      const AmrPatch& patch = this->Patches[number];
+      Index3 cube;
+      bool isInCube = !level.HasOverlaps;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        cube[axis] = FloorDivide(patch.First[axis], cells);
+        isInCube =
+          isInCube && FloorDivide(patch.First[axis] + patch.Cells[axis] - 1, cells) == cube[axis];
+      }
+      if (isInCube)
+      {
+        cubes[cube].push_back(number);
+      }
+      else
+      {
+        regions.push_back(this->MakeRegion({ number }));
+      }
+    }
+    for (auto& [cube, patches] : cubes)
+    {
+      this->Split(this->MakeRegion(std::move(patches)), regions);
+    }
+  }
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+/// With the box around some patches of a level.
+AmrRegion AmrHierarchy::MakeRegion(std::vector<std::size_t>&& patches) const
+{
+  const AmrPatch& one = this->Patches[patches.front()];
+  AmrRegion region = { one.Level, one.First, one.Cells, std::move(patches) };
+  for (const std::size_t number : region.Patches)
+  {
+    const AmrPatch& patch = this->Patches[number];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int first = std::min(region.First[axis], patch.First[axis]);
+      const int end =
+        std::max(region.First[axis] + region.Cells[axis], patch.First[axis] + patch.Cells[axis]);
+      region.First[axis] = first;
+      region.Cells[axis] = end - first;
+    }
+  }
+  return region;
+}
+
+//------------------------------------------------------------------------------
+/// Whether patches that do not overlap fill the box of a region, and are of one kind.
+bool AmrHierarchy::IsFilled(const AmrRegion& region) const
+{
+  const int kind = this->Patches[region.Patches.front()].Kind;
+  std::size_t cells = 0;
+  for (const std::size_t number : region.Patches)
+  {
+    const AmrPatch& patch = this->Patches[number];
+    cells += patch.Kind == kind ? Count(patch.Cells) : 0;
+  }
+  return cells == Count(region.Cells);
+}
+
+//------------------------------------------------------------------------------
+/// Cuts patches that do not overlap apart until they fill boxes, and appends these.
+void AmrHierarchy::Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const
+{
+  if (this->IsFilled(region))
+  {
+    regions.push_back(std::move(region));
+    return;
+  }
+  const std::optional<Cut> cut = FindCut(this->Patches, region);
+  if (!cut)
+  {
+    for (const std::size_t number : region.Patches)
+    {
+      regions.push_back(this->MakeRegion({ number }));
+    }
+    return;
+  }
+  const auto middle = std::stable_partition(region.Patches.begin(), region.Patches.end(),
+    [&](std::size_t number) { return this->Patches[number].First[cut->Axis] < cut->Place; });
+  this->Split(this->MakeRegion({ region.Patches.begin(), middle }), regions);
+  this->Split(this->MakeRegion({ middle, region.Patches.end() }), regions);
+}
+
+//------------------------------------------------------------------------------
+std::size_t AmrHierarchy::FindPatch(const AmrRegion& region, const Index3& cell) const
+{
+  std::size_t found = region.Patches.front();
+  if (region.Patches.size() > 1)
+  {
+    const Level& level = this->Levels[static_cast<std::size_t>(region.Level)];
+    const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
+    level.Tree->Find([&ofCell](const Bounds& box) { return Overlap(box, ofCell); },
+      [&](std::size_t number) { found = level.Patches[number]; });
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// The samples of all patches of a region. Of those that several have the first counts.
+std::vector<double> AmrHierarchy::GatherSamples(const AmrRegion& region, Index3& dimensions) const
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    dimensions[axis] = region.Cells[axis] + (this->OfCells ? 0 : 1);
+  }
+  std::vector<double> gathered(Count(dimensions));
+  std::for_each(region.Patches.rbegin(), region.Patches.rend(),
+    [&](std::size_t number)
+    {
+      const AmrPatch& patch = this->Patches[number];
+      DispatchScalarType(patch.Samples,
+        [&](const auto& samples)
+        {
+          ForEachIndex({ 0, 0, 0 }, samples.GetDimensions(),
+            [&](const Index3& i)
+            {
+              Index3 place;
+              for (std::size_t axis = 0; axis < 3; ++axis)
+              {
+                place[axis] = patch.First[axis] - region.First[axis] + i[axis];
+              }
+              gathered[Offset(place, dimensions)] = static_cast<double>(*samples.At(i));
+            });
+        });
+    });
+  return gathered;
+}
+
+//------------------------------------------------------------------------------
+/// Fills the nodes that only cells of a region touch, as NodeReader reads them, but faster. Returns
+/// false if other patches may have some of these cells.
+bool AmrHierarchy::FillInner(const AmrRegion& region, AmrNodes& nodes) const
+{
+  if (this->Levels[static_cast<std::size_t>(region.Level)].HasOverlaps ||
+    std::any_of(region.Patches.begin(), region.Patches.end(),
+      [this](std::size_t number) { return this->Patches[number].GhostCells != nullptr; }))
+  {
+    return false;
+  }
+  Index3 dimensions;
+  std::vector<double> samples = this->GatherSamples(region, dimensions);
+  // Samples of points have the first inner node at 1, means of cells at 0.
+  int first = 1;
+  if (this->OfCells)
+  {
+    samples = RefineCells(std::move(samples), region.Cells);
+    dimensions = { 2 * region.Cells[0] - 1, 2 * region.Cells[1] - 1, 2 * region.Cells[2] - 1 };
+    first = 0;
+  }
+  ForEachIndex({ 2, 2, 2 },
+    { nodes.Dimensions[0] - 4, nodes.Dimensions[1] - 4, nodes.Dimensions[2] - 4 },
+    [&](const Index3& node)
+    {
+      const Index3 place = { node[0] - 2 + first, node[1] - 2 + first, node[2] - 2 + first };
+      nodes.Values[Offset(node, nodes.Dimensions)] = samples[Offset(place, dimensions)];
+    });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
+{
   const int nodesOfCell = this->GetNodesOfCell();
   AmrNodes nodes;
   Index3 first;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    first[axis] = nodesOfCell * patch.First[axis] - 1;
-    nodes.Dimensions[axis] = nodesOfCell * patch.Cells[axis] + 3;
+    first[axis] = nodesOfCell * region.First[axis] - 1;
+    nodes.Dimensions[axis] = nodesOfCell * region.Cells[axis] + 3;
   }
   nodes.Values.resize(Count(nodes.Dimensions));
+  const bool isInnerKnown = this->FillInner(region, nodes);
   std::vector<Index3> missing;
-  NodeReader reader(*this, patch);
-  const bool isSimple =
-    !patch.GhostCells && !this->Levels[static_cast<std::size_t>(patch.Level)].HasOverlaps;
-  if (isSimple)
-  {
-    FillInner(patch, nodesOfCell, nodes);
-  }
+  NodeReader reader(*this);
   ForEachIndex({ 0, 0, 0 }, nodes.Dimensions,
     [&](const Index3& i)
     {
-      if (isSimple && IsInner(i, nodes))
+      if (isInnerKnown && IsInner(i, nodes))
       {
         return;
       }
       const std::optional<double> value =
-        reader.Read(patch.Level, { first[0] + i[0], first[1] + i[1], first[2] + i[2] });
+        reader.Read(region.Level, { first[0] + i[0], first[1] + i[1], first[2] + i[2] });
       nodes.Values[Offset(i, nodes.Dimensions)] = value.value_or(0.0);
       if (!value)
       {
@@ -537,25 +724,24 @@ AmrNodes AmrHierarchy::MakeNodes(std::size_t number) const
     nodes.Values[Offset(node, nodes.Dimensions)] = value;
     nodes.Continued.push_back(Offset(node, nodes.Dimensions));
   }
-  this->HideCells(patch, nodes);
+  this->HideCells(region, nodes);
   return nodes;
 }
 
 //------------------------------------------------------------------------------
 /// Nodes have values of samples, means of them, or are between those of coarser levels.
-AmrRange AmrHierarchy::FindRange(std::size_t number) const
+AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 {
-  // The cells that nodes in the patch and in its faces are of, with one more on all sides.
+  // The cells that nodes in the region and in its faces are of, with one more on all sides.
   constexpr int margin = 2;
-  const AmrPatch& patch = this->Patches[number];
-  Index3 first = patch.First;
+  Index3 first = region.First;
   Index3 end;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    end[axis] = first[axis] + patch.Cells[axis];
+    end[axis] = first[axis] + region.Cells[axis];
   }
   AmrRange range;
-  for (int level = patch.Level; level >= 0; --level)
+  for (int level = region.Level; level >= 0; --level)
   {
     const Level& all = this->Levels[static_cast<std::size_t>(level)];
     Index3 count;
@@ -581,32 +767,37 @@ AmrRange AmrHierarchy::FindRange(std::size_t number) const
 }
 
 //------------------------------------------------------------------------------
-/// Cells behind the patch count, too: a ray in a face of it may be taken for one in these.
-void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
+/// Cells behind the region count, too: a ray in a face of it may be taken for one in these.
+void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
 {
-  const Index3 size = { patch.Cells[0] + 1, patch.Cells[1] + 1, patch.Cells[2] + 1 };
+  const Index3 size = { region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 };
   std::vector<unsigned char> isHidden(Count(size), 0);
   const auto hide = [&](const Index3& cell)
   {
     isHidden[Offset(
-      { cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] }, size)] = 1;
+      { cell[0] - region.First[0], cell[1] - region.First[1], cell[2] - region.First[2] }, size)] =
+      1;
   };
-  ForEachIndex(patch.First, patch.Cells,
-    [&](const Index3& cell)
-    {
-      const std::size_t number = GetNumber(patch, cell);
-      if ((patch.GhostCells && patch.GhostCells[number] != 0) ||
-        (patch.HiddenCells && patch.HiddenCells[number] != 0))
-      {
-        hide(cell);
-      }
-    });
-  // In cells of each level.
-  Bounds around = GetBox(patch.First, size);
-  Index3 ratio = { 1, 1, 1 };
-  for (auto level = static_cast<std::size_t>(patch.Level); level < this->Levels.size(); ++level)
+  for (const std::size_t number : region.Patches)
   {
-    const bool isOwnLevel = level == static_cast<std::size_t>(patch.Level);
+    const AmrPatch& patch = this->Patches[number];
+    ForEachIndex(patch.First, patch.Cells,
+      [&](const Index3& cell)
+      {
+        const std::size_t place = GetNumber(patch, cell);
+        if ((patch.GhostCells && patch.GhostCells[place] != 0) ||
+          (patch.HiddenCells && patch.HiddenCells[place] != 0))
+        {
+          hide(cell);
+        }
+      });
+  }
+  // In cells of each level.
+  Bounds around = GetBox(region.First, size);
+  Index3 ratio = { 1, 1, 1 };
+  for (auto level = static_cast<std::size_t>(region.Level); level < this->Levels.size(); ++level)
+  {
+    const bool isOwnLevel = level == static_cast<std::size_t>(region.Level);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       ratio[axis] *= isOwnLevel ? 1 : this->Levels[level].Ratio[axis];
@@ -616,24 +807,26 @@ void AmrHierarchy::HideCells(const AmrPatch& patch, AmrNodes& nodes) const
     this->Levels[level].Tree->Find([&around](const Bounds& box) { return Overlap(box, around); },
       [&](std::size_t number)
       {
-        const AmrPatch& other = this->Patches[this->Levels[level].Patches[number]];
-        if (isOwnLevel && &other >= &patch)
+        // A region of several patches overlaps no other.
+        const std::size_t otherNumber = this->Levels[level].Patches[number];
+        if (isOwnLevel && otherNumber >= region.Patches.front())
         {
           return;
         }
+        const AmrPatch& other = this->Patches[otherNumber];
         // The cells that the other patch has as a whole.
         Index3 low;
         Index3 count;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
-          low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), patch.First[axis]);
-          count[axis] = std::min(end, patch.First[axis] + patch.Cells[axis] + 1) - low[axis];
+          low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), region.First[axis]);
+          count[axis] = std::min(end, region.First[axis] + region.Cells[axis] + 1) - low[axis];
         }
         ForEachIndex(low, count,
           [&](const Index3& cell)
           {
-            if (!isOwnLevel || (IsIn(patch, cell) && Owns(other, cell)))
+            if (!isOwnLevel || (IsIn(region, cell) && Owns(other, cell)))
             {
               hide(cell);
             }

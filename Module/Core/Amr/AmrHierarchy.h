@@ -31,9 +31,21 @@ struct AmrPatch
   /// if there are none of either.
   const unsigned char* GhostCells = nullptr;
   const unsigned char* HiddenCells = nullptr;
+  /// Only patches of one kind are traced as one.
+  int Kind = 0;
 };
 
-/// The samples of a patch, as they are traced: at nodes, with a layer of them around the patch.
+/// Patches of a level that fill a box, which are traced as one.
+struct AmrRegion
+{
+  int Level;
+  /// As those of patches.
+  Index3 First;
+  Index3 Cells;
+  std::vector<std::size_t> Patches;
+};
+
+/// The samples of a region, as they are traced: at nodes, with a layer of them around the region.
 struct AmrNodes
 {
   /// Of all of the nodes.
@@ -50,8 +62,8 @@ struct AmrNodes
   /// data, which it rounds: those of samples often are of a smaller type, means of them are not.
   void Shorten();
 
-  /// The nodes of the patch and those of the layer behind it, before which there is a node along
-  /// each axis. So no ray slips through between two patches: it goes on a little into the layer
+  /// The nodes of the region and those of the layer behind it, before which there is a node along
+  /// each axis. So no ray slips through between two regions: it goes on a little into the layer
   /// behind the first, whatever rounding makes of the border.
   VolumeView GetSamples() const;
   std::size_t GetMemory() const;
@@ -65,7 +77,7 @@ struct AmrRange
 };
 
 /// Adaptive mesh refinement: patches on lattices that are finer from level to level, of which the
-/// finest count. It gives each patch samples such that the trilinear interpolants of all patches
+/// finest count. It gives each region samples such that the trilinear interpolants of all regions
 /// are one continuous function: there are no cracks where levels meet.
 ///
 /// The nodes of samples at points are these points. Samples of cells make nodes at the corners and
@@ -88,10 +100,20 @@ public:
   /// The number of nodes along the edge of a cell, counted without one of its ends.
   int GetNodesOfCell() const { return this->OfCells ? 2 : 1; }
 
-  AmrNodes MakeNodes(std::size_t patch) const;
+  const AmrPatch& GetPatch(std::size_t number) const { return this->Patches[number]; }
 
-  /// A range that has all finite values of the interpolant in a patch; it may be larger.
-  AmrRange FindRange(std::size_t patch) const;
+  /// All patches, each in one region. Those that have several patches lie in one of the cubes, with
+  /// this number of cells of their level along each axis, that start at the origin of the lattice;
+  /// none has patches that overlap.
+  std::vector<AmrRegion> MakeRegions(int cells) const;
+
+  AmrNodes MakeNodes(const AmrRegion& region) const;
+
+  /// A range that has all finite values of the interpolant in a region; it may be larger.
+  AmrRange FindRange(const AmrRegion& region) const;
+
+  /// The number of the patch of a region that has a cell of it, on the lattice of the level.
+  std::size_t FindPatch(const AmrRegion& region, const Index3& cell) const;
 
 private:
   /// The patches of a level.
@@ -117,7 +139,12 @@ private:
   bool IsCoveredByFiner(int level, const Index3& cell) const;
   bool IsCoveredByCoarser(int level, const Index3& cell) const;
   bool HasOverlaps(const Level& level) const;
-  void HideCells(const AmrPatch& patch, AmrNodes& nodes) const;
+  AmrRegion MakeRegion(std::vector<std::size_t>&& patches) const;
+  bool IsFilled(const AmrRegion& region) const;
+  void Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const;
+  std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
+  bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
+  void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
   bool OfCells;
   std::vector<AmrPatch> Patches;
