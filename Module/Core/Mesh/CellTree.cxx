@@ -71,9 +71,8 @@ std::uint32_t Spread(std::uint32_t bits)
 }
 
 //------------------------------------------------------------------------------
-/// The box and the range of values of some cells: x, y, z and value. It is not initialized, so that
-/// the threads that fill an array of them are the first to touch its memory.
-struct alignas(64) CellTree::Extent
+/// The box and the range of values of some cells: x, y, z and value.
+struct CellTree::Extent
 {
   double Lower[4];
   double Upper[4];
@@ -113,16 +112,48 @@ struct alignas(64) CellTree::Extent
     const double z = this->Upper[2] - this->Lower[2];
     return this->IsEmpty() ? 0.0 : x * y + y * z + z * x;
   }
+};
+
+//------------------------------------------------------------------------------
+/// The same in single precision, rounded outward. It is not initialized, so that the threads that
+/// fill an array of them are the first to touch its memory.
+struct alignas(32) CellTree::RoundedExtent
+{
+  float Lower[4];
+  float Upper[4];
+
+  RoundedExtent() = default;
+
+  explicit RoundedExtent(const Extent& extent)
+  {
+    std::transform(extent.Lower, extent.Lower + 4, this->Lower, RoundDown);
+    std::transform(extent.Upper, extent.Upper + 4, this->Upper, RoundUp);
+  }
+
+  static RoundedExtent MakeEmpty() { return RoundedExtent(Extent::MakeEmpty()); }
+
+  bool IsEmpty() const { return !(this->Lower[3] <= this->Upper[3]); }
+
+  Vector3 GetMiddle() const
+  {
+    Vector3 middle;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] =
+        0.5 * static_cast<double>(this->Lower[axis]) + 0.5 * static_cast<double>(this->Upper[axis]);
+    }
+    return middle;
+  }
 
   void SetChild(CellTreeNode& node, int child, double margin) const
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      node.Lower[axis][child] = RoundDown(this->Lower[axis] - margin);
-      node.Upper[axis][child] = RoundUp(this->Upper[axis] + margin);
+      node.Lower[axis][child] = RoundDown(static_cast<double>(this->Lower[axis]) - margin);
+      node.Upper[axis][child] = RoundUp(static_cast<double>(this->Upper[axis]) + margin);
     }
-    node.Low[child] = RoundDown(this->Lower[3]);
-    node.High[child] = RoundUp(this->Upper[3]);
+    node.Low[child] = this->Lower[3];
+    node.High[child] = this->Upper[3];
   }
 };
 
@@ -248,7 +279,7 @@ CellTree::CellTree(const MeshCells& cells, int threads)
   {
     this->SortCells(cells, threads);
   }
-  while (!this->Levels.empty() && this->Levels.back().size() > 1)
+  while (!this->Levels.empty() && this->Levels.back().Count > 1)
   {
     this->BuildLevelAbove(threads);
   }
@@ -262,7 +293,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
   /// Sixteen cubes in a row have 0.7 of the surface of all of them; in a cluster, 0.4.
   constexpr double largestShare = 0.75;
   const std::size_t blocks = (this->Cells + Width - 1) / Width;
-  const std::unique_ptr<Extent[]> extents(new Extent[blocks]);
+  const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[blocks]);
   Extent whole = Extent::MakeEmpty();
   bool areFinite = true;
   double areaOfCells = 0.0;
@@ -279,7 +310,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
     {
       reader.ReadBlock(i);
       const Extent block = reader.GetExtent();
-      extents[static_cast<std::size_t>(i)] = block;
+      extents[static_cast<std::size_t>(i)] = RoundedExtent(block);
       whole.Include(block.Lower, block.Upper);
       areaOfCells += reader.GetArea();
       areaOfBlocks += block.GetArea();
@@ -300,7 +331,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
   {
-    const Extent& extent = extents[static_cast<std::size_t>(i)];
+    const RoundedExtent& extent = extents[static_cast<std::size_t>(i)];
     keys[static_cast<std::size_t>(i)] = extent.IsEmpty()
       ? NoKey
       : this->GetMortonCode(extent.GetMiddle()) << 32U | static_cast<std::uint32_t>(i);
@@ -332,7 +363,9 @@ std::uint64_t CellTree::GetMortonCode(const Vector3& point) const
   {
     const double way = 0.5 * point[axis] - 0.5 * this->Box.Lower[axis];
     const double part = longest > 0.0 ? way / longest : 0.0;
-    code |= Spread(static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * 1023.0)) << axis;
+    // NaN is the middle of what is too large for a float on both sides.
+    const double inBox = part > 0.0 ? std::min(part, 1.0) : 0.0;
+    code |= Spread(static_cast<std::uint32_t>(inBox * 1023.0)) << axis;
   }
   return code;
 }
@@ -356,7 +389,7 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
   }
   this->Order = SortKeys(keys);
   this->Blocks = (this->Order.size() + Width - 1) / Width;
-  const std::unique_ptr<Extent[]> extents(new Extent[this->Blocks]);
+  const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);
 #pragma omp parallel num_threads(threads)
   {
     CellReader reader(cells);
@@ -366,7 +399,7 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
       const auto block = static_cast<std::size_t>(i);
       std::uint32_t numbers[Width];
       reader.Read(numbers, this->GetCells(block, numbers));
-      extents[block] = reader.GetExtent();
+      extents[block] = RoundedExtent(reader.GetExtent());
     }
   }
   this->BuildLevel(
@@ -397,41 +430,40 @@ void CellTree::BuildLevel(
   {
     return;
   }
-  std::vector<CellTreeNode> nodes((children + Width - 1) / Width);
+  Level level((children + Width - 1) / Width);
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(nodes.size()); ++i)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(level.Count); ++i)
   {
     const auto node = static_cast<std::size_t>(i);
     for (int child = 0; child < Width; ++child)
     {
       const std::size_t number = node * Width + static_cast<std::size_t>(child);
-      const Extent extent = number < children ? getExtent(number) : Extent::MakeEmpty();
-      extent.SetChild(nodes[node], child, margin);
+      const RoundedExtent extent =
+        number < children ? getExtent(number) : RoundedExtent::MakeEmpty();
+      extent.SetChild(level.Nodes[node], child, margin);
     }
   }
-  this->Levels.push_back(std::move(nodes));
+  this->Levels.push_back(std::move(level));
 }
 
 //------------------------------------------------------------------------------
 void CellTree::BuildLevelAbove(int threads)
 {
-  const std::vector<CellTreeNode>& below = this->Levels.back();
+  const Level& below = this->Levels.back();
   const auto getExtent = [&below](std::size_t number)
   {
-    const CellTreeNode& node = below[number];
-    Extent extent;
+    const CellTreeNode& node = below.Nodes[number];
+    RoundedExtent extent;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      extent.Lower[axis] =
-        static_cast<double>(*std::min_element(node.Lower[axis], node.Lower[axis] + Width));
-      extent.Upper[axis] =
-        static_cast<double>(*std::max_element(node.Upper[axis], node.Upper[axis] + Width));
+      extent.Lower[axis] = *std::min_element(node.Lower[axis], node.Lower[axis] + Width);
+      extent.Upper[axis] = *std::max_element(node.Upper[axis], node.Upper[axis] + Width);
     }
-    extent.Lower[3] = static_cast<double>(*std::min_element(node.Low, node.Low + Width));
-    extent.Upper[3] = static_cast<double>(*std::max_element(node.High, node.High + Width));
+    extent.Lower[3] = *std::min_element(node.Low, node.Low + Width);
+    extent.Upper[3] = *std::max_element(node.High, node.High + Width);
     return extent;
   };
-  this->BuildLevel(below.size(), 0.0, getExtent, threads);
+  this->BuildLevel(below.Count, 0.0, getExtent, threads);
 }
 
 //------------------------------------------------------------------------------
@@ -458,9 +490,9 @@ std::vector<std::uint32_t> CellTree::FindBlocks(double low, double high, int thr
 std::size_t CellTree::GetMemory() const
 {
   std::size_t memory = this->Order.capacity() * sizeof(this->Order[0]);
-  for (const std::vector<CellTreeNode>& level : this->Levels)
+  for (const Level& level : this->Levels)
   {
-    memory += level.capacity() * sizeof(CellTreeNode);
+    memory += level.Count * sizeof(CellTreeNode);
   }
   return memory;
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -48,7 +49,7 @@ public:
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
   const CellTreeNode& GetNode(int level, std::size_t node) const
   {
-    return this->Levels[static_cast<std::size_t>(level)][node];
+    return this->Levels[static_cast<std::size_t>(level)].Nodes[node];
   }
 
   /// Whether a child of a node has values on both sides of an isovalue.
@@ -103,7 +104,21 @@ public:
 
 private:
   struct Extent;
+  struct RoundedExtent;
   class CellReader;
+
+  /// Nodes that are not initialized: the threads that fill them are the first to touch them.
+  struct Level
+  {
+    explicit Level(std::size_t count)
+      : Count(count)
+      , Nodes(new CellTreeNode[count])
+    {
+    }
+
+    std::size_t Count;
+    std::unique_ptr<CellTreeNode[]> Nodes;
+  };
 
   bool SortBlocks(const MeshCells& cells, int threads);
   void SortCells(const MeshCells& cells, int threads);
@@ -121,7 +136,7 @@ private:
   bool IsSorted = false;
   bool AreFinite = true;
   std::vector<std::uint32_t> Order;
-  std::vector<std::vector<CellTreeNode>> Levels;
+  std::vector<Level> Levels;
 };
 
 }
