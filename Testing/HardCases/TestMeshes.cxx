@@ -898,9 +898,18 @@ TEST(TestMeshes, AnyScale)
         return Triple{ std::ldexp(p[0], exponent), std::ldexp(p[1], exponent),
           std::ldexp(p[2], exponent) };
       };
-      const TestMesh mesh = MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
-        [&random](const Index&) { return random.Uniform(-1.0, 1.0); });
-      const std::vector<Line> lines = RandomLines(random, { 5, 4, 4 }, 200);
+      // Around the origin: boxes may be too large for single precision on both sides.
+      const auto move = [](const Triple& p) {
+        return Triple{ p[0] - 2.5, p[1] - 2.0, p[2] - 2.0 };
+      };
+      const TestMesh mesh = Map(MakeMesh(random, { 4, 3, 3 }, cutting, 0.2,
+                                  [&random](const Index&) { return random.Uniform(-1.0, 1.0); }),
+        move);
+      std::vector<Line> lines = RandomLines(random, { 5, 4, 4 }, 200);
+      for (Line& line : lines)
+      {
+        line.Origin = move(line.Origin);
+      }
       std::vector<Line> scaled = lines;
       for (Line& line : scaled)
       {
