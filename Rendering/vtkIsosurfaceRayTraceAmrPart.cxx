@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -296,7 +297,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
   whole->Cropping = cropping;
   const Levels levels(leaves);
   std::vector<vtkirt::AmrPatch> patches;
-  std::vector<BlockKind> kinds;
+  std::map<BlockKind, int> kinds;
   for (const vtkIsosurfaceRayTraceLeaf& leaf : leaves)
   {
     vtkirt::AmrPatch patch{};
@@ -326,11 +327,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
       keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate), whole->GhostCells);
     patch.HiddenCells = keep(FindHiddenCells(leaf), whole->HiddenCells);
     const BlockKind kind = { leaf.Display.Opacity, AreAllHidden(whole->HiddenCells.back()) };
-    patch.Kind = static_cast<int>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
-    if (patch.Kind == static_cast<int>(kinds.size()))
-    {
-      kinds.push_back(kind);
-    }
+    patch.Kind = kinds.emplace(kind, static_cast<int>(kinds.size())).first->second;
     patches.push_back(patch);
     whole->Blocks.push_back(
       { leaf, leaf.Scalars->GetVoidPointer(0), leaf.Scalars->GetNumberOfTuples() });
@@ -371,20 +368,11 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
 }
 
 //------------------------------------------------------------------------------
-/// Whether that is true of all of its blocks.
-template <typename Test>
-bool vtkIsosurfaceRayTraceAmrPart::AreAllBlocks(const Test& test) const
-{
-  return std::all_of(this->Region.Patches.begin(), this->Region.Patches.end(), test);
-}
-
-//------------------------------------------------------------------------------
 /// Most blocks of a simulation have nothing of a surface, and blocks whose cells are hidden lend
 /// others their samples alone: they need no nodes.
 bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
 {
-  if (this->AreAllBlocks(
-        [this](std::size_t block) { return AreAllHidden(this->Whole->HiddenCells[block]); }))
+  if (AreAllHidden(this->Whole->HiddenCells[this->Region.Patches.front()]))
   {
     return false;
   }
@@ -534,7 +522,7 @@ void vtkIsosurfaceRayTraceAmrPart::SampleColors(
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceAmrPart::IsIntact() const
 {
-  return this->AreAllBlocks(
+  return std::all_of(this->Region.Patches.begin(), this->Region.Patches.end(),
     [this](std::size_t block) { return this->Whole->Blocks[block].IsIntact(); });
 }
 

@@ -85,8 +85,6 @@ private:
   vtkIsosurfaceRayTraceAmrPart(
     vtkIsosurfaceRayTracing::AmrRegion&& region, std::shared_ptr<Hierarchy> whole);
   BlockCell FindBlockCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
-  template <typename Test>
-  bool AreAllBlocks(const Test& test) const;
 
   vtkIsosurfaceRayTracing::AmrRegion Region;
   std::shared_ptr<Hierarchy> Whole;

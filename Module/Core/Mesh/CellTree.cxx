@@ -58,6 +58,27 @@ std::vector<std::uint32_t> SortKeys(std::vector<std::uint64_t>& keys)
   return order;
 }
 
+/// A box and a range of values: x, y, z and value.
+template <typename T>
+struct ExtentOf
+{
+  T Lower[4];
+  T Upper[4];
+
+  bool IsEmpty() const { return !(this->Lower[3] <= this->Upper[3]); }
+
+  Vector3 GetMiddle() const
+  {
+    Vector3 middle;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] =
+        static_cast<double>(this->Lower[axis]) * 0.5 + static_cast<double>(this->Upper[axis]) * 0.5;
+    }
+    return middle;
+  }
+};
+
 /// Two zeros before each of the lower ten bits.
 std::uint32_t Spread(std::uint32_t bits)
 {
@@ -71,16 +92,13 @@ std::uint32_t Spread(std::uint32_t bits)
 }
 
 //------------------------------------------------------------------------------
-/// The box and the range of values of some cells: x, y, z and value.
-struct CellTree::Extent
+/// That of some cells.
+struct CellTree::Extent : ExtentOf<double>
 {
-  double Lower[4];
-  double Upper[4];
-
   static Extent MakeEmpty()
   {
-    return { { Infinity, Infinity, Infinity, Infinity },
-      { -Infinity, -Infinity, -Infinity, -Infinity } };
+    return { { { Infinity, Infinity, Infinity, Infinity },
+      { -Infinity, -Infinity, -Infinity, -Infinity } } };
   }
 
   void Include(const double (&lower)[4], const double (&upper)[4])
@@ -90,18 +108,6 @@ struct CellTree::Extent
       this->Lower[i] = std::min(this->Lower[i], lower[i]);
       this->Upper[i] = std::max(this->Upper[i], upper[i]);
     }
-  }
-
-  bool IsEmpty() const { return !(this->Lower[3] <= this->Upper[3]); }
-
-  Vector3 GetMiddle() const
-  {
-    Vector3 middle;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      middle[axis] = this->Lower[axis] * 0.5 + this->Upper[axis] * 0.5;
-    }
-    return middle;
   }
 
   /// Half of the surface of the box.
@@ -117,11 +123,8 @@ struct CellTree::Extent
 //------------------------------------------------------------------------------
 /// The same in single precision, rounded outward. It is not initialized, so that the threads that
 /// fill an array of them are the first to touch its memory.
-struct alignas(32) CellTree::RoundedExtent
+struct alignas(32) CellTree::RoundedExtent : ExtentOf<float>
 {
-  float Lower[4];
-  float Upper[4];
-
   RoundedExtent() = default;
 
   explicit RoundedExtent(const Extent& extent)
@@ -131,19 +134,6 @@ struct alignas(32) CellTree::RoundedExtent
   }
 
   static RoundedExtent MakeEmpty() { return RoundedExtent(Extent::MakeEmpty()); }
-
-  bool IsEmpty() const { return !(this->Lower[3] <= this->Upper[3]); }
-
-  Vector3 GetMiddle() const
-  {
-    Vector3 middle;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      middle[axis] =
-        0.5 * static_cast<double>(this->Lower[axis]) + 0.5 * static_cast<double>(this->Upper[axis]);
-    }
-    return middle;
-  }
 
   void SetChild(CellTreeNode& node, int child, double margin) const
   {
