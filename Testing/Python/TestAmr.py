@@ -233,6 +233,14 @@ class TestAmr(unittest.TestCase):
         self.assertEqual(seen, set(range(8)) - {2})
         attributes.RemoveBlockVisibilities()
         self.assertEqual(hits_of_blocks(), plain)
+        hidden = vtkUnsignedCharArray()
+        hidden.SetName(vtkDataSetAttributes.GhostArrayName())
+        hidden.SetNumberOfTuples(64)
+        hidden.Fill(vtkDataSetAttributes.HIDDENCELL)
+        grids[0].GetCellData().AddArray(hidden)
+        self.assertEqual({block for blocks in hits_of_blocks().values() for block in blocks}, set(range(1, 8)))
+        grids[0].GetCellData().RemoveArray(hidden.GetName())
+        self.assertEqual(hits_of_blocks(), plain)
         colors = [(0.1 * i, 1.0 - 0.1 * i, 0.5) for i in range(8)]
         for grid, color in zip(grids, colors):
             attributes.SetBlockColor(grid, color)

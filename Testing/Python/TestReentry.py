@@ -7,11 +7,12 @@ import subprocess
 import sys
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkVersion, vtkWeakReference
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkUnstructuredGrid)
+    VTK_XYZ_GRID, vtkAMRBox, vtkImageData, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkPlane, vtkPolyData,
+    vtkUniformGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
     vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty)
 import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
@@ -137,6 +138,42 @@ class MeshScene(Scene):
         return self.data.GetBlock(1)
 
 
+class AmrScene(Scene):
+    """The same in blocks of one level of AMR data, which fill a box and are traced as one."""
+
+    EXTENT = 16
+
+    def set_input(self, extent):
+        image = make_image(extent)
+        image.SetExtent(0, 2 * extent, 0, 2 * extent, 0, 2 * extent)
+        image.SetOrigin(-extent, -extent, -extent)
+        self.data = vtkOverlappingAMR()
+        places = [(x, y, z) for z in (0, extent) for y in (0, extent) for x in (0, extent)]
+        if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() >= 906:
+            self.data.Initialize([8])
+        else:
+            self.data.Initialize(1, [8])
+        self.data.SetOrigin(image.GetOrigin())
+        self.data.SetGridDescription(VTK_XYZ_GRID)
+        self.data.SetSpacing(0, image.GetSpacing())
+        for i, place in enumerate(places):
+            cut = vtkExtractVOI()
+            cut.SetInputData(image)
+            cut.SetVOI(*[k for first in place for k in (first, first + extent)])
+            cut.Update()
+            block = vtkUniformGrid()
+            block.SetDimensions(extent + 1, extent + 1, extent + 1)
+            block.SetOrigin([k - extent for k in place])
+            block.GetPointData().DeepCopy(cut.GetOutput().GetPointData())
+            self.data.SetAMRBox(0, i, vtkAMRBox(place, [k + extent - 1 for k in place]))
+            self.data.SetDataSet(0, i, block)
+        self.mapper.SetInputDataObject(self.data)
+
+    def get_leaf(self):
+        """Not the first block."""
+        return self.data.GetDataSet(0, 7)
+
+
 class ReadingScene(Scene):
     """An image whose samples are read in two slabs: progress is told between them."""
 
@@ -144,7 +181,7 @@ class ReadingScene(Scene):
     RAYS = 1
 
 
-SCENES = {"image": Scene, "mesh": MeshScene, "reading": ReadingScene}
+SCENES = {"image": Scene, "mesh": MeshScene, "amr": AmrScene, "reading": ReadingScene}
 READING = "ProgressEvent"
 
 
@@ -173,7 +210,7 @@ def pick(scene):
 
 
 def change_isovalue_and_cast(scene):
-    scene.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 120.0)
+    scene.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 200.0)
     assert scene.cast()
 
 
@@ -224,7 +261,10 @@ def release_scalars(scene):
 
 
 def remove_scalars(scene):
+    scalars = vtkWeakReference()
+    scalars.Set(scene.get_leaf().GetPointData().GetScalars())
     scene.get_leaf().GetPointData().SetScalars(None)
+    assert scalars.Get(), "the scalars that are read are gone"
 
 
 def remove_input(scene):
@@ -398,6 +438,7 @@ def add_test(name, event, volume, scene):
             self.assertIn(ERRORS[name], run.stderr)
         else:
             self.assertNotIn("ERR|", run.stderr)
+        self.assertNotIn("Traceback", run.stderr)
     setattr(TestReentry, f"test_{name}_{event}_{volume}_{scene}", test)
 
 
@@ -406,6 +447,8 @@ for attack in ATTACKS:
     add_test(attack, READING, "vtkVolume", "reading")
 for attack in (*ATTACKS, *MESH_ATTACKS):
     add_test(attack, EVENTS[0], "vtkVolume", "mesh")
+for attack in ("set_input", "initialize", "shrink_scalars", "release_scalars", "remove_scalars", "remove_input"):
+    add_test(attack, EVENTS[0], "vtkVolume", "amr")
 # Those that take something away, at other moments too.
 for attack in ("set_input", "remove_input", "release_scalars", "take_mapper", "take_volume", "take_renderer",
                "finalize"):

@@ -566,6 +566,11 @@ TEST(AmrRegions, HaveNoOverlaps)
   std::vector<Box> boxes = MakeBlocks(0, { 0, 0, 0 }, { 2, 2, 1 }, 4);
   boxes.push_back({ 0, { 2, 2, 0 }, { 4, 4, 4 } });
   EXPECT_EQ(FindRegions(boxes, 16).size(), 5U);
+  // As many cells as their box has.
+  EXPECT_EQ(FindRegions({ { 0, { 0, 0, 0 }, { 3, 1, 1 } }, { 0, { 1, 0, 0 }, { 3, 1, 1 } },
+                          { 0, { 6, 0, 0 }, { 2, 1, 1 } } },
+              16),
+    (Regions{ { 0 }, { 1 }, { 2 } }));
 }
 
 //------------------------------------------------------------------------------
@@ -611,6 +616,60 @@ TEST(AmrRegions, HideTheCellsOfTheirPatches)
   EXPECT_EQ(at({ 5, 4, 2 }), 11.0);
   EXPECT_EQ(at({ 3, 5, 2 }), 23.0);
   EXPECT_EQ(at({ 6, 6, 2 }), 32.0);
+}
+
+//------------------------------------------------------------------------------
+/// Samples of blocks that disagree where they touch.
+TEST(AmrRegions, HaveTheSampleOfTheFirstPatch)
+{
+  std::vector<AmrPatch> patches;
+  std::vector<TestVolume<float>> volumes;
+  const std::vector<Box> boxes = MakeBlocks(0, { 0, 0, 0 }, { 2, 1, 1 }, 4);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    volumes.push_back(TestVolume<float>::Of(
+      { 5, 5, 5 }, [i](const Vector3& /*index*/) { return static_cast<double>(i); }));
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    AmrPatch patch{};
+    patch.First = boxes[i].First;
+    patch.Cells = boxes[i].Cells;
+    patch.Samples = volumes[i].View();
+    patches.push_back(patch);
+  }
+  const AmrHierarchy hierarchy({ { 1, 1, 1 } }, patches, false);
+  for (const int cells : { 1, 8 })
+  {
+    const std::vector<AmrRegion> regions = hierarchy.MakeRegions(cells);
+    ASSERT_EQ(regions.size(), cells == 1 ? 2U : 1U);
+    const AmrNodes nodes = hierarchy.MakeNodes(regions.front());
+    for (int y = 1; y < 6; ++y)
+    {
+      EXPECT_EQ(nodes.Values[Offset({ 5, y, 3 }, nodes.Dimensions)], 0.0);
+      EXPECT_EQ(nodes.Values[Offset({ 6, y, 3 }, nodes.Dimensions)], 1.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Means are those of the other cells.
+TEST(AmrRegions, LeaveGhostsOutOfMeans)
+{
+  const TestVolume<float> ones = TestVolume<float>::Of({ 4, 4, 4 },
+    [](const Vector3& index) {
+      return index == Vector3{ 2.0, 1.0, 1.0 } ? 1000.0 : 1.0;
+    });
+  std::vector<unsigned char> ghosts(64, 0);
+  ghosts[Offset({ 2, 1, 1 }, { 4, 4, 4 })] = 1;
+  AmrPatch patch{};
+  patch.Cells = { 4, 4, 4 };
+  patch.Samples = ones.View();
+  patch.GhostCells = ghosts.data();
+  const AmrHierarchy hierarchy({ { 1, 1, 1 } }, { patch }, true);
+  const AmrNodes nodes = hierarchy.MakeNodes(hierarchy.MakeRegions(32).front());
+  const Index3 corner = { 1 + 2 * 2, 1 + 2 * 1, 1 + 2 * 1 };
+  EXPECT_EQ(nodes.Values[Offset(corner, nodes.Dimensions)], 1.0);
 }
 
 //------------------------------------------------------------------------------
