@@ -707,6 +707,120 @@ TEST(AmrHierarchy, BetweenEqualLevelsTheInterpolantIsThatOfImages)
 }
 
 //------------------------------------------------------------------------------
+/// The levels lie side by side, the coarsest one beside cells that are half in each of the others.
+/// All means of a linear field are exact but for those in the border of the data.
+TEST(AmrHierarchy, MeansTakeFinerCellsWhereALevelHasNone)
+{
+  const std::vector<Box> boxes = { { 0, { 0, 0, 0 }, { 4, 8, 8 } },
+    { 1, { 8, 0, 0 }, { 1, 16, 16 } }, { 2, { 27, 0, 0 }, { 21, 48, 48 } },
+    // Of the finer cells in one of the next coarser level, this counts for the coarsest level.
+    { 1, { 9, 4, 4 }, { 1, 2, 2 } } };
+  const double sizes[3] = { 1.0, 1.0 / 2.0, 1.0 / 6.0 };
+  std::vector<TestVolume<double>> volumes;
+  std::vector<AmrPatch> patches;
+  for (const Box& box : boxes)
+  {
+    const double size = sizes[box.Level];
+    volumes.push_back(TestVolume<double>::Of(box.Cells,
+      [&](const Vector3& index)
+      {
+        return size *
+          (index[0] + box.First[0] + 0.5 + 2.0 * (index[1] + box.First[1] + 0.5) -
+            4.0 * (index[2] + box.First[2] + 0.5));
+      }));
+    AmrPatch patch{};
+    patch.Level = box.Level;
+    patch.First = box.First;
+    patch.Cells = box.Cells;
+    patches.push_back(patch);
+  }
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    patches[i].Samples = volumes[i].View();
+  }
+  const AmrHierarchy hierarchy(TheRatios, patches, true);
+  for (const AmrRegion& region : hierarchy.MakeRegions(1))
+  {
+    const double node = 0.5 * sizes[region.Level];
+    const AmrNodes nodes = hierarchy.MakeNodes(region);
+    const AmrRange range = hierarchy.FindRange(region);
+    Index3 i;
+    for (i[2] = 1; i[2] < nodes.Dimensions[2] - 1; ++i[2])
+    {
+      for (i[1] = 1; i[1] < nodes.Dimensions[1] - 1; ++i[1])
+      {
+        for (i[0] = 1; i[0] < nodes.Dimensions[0] - 1; ++i[0])
+        {
+          const double value = nodes.Values[Offset(i, nodes.Dimensions)];
+          Vector3 point;
+          bool isInside = true;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+          {
+            point[axis] = node * (2 * region.First[axis] + i[axis] - 1);
+            isInside = isInside && point[axis] >= 0.5 && point[axis] <= 7.5;
+          }
+          ASSERT_GE(value, range.Min);
+          ASSERT_LE(value, range.Max);
+          if (isInside)
+          {
+            ASSERT_NEAR(value, point[0] + 2.0 * point[1] - 4.0 * point[2], 1e-12)
+              << "level " << region.Level << " at " << point[0] << ' ' << point[1] << ' '
+              << point[2];
+          }
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What is not the finer patches' own is not in means, and coarser cells that are not there are not
+/// taken for there: with ghosts, with patches that overlap, and with both.
+TEST(AmrHierarchy, MeansOfFinerCellsLeaveOutGhostsAndOverlaps)
+{
+  const auto fill = [](const Index3& cells, double low, double high, int first)
+  {
+    return TestVolume<double>::Of(
+      cells, [=](const Vector3& index) { return index[0] < first ? low : high; });
+  };
+  const auto make = [](int level, int first, const TestVolume<double>& samples)
+  {
+    AmrPatch patch{};
+    patch.Level = level;
+    patch.First = { first, 0, 0 };
+    patch.Samples = samples.View();
+    patch.Cells = patch.Samples.Dimensions;
+    return patch;
+  };
+  const TestVolume<double> coarse = fill({ 4, 2, 2 }, 1.0, 1.0, 0);
+  const TestVolume<double> shortOne = fill({ 3, 2, 2 }, 1.0, 1.0, 0);
+  // The first has no more than the lower half of its cells, and the second counts only behind them.
+  const TestVolume<double> first = fill({ 4, 4, 4 }, 10.0, 1000.0, 2);
+  const TestVolume<double> second = fill({ 4, 4, 4 }, 500.0, 10.0, 2);
+  std::vector<unsigned char> upperHalves(64);
+  for (std::size_t i = 0; i < upperHalves.size(); ++i)
+  {
+    upperHalves[i] = i % 4 >= 2 ? 1 : 0;
+  }
+  std::vector<AmrPatch> patches = { make(0, 0, coarse), make(1, 4, first), make(1, 4, second) };
+  patches[0].GhostCells = upperHalves.data();
+  patches[1].GhostCells = upperHalves.data();
+  std::vector<AmrPatch> overlapping = { make(0, 0, shortOne), make(0, 0, shortOne), patches[1],
+    patches[2] };
+  const std::vector<Index3> ratios = { { 1, 1, 1 }, { 2, 2, 2 } };
+  for (const std::vector<AmrPatch>& all : { patches, overlapping })
+  {
+    const AmrHierarchy hierarchy(ratios, all, true);
+    const AmrRegion region = hierarchy.MakeRegions(1).front();
+    const AmrNodes nodes = hierarchy.MakeNodes(region);
+    // Between the last cell of the level and the finer cells behind it.
+    const int border = all.size() == 3 ? 2 : 3;
+    EXPECT_EQ(nodes.Values[Offset({ 1 + 2 * border, 2, 2 }, nodes.Dimensions)], 5.5);
+    EXPECT_GE(hierarchy.FindRange(region).Max, 5.5);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(AmrHierarchy, OfPatchesThatOverlapTheFirstCounts)
 {
   const Grids grids({ { 1, 1, 1 } },

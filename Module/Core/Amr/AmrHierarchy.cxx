@@ -250,6 +250,7 @@ public:
     : Hierarchy(hierarchy)
     , Lately(hierarchy.Levels.size())
     , Coarser(hierarchy.Levels.size())
+    , Means(hierarchy.Levels.size())
   {
   }
 
@@ -270,18 +271,21 @@ public:
           sum += this->Hierarchy.OfCells ? GetSample(*patch, cell) : 0.0;
           ++count;
         }
+        else if (this->Hierarchy.IsCoveredByFiner(level, cell))
+        {
+          sum += this->Hierarchy.OfCells ? this->ReadMean(level, cell) : 0.0;
+          count += this->Hierarchy.OfCells ? 1 : 0;
+        }
         else
         {
-          isCoarser = isCoarser ||
-            (!this->Hierarchy.IsCoveredByFiner(level, cell) &&
-              this->Hierarchy.IsCoveredByCoarser(level, cell));
+          isCoarser = isCoarser || this->Hierarchy.IsCoveredByCoarser(level, cell, 0);
         }
       });
     if (isCoarser)
     {
       return this->Interpolate(level, node);
     }
-    if (!owner)
+    if (count == 0)
     {
       return std::nullopt;
     }
@@ -332,10 +336,20 @@ private:
                                 : known.emplace(node, this->Read(level, node)).first->second;
   }
 
+  double ReadMean(int level, const Index3& cell)
+  {
+    auto& known = this->Means[static_cast<std::size_t>(level)];
+    const auto found = known.find(cell);
+    return found != known.end()
+      ? found->second
+      : known.emplace(cell, this->Hierarchy.FindMean(level, cell)).first->second;
+  }
+
   const AmrHierarchy& Hierarchy;
   /// Of each level.
   std::vector<Likely> Lately;
   std::vector<std::map<Index3, std::optional<double>>> Coarser;
+  std::vector<std::map<Index3, double>> Means;
 };
 
 //------------------------------------------------------------------------------
@@ -407,6 +421,7 @@ AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> pat
     level.Tree = std::make_unique<BoundsTree>(boxes);
     level.HasOverlaps = this->HasOverlaps(level);
   }
+  this->FindLentRanges();
 }
 
 //------------------------------------------------------------------------------
@@ -422,6 +437,124 @@ bool AmrHierarchy::HasOverlaps(const Level& level) const
         [&count](std::size_t) { ++count; });
       return count > 1;
     });
+}
+
+//------------------------------------------------------------------------------
+void AmrHierarchy::FindLentRanges()
+{
+  for (std::size_t i = 0; this->OfCells && i < this->Patches.size(); ++i)
+  {
+    const AmrPatch& patch = this->Patches[i];
+    Index3 end;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      end[axis] = patch.First[axis] + patch.Cells[axis];
+    }
+    if (!this->IsInCoarser(patch))
+    {
+      this->LentRanges.resize(this->Patches.size());
+      Include(patch, true, patch.First, end, this->LentRanges[i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether all coarser levels have the cells that a patch lies in. It is false, too, where that
+/// is not seen from boxes alone.
+bool AmrHierarchy::IsInCoarser(const AmrPatch& patch) const
+{
+  Index3 first = patch.First;
+  Index3 end;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    end[axis] = first[axis] + patch.Cells[axis];
+  }
+  for (int coarser = patch.Level - 1; coarser >= 0; --coarser)
+  {
+    const Index3& ratio = this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio;
+    Index3 count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = FloorDivide(first[axis], ratio[axis]);
+      end[axis] = -FloorDivide(-end[axis], ratio[axis]);
+      count[axis] = end[axis] - first[axis];
+    }
+    if (!this->Covers(this->Levels[static_cast<std::size_t>(coarser)], first, count))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether patches of a level without overlaps and ghosts fill a box.
+bool AmrHierarchy::Covers(const Level& level, const Index3& first, const Index3& count) const
+{
+  const Bounds box = GetBox(first, count);
+  double covered = 0.0;
+  bool isPlain = !level.HasOverlaps;
+  level.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+    [&](std::size_t number)
+    {
+      const AmrPatch& patch = this->Patches[level.Patches[number]];
+      const Bounds other = GetBox(patch.First, patch.Cells);
+      isPlain = isPlain && !patch.GhostCells;
+      double common = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        common *= std::min(box.Upper[axis], other.Upper[axis]) -
+          std::max(box.Lower[axis], other.Lower[axis]);
+      }
+      covered += common;
+    });
+  return isPlain && covered == static_cast<double>(Count(count));
+}
+
+//------------------------------------------------------------------------------
+/// The mean of the finer cells in a cell that its level lacks, each by its part of the volume.
+double AmrHierarchy::FindMean(int level, const Index3& cell) const
+{
+  double sum = 0.0;
+  double covered = 0.0;
+  double volume = 1.0;
+  Index3 first = cell;
+  Index3 count = { 1, 1, 1 };
+  for (int finer = level + 1; finer < static_cast<int>(this->Levels.size()); ++finer)
+  {
+    const Level& all = this->Levels[static_cast<std::size_t>(finer)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] *= all.Ratio[axis];
+      count[axis] *= all.Ratio[axis];
+      volume /= all.Ratio[axis];
+    }
+    const Bounds box = GetBox(first, count);
+    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+      [&](std::size_t number)
+      {
+        const AmrPatch& patch = this->Patches[all.Patches[number]];
+        Index3 low;
+        Index3 common;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          low[axis] = std::max(first[axis], patch.First[axis]);
+          common[axis] =
+            std::min(first[axis] + count[axis], patch.First[axis] + patch.Cells[axis]) - low[axis];
+        }
+        ForEachIndex(low, common,
+          [&](const Index3& inside)
+          {
+            if (this->FindOwner(finer, inside) == &patch &&
+              !this->IsCoveredByCoarser(finer, inside, level + 1))
+            {
+              sum += volume * GetSample(patch, inside);
+              covered += volume;
+            }
+          });
+      });
+  }
+  return sum / covered;
 }
 
 //------------------------------------------------------------------------------
@@ -487,10 +620,10 @@ bool AmrHierarchy::IsCoveredByFiner(int level, const Index3& cell) const
 }
 
 //------------------------------------------------------------------------------
-bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell) const
+bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell, int coarsest) const
 {
   Index3 around = cell;
-  for (int coarser = level - 1; coarser >= 0; --coarser)
+  for (int coarser = level - 1; coarser >= coarsest; --coarser)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -729,6 +862,34 @@ AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
 }
 
 //------------------------------------------------------------------------------
+/// Includes the ranges of the patches that may give a level means in a box.
+void AmrHierarchy::IncludeLent(
+  int level, const Index3& first, const Index3& count, AmrRange& range) const
+{
+  if (this->LentRanges.empty())
+  {
+    return;
+  }
+  Bounds box = GetBox(first, count);
+  for (auto finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size(); ++finer)
+  {
+    const Level& all = this->Levels[finer];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.Lower[axis] *= all.Ratio[axis];
+      box.Upper[axis] *= all.Ratio[axis];
+    }
+    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+      [&](std::size_t number)
+      {
+        const AmrRange& lent = this->LentRanges[all.Patches[number]];
+        range.Min = std::min(range.Min, lent.Min);
+        range.Max = std::max(range.Max, lent.Max);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Nodes have values of samples, means of them, or are between those of coarser levels.
 AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 {
@@ -755,6 +916,7 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
     all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
       [&](std::size_t other)
       { Include(this->Patches[all.Patches[other]], this->OfCells, first, end, range); });
+    this->IncludeLent(level, first, count, range);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       first[axis] = FloorDivide(first[axis], all.Ratio[axis]);

@@ -86,7 +86,8 @@ struct AmrRange
 /// for images. (The octants of F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive Mesh
 /// Refinement Data, IEEE TVCG 25(1), 2019.) A node that a coarser cell touches, and no finer one,
 /// has the value of the interpolant of the coarser level there, so that both are the same on the
-/// faces between them.
+/// faces between them. Where a level has no cells, but finer ones do, means take the mean of these
+/// instead, each by its volume.
 ///
 /// Where patches of one level overlap, the first counts, unless it has a ghost there.
 class AmrHierarchy
@@ -137,7 +138,13 @@ private:
   const AmrPatch* FindOwner(int level, const Index3& cell, Likely& likely) const;
   const AmrPatch* FindOwner(int level, const Index3& cell) const;
   bool IsCoveredByFiner(int level, const Index3& cell) const;
-  bool IsCoveredByCoarser(int level, const Index3& cell) const;
+  /// By a level that is not coarser than a given one.
+  bool IsCoveredByCoarser(int level, const Index3& cell, int coarsest) const;
+  double FindMean(int level, const Index3& cell) const;
+  void FindLentRanges();
+  bool IsInCoarser(const AmrPatch& patch) const;
+  bool Covers(const Level& level, const Index3& first, const Index3& count) const;
+  void IncludeLent(int level, const Index3& first, const Index3& count, AmrRange& range) const;
   bool HasOverlaps(const Level& level) const;
   AmrRegion MakeRegion(std::vector<std::size_t>&& patches) const;
   bool IsFilled(const AmrRegion& region) const;
@@ -149,6 +156,9 @@ private:
   bool OfCells;
   std::vector<AmrPatch> Patches;
   std::vector<Level> Levels;
+  /// Of patches whose means coarser levels may need, where they have no cells of their own; those
+  /// of the others are empty. None if all are.
+  std::vector<AmrRange> LentRanges;
 };
 
 }
