@@ -862,29 +862,39 @@ AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
 }
 
 //------------------------------------------------------------------------------
-/// Includes the ranges of the patches that may give a level means in a box.
+/// Includes what finer patches may give the cells of a box that a level lacks: their samples there,
+/// or, quicker but for more, all of them.
 void AmrHierarchy::IncludeLent(
-  int level, const Index3& first, const Index3& count, AmrRange& range) const
+  int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const
 {
   if (this->LentRanges.empty())
   {
     return;
   }
-  Bounds box = GetBox(first, count);
   for (auto finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size(); ++finer)
   {
     const Level& all = this->Levels[finer];
+    Index3 count;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      box.Lower[axis] *= all.Ratio[axis];
-      box.Upper[axis] *= all.Ratio[axis];
+      first[axis] *= all.Ratio[axis];
+      end[axis] *= all.Ratio[axis];
+      count[axis] = end[axis] - first[axis];
     }
+    const Bounds box = GetBox(first, count);
     all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
       [&](std::size_t number)
       {
         const AmrRange& lent = this->LentRanges[all.Patches[number]];
-        range.Min = std::min(range.Min, lent.Min);
-        range.Max = std::max(range.Max, lent.Max);
+        if (asWhole)
+        {
+          range.Min = std::min(range.Min, lent.Min);
+          range.Max = std::max(range.Max, lent.Max);
+        }
+        else if (lent.Min <= lent.Max)
+        {
+          Include(this->Patches[all.Patches[number]], true, first, end, range);
+        }
       });
   }
 }
@@ -893,8 +903,9 @@ void AmrHierarchy::IncludeLent(
 /// Nodes have values of samples, means of them, or are between those of coarser levels.
 AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 {
-  // The cells that nodes in the region and in its faces are of, with one more on all sides.
-  constexpr int margin = 2;
+  // The cells that touch nodes of the region, of the layer behind it, and of the cells of coarser
+  // levels that these are in.
+  const int margin = this->OfCells ? 1 : 2;
   Index3 first = region.First;
   Index3 end;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -916,7 +927,8 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
     all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
       [&](std::size_t other)
       { Include(this->Patches[all.Patches[other]], this->OfCells, first, end, range); });
-    this->IncludeLent(level, first, count, range);
+    // Coarser cells are as large as many of the finest.
+    this->IncludeLent(level, first, end, level < region.Level, range);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       first[axis] = FloorDivide(first[axis], all.Ratio[axis]);

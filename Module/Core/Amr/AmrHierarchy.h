@@ -144,7 +144,7 @@ private:
   void FindLentRanges();
   bool IsInCoarser(const AmrPatch& patch) const;
   bool Covers(const Level& level, const Index3& first, const Index3& count) const;
-  void IncludeLent(int level, const Index3& first, const Index3& count, AmrRange& range) const;
+  void IncludeLent(int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const;
   bool HasOverlaps(const Level& level) const;
   AmrRegion MakeRegion(std::vector<std::size_t>&& patches) const;
   bool IsFilled(const AmrRegion& region) const;
