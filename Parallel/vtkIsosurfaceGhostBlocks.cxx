@@ -46,8 +46,12 @@ struct Place
   double Extent[6];
   double Origin[3];
   double Spacing[3];
+  /// The largest spacing of the blocks that are near, its own included.
+  double Coarsest[3];
+  /// 1 if a coarser block has the cells in its middle, too, and 0 if not.
+  double IsInCoarser;
 };
-static_assert(sizeof(Place) == 12 * sizeof(double), "Places are sent as numbers.");
+static_assert(sizeof(Place) == 16 * sizeof(double), "Places are sent as numbers.");
 
 Place FindPlace(vtkImageData* block)
 {
@@ -55,6 +59,8 @@ Place FindPlace(vtkImageData* block)
   std::copy_n(block->GetExtent(), 6, place.Extent);
   std::copy_n(block->GetOrigin(), 3, place.Origin);
   std::copy_n(block->GetSpacing(), 3, place.Spacing);
+  std::copy_n(block->GetSpacing(), 3, place.Coarsest);
+  place.IsInCoarser = 0.0;
   return place;
 }
 
@@ -66,16 +72,65 @@ double GetEnd(const Place& place, int side)
 /// The nodes of a block depend on so many cells around it, of its own level and of those coarser.
 constexpr double Reach = 4.0;
 
-bool AreNear(const Place& a, const Place& b)
+/// Whether the gap between blocks is less than that many cells of a size.
+bool AreNear(const Place& a, const Place& b, const double* cell)
 {
   bool areNear = true;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double distance = std::max(
       GetEnd(a, 2 * axis) - GetEnd(b, 2 * axis + 1), GetEnd(b, 2 * axis) - GetEnd(a, 2 * axis + 1));
-    areNear = areNear && distance < Reach * std::max(a.Spacing[axis], b.Spacing[axis]);
+    areNear = areNear && distance < Reach * cell[axis];
   }
   return areNear;
+}
+
+/// Whether the nodes of a block depend on another one's cells. If no coarser block has these, their
+/// means take part where coarser nodes do, and those are as far away as the coarser cells.
+bool DependsOn(const Place& block, const Place& other)
+{
+  double cell[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double own = other.IsInCoarser != 0.0 ? block.Spacing[axis] : block.Coarsest[axis];
+    cell[axis] = std::max(own, other.Spacing[axis]);
+  }
+  return AreNear(block, other, cell);
+}
+
+bool IsCoarser(const Place& a, const Place& b)
+{
+  return a.Spacing[0] > 1.5 * b.Spacing[0] || a.Spacing[1] > 1.5 * b.Spacing[1] ||
+    a.Spacing[2] > 1.5 * b.Spacing[2];
+}
+
+bool HasMiddleOf(const Place& block, const Place& other)
+{
+  bool hasMiddle = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double middle = 0.5 * (GetEnd(other, 2 * axis) + GetEnd(other, 2 * axis + 1));
+    hasMiddle =
+      hasMiddle && GetEnd(block, 2 * axis) < middle && middle < GetEnd(block, 2 * axis + 1);
+  }
+  return hasMiddle;
+}
+
+/// Finds what a block has to do with coarser ones.
+void FindCoarser(const Place& other, Place& block)
+{
+  if (!IsCoarser(other, block))
+  {
+    return;
+  }
+  block.IsInCoarser = HasMiddleOf(other, block) ? 1.0 : block.IsInCoarser;
+  if (AreNear(block, other, other.Spacing))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      block.Coarsest[axis] = std::max(block.Coarsest[axis], other.Spacing[axis]);
+    }
+  }
 }
 
 /// Whether both are the same cells, but for rounding.
@@ -96,21 +151,16 @@ bool AreSame(const Place& a, const Place& b)
 bool Needs(const std::vector<Place>& blocks, const Place& other)
 {
   return std::any_of(blocks.begin(), blocks.end(),
-           [&other](const Place& block) { return AreNear(block, other); }) &&
+           [&other](const Place& block) { return DependsOn(block, other); }) &&
     std::none_of(
       blocks.begin(), blocks.end(), [&other](const Place& block) { return AreSame(block, other); });
 }
 
 /// The blocks of all processes.
-std::vector<std::vector<Place>> GatherPlaces(
-  const std::vector<vtkImageData*>& blocks, vtkMultiProcessController* controller)
+std::vector<std::vector<Place>> Gather(
+  const std::vector<Place>& own, vtkMultiProcessController* controller)
 {
   constexpr vtkIdType size = sizeof(Place) / sizeof(double);
-  std::vector<Place> own;
-  for (vtkImageData* block : blocks)
-  {
-    own.push_back(FindPlace(block));
-  }
   const int processes = controller->GetNumberOfProcesses();
   const auto ownLength = size * static_cast<vtkIdType>(own.size());
   std::vector<vtkIdType> lengths(static_cast<std::size_t>(processes));
@@ -132,6 +182,25 @@ std::vector<std::vector<Place>> GatherPlaces(
     places.emplace_back(first, first + lengths[i] / size);
   }
   return places;
+}
+
+/// The blocks of all processes, and what each has to do with coarser ones.
+std::vector<std::vector<Place>> GatherPlaces(
+  const std::vector<vtkImageData*>& blocks, vtkMultiProcessController* controller)
+{
+  std::vector<Place> own;
+  for (vtkImageData* block : blocks)
+  {
+    own.push_back(FindPlace(block));
+  }
+  for (const std::vector<Place>& ofProcess : Gather(own, controller))
+  {
+    for (const Place& other : ofProcess)
+    {
+      std::for_each(own.begin(), own.end(), [&other](Place& block) { FindCoarser(other, block); });
+    }
+  }
+  return Gather(own, controller);
 }
 
 void Send(vtkImageData* block, int process, vtkMultiProcessController* controller)

@@ -18,11 +18,12 @@
  * @endcode
  *
  * The output has the blocks of the input, in their places, and another level with those of other
- * processes that come nearer to one of the own blocks than four cells of the coarser of the two.
- * Their cells are hidden (vtkDataSetAttributes::HIDDENCELL), so that they are drawn by their own
- * process alone. They are whole blocks, with all arrays, which takes memory: it is for blocks that
- * are small against the data. A block that both processes have is not sent. Blocks without arrays,
- * as which a process may have those of others, are left out.
+ * processes that come nearer to one of the own blocks than four cells of the coarser of the two;
+ * those that no coarser block lies behind (vtkNonOverlappingAMR), than four of the coarsest cells
+ * that are near the own block. Their cells are hidden (vtkDataSetAttributes::HIDDENCELL), so that
+ * they are drawn by their own process alone. They are whole blocks, with all arrays, which takes
+ * memory: it is for blocks that are small against the data. A block that both processes have is not
+ * sent. Blocks without arrays, as which a process may have those of others, are left out.
  *
  * All processes must update the filter together, also those without blocks, whose input is empty.
  * (One whose input is of another kind reports an error, and counts as one without blocks.) With one

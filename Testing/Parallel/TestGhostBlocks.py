@@ -29,6 +29,12 @@ SMALL = [
     *[(1, (x, y, z), (4, 4, 4)) for x in (4, 8) for y in (4, 8) for z in (0, 4, 8)],
     *[(2, (x, y, z), (4, 4, 4)) for x in (8, 12, 16) for y in (12, 16) for z in (8, 12)],
 ]
+# Fine blocks instead of coarse cells, of which each has several beside each other.
+HOLES = [
+    *[(0, (x, y, z), (2, 2, 2)) for x in (0, 2, 4, 6) for y in (0, 2, 4, 6) for z in (0, 2, 4, 6)
+      if not (x in (2, 4) and y in (2, 4) and z in (2, 4))],
+    *[(3, (x, y, z), (4, 4, 4)) for x in range(16, 48, 4) for y in range(16, 48, 4) for z in range(16, 48, 4)],
+]  # fmt: skip
 DATA = ((vtkOverlappingAMR, NESTED), (vtkNonOverlappingAMR, APART), (vtkOverlappingAMR, SMALL))
 
 
@@ -98,6 +104,11 @@ class TestGhostBlocks(PicturesOfMany):
                         with self.subTest(name):
                             owners = deal(len(blocks), is_random)
                             self.check(make_whole(kind, blocks, of_cells), owners, opacity, name)
+
+    def test_means_of_finer_blocks_that_are_farther_away_than_four_of_their_cells(self):
+        whole = make_whole(vtkNonOverlappingAMR, HOLES, True)
+        owners = [0 if level == 3 and first[0] >= 32 else SIZE - 1 for level, first, _ in HOLES]
+        self.check(whole, owners, 0.4, "fine blocks in coarse cells")
 
     @unittest.skipIf(SIZE == 1, "one process has all blocks")
     def test_without_them_there_are_gaps(self):
