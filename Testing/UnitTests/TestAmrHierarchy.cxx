@@ -36,6 +36,16 @@ struct Box
   Index3 Cells;
 };
 
+/// Without samples.
+AmrPatch MakePatch(const Box& box)
+{
+  AmrPatch patch{};
+  patch.Level = box.Level;
+  patch.First = box.First;
+  patch.Cells = box.Cells;
+  return patch;
+}
+
 /// A hierarchy of patches with samples of a ball, each with errors of its own level; and its
 /// regions of a size, whose boxes these are then.
 class Grids
@@ -80,11 +90,7 @@ public:
           return 2.7 - Length(point - Vector3{ 4.0, 4.0, 4.0 }) +
             noise * (static_cast<double>(hash % 2001) / 1000.0 - 1.0);
         }));
-      AmrPatch patch{};
-      patch.Level = box.Level;
-      patch.First = box.First;
-      patch.Cells = box.Cells;
-      patches.push_back(patch);
+      patches.push_back(MakePatch(box));
     }
     for (std::size_t i = 0; i < patches.size(); ++i)
     {
@@ -480,10 +486,7 @@ std::vector<std::vector<std::size_t>> FindRegions(
   std::vector<AmrPatch> patches;
   for (const Box& box : boxes)
   {
-    AmrPatch patch{};
-    patch.Level = box.Level;
-    patch.First = box.First;
-    patch.Cells = box.Cells;
+    AmrPatch patch = MakePatch(box);
     patch.Kind = kinds.empty() ? 0 : kinds[patches.size()];
     patches.push_back(patch);
   }
@@ -735,11 +738,7 @@ TEST(AmrHierarchy, MeansTakeFinerCellsWhereALevelHasNone)
           (index[0] + box.First[0] + 0.5 + 2.0 * (index[1] + box.First[1] + 0.5) -
             4.0 * (index[2] + box.First[2] + 0.5));
       }));
-    AmrPatch patch{};
-    patch.Level = box.Level;
-    patch.First = box.First;
-    patch.Cells = box.Cells;
-    patches.push_back(patch);
+    patches.push_back(MakePatch(box));
   }
   for (std::size_t i = 0; i < patches.size(); ++i)
   {

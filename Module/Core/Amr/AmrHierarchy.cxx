@@ -69,6 +69,12 @@ void ForEachIndex(const Index3& first, const Index3& count, const Visit& visit)
   }
 }
 
+/// The cell behind the last one, along each axis.
+Index3 GetEnd(const Index3& first, const Index3& count)
+{
+  return { first[0] + count[0], first[1] + count[1], first[2] + count[2] };
+}
+
 /// The box of some cells of a level.
 Bounds GetBox(const Index3& first, const Index3& count)
 {
@@ -330,19 +336,21 @@ private:
 
   std::optional<double> ReadCoarser(int level, const Index3& node)
   {
-    auto& known = this->Coarser[static_cast<std::size_t>(level)];
-    const auto found = known.find(node);
-    return found != known.end() ? found->second
-                                : known.emplace(node, this->Read(level, node)).first->second;
+    return Remember(this->Coarser[static_cast<std::size_t>(level)], node,
+      [&] { return this->Read(level, node); });
   }
 
   double ReadMean(int level, const Index3& cell)
   {
-    auto& known = this->Means[static_cast<std::size_t>(level)];
-    const auto found = known.find(cell);
-    return found != known.end()
-      ? found->second
-      : known.emplace(cell, this->Hierarchy.FindMean(level, cell)).first->second;
+    return Remember(this->Means[static_cast<std::size_t>(level)], cell,
+      [&] { return this->Hierarchy.FindMean(level, cell); });
+  }
+
+  template <typename Value, typename Find>
+  static Value Remember(std::map<Index3, Value>& known, const Index3& place, const Find& find)
+  {
+    const auto found = known.find(place);
+    return found != known.end() ? found->second : known.emplace(place, find()).first->second;
   }
 
   const AmrHierarchy& Hierarchy;
@@ -425,6 +433,14 @@ AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> pat
 }
 
 //------------------------------------------------------------------------------
+template <typename Visit>
+void AmrHierarchy::Level::ForEachIn(const Bounds& box, const Visit& visit) const
+{
+  this->Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+    [&](std::size_t place) { visit(this->Patches[place]); });
+}
+
+//------------------------------------------------------------------------------
 bool AmrHierarchy::HasOverlaps(const Level& level) const
 {
   return std::any_of(level.Patches.begin(), level.Patches.end(),
@@ -433,8 +449,7 @@ bool AmrHierarchy::HasOverlaps(const Level& level) const
       const AmrPatch& patch = this->Patches[number];
       const Bounds own = GetBox(patch.First, patch.Cells);
       int count = 0;
-      level.Tree->Find([&own](const Bounds& box) { return Overlap(box, own); },
-        [&count](std::size_t) { ++count; });
+      level.ForEachIn(own, [&count](std::size_t) { ++count; });
       return count > 1;
     });
 }
@@ -445,15 +460,10 @@ void AmrHierarchy::FindLentRanges()
   for (std::size_t i = 0; this->OfCells && i < this->Patches.size(); ++i)
   {
     const AmrPatch& patch = this->Patches[i];
-    Index3 end;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      end[axis] = patch.First[axis] + patch.Cells[axis];
-    }
     if (!this->IsInCoarser(patch))
     {
       this->LentRanges.resize(this->Patches.size());
-      Include(patch, true, patch.First, end, this->LentRanges[i]);
+      Include(patch, true, patch.First, GetEnd(patch.First, patch.Cells), this->LentRanges[i]);
     }
   }
 }
@@ -464,11 +474,7 @@ void AmrHierarchy::FindLentRanges()
 bool AmrHierarchy::IsInCoarser(const AmrPatch& patch) const
 {
   Index3 first = patch.First;
-  Index3 end;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    end[axis] = first[axis] + patch.Cells[axis];
-  }
+  Index3 end = GetEnd(first, patch.Cells);
   for (int coarser = patch.Level - 1; coarser >= 0; --coarser)
   {
     const Index3& ratio = this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio;
@@ -494,10 +500,10 @@ bool AmrHierarchy::Covers(const Level& level, const Index3& first, const Index3&
   const Bounds box = GetBox(first, count);
   double covered = 0.0;
   bool isPlain = !level.HasOverlaps;
-  level.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+  level.ForEachIn(box,
     [&](std::size_t number)
     {
-      const AmrPatch& patch = this->Patches[level.Patches[number]];
+      const AmrPatch& patch = this->Patches[number];
       const Bounds other = GetBox(patch.First, patch.Cells);
       isPlain = isPlain && !patch.GhostCells;
       double common = 1.0;
@@ -530,10 +536,10 @@ double AmrHierarchy::FindMean(int level, const Index3& cell) const
       volume /= all.Ratio[axis];
     }
     const Bounds box = GetBox(first, count);
-    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+    all.ForEachIn(box,
       [&](std::size_t number)
       {
-        const AmrPatch& patch = this->Patches[all.Patches[number]];
+        const AmrPatch& patch = this->Patches[number];
         Index3 low;
         Index3 common;
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -587,10 +593,10 @@ const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell) const
   const Level& all = this->Levels[static_cast<std::size_t>(level)];
   const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
   const AmrPatch* owner = nullptr;
-  all.Tree->Find([&ofCell](const Bounds& box) { return Overlap(box, ofCell); },
+  all.ForEachIn(ofCell,
     [&](std::size_t number)
     {
-      const AmrPatch* patch = &this->Patches[all.Patches[number]];
+      const AmrPatch* patch = &this->Patches[number];
       if (Owns(*patch, cell) && (!owner || patch < owner))
       {
         owner = patch;
@@ -740,8 +746,7 @@ std::size_t AmrHierarchy::FindPatch(const AmrRegion& region, const Index3& cell)
   {
     const Level& level = this->Levels[static_cast<std::size_t>(region.Level)];
     const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
-    level.Tree->Find([&ofCell](const Bounds& box) { return Overlap(box, ofCell); },
-      [&](std::size_t number) { found = level.Patches[number]; });
+    level.ForEachIn(ofCell, [&](std::size_t number) { found = number; });
   }
   return found;
 }
@@ -882,10 +887,10 @@ void AmrHierarchy::IncludeLent(
       count[axis] = end[axis] - first[axis];
     }
     const Bounds box = GetBox(first, count);
-    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
+    all.ForEachIn(box,
       [&](std::size_t number)
       {
-        const AmrRange& lent = this->LentRanges[all.Patches[number]];
+        const AmrRange& lent = this->LentRanges[number];
         if (asWhole)
         {
           range.Min = std::min(range.Min, lent.Min);
@@ -893,7 +898,7 @@ void AmrHierarchy::IncludeLent(
         }
         else if (lent.Min <= lent.Max)
         {
-          Include(this->Patches[all.Patches[number]], true, first, end, range);
+          Include(this->Patches[number], true, first, end, range);
         }
       });
   }
@@ -907,11 +912,7 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
   // levels that these are in.
   const int margin = this->OfCells ? 1 : 2;
   Index3 first = region.First;
-  Index3 end;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    end[axis] = first[axis] + region.Cells[axis];
-  }
+  Index3 end = GetEnd(first, region.Cells);
   AmrRange range;
   for (int level = region.Level; level >= 0; --level)
   {
@@ -924,9 +925,8 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
       count[axis] = end[axis] - first[axis];
     }
     const Bounds box = GetBox(first, count);
-    all.Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
-      [&](std::size_t other)
-      { Include(this->Patches[all.Patches[other]], this->OfCells, first, end, range); });
+    all.ForEachIn(box,
+      [&](std::size_t other) { Include(this->Patches[other], this->OfCells, first, end, range); });
     // Coarser cells are as large as many of the finest.
     this->IncludeLent(level, first, end, level < region.Level, range);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -978,16 +978,15 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
       around.Lower[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
       around.Upper[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
     }
-    this->Levels[level].Tree->Find([&around](const Bounds& box) { return Overlap(box, around); },
+    this->Levels[level].ForEachIn(around,
       [&](std::size_t number)
       {
         // A region of several patches overlaps no other.
-        const std::size_t otherNumber = this->Levels[level].Patches[number];
-        if (isOwnLevel && otherNumber >= region.Patches.front())
+        if (isOwnLevel && number >= region.Patches.front())
         {
           return;
         }
-        const AmrPatch& other = this->Patches[otherNumber];
+        const AmrPatch& other = this->Patches[number];
         // The cells that the other patch has as a whole.
         Index3 low;
         Index3 count;

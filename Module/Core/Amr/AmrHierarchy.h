@@ -125,6 +125,10 @@ private:
     std::vector<std::size_t> Patches;
     std::unique_ptr<BoundsTree> Tree;
     bool HasOverlaps = false;
+
+    /// Calls visit(number) for the patches that have cells in a box.
+    template <typename Visit>
+    void ForEachIn(const Bounds& box, const Visit& visit) const;
   };
   class NodeReader;
 
