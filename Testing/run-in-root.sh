@@ -26,5 +26,5 @@ mmdebstrap --quiet --variant=apt --dpkgopt=force-unsafe-io \
   --aptopt='Acquire::Check-Valid-Until "false"' \
   --customize-hook='mkdir "$1/root/source"' \
   --customize-hook="tar-in build/roots/$release.tar /root/source" \
-  --customize-hook='chroot "$1" /root/source/Testing/run.sh'"$(printf ' %q' "$@")" \
+  --customize-hook='chroot "$1" /root/source/Testing/run.sh '"${*@Q}" \
   "$release" /dev/null

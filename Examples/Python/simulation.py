@@ -24,7 +24,7 @@ bar.SetLookupTable(volume.GetProperty().GetRGBTransferFunction())  # of the rang
 bar.SetTitle(color_array)
 renderer, window = vtkRenderer(), vtkRenderWindow()
 renderer.AddVolume(volume)
-renderer.AddActor2D(bar)
+renderer.AddViewProp(bar)
 renderer.ResetCamera()
 window.SetOffScreenRendering(True)
 window.AddRenderer(renderer)

@@ -33,7 +33,7 @@ SurfacePanel::SurfacePanel(
   : TheScene(scene)
   , Histogram(MakeHistogram(scalars.GetHistogram(), PlaceOfHistogram))
 {
-  scene.GetRenderer()->AddActor2D(this->Histogram);
+  scene.GetRenderer()->AddViewProp(this->Histogram);
   for (std::size_t i = 0; i < NumberOfSurfaces; ++i)
   {
     const auto change = [this, i](double Surface::*member)

@@ -141,8 +141,8 @@ void Window::SetUpTexts()
   this->Help->GetTextProperty()->SetBackgroundOpacity(0.8);
   this->Help->VisibilityOff();
   vtkRenderer* renderer = this->TheScene.GetRenderer();
-  renderer->AddActor2D(this->Status);
-  renderer->AddActor2D(this->Help);
+  renderer->AddViewProp(this->Status);
+  renderer->AddViewProp(this->Help);
   renderer->AddObserver(vtkCommand::StartEvent, this, &Window::UpdateTexts);
 }
 
