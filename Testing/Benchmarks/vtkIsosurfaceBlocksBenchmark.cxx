@@ -21,6 +21,7 @@
 #include <vtkNew.h>
 #include <vtkOverlappingAMR.h>
 #include <vtkSmartPointer.h>
+#include <vtkStructuredData.h>
 #include <vtkUniformGrid.h>
 #include <vtkVersionMacros.h>
 #include <vtkVolume.h>
@@ -167,7 +168,7 @@ vtkSmartPointer<vtkDataObject> MakeAmr(const Arguments& arguments, vtkImageData*
   amr->Initialize(1, &count);
 #endif
   amr->SetOrigin(whole->GetOrigin());
-  amr->SetGridDescription(VTK_XYZ_GRID);
+  amr->SetGridDescription(vtkStructuredData::GetDataDescriptionFromExtent(whole->GetExtent()));
   amr->SetSpacing(0, whole->GetSpacing());
   ForEachBlock(arguments,
     [&](unsigned int number, const std::array<int, 3>& first)
