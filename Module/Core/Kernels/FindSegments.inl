@@ -32,14 +32,13 @@ struct Outline
     this->Add(projected, number, 5, side023, side123);
   }
 
-  /// The columns of a row that may be covered, from a column on; a bit for each lane.
-  SIMD_INLINE unsigned int FindColumns(int row, Floats columns) const
+  /// The pixels that may be covered; a bit for each lane.
+  SIMD_INLINE unsigned int FindPixels(Floats columns, Floats rows) const
   {
     Floats least = 0.0F;
     for (int i = 0; i < this->Count; ++i)
     {
-      const Floats ofRow = this->B[i] * static_cast<float>(row) + this->C[i];
-      least = Min(least, MultiplyAdd(columns, this->A[i], ofRow));
+      least = Min(least, MultiplyAdd(columns, this->A[i], rows * this->B[i] + this->C[i]));
     }
     return ((1U << FloatWidth) - 1U) & ~ToBits(least < 0.0F);
   }
@@ -66,38 +65,59 @@ private:
   }
 };
 
+/// The labels of the first pixels of a tile, a vector of them in one row or in several.
+struct PixelLabels
+{
+  alignas(64) float Column[FloatWidth];
+  alignas(64) float Row[FloatWidth];
+
+  constexpr explicit PixelLabels(int columns)
+    : Column{}
+    , Row{}
+  {
+    for (int i = 0; i < FloatWidth; ++i)
+    {
+      this->Column[i] = static_cast<float>(i % columns - CloudTile::Middle);
+      this->Row[i] = static_cast<float>(i / columns - CloudTile::Middle);
+    }
+  }
+};
+
 /// Finds the pixels whose rays may pass a tetrahedron, of those that are open.
 SIMD_INLINE int FindCovered(
-  const CloudTile& tile, const ProjectedTetrahedra& projected, int number, int* columns, int* rows)
+  const CloudTile& tile, const ProjectedTetrahedra& projected, int number, int* pixels)
 {
   const Outline outline(projected, number);
-  float lanes[FloatWidth];
-  for (int i = 0; i < FloatWidth; ++i)
-  {
-    lanes[i] = static_cast<float>(i - CloudTile::Middle);
-  }
   const int firstColumn = projected.FirstColumn[number];
   const int lastColumn = projected.LastColumn[number];
+  const int lastRow = projected.LastRow[number];
   const std::uint32_t inRange = (~0U << firstColumn) & (~0U >> (31 - lastColumn));
+  // A vector of floats is two of doubles: next to each other in a row, or one in each of two rows.
+  const bool isNarrow = lastColumn - firstColumn < DoubleWidth;
+  const int columnsAtOnce = isNarrow ? DoubleWidth : FloatWidth;
+  const int rowsAtOnce = isNarrow ? 2 : 1;
+  static constexpr PixelLabels ofRow(FloatWidth);
+  static constexpr PixelLabels ofTwoRows(DoubleWidth);
+  const Floats columns = LoadFloats(isNarrow ? ofTwoRows.Column : ofRow.Column);
+  const Floats rows = LoadFloats(isNarrow ? ofTwoRows.Row : ofRow.Row);
+  constexpr std::uint32_t half = (1U << DoubleWidth) - 1U;
   int count = 0;
-  for (int row = projected.FirstRow[number]; row <= projected.LastRow[number]; ++row)
+  for (int row = projected.FirstRow[number]; row <= lastRow; row += rowsAtOnce)
   {
-    std::uint32_t open = tile.Open[row] & inRange;
-    for (int first = firstColumn; open != 0 && first <= lastColumn; first += FloatWidth)
+    const std::uint32_t open = tile.Open[row] & inRange;
+    const std::uint32_t openNext = isNarrow && row < lastRow ? tile.Open[row + 1] & inRange : 0;
+    for (int first = firstColumn; (open | openNext) != 0 && first <= lastColumn;
+         first += columnsAtOnce)
     {
-      const Floats labels = LoadFloats(lanes) + static_cast<float>(first);
-      const unsigned int covered =
-        (open >> first) & outline.FindColumns(row - CloudTile::Middle, labels);
-      for (int half = 0; half < FloatWidth; half += DoubleWidth)
-      {
-        const unsigned int some = (covered >> half) & ((1U << DoubleWidth) - 1U);
-        const int added = AppendLanes(first + half, some, columns + count);
-        for (int i = 0; i < added; ++i)
-        {
-          rows[count + i] = row;
-        }
-        count += added;
-      }
+      const std::uint32_t lanes = isNarrow
+        ? (open >> first & half) | (openNext >> first & half) << DoubleWidth
+        : open >> first;
+      const std::uint32_t covered = lanes &
+        outline.FindPixels(columns + static_cast<float>(first), rows + static_cast<float>(row));
+      const int pixel = row * CloudTile::Edge + first;
+      count += AppendLanes(pixel, covered & half, pixels + count);
+      count += AppendLanes(
+        pixel + (isNarrow ? CloudTile::Edge : DoubleWidth), covered >> DoubleWidth, pixels + count);
     }
   }
   return count;
@@ -146,6 +166,48 @@ struct RayParts
   Doubles Depth[2];
   Doubles Number[Numbers][2];
 
+  /// Cuts them to where the rays are. Returns which are left.
+  SIMD_INLINE Mask CutToRays(const CloudTile& tile, const int* pixels)
+  {
+    const Doubles begin = Gather(tile.Begin, pixels);
+    const Doubles end = Gather(tile.End, pixels);
+    const Mask isLeft = (begin < this->Depth[1]) & (this->Depth[0] < end);
+    const Mask isBegun = this->Depth[0] < begin;
+    const Mask isEnded = end < this->Depth[1];
+    if (Any(isLeft & (isBegun | isEnded)))
+    {
+      const RayParts whole = *this;
+      this->Cut(whole, 0, isBegun, begin);
+      this->Cut(whole, 1, isEnded, end);
+    }
+    return isLeft;
+  }
+
+  /// Puts some of them behind segments.
+  SIMD_INLINE void Append(const int* pixels, unsigned int lanes, CloudSegments& segments) const
+  {
+    const int count = CopyLanes(pixels, lanes, &segments.Pixel[segments.Count]);
+    for (int end = 0; end < 2; ++end)
+    {
+      StoreLanes(this->Depth[end], lanes, &segments.Depth[end][segments.Count]);
+      for (int i = 0; i < Components; ++i)
+      {
+        StoreLanes(this->Number[i][end], lanes, &segments.Value[i][end][segments.Count]);
+      }
+      for (int i = Components; i < Numbers; ++i)
+      {
+        double wide[DoubleWidth];
+        StoreLanes(this->Number[i][end], lanes, wide);
+        for (int k = 0; k < count; ++k)
+        {
+          segments.Gradient[i - Components][end][segments.Count + k] = static_cast<float>(wide[k]);
+        }
+      }
+    }
+    segments.Count += count;
+  }
+
+private:
   /// Moves an end of other parts to a depth, where that is inside.
   SIMD_INLINE void Cut(const RayParts& whole, int end, Mask isCut, Doubles at)
   {
@@ -155,47 +217,6 @@ struct RayParts
     {
       const Doubles there = Lerp(whole.Number[i][0], whole.Number[i][1], fraction);
       this->Number[i][end] = Select(isCut, there, whole.Number[i][end]);
-    }
-  }
-
-  /// Puts them behind segments, all lanes.
-  SIMD_INLINE void PutBehind(CloudSegments& segments) const
-  {
-    for (int end = 0; end < 2; ++end)
-    {
-      Store(this->Depth[end], &segments.Depth[end][segments.Count]);
-      for (int i = 0; i < Components; ++i)
-      {
-        Store(this->Number[i][end], &segments.Value[i][end][segments.Count]);
-      }
-      for (int i = Components; i < Numbers; ++i)
-      {
-        double wide[DoubleWidth];
-        Store(this->Number[i][end], wide);
-        for (int lane = 0; lane < DoubleWidth; ++lane)
-        {
-          segments.Gradient[i - Components][end][segments.Count + lane] =
-            static_cast<float>(wide[lane]);
-        }
-      }
-    }
-  }
-
-  /// Moves a segment to another place.
-  SIMD_INLINE static void Move(int from, int to, CloudSegments& segments)
-  {
-    segments.Pixel[to] = segments.Pixel[from];
-    for (int end = 0; end < 2; ++end)
-    {
-      segments.Depth[end][to] = segments.Depth[end][from];
-      for (int i = 0; i < Components; ++i)
-      {
-        segments.Value[i][end][to] = segments.Value[i][end][from];
-      }
-      for (int i = 0; i < 3 * Gradients; ++i)
-      {
-        segments.Gradient[i][end][to] = segments.Gradient[i][end][from];
-      }
     }
   }
 };
@@ -342,6 +363,44 @@ private:
   Mask IsLeft[ProjectedTetrahedra::Edges];
 };
 
+/// The depths between which all rays of a tile are there.
+struct CommonDepths
+{
+  double Begin;
+  double End;
+
+  SIMD_INLINE explicit CommonDepths(const CloudTile& tile)
+  {
+    Doubles begin = -Infinity;
+    Doubles end = Infinity;
+    for (int row = 0; row < tile.Rows; ++row)
+    {
+      for (int column = 0; column < tile.Columns; column += DoubleWidth)
+      {
+        const int pixel = row * CloudTile::Edge + column;
+        begin = Max(begin, Load(&tile.Begin[pixel]));
+        end = Min(end, Load(&tile.End[pixel]));
+      }
+    }
+    this->Begin = ReduceMax(begin);
+    this->End = ReduceMin(end);
+  }
+
+  /// Whether a tetrahedron is between them, by more than rounding.
+  SIMD_INLINE bool Hold(const ProjectedTetrahedra& projected, int number) const
+  {
+    double nearest = projected.Depth[0][number];
+    double farthest = nearest;
+    for (int i = 1; i < 4; ++i)
+    {
+      nearest = SmallerOf(nearest, projected.Depth[i][number]);
+      farthest = LargerOf(farthest, projected.Depth[i][number]);
+    }
+    const double rounding = 1e-12 * (std::fabs(nearest) + std::fabs(farthest));
+    return this->Begin < nearest - rounding && farthest + rounding < this->End;
+  }
+};
+
 template <int Components, int Gradients>
 int FindSegments(
   const CloudTile& tile, const ProjectedTetrahedra& projected, int number, CloudSegments& segments)
@@ -350,8 +409,8 @@ int FindSegments(
   using Parts = typename Rays::Parts;
   segments.Components = Components;
   segments.Gradients = Gradients;
-  int columns[CloudTile::Capacity + DoubleWidth];
-  int rows[CloudTile::Capacity + DoubleWidth];
+  const CommonDepths common(tile);
+  int pixels[CloudTile::Capacity + DoubleWidth];
   for (; number < projected.Count && segments.Count < segments.Enough; ++number)
   {
     if (projected.LastColumn[number] < projected.FirstColumn[number] ||
@@ -359,43 +418,28 @@ int FindSegments(
     {
       continue;
     }
-    const int count = FindCovered(tile, projected, number, columns, rows);
+    const int count = FindCovered(tile, projected, number, pixels);
     for (int i = count; i < count + DoubleWidth; ++i)
     {
-      columns[i] = 0;
-      rows[i] = 0;
+      pixels[i] = 0;
     }
+    const bool isWhole = common.Hold(projected, number);
     for (int first = 0; first < count; first += DoubleWidth)
     {
-      const Doubles column = LoadIntegers(columns + first);
-      const Doubles row = LoadIntegers(rows + first);
+      const Doubles pixel = LoadIntegers(pixels + first);
+      const Doubles row = Floor(pixel * (1.0 / CloudTile::Edge));
+      const Doubles column = pixel - row * CloudTile::Edge;
       const Doubles middle = CloudTile::Middle;
       const Rays rays(projected, number, column - middle, row - middle);
       Parts parts;
       Mask isPassed = rays.Find(projected, number, parts);
-      int* pixels = segments.Pixel + segments.Count;
-      StoreTruncated(row * CloudTile::Edge + column, pixels);
-      const Doubles begin = Gather(tile.Begin, pixels);
-      const Doubles end = Gather(tile.End, pixels);
-      isPassed = isPassed & (begin < parts.Depth[1]) & (parts.Depth[0] < end);
-      const Mask isBegun = parts.Depth[0] < begin;
-      const Mask isEnded = end < parts.Depth[1];
-      if (Any(isPassed & (isBegun | isEnded)))
+      if (!isWhole)
       {
-        const Parts whole = parts;
-        parts.Cut(whole, 0, isBegun, begin);
-        parts.Cut(whole, 1, isEnded, end);
+        isPassed = isPassed & parts.CutToRays(tile, pixels + first);
       }
-      parts.PutBehind(segments);
       const unsigned int lanes =
         ToBits(isPassed) & ((1U << SmallerOf(count - first, DoubleWidth)) - 1U);
-      int kept[DoubleWidth];
-      const int passed = AppendLanes(segments.Count, lanes, kept);
-      for (int i = 0; i < passed; ++i)
-      {
-        Parts::Move(kept[i], segments.Count + i, segments);
-      }
-      segments.Count += passed;
+      parts.Append(pixels + first, lanes, segments);
     }
   }
   return number;

@@ -172,6 +172,21 @@ SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
   return __builtin_popcount(lanes);
 }
 
+/// Stores some lanes, one after the other. There must be room for a vector.
+SIMD_INLINE void StoreLanes(Doubles a, unsigned int lanes, double* to)
+{
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(lanes), a.Value));
+}
+
+/// The same for integers in memory. Returns how many.
+SIMD_INLINE int CopyLanes(const int* from, unsigned int lanes, int* to)
+{
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+    _mm256_maskz_compress_epi32(
+      static_cast<__mmask8>(lanes), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
+  return __builtin_popcount(lanes);
+}
+
 /// Four numbers for each lane, each of them in a vector.
 SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
 {

@@ -39,6 +39,26 @@ SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
   }
   return count;
 }
+SIMD_INLINE void StoreLanes(Doubles a, unsigned int lanes, double* to)
+{
+  double all[DoubleWidth];
+  Store(a, all);
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    *to = all[lane];
+    to += lanes >> lane & 1U;
+  }
+}
+SIMD_INLINE int CopyLanes(const int* from, unsigned int lanes, int* to)
+{
+  int count = 0;
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    to[count] = from[lane];
+    count += static_cast<int>(lanes >> lane & 1U);
+  }
+  return count;
+}
 SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
 {
   return Max(Abs(a), Abs(b));
