@@ -7,6 +7,7 @@ import warnings
 from typing import NamedTuple
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOImage import vtkDICOMImageReader
 
 SYNTAXES = ("1.2.840.10008.1.2", "1.2.840.10008.1.2.1")  # uncompressed, the least significant byte first
@@ -81,7 +82,9 @@ def _read_header(path, name):
     bits = reader.GetWidth() * reader.GetHeight() * reader.GetNumberOfComponents() * reader.GetBitsAllocated()
     if 8 * os.path.getsize(path) < bits:  # VTK leaves the other samples undefined.
         raise ValueError(f"{path} is damaged: it ends before its last samples")
-    # DICOM has the distance of rows first.
-    down, along, _ = reader.GetPixelSpacing()
+    # DICOM has the distance of rows first, which VTK knows since 9.6.
+    along, down, _ = reader.GetPixelSpacing()
+    if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 6):
+        along, down = down, along
     yield Slice(name, kind, np.reshape(reader.GetImageOrientationPatient(), (2, 3)),
                 np.array(reader.GetImagePositionPatient()), (along, down))

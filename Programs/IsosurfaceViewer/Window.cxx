@@ -29,6 +29,7 @@
 #include <iterator>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 namespace Viewer
 {
@@ -55,6 +56,13 @@ namespace
 
 /// While something moves. VTK shares the time with the renderer of the axes.
 constexpr double FramesPerSecond = 25.0;
+
+/// Where VTK finds no display, its windows are in memory.
+bool IsOnScreen(vtkRenderWindow* window)
+{
+  return !window->IsA("vtkEGLRenderWindow") && !window->IsA("vtkOSOpenGLRenderWindow") &&
+    (!window->IsA("vtkXOpenGLRenderWindow") || window->GetGenericDisplayId() != nullptr);
+}
 
 /// After the widgets.
 constexpr float BeforeStyle = 0.1F;
@@ -121,6 +129,12 @@ Window::~Window() = default;
 void Window::Run()
 {
   this->Interactor->Initialize();
+  if (!IsOnScreen(this->TheWindow))
+  {
+    throw std::runtime_error(
+      "there is no display to open a window on; vtkIsosurfaceRender and Python's render draw "
+      "pictures without one");
+  }
   this->TheScene.FrameSurfaces(); // now that the window has its size
   this->SetControlsVisible(true);
   this->Axes->SetEnabled(1);

@@ -7,6 +7,7 @@
 #include <vtkDICOMImageReader.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkVersionMacros.h>
 #include <vtksys/Directory.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -91,13 +92,20 @@ std::optional<DicomSlice> ReadHeader(const std::string& folder, const std::strin
     throw std::runtime_error(path + " is damaged: it ends before its last samples");
   }
   const float* directions = reader->GetImageOrientationPatient();
-  // DICOM has the distance of rows first.
   const double* spacing = reader->GetPixelSpacing();
+  // DICOM has the distance of rows first, which VTK knows since 9.6.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  const double inRow = spacing[0];
+  const double ofRows = spacing[1];
+#else
+  const double inRow = spacing[1];
+  const double ofRows = spacing[0];
+#endif
   return DicomSlice{ name,
     { reader->GetWidth(), reader->GetHeight(), reader->GetDataScalarType(),
       reader->GetNumberOfComponents() },
     ToVector(directions), ToVector(directions + 3), ToVector(reader->GetImagePositionPatient()),
-    { spacing[1], spacing[0] } };
+    { inRow, ofRows } };
 }
 
 //------------------------------------------------------------------------------

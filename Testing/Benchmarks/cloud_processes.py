@@ -126,7 +126,8 @@ def run_process(arguments, size, depth, interval):
 def measure(arguments, processes, size=512, depth=4096, interval=1):
     command = ["mpirun", "-n", str(processes), sys.executable, os.path.abspath(__file__), *arguments, str(size),
                str(depth), str(interval)]
-    environment = {**os.environ, "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    environment = {**os.environ, "OMPI_MCA_rmaps_base_oversubscribe": "1",
+                   "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     result = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
     return json.loads(result.stdout.splitlines()[-1])

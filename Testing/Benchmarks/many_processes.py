@@ -22,6 +22,7 @@ def measure(arguments, processes):
     with tempfile.TemporaryDirectory() as folder:
         command = ["mpirun", "-n", str(processes), *arguments, "--output", os.path.join(folder, "picture.png")]
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+                       "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
                        "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         result = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
     return [[float(word) for word in line.split()[2:5]] for line in result.stdout.splitlines()[1:]]

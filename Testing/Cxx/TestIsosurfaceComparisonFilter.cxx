@@ -37,6 +37,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -615,7 +616,10 @@ void TestPictures(bool isPossible)
     Check(table->GetValueByName(row, "CoveredPixels").ToDouble() > 400.0,
       "the camera does not look at the volume");
 #ifdef __linux__
-    Check(table->GetValueByName(row, "PeakBytes").ToDouble() >= 0.0, "PeakBytes is not measured");
+    // Elsewhere, and where /proc is read-only, the peak is not measured.
+    static const bool isPeakKnown = static_cast<bool>(std::ofstream("/proc/self/clear_refs"));
+    Check(!isPeakKnown || table->GetValueByName(row, "PeakBytes").ToDouble() >= 0.0,
+      "PeakBytes is not measured");
 #endif
   }
 }
