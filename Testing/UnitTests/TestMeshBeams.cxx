@@ -5,6 +5,7 @@
 #include "Matrices.h"
 #include "Mesh/BeamFrame.h"
 #include "Mesh/MeshField.h"
+#include "Rays/AppendBoxedRay.h"
 #include "Rays/Camera.h"
 #include "SameBits.h"
 #include "TestMesh.h"
@@ -242,7 +243,10 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
     }
     const std::vector<Camera> cameras = { MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random),
       MakeCamera(Perspective(0.001, 100.0, 0.7), 0.5, random) };
-    EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, 0.5 } }), cameras), 1000U);
+    for (const double opacity : { 0.5, 1.0 })
+    {
+      EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.2, opacity } }), cameras), 1000U);
+    }
   }
 }
 
@@ -393,6 +397,150 @@ TEST_P(MeshBeams, HitTheCapsThatTheirRaysHit)
   }
   std::cout << "[ tried    ] " << this->Caps << " caps\n";
   EXPECT_GT(this->Caps, 5000U);
+}
+
+//------------------------------------------------------------------------------
+/// Parallel rays upwards through a unit cube, and two triangles there that cover half of it, one
+/// behind the other.
+struct RaysAndTriangles
+{
+  static constexpr Bounds Box = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
+  static constexpr double NearZ = 0.5;
+  static constexpr double FarZ = 0.75;
+
+  RayPacket Packet;
+  BeamFrame Frame;
+  FramedRays Framed;
+  BeamRays Rays;
+  BeamPieces Pieces;
+  BeamPairs Pairs;
+
+  explicit RaysAndTriangles(const Kernels& kernels)
+  {
+    this->Packet.Clear();
+    for (int i = 0; i < RayPacket::Capacity; ++i)
+    {
+      AppendBoxedRay(Box, { (0.5 + i % 16) / 16.0, (0.5 + i / 16) / 8.0, -1.0 }, { 0.0, 0.0, 1.0 },
+        0.0, 2.0, this->Packet);
+      this->Rays.Ray[i] = i;
+    }
+    EXPECT_TRUE(this->Frame.Find(this->Packet, this->Packet.Exists, Box));
+    PackedPieces packed{};
+    std::fill_n(packed.Upper, 3, 1.0F);
+    packed.Count = 2;
+    packed.AreInTetrahedra = true;
+    const double heights[2] = { NearZ, FarZ };
+    for (std::size_t piece = 0; piece < 2; ++piece)
+    {
+      const auto z = static_cast<std::uint32_t>(heights[piece] * PackedPieces::Steps);
+      const std::uint32_t corners[] = { 0, PackedPieces::Steps, PackedPieces::Steps << 10,
+        PackedPieces::Steps << 10 };
+      for (std::size_t i = 0; i < PackedPieces::Corners; ++i)
+      {
+        packed.Polygons[i][piece] = corners[i] | z << 20;
+      }
+    }
+    kernels.BoundPackedPieces(packed, this->Frame.GetNumbers(), this->Pieces);
+  }
+
+  void Frames(const Kernels& kernels)
+  {
+    kernels.FrameRays(this->Packet, this->Frame.GetNumbers(), this->Framed, this->Rays);
+    this->Pairs.Count = this->Pairs.UnsureCount = 0;
+  }
+
+  /// By how much a ray is within the triangles, in their plane.
+  static double GetInset(int ray)
+  {
+    const double x = (0.5 + ray % 16) / 16.0;
+    const double y = (0.5 + ray / 16) / 8.0;
+    return std::min({ x, y, 1.0 - x - y });
+  }
+  bool IsSure(int ray) const
+  {
+    return (this->Rays.Sure[ray / BeamRays::GroupSize] >> ray % BeamRays::GroupSize & 1U) != 0;
+  }
+  /// How high a ray ends.
+  float GetEnd(int ray) const { return this->Rays.End[ray] + 1.0F; }
+};
+
+TEST_P(MeshBeams, EndAtOnceBehindPiecesThatTheySurelyHit)
+{
+  RaysAndTriangles scene(this->TheKernels);
+  // Some rays begin behind the first triangle, or end before it.
+  scene.Packet.Begin[0] = 0.6 - scene.Packet.Origin[2][0];
+  scene.Packet.End[1] = 0.4 - scene.Packet.Origin[2][1];
+  scene.Frames(this->TheKernels);
+  this->TheKernels.FindPairs(scene.Pieces, 0, scene.Rays, scene.Pairs);
+  std::array<int, RayPacket::Capacity> pairs = {};
+  for (int i = 0; i < scene.Pairs.Count; ++i)
+  {
+    ++pairs[static_cast<std::size_t>(scene.Pairs.Place[i])];
+  }
+  int sure = 0;
+  for (int ray = 2; ray < RayPacket::Capacity; ++ray)
+  {
+    const double inset = RaysAndTriangles::GetInset(ray);
+    EXPECT_EQ(scene.IsSure(ray), inset > 0.01) << ray;
+    EXPECT_EQ(pairs[static_cast<std::size_t>(ray)], inset > 0.01 ? 1 : (inset < -0.01 ? 0 : 2));
+    EXPECT_NEAR(scene.GetEnd(ray), inset > 0.01 ? RaysAndTriangles::NearZ : 1.0, 0.01) << ray;
+    sure += scene.IsSure(ray) ? 1 : 0;
+  }
+  EXPECT_GT(sure, 40);
+  // One that begins behind surely hits what is behind it.
+  EXPECT_TRUE(scene.IsSure(0));
+  EXPECT_NEAR(scene.GetEnd(0), RaysAndTriangles::FarZ, 0.01);
+  EXPECT_FALSE(scene.IsSure(1));
+  EXPECT_NEAR(scene.Rays.EndOfSure + 1.0F, RaysAndTriangles::FarZ, 0.01);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, GiveUpRaysThatDoNotHitWhatTheySurelyShould)
+{
+  RaysAndTriangles scene(this->TheKernels);
+  for (const double reached : { RaysAndTriangles::NearZ, 0.9 })
+  {
+    scene.Frames(this->TheKernels);
+    this->TheKernels.FindPairs(scene.Pieces, 0, scene.Rays, scene.Pairs);
+    RaySet sure = {};
+    alignas(64) double ends[RayPacket::Capacity];
+    for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+    {
+      ends[ray] = reached - scene.Packet.Origin[2][ray];
+      if (scene.IsSure(ray))
+      {
+        Add(ray, sure);
+      }
+    }
+    const RaySet missed =
+      this->TheKernels.EndRays(scene.Packet, scene.Frame.GetNumbers(), ends, scene.Rays);
+    const bool areMissed = reached > RaysAndTriangles::NearZ;
+    EXPECT_EQ(CountOf(missed), areMissed ? CountOf(sure) : 0);
+    for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+    {
+      EXPECT_TRUE(!Has(missed, ray) || Has(sure, ray));
+      EXPECT_NEAR(scene.GetEnd(ray), reached, Has(missed, ray) ? HUGE_VAL : 0.01) << ray;
+      EXPECT_EQ(scene.Rays.End[ray] == -HUGE_VALF, Has(missed, ray));
+      EXPECT_FALSE(scene.IsSure(ray));
+    }
+    EXPECT_EQ(scene.Rays.EndOfSure, -HUGE_VALF);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(MeshBeams, DoNotEndAtPiecesThatEndNothing)
+{
+  RaysAndTriangles scene(this->TheKernels);
+  std::fill_n(scene.Pieces.Far, BeamPieces::Capacity, HUGE_VALF);
+  scene.Frames(this->TheKernels);
+  this->TheKernels.FindPairs(scene.Pieces, 0, scene.Rays, scene.Pairs);
+  EXPECT_GT(scene.Pairs.Count, 80);
+  EXPECT_EQ(scene.Pairs.UnsureCount, scene.Pairs.Count);
+  for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+  {
+    EXPECT_FALSE(scene.IsSure(ray));
+    EXPECT_NEAR(scene.GetEnd(ray), 1.0, 0.01);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MeshBeams, AllKernels(), NameOfKernels);

@@ -190,6 +190,10 @@ struct BeamPieces
   LabelBounds Bounds;
   /// The piece is where Line[i][0] * a + Line[i][1] * b + Line[i][2] >= 0.
   alignas(64) float Line[Lines][3][Capacity];
+  /// Rays are surely within the piece where none of these sums is less than this...
+  alignas(64) float Inset[Lines][Capacity];
+  /// ...and meet it before this depth; infinity if that does not end them, or nothing is sure.
+  alignas(64) float Far[Capacity];
 };
 
 /// The rays of a packet in a beam.
@@ -199,11 +203,20 @@ struct BeamRays
   static constexpr int Capacity = RayPacket::Capacity;
   static constexpr int Groups = Capacity / GroupSize;
 
+  /// Rays of the packet in so many consecutive places follow each other.
+  static constexpr int Run = 4;
+
   /// The ray of the packet in each place.
   int Ray[Capacity];
-  /// Its label, and the depth that it ends at; -infinity where there is none.
+  /// Its label, and the depths that it begins and ends at; ends are -infinity where there is none.
   alignas(64) float Label[2][Capacity];
+  alignas(64) float Begin[Capacity];
   alignas(64) float End[Capacity];
+  /// Those that end behind a piece that they surely hit, but of which the hit is not known yet; a
+  /// bit for each ray of a group.
+  unsigned int Sure[Groups];
+  /// Where the last of these ends, or behind it; -infinity without any.
+  float EndOfSure;
   /// The bounds of groups of rays; behind the last there is room for a vector.
   alignas(64) float Lower[2][2 * Groups];
   alignas(64) float Upper[2][2 * Groups];
@@ -217,27 +230,30 @@ struct BeamRays
 /// Rays and the pieces that they may hit.
 struct BeamPairs
 {
-  /// As soon as there are so many they are solved...
-  static constexpr int Batch = 16;
+  /// As soon as there are so many they are solved, or so many of rays that may go on for long until
+  /// then...
+  static constexpr int Batch = 512;
+  static constexpr int BatchOfUnsure = 16;
   /// ...but all rays may meet all of some pieces at once. Behind the last there is room for a
   /// vector.
   static constexpr int Capacity =
     Batch + RayPacket::Capacity * BeamPieces::Capacity + BeamRays::GroupSize;
 
   int Count;
+  /// Those of rays that did not yet end at any piece, when they were found.
+  int UnsureCount;
   /// The place of the ray.
   int Place[Capacity];
   int Piece[Capacity];
+  /// The depth that the piece begins at.
+  float Near[Capacity];
 };
 
-/// The rays of a packet, each in a frame of its own (see RayFrame) and with its label in a beam.
+/// The rays of a packet, each in a frame of its own; see RayFrame.
 struct FramedRays
 {
-  /// Those in the beam. The others have no label.
+  /// Those in the beam.
   RaySet InBeam;
-  alignas(64) double Label[2][RayPacket::Capacity];
-  /// The depth that they end at.
-  alignas(64) double End[RayPacket::Capacity];
   /// The longest axis of the ray.
   int Axis[RayPacket::Capacity];
   /// The numbers of the frame, as in FrameNumbers: its origin, the shears and the inverse.

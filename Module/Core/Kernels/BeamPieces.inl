@@ -255,11 +255,13 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
     {
       line[0][i] = line[1][i] = line[2][i] = 0.0F;
     }
+    pieces.Far[i] = FloatInfinity;
   }
 }
 
 /// Bounds polygons, whose corners may be off by margins: then they are in the convex hull of the
-/// corners, widened by a box.
+/// corners, widened by a box. A ray that stays on the inside of all edges, however the corners
+/// move, is within.
 SIMD_INLINE void BoundPolygons(
   const EdgePoints (&points)[4], const Floats (&margins)[2], int first, BeamPieces& pieces)
 {
@@ -285,8 +287,9 @@ SIMD_INLINE void BoundPolygons(
       const EdgePoints& corner = points[(i + other) % 4];
       lowest = Min(lowest, MultiplyAdd(a, corner.X - p.X, b * (corner.Y - p.Y)));
     }
-    const Floats room = MultiplyAdd(margins[0], Abs(a), margins[1] * Abs(b)) - lowest;
-    StoreLine(a, b, room - (a * p.X + b * p.Y), i, first, pieces);
+    const Floats margin = MultiplyAdd(margins[0], Abs(a), margins[1] * Abs(b));
+    StoreLine(a, b, margin - lowest - (a * p.X + b * p.Y), i, first, pieces);
+    StoreFloats(2.0F * margin - lowest, &pieces.Inset[i][first]);
   }
 }
 
@@ -370,6 +373,7 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
     EdgePoints points[PackedPieces::Corners];
     Floats least = static_cast<float>(Infinity);
     Floats size = 0.0F;
+    Floats far = -static_cast<float>(Infinity);
     for (int i = 0; i < PackedPieces::Corners; ++i)
     {
       const std::uint32_t* words = &packed.Polygons[i][first];
@@ -382,7 +386,11 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
         projection.Depth.Get(0.0F, z) - projection.Depth.Error };
       size = Max(size, Max(Abs(points[i].X), Abs(points[i].Y)));
       least = Min(least, w);
+      far = Max(far, points[i].Depth);
     }
+    // Hits at the place of the first one are before it, too.
+    const Floats room = 2.0F * projection.Depth.Error + static_cast<float>(frame.Length) * 0x1p-18F;
+    StoreFloats(MultiplyAdd(Abs(far), 0x1p-18F, far + room), &pieces.Far[first]);
     const FloatMask hasLabel = static_cast<float>(SmallestW) + 2.0F * projection.W.Error < least;
     // What the quotient may be off by.
     const Floats inverse = ApproximateReciprocal(least - projection.W.Error) * (1.0F + LabelMargin);
@@ -430,6 +438,7 @@ void BoundTrilinear(const PassedCellRecords& records, const BeamNumbers& frame, 
     StoreLine(0.0F - one, 0.0F - one, two + ofDiagonals.Upper[0], 1, first, pieces);
     StoreLine(one, 0.0F - one, two - ofDiagonals.Lower[1], 2, first, pieces);
     StoreLine(0.0F - one, one, two + ofDiagonals.Upper[1], 3, first, pieces);
+    StoreFloats(FloatInfinity, &pieces.Far[first]);
     OpenUnbounded(unbounded, first, pieces);
   }
 }
@@ -483,39 +492,97 @@ unsigned int FindPassed(const LabelBounds& bounds, unsigned int among, const Bea
   return passed;
 }
 
-/// Adds the rays of a group that may meet a piece.
-SIMD_INLINE void AddPairs(const BeamPieces& pieces, int piece, int number, const BeamRays& rays,
-  int group, BeamPairs& pairs)
+/// Finds the ends of some groups of rays, and that of all.
+SIMD_INLINE void FindGroupEnds(unsigned int groups, BeamRays& rays)
+{
+  for (; groups != 0; groups &= groups - 1)
+  {
+    const int group = LowestBit(groups);
+    const float* ends = rays.End + group * BeamRays::GroupSize;
+    Floats end = LoadFloats(ends);
+    for (int i = FloatWidth; i < BeamRays::GroupSize; i += FloatWidth)
+    {
+      end = Max(end, LoadFloats(ends + i));
+    }
+    rays.GroupEnd[group] = ReduceMax(end);
+  }
+  rays.EndOfAll = rays.GroupEnd[0];
+  for (int group = 1; group < BeamRays::Groups; ++group)
+  {
+    const float end = rays.GroupEnd[group];
+    rays.EndOfAll = rays.EndOfAll < end ? end : rays.EndOfAll;
+  }
+}
+
+SIMD_INLINE Floats LeastOf(const Floats (&numbers)[4])
+{
+  return Min(Min(numbers[0], numbers[1]), Min(numbers[2], numbers[3]));
+}
+
+/// Adds the rays of a group that may meet a piece. Returns whether some of them surely do.
+SIMD_INLINE bool AddPairs(
+  const BeamPieces& pieces, int piece, int number, int group, BeamRays& rays, BeamPairs& pairs)
 {
   const LabelBounds& bounds = pieces.Bounds;
+  const float near = bounds.Near[piece];
+  const float far = pieces.Far[piece];
   const int begin = group * BeamRays::GroupSize;
+  unsigned int sureOfGroup = 0;
+  int unsure = 0;
   int count = pairs.Count;
   for (int first = begin; first < begin + BeamRays::GroupSize; first += FloatWidth)
   {
     const Floats a = LoadFloats(&rays.Label[0][first]);
     const Floats b = LoadFloats(&rays.Label[1][first]);
+    const Floats end = LoadFloats(&rays.End[first]);
     FloatMask isBeside = (a < bounds.Lower[0][piece]) | (bounds.Upper[0][piece] < a) |
-      (b < bounds.Lower[1][piece]) | (bounds.Upper[1][piece] < b) |
-      (LoadFloats(&rays.End[first]) < bounds.Near[piece]);
-    for (const auto& line : pieces.Line)
+      (b < bounds.Lower[1][piece]) | (bounds.Upper[1][piece] < b) | (end < near);
+    Floats heights[BeamPieces::Lines];
+    for (int i = 0; i < BeamPieces::Lines; ++i)
     {
-      const Floats height =
-        MultiplyAdd(line[0][piece], a, MultiplyAdd(line[1][piece], b, line[2][piece]));
-      isBeside = isBeside | (height < 0.0F);
+      const auto& line = pieces.Line[i];
+      heights[i] = MultiplyAdd(line[0][piece], a, MultiplyAdd(line[1][piece], b, line[2][piece]));
     }
-    const unsigned int found = ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
+    isBeside = isBeside | (LeastOf(heights) < 0.0F);
+    constexpr unsigned int lanes = (1U << FloatWidth) - 1U;
+    const unsigned int found = ~ToBits(isBeside) & lanes;
+    if (found == 0)
+    {
+      continue;
+    }
     for (int lane = 0; lane < FloatWidth; ++lane)
     {
       pairs.Piece[count + lane] = number;
     }
+    StoreFloats(near, &pairs.Near[count]);
     count += AppendLanes(first, found & ((1U << DoubleWidth) - 1U), &pairs.Place[count]);
     count += AppendLanes(first + DoubleWidth, found >> DoubleWidth, &pairs.Place[count]);
+    for (int i = 0; i < BeamPieces::Lines; ++i)
+    {
+      heights[i] = heights[i] - pieces.Inset[i][piece];
+    }
+    // Rays may begin within what the piece is bounded by, and end before it does.
+    const FloatMask isSpared =
+      isBeside | (LeastOf(heights) < 0.0F) | (near < LoadFloats(&rays.Begin[first])) | (end < far);
+    const unsigned int sure = ~ToBits(isSpared) & lanes;
+    sureOfGroup |= sure << (first - begin);
+    unsure += CountBits(found & ~sure & ~(rays.Sure[group] >> (first - begin)));
+    StoreFloats(Select(isSpared, end, far), &rays.End[first]);
   }
   pairs.Count = count;
+  pairs.UnsureCount += unsure;
+  if (sureOfGroup == 0)
+  {
+    return false;
+  }
+  rays.Sure[group] |= sureOfGroup;
+  rays.EndOfSure = rays.EndOfSure < far ? far : rays.EndOfSure;
+  return true;
 }
 
-void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs)
+void FindPairs(const BeamPieces& pieces, int firstPiece, BeamRays& rays, BeamPairs& pairs)
 {
+  unsigned int ended = 0;
   for (unsigned int near = FindNear(pieces.Bounds, (1U << pieces.Count) - 1U, rays); near != 0;
        near &= near - 1)
   {
@@ -523,8 +590,14 @@ void FindPairs(const BeamPieces& pieces, int firstPiece, const BeamRays& rays, B
     for (unsigned int groups = FindGroups(pieces.Bounds, piece, rays); groups != 0;
          groups &= groups - 1)
     {
-      AddPairs(pieces, piece, firstPiece + piece, rays, LowestBit(groups), pairs);
+      const int group = LowestBit(groups);
+      const bool areSure = AddPairs(pieces, piece, firstPiece + piece, group, rays, pairs);
+      ended |= static_cast<unsigned int>(areSure) << group;
     }
+  }
+  if (ended != 0)
+  {
+    FindGroupEnds(ended, rays);
   }
 }
 

@@ -63,44 +63,167 @@ SIMD_INLINE void StoreFrames(const Doubles origin[3], const Doubles direction[3]
   }
 }
 
-void FrameRays(const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed)
+/// Rays as a beam sees them.
+struct LabelledRays
 {
-  framed.InBeam.Words[0] = framed.InBeam.Words[1] = 0;
-  for (int i = 0; i < packet.Count; i += DoubleWidth)
+  Doubles Label[2];
+  Doubles Begin;
+  /// -infinity of those that are not in the beam.
+  Doubles End;
+};
+
+SIMD_INLINE LabelledRays FrameSome(
+  const RayPacket& packet, const BeamNumbers& beam, int first, FramedRays& framed)
+{
+  const unsigned int exists = GetLanes(packet.Exists, first);
+  if (exists == 0)
   {
-    const unsigned int exists = GetLanes(packet.Exists, i);
-    if (exists == 0)
+    return { { 0.0, 0.0 }, 0.0, -Infinity };
+  }
+  Doubles origin[3];
+  Doubles direction[3];
+  Doubles inverse[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = Load(&packet.Origin[axis][first]);
+    direction[axis] = Load(&packet.Direction[axis][first]);
+    inverse[axis] = Load(&packet.Inverse[axis][first]);
+  }
+  StoreFrames(origin, direction, inverse, first, framed);
+  const Doubles start = origin[beam.Along];
+  const Doubles rise = direction[beam.Along];
+  const Doubles way = beam.Plane - start;
+  LabelledRays rays;
+  Doubles place[2];
+  Doubles slope[2];
+  Mask isIn = ToMask(exists) & (0.0 < rise * beam.Sign);
+  for (int k = 0; k < 2; ++k)
+  {
+    const int across = beam.Across[k];
+    slope[k] = direction[across] * inverse[beam.Along];
+    place[k] = origin[across] + slope[k] * way;
+    rays.Label[k] = (place[k] - beam.Center[k]) * beam.InverseSize;
+    isIn = isIn & (Abs(rays.Label[k]) <= 1.0);
+  }
+  isIn = isIn & (GetLabelError(beam, place, slope) <= static_cast<double>(beam.Margin));
+  rays.Begin = GetEndDepth(beam, start + Load(&packet.Begin[first]) * rise);
+  const Doubles end = GetEndDepth(beam, start + Load(&packet.End[first]) * rise);
+  rays.End = Select(isIn, end, Doubles(-Infinity));
+  framed.InBeam.Words[first >> 6] |= static_cast<std::uint64_t>(ToBits(isIn)) << (first & 63);
+  return rays;
+}
+
+/// Copies numbers of rays to the places of the rays.
+SIMD_INLINE void PlaceNumbers(const float* ofRays, const BeamRays& rays, float* ofPlaces)
+{
+  for (int place = 0; place < BeamRays::Capacity; place += BeamRays::Run)
+  {
+    std::memcpy(ofPlaces + place, ofRays + rays.Ray[place], BeamRays::Run * sizeof(float));
+  }
+}
+
+/// Finds the bounds of the labels of groups of rays, and of all.
+SIMD_INLINE void FindLabelBounds(int k, BeamRays& rays)
+{
+  Floats lowest = FloatInfinity;
+  Floats highest = -FloatInfinity;
+  for (int group = 0; group < BeamRays::Groups; ++group)
+  {
+    Floats lower = FloatInfinity;
+    Floats upper = -FloatInfinity;
+    const int begin = group * BeamRays::GroupSize;
+    for (int i = begin; i < begin + BeamRays::GroupSize; i += FloatWidth)
     {
-      continue;
+      const Floats label = LoadFloats(&rays.Label[k][i]);
+      const FloatMask isThere = Floats(-FloatInfinity) < LoadFloats(&rays.End[i]);
+      lower = Select(isThere, Min(lower, label), lower);
+      upper = Select(isThere, Max(upper, label), upper);
     }
-    Doubles origin[3];
-    Doubles direction[3];
-    Doubles inverse[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      origin[axis] = Load(&packet.Origin[axis][i]);
-      direction[axis] = Load(&packet.Direction[axis][i]);
-      inverse[axis] = Load(&packet.Inverse[axis][i]);
-    }
-    StoreFrames(origin, direction, inverse, i, framed);
-    const Doubles way = beam.Plane - origin[beam.Along];
-    Doubles place[2];
-    Doubles slope[2];
-    Mask isIn = 0.0 < direction[beam.Along] * beam.Sign;
+    rays.Lower[k][group] = ReduceMin(lower);
+    rays.Upper[k][group] = ReduceMax(upper);
+    lowest = Min(lowest, lower);
+    highest = Max(highest, upper);
+  }
+  rays.LowerOfAll[k] = ReduceMin(lowest);
+  rays.UpperOfAll[k] = ReduceMax(highest);
+}
+
+SIMD_INLINE void ForgetSure(BeamRays& rays)
+{
+  for (unsigned int& sure : rays.Sure)
+  {
+    sure = 0;
+  }
+  rays.EndOfSure = -FloatInfinity;
+}
+
+void FrameRays(const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed, BeamRays& rays)
+{
+  alignas(64) float label[2][BeamRays::Capacity];
+  alignas(64) float begin[BeamRays::Capacity];
+  alignas(64) float end[BeamRays::Capacity];
+  framed.InBeam.Words[0] = framed.InBeam.Words[1] = 0;
+  for (int i = 0; i < BeamRays::Capacity; i += FloatWidth)
+  {
+    const LabelledRays low = FrameSome(packet, beam, i, framed);
+    const LabelledRays high = FrameSome(packet, beam, i + DoubleWidth, framed);
     for (int k = 0; k < 2; ++k)
     {
-      const int across = beam.Across[k];
-      slope[k] = direction[across] * inverse[beam.Along];
-      place[k] = origin[across] + slope[k] * way;
-      const Doubles label = (place[k] - beam.Center[k]) * beam.InverseSize;
-      isIn = isIn & (Abs(label) <= 1.0);
-      Store(label, &framed.Label[k][i]);
+      StoreFloats(Round(low.Label[k], high.Label[k]), &label[k][i]);
     }
-    isIn = isIn & (GetLabelError(beam, place, slope) <= static_cast<double>(beam.Margin));
-    const Doubles end = origin[beam.Along] + Load(&packet.End[i]) * direction[beam.Along];
-    Store(GetEndDepth(beam, end), &framed.End[i]);
-    framed.InBeam.Words[i >> 6] |= static_cast<std::uint64_t>(exists & ToBits(isIn)) << (i & 63);
+    StoreFloats(Round(low.Begin, high.Begin), &begin[i]);
+    StoreFloats(Round(low.End, high.End), &end[i]);
   }
+  PlaceNumbers(begin, rays, rays.Begin);
+  PlaceNumbers(end, rays, rays.End);
+  for (int k = 0; k < 2; ++k)
+  {
+    PlaceNumbers(label[k], rays, rays.Label[k]);
+    FindLabelBounds(k, rays);
+  }
+  ForgetSure(rays);
+  FindGroupEnds((1U << BeamRays::Groups) - 1U, rays);
+}
+
+/// The depths where rays end at some t.
+SIMD_INLINE Doubles FindEndDepths(
+  const RayPacket& packet, const BeamNumbers& beam, const double* ends, int first)
+{
+  return GetEndDepth(beam,
+    Load(&packet.Origin[beam.Along][first]) +
+      Load(&ends[first]) * Load(&packet.Direction[beam.Along][first]));
+}
+
+RaySet EndRays(const RayPacket& packet, const BeamNumbers& beam, const double* ends, BeamRays& rays)
+{
+  alignas(64) float depths[BeamRays::Capacity];
+  alignas(64) float placed[BeamRays::Capacity];
+  for (int i = 0; i < BeamRays::Capacity; i += FloatWidth)
+  {
+    StoreFloats(Round(FindEndDepths(packet, beam, ends, i),
+                  FindEndDepths(packet, beam, ends, i + DoubleWidth)),
+      &depths[i]);
+  }
+  PlaceNumbers(depths, rays, placed);
+  RaySet missed = {};
+  for (int first = 0; first < BeamRays::Capacity; first += FloatWidth)
+  {
+    const Floats end = LoadFloats(&rays.End[first]);
+    const Floats depth = LoadFloats(&placed[first]);
+    StoreFloats(Min(end, depth), &rays.End[first]);
+    unsigned int areMissed =
+      ToBits(end < depth) & rays.Sure[first / BeamRays::GroupSize] >> (first % BeamRays::GroupSize);
+    for (; areMissed != 0; areMissed &= areMissed - 1)
+    {
+      const int place = first + LowestBit(areMissed);
+      const int ray = rays.Ray[place];
+      missed.Words[ray >> 6] |= std::uint64_t{ 1 } << (ray & 63);
+      rays.End[place] = -FloatInfinity;
+    }
+  }
+  ForgetSure(rays);
+  FindGroupEnds((1U << BeamRays::Groups) - 1U, rays);
+  return missed;
 }
 
 }

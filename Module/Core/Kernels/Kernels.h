@@ -288,8 +288,15 @@ struct Kernels
   /// ValueRange. One for every ScalarType.
   void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
 
-  /// Finds the frames of rays, as RayFrame does, and their labels in a beam.
-  void (*FrameRays)(const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed);
+  /// Finds the frames of rays, as RayFrame does, and the rays of a beam, of which the places are
+  /// given.
+  void (*FrameRays)(
+    const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed, BeamRays& rays);
+
+  /// Ends rays of a beam where they end by what they have hit. Returns those that do not end before
+  /// they surely should have: they are no longer in the beam.
+  RaySet (*EndRays)(
+    const RayPacket& packet, const BeamNumbers& beam, const double* ends, BeamRays& rays);
 
   /// Finds the children of a node that a beam may meet and one of the isovalues is in, and their
   /// bounds; a bit for each.
@@ -318,9 +325,9 @@ struct Kernels
   /// Finds which of some bounds rays may meet; a bit for each.
   unsigned int (*FindPassed)(const LabelBounds& bounds, unsigned int among, const BeamRays& rays);
 
-  /// Adds the rays that may meet the pieces of a set, of which the first has the given number.
-  void (*FindPairs)(
-    const BeamPieces& pieces, int firstPiece, const BeamRays& rays, BeamPairs& pairs);
+  /// Adds the rays that may meet the pieces of a set, of which the first has the given number. Rays
+  /// end behind those that they surely hit.
+  void (*FindPairs)(const BeamPieces& pieces, int firstPiece, BeamRays& rays, BeamPairs& pairs);
 
   /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does.
   void (*SolveTetrahedra)(const FramedRays& rays, TetrahedronPairs& pairs);

@@ -125,7 +125,7 @@ SIMD_INLINE void LoadCorner(
   const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, MoveRays, Align,   \
     FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(BoundCells),                         \
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
-    MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, ProjectChildren, FindExtents<4>,             \
+    MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, EndRays, ProjectChildren, FindExtents<4>,    \
     FindExtents<8>, WeightGradients, PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed,  \
     FindPairs, SolveTetrahedra, SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                  \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \

@@ -54,5 +54,10 @@ SIMD_INLINE double ReduceMax(Doubles a)
   return -ReduceMin(0.0 - a);
 }
 
+SIMD_INLINE float ReduceMax(Floats a)
+{
+  return -ReduceMin(0.0F - a);
+}
+
 }
 }

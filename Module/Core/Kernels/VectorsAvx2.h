@@ -253,6 +253,13 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm256_max_ps(b.Value, a.Value) };
 }
+SIMD_INLINE float ReduceMin(Floats a)
+{
+  const __m128 four =
+    _mm_min_ps(_mm256_castps256_ps128(a.Value), _mm256_extractf128_ps(a.Value, 1));
+  const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+}
 SIMD_INLINE Floats CopySign(Floats a, Floats b)
 {
   const __m256 sign = _mm256_set1_ps(-0.0F);

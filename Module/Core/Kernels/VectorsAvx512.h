@@ -298,6 +298,11 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm512_max_ps(b.Value, a.Value) };
 }
+/// The smallest of the lanes.
+SIMD_INLINE float ReduceMin(Floats a)
+{
+  return _mm512_reduce_min_ps(a.Value);
+}
 /// The larger of two magnitudes.
 SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
 {

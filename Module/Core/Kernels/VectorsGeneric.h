@@ -257,6 +257,12 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { a.Value < b.Value ? b.Value : a.Value };
 }
+SIMD_INLINE float ReduceMin(Floats a)
+{
+  const float first = a.Value[1] < a.Value[0] ? a.Value[1] : a.Value[0];
+  const float second = a.Value[3] < a.Value[2] ? a.Value[3] : a.Value[2];
+  return second < first ? second : first;
+}
 SIMD_INLINE Floats CopySign(Floats a, Floats b)
 {
   return { FloatVector{ __builtin_copysignf(a.Value[0], b.Value[0]),

@@ -34,14 +34,6 @@ public:
 
   const BeamNumbers& GetNumbers() const { return this->Numbers; }
 
-  /// The depth where a ray of a packet ends, and a margin.
-  float GetEnd(const RayPacket& packet, int ray, double end) const
-  {
-    const int along = this->Numbers.Along;
-    return static_cast<float>(
-      GetEndDepth(this->Numbers, packet.Origin[along][ray] + end * packet.Direction[along][ray]));
-  }
-
   /// The depth where the first of some rays begins, and a margin.
   float FindBegin(const RayPacket& rays, const RaySet& some) const;
 

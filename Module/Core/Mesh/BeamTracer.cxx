@@ -29,13 +29,20 @@ RaySet BeamTracer::Trace(
 {
   this->Packet = &packet;
   this->Enter(selection, beam.GetFrame());
-  this->Pairs.Count = 0;
-  this->InTetrahedra.Count = 0;
-  this->InTrilinear.Count = 0;
   hits.Clear();
-  for (std::size_t next = 0;
-       next < beam.GetNumberOfSets() || beam.FindMore(selection, this->Rays.EndOfAll);)
+  for (std::size_t next = 0;;)
   {
+    if (next == beam.GetNumberOfSets())
+    {
+      if (this->IsBehindSure(beam.GetNextDepth()))
+      {
+        this->Solve(selection, beam, hits);
+      }
+      if (!beam.FindMore(selection, this->Rays.EndOfAll))
+      {
+        break;
+      }
+    }
     const std::size_t first = next / MeshBeam::GroupSize * MeshBeam::GroupSize;
     for (unsigned int passed = beam.FindPassed(selection, this->Rays, next); passed != 0;
          passed &= passed - 1)
@@ -48,7 +55,8 @@ RaySet BeamTracer::Trace(
       const int set = beam.Load(selection, first + static_cast<std::size_t>(LowestBit(passed)));
       selection.PacketKernels->FindPairs(
         beam.GetPieces(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
-      if (this->Pairs.Count >= BeamPairs::Batch)
+      if (this->Pairs.Count >= BeamPairs::Batch ||
+        this->Pairs.UnsureCount >= BeamPairs::BatchOfUnsure)
       {
         this->Solve(selection, beam, hits);
       }
@@ -63,44 +71,12 @@ void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
 {
   const RayPacket& packet = *this->Packet;
   this->PlaceRays();
-  selection.PacketKernels->FrameRays(packet, frame.GetNumbers(), this->Framed);
-  std::fill_n(this->Rays.End, BeamRays::Capacity, -FloatInfinity);
-  for (int place = 0; place < packet.Count; ++place)
-  {
-    const int ray = this->Rays.Ray[place];
-    if (Has(this->Framed.InBeam, ray))
-    {
-      this->Parts[ray] = { packet.Begin[ray], packet.End[ray], packet.Base[ray] };
-      this->Rays.Label[0][place] = static_cast<float>(this->Framed.Label[0][ray]);
-      this->Rays.Label[1][place] = static_cast<float>(this->Framed.Label[1][ray]);
-      this->Rays.End[place] = static_cast<float>(this->Framed.End[ray]);
-    }
-  }
-  for (int group = 0; group < BeamRays::Groups; ++group)
-  {
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      float lower = FloatInfinity;
-      float upper = -FloatInfinity;
-      for (int place = group * GroupSize; place < (group + 1) * GroupSize; ++place)
-      {
-        const bool isThere = this->Rays.End[place] > -FloatInfinity;
-        lower = isThere ? std::min(lower, this->Rays.Label[k][place]) : lower;
-        upper = isThere ? std::max(upper, this->Rays.Label[k][place]) : upper;
-      }
-      this->Rays.Lower[k][group] = lower;
-      this->Rays.Upper[k][group] = upper;
-    }
-  }
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    const float* lower = this->Rays.Lower[k];
-    const float* upper = this->Rays.Upper[k];
-    this->Rays.LowerOfAll[k] = *std::min_element(lower, lower + BeamRays::Groups);
-    this->Rays.UpperOfAll[k] = *std::max_element(upper, upper + BeamRays::Groups);
-  }
-  this->Shortened = (1U << BeamRays::Groups) - 1U;
-  this->FindEnds();
+  selection.PacketKernels->FrameRays(packet, frame.GetNumbers(), this->Framed, this->Rays);
+  std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
+  this->Pairs.Count = 0;
+  this->Pairs.UnsureCount = 0;
+  this->InTetrahedra.Count = 0;
+  this->InTrilinear.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -118,42 +94,34 @@ void BeamTracer::PlaceRays()
   this->PlacedColumns = columns;
   this->PlacedCount = count;
   const bool isCut = columns > 0 && columns % edge == 0 && count % (columns * edge) == 0;
-  for (int place = 0; place < count; ++place)
+  for (int place = 0; place < RayPacket::Capacity; ++place)
   {
     const int square = place / GroupSize;
     const int across = isCut ? columns / edge : 1;
     const int x = square % across * edge + place % edge;
     const int y = square / across * edge + place % GroupSize / edge;
-    this->Rays.Ray[place] = isCut ? x + columns * y : place;
+    this->Rays.Ray[place] = isCut && place < count ? x + columns * y : place;
   }
 }
 
 //------------------------------------------------------------------------------
-/// Finds the ends of the groups with rays that were shortened, and that of all.
-void BeamTracer::FindEnds()
+/// Whether a depth is behind the ends of all rays that surely hit, and others may end before it if
+/// they are solved.
+bool BeamTracer::IsBehindSure(float depth) const
 {
-  for (; this->Shortened != 0; this->Shortened &= this->Shortened - 1)
-  {
-    const int group = LowestBit(this->Shortened);
-    const float* ends = this->Rays.End + group * GroupSize;
-    this->Rays.GroupEnd[group] = *std::max_element(ends, ends + GroupSize);
-  }
-  this->Rays.EndOfAll =
-    *std::max_element(this->Rays.GroupEnd, this->Rays.GroupEnd + BeamRays::Groups);
-}
-
-//------------------------------------------------------------------------------
-void BeamTracer::Shorten(const BeamFrame& frame, int place)
-{
-  const int ray = this->Rays.Ray[place];
-  this->Rays.End[place] = frame.GetEnd(*this->Packet, ray, this->Parts[ray].End);
-  this->Shortened |= 1U << (place / GroupSize);
+  return this->Pairs.UnsureCount > 0 && this->Rays.EndOfSure > -FloatInfinity &&
+    this->Rays.EndOfSure < depth;
 }
 
 //------------------------------------------------------------------------------
 /// Solves the pairs, and ends the rays at their hits.
 void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
 {
+  if (this->Pairs.Count == 0)
+  {
+    return;
+  }
+  this->RemovePairsBehindEnds();
   // Pairs with one piece follow each other.
   for (int i = 0; i < this->Pairs.Count;)
   {
@@ -178,7 +146,27 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
   this->SolveTetrahedra(selection, beam, hits);
   this->SolveTrilinear(selection, beam, hits);
   this->Pairs.Count = 0;
-  this->FindEnds();
+  this->Pairs.UnsureCount = 0;
+  const RaySet missed = selection.PacketKernels->EndRays(
+    *this->Packet, beam.GetFrame().GetNumbers(), this->Ends, this->Rays);
+  for (std::size_t word = 0; word < 2; ++word)
+  {
+    this->Framed.InBeam.Words[word] &= ~missed.Words[word];
+  }
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::RemovePairsBehindEnds()
+{
+  int kept = 0;
+  for (int i = 0; i < this->Pairs.Count; ++i)
+  {
+    const int place = this->Pairs.Place[i];
+    this->Pairs.Place[kept] = place;
+    this->Pairs.Piece[kept] = this->Pairs.Piece[i];
+    kept += this->Pairs.Near[i] <= this->Rays.End[place] ? 1 : 0;
+  }
+  this->Pairs.Count = kept;
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +187,6 @@ void BeamTracer::Add(const MeshSelection& selection, const MeshBeam& beam, int p
     selection.Cells->Prefetch(cells.Cells[cell]);
     for (; i < count && pairs.Count < CellPairs::Capacity; ++i)
     {
-      cells.Places[pairs.Count] = places[i];
       pairs.Ray[pairs.Count] = this->Rays.Ray[places[i]];
       pairs.Cell[pairs.Count++] = cell;
     }
@@ -237,15 +224,15 @@ void BeamTracer::SolveTetrahedra(
   {
     const int pair = LowestBit(left);
     const int ray = pairs.Ray[pair];
-    RayPart& part = this->Parts[ray];
+    RayPart part = this->GetPart(ray);
     if (part.Has(pairs.T[pair]))
     {
       Hit& hit = hits.Add(ray);
       this->MakeHit(beam, pair, hit);
       if (KeepHit(selection, hit, pairs.T[pair], part))
       {
+        this->Ends[ray] = part.End;
         hits.RemoveBeyond(ray, part.Base + part.End);
-        this->Shorten(beam.GetFrame(), cells.Places[pair]);
       }
       else
       {
@@ -256,7 +243,7 @@ void BeamTracer::SolveTetrahedra(
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
     const int pair = LowestBit(left);
-    this->SolveByItself(selection, beam, cells.Pieces[pairs.Cell[pair]], cells.Places[pair], hits);
+    this->SolveByItself(selection, beam, cells.Pieces[pairs.Cell[pair]], pairs.Ray[pair], hits);
   }
   pairs.Count = 0;
   cells.Count = 0;
@@ -268,7 +255,7 @@ void BeamTracer::MakeHit(const MeshBeam& beam, int pair, Hit& hit) const
 {
   const TetrahedronPairs& pairs = this->InTetrahedra;
   const int cell = pairs.Cell[pair];
-  hit.T = this->Parts[pairs.Ray[pair]].Base + pairs.T[pair];
+  hit.T = this->Packet->Base[pairs.Ray[pair]] + pairs.T[pair];
   hit.Cell = this->Tetrahedra.Cells[cell];
   hit.Surface = beam.GetSurface(this->Tetrahedra.Pieces[cell]);
   hit.Parametric =
@@ -293,14 +280,14 @@ void BeamTracer::SolveTrilinear(
   {
     const TrilinearSolutions& solutions = pairs.Solutions[pair];
     const int piece = cells.Pieces[pairs.Cell[pair]];
-    const int place = cells.Places[pair];
+    const int ray = pairs.Ray[pair];
     if (!solutions.AreCertain)
     {
-      this->SolveByItself(selection, beam, piece, place, hits);
+      this->SolveByItself(selection, beam, piece, ray, hits);
       continue;
     }
     const std::uint32_t cell = cells.Cells[pairs.Cell[pair]];
-    RayPart& part = this->Parts[pairs.Ray[pair]];
+    RayPart part = this->GetPart(ray);
     for (int i = 0; i < solutions.Count; ++i)
     {
       const CellHit found = MakeCellHit(selection.Cells->GetShape(cell), solutions, i);
@@ -308,10 +295,10 @@ void BeamTracer::SolveTrilinear(
         found.Entering };
       if (part.Has(found.T) && KeepHit(selection, hit, found.T, part))
       {
-        hits.Add(pairs.Ray[pair]) = hit;
-        this->Shorten(beam.GetFrame(), place);
+        hits.Add(ray) = hit;
       }
     }
+    this->Ends[ray] = part.End;
   }
   pairs.Count = 0;
   cells.Count = 0;
@@ -319,17 +306,17 @@ void BeamTracer::SolveTrilinear(
 
 //------------------------------------------------------------------------------
 void BeamTracer::SolveByItself(
-  const MeshSelection& selection, const MeshBeam& beam, int piece, int place, HitsOfRays& hits)
+  const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits)
 {
-  const int ray = this->Rays.Ray[place];
+  RayPart part = this->GetPart(ray);
   this->HitsInCell.clear();
   KeepHitsInCell(selection, GetFrame(*this->Packet, ray), beam.GetCell(selection, piece),
-    beam.GetSurface(piece), this->InCell, this->Parts[ray], this->HitsInCell);
+    beam.GetSurface(piece), this->InCell, part, this->HitsInCell);
   for (const Hit& hit : this->HitsInCell)
   {
     hits.Add(ray) = hit;
-    this->Shorten(beam.GetFrame(), place);
   }
+  this->Ends[ray] = part.End;
 }
 
 }

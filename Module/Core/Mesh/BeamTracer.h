@@ -21,27 +21,32 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// Traces packets of rays through a mesh. Single precision finds the rays that may hit the pieces
-/// of a beam; these pairs are solved exactly as for a single ray.
+/// of a beam; these pairs are solved exactly as for a single ray. It also finds rays that surely hit
+/// a piece: they end behind it at once, and what is farther is not solved. A ray that then does not
+/// hit before is given up.
 class BeamTracer
 {
 public:
-  /// Finds the hits of the rays that are in the beam. Returns which these are.
+  /// Finds the hits of the rays that are in the beam, and are not given up. Returns which these are.
   RaySet Trace(
     const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);
 
 private:
   void Enter(const MeshSelection& selection, const BeamFrame& frame);
   void PlaceRays();
-  void FindEnds();
-  void Shorten(const BeamFrame& frame, int place);
+  RayPart GetPart(int ray) const
+  {
+    return { this->Packet->Begin[ray], this->Ends[ray], this->Packet->Base[ray] };
+  }
+  bool IsBehindSure(float depth) const;
+  void RemovePairsBehindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
-  /// The cells of pairs, the pieces they were found by, and the places of the rays of the pairs.
+  /// The cells of pairs, and the pieces they were found by.
   struct PairedCells
   {
     int Count = 0;
     std::uint32_t Cells[TetrahedronPairs::Capacity];
     int Pieces[TetrahedronPairs::Capacity];
-    int Places[TetrahedronPairs::Capacity];
   };
 
   template <typename CellPairs>
@@ -54,7 +59,7 @@ private:
   void MakeHit(const MeshBeam& beam, int pair, Hit& hit) const;
   void SolveTrilinear(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   void SolveByItself(
-    const MeshSelection& selection, const MeshBeam& beam, int piece, int place, HitsOfRays& hits);
+    const MeshSelection& selection, const MeshBeam& beam, int piece, int ray, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
   BeamRays Rays;
@@ -62,9 +67,8 @@ private:
   int PlacedColumns = 0;
   int PlacedCount = 0;
   FramedRays Framed;
-  RayPart Parts[RayPacket::Capacity];
-  /// The groups with rays that end earlier than they did; a bit for each.
-  unsigned int Shortened;
+  /// Where each ray ends by the hits that were found.
+  double Ends[RayPacket::Capacity];
   BeamPairs Pairs;
   TetrahedronPairs InTetrahedra;
   PairedCells Tetrahedra;

@@ -25,6 +25,14 @@ IsovalueSpan FindSpan(double isovalue)
   return { std::nextafterf(from, -FloatInfinity), from };
 }
 
+/// Whether rays end at any hit with a surface.
+bool EndsRays(const MeshSelection& selection, int surface)
+{
+  const TraceRequest& request = selection.Request;
+  return request.Visible.IsConvex() &&
+    request.Surfaces[static_cast<std::size_t>(surface)].Opacity >= 1.0;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +260,10 @@ int MeshBeam::Load(const MeshSelection& selection, std::size_t set)
   {
     selection.PacketKernels->BoundPackedPieces(
       *loaded.Packed, this->Frame.GetNumbers(), seen.Pieces);
+    if (!EndsRays(selection, loaded.Surface))
+    {
+      std::fill_n(seen.Pieces.Far, BeamPieces::Capacity, FloatInfinity);
+    }
   }
   else
   {

@@ -47,6 +47,12 @@ public:
   /// Whether rays of the beam between lines may meet a piece.
   bool MayHitBetween(const MeshSelection& selection, const RayPacket& lines);
 
+  /// A depth that the sets which were not found are behind.
+  float GetNextDepth() const
+  {
+    return this->Heap.empty() ? FloatInfinity : this->Heap.front().Near;
+  }
+
   /// Finds the sets in another leaf. Returns false if there is none before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 
