@@ -75,8 +75,6 @@ void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
   std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
   this->Pairs.Count = 0;
   this->Pairs.UnsureCount = 0;
-  this->InTetrahedra.Count = 0;
-  this->InTrilinear.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -122,29 +120,12 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
     return;
   }
   this->RemovePairsBehindEnds();
-  // Pairs with one piece follow each other.
   for (int i = 0; i < this->Pairs.Count;)
   {
-    const int first = i;
-    const int piece = this->Pairs.Piece[first];
-    while (i < this->Pairs.Count && this->Pairs.Piece[i] == piece)
-    {
-      ++i;
-    }
-    const int* places = &this->Pairs.Place[first];
-    if (beam.IsInTetrahedron(piece))
-    {
-      this->Add(
-        selection, beam, piece, places, i - first, this->InTetrahedra, this->Tetrahedra, hits);
-    }
-    else
-    {
-      this->Add(
-        selection, beam, piece, places, i - first, this->InTrilinear, this->Trilinear, hits);
-    }
+    i = this->FindCells(selection, beam, i);
+    this->SolveTetrahedra(selection, beam, hits);
+    this->SolveTrilinear(selection, beam, hits);
   }
-  this->SolveTetrahedra(selection, beam, hits);
-  this->SolveTrilinear(selection, beam, hits);
   this->Pairs.Count = 0;
   this->Pairs.UnsureCount = 0;
   const RaySet missed = selection.PacketKernels->EndRays(
@@ -170,26 +151,48 @@ void BeamTracer::RemovePairsBehindEnds()
 }
 
 //------------------------------------------------------------------------------
-template <typename CellPairs>
-void BeamTracer::Add(const MeshSelection& selection, const MeshBeam& beam, int piece,
-  const int* places, int count, CellPairs& pairs, PairedCells& cells, HitsOfRays& hits)
+/// Finds the cells of pairs, from one pair on. Returns the first pair of which the cell is not
+/// among them: they are not more than there is room for.
+int BeamTracer::FindCells(const MeshSelection& selection, const MeshBeam& beam, int pair)
 {
-  for (int i = 0; i < count;)
+  this->Tetrahedra.Clear();
+  this->Trilinear.Clear();
+  while (pair < this->Pairs.Count && !this->Tetrahedra.IsFull() && !this->Trilinear.IsFull())
   {
-    if (pairs.Count == CellPairs::Capacity)
+    // Pairs with one piece follow each other.
+    const int piece = this->Pairs.Piece[pair];
+    const int first = pair;
+    while (pair < this->Pairs.Count && this->Pairs.Piece[pair] == piece)
     {
-      this->SolveTetrahedra(selection, beam, hits);
-      this->SolveTrilinear(selection, beam, hits);
+      ++pair;
     }
-    const int cell = cells.Count++;
-    cells.Cells[cell] = beam.GetCell(selection, piece);
-    cells.Pieces[cell] = piece;
-    selection.Cells->Prefetch(cells.Cells[cell]);
-    for (; i < count && pairs.Count < CellPairs::Capacity; ++i)
+    const std::uint32_t cell = beam.GetCell(selection, piece);
+    selection.Cells->Prefetch(cell);
+    PairedCells& cells = beam.IsInTetrahedron(piece) ? this->Tetrahedra : this->Trilinear;
+    cells.Add(cell, piece, first, pair);
+  }
+  return pair;
+}
+
+//------------------------------------------------------------------------------
+/// Takes as many of the pairs with cells as are solved at once.
+template <typename CellPairs>
+void BeamTracer::Take(PairedCells& cells, CellPairs& pairs) const
+{
+  cells.FirstTaken = cells.Next;
+  cells.Taken = 0;
+  pairs.Count = 0;
+  while (cells.Next < cells.Count && pairs.Count < CellPairs::Capacity)
+  {
+    int& pair = cells.FirstPair[cells.Next];
+    const int end = cells.EndOfPairs[cells.Next];
+    for (; pair < end && pairs.Count < CellPairs::Capacity; ++pair)
     {
-      pairs.Ray[pairs.Count] = this->Rays.Ray[places[i]];
-      pairs.Cell[pairs.Count++] = cell;
+      pairs.Ray[pairs.Count] = this->Rays.Ray[this->Pairs.Place[pair]];
+      pairs.Cell[pairs.Count++] = cells.Taken;
     }
+    ++cells.Taken;
+    cells.Next += pair == end ? 1 : 0;
   }
 }
 
@@ -199,9 +202,10 @@ template <int Corners>
 void BeamTracer::FindDifferences(const MeshSelection& selection, const MeshBeam& beam,
   const PairedCells& cells, double (*corners)[Corners][4])
 {
-  for (int i = 0; i < cells.Count; ++i)
+  for (int i = 0; i < cells.Taken; ++i)
   {
-    const auto number = static_cast<std::size_t>(beam.GetSurface(cells.Pieces[i]));
+    const auto number =
+      static_cast<std::size_t>(beam.GetSurface(cells.Pieces[cells.FirstTaken + i]));
     const MeshSurface& surface = selection.Surfaces[number];
     SubtractIsovalue(surface.Isovalue, surface.Scale, corners[i]);
   }
@@ -211,15 +215,24 @@ void BeamTracer::FindDifferences(const MeshSelection& selection, const MeshBeam&
 void BeamTracer::SolveTetrahedra(
   const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
 {
-  TetrahedronPairs& pairs = this->InTetrahedra;
-  if (pairs.Count == 0)
-  {
-    return;
-  }
   PairedCells& cells = this->Tetrahedra;
-  selection.Cells->LoadTetrahedra(cells.Cells, cells.Count, this->Orders, pairs.Corners);
-  FindDifferences(selection, beam, cells, pairs.Corners);
-  selection.PacketKernels->SolveTetrahedra(this->Framed, pairs);
+  selection.Cells->ReadCornerIds(cells.Cells, cells.Count, this->Orders, this->Ids);
+  while (cells.Next < cells.Count)
+  {
+    this->Take(cells, this->InTetrahedra);
+    selection.Cells->LoadTetrahedra(
+      this->Ids + cells.FirstTaken, cells.Taken, this->InTetrahedra.Corners);
+    FindDifferences(selection, beam, cells, this->InTetrahedra.Corners);
+    selection.PacketKernels->SolveTetrahedra(this->Framed, this->InTetrahedra);
+    this->KeepHits(selection, beam, hits);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Keeps those in tetrahedra.
+void BeamTracer::KeepHits(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
+{
+  const TetrahedronPairs& pairs = this->InTetrahedra;
   for (std::uint64_t left = pairs.Found; left != 0; left &= left - 1)
   {
     const int pair = LowestBit(left);
@@ -243,10 +256,9 @@ void BeamTracer::SolveTetrahedra(
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
   {
     const int pair = LowestBit(left);
-    this->SolveByItself(selection, beam, cells.Pieces[pairs.Cell[pair]], pairs.Ray[pair], hits);
+    const int piece = this->Tetrahedra.Pieces[this->Tetrahedra.FirstTaken + pairs.Cell[pair]];
+    this->SolveByItself(selection, beam, piece, pairs.Ray[pair], hits);
   }
-  pairs.Count = 0;
-  cells.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -254,7 +266,7 @@ void BeamTracer::SolveTetrahedra(
 void BeamTracer::MakeHit(const MeshBeam& beam, int pair, Hit& hit) const
 {
   const TetrahedronPairs& pairs = this->InTetrahedra;
-  const int cell = pairs.Cell[pair];
+  const int cell = this->Tetrahedra.FirstTaken + pairs.Cell[pair];
   hit.T = this->Packet->Base[pairs.Ray[pair]] + pairs.T[pair];
   hit.Cell = this->Tetrahedra.Cells[cell];
   hit.Surface = beam.GetSurface(this->Tetrahedra.Pieces[cell]);
@@ -267,26 +279,35 @@ void BeamTracer::MakeHit(const MeshBeam& beam, int pair, Hit& hit) const
 void BeamTracer::SolveTrilinear(
   const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
 {
-  TrilinearPairs& pairs = this->InTrilinear;
-  if (pairs.Count == 0)
-  {
-    return;
-  }
   PairedCells& cells = this->Trilinear;
-  selection.Cells->LoadTrilinear(cells.Cells, cells.Count, pairs.Corners);
-  FindDifferences(selection, beam, cells, pairs.Corners);
-  selection.PacketKernels->SolveTrilinear(this->Framed, pairs);
+  while (cells.Next < cells.Count)
+  {
+    this->Take(cells, this->InTrilinear);
+    selection.Cells->LoadTrilinear(
+      cells.Cells + cells.FirstTaken, cells.Taken, this->InTrilinear.Corners);
+    FindDifferences(selection, beam, cells, this->InTrilinear.Corners);
+    selection.PacketKernels->SolveTrilinear(this->Framed, this->InTrilinear);
+    this->KeepTrilinearHits(selection, beam, hits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::KeepTrilinearHits(
+  const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits)
+{
+  const TrilinearPairs& pairs = this->InTrilinear;
   for (int pair = 0; pair < pairs.Count; ++pair)
   {
     const TrilinearSolutions& solutions = pairs.Solutions[pair];
-    const int piece = cells.Pieces[pairs.Cell[pair]];
+    const int number = this->Trilinear.FirstTaken + pairs.Cell[pair];
+    const int piece = this->Trilinear.Pieces[number];
     const int ray = pairs.Ray[pair];
     if (!solutions.AreCertain)
     {
       this->SolveByItself(selection, beam, piece, ray, hits);
       continue;
     }
-    const std::uint32_t cell = cells.Cells[pairs.Cell[pair]];
+    const std::uint32_t cell = this->Trilinear.Cells[number];
     RayPart part = this->GetPart(ray);
     for (int i = 0; i < solutions.Count; ++i)
     {
@@ -300,8 +321,6 @@ void BeamTracer::SolveTrilinear(
     }
     this->Ends[ray] = part.End;
   }
-  pairs.Count = 0;
-  cells.Count = 0;
 }
 
 //------------------------------------------------------------------------------

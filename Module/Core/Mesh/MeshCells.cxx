@@ -213,6 +213,7 @@ MeshCells::MeshCells(const MeshView& view, int threads)
   this->ReadIds =
     view.IdType == ScalarType::Int32 ? ReadListedIds<std::int32_t> : ReadListedIds<std::int64_t>;
   const bool hasFloats = view.PointType == ScalarType::Float32;
+  this->BytesOfPoint = 3 * (hasFloats ? sizeof(float) : sizeof(double));
   this->ReadPoints = hasFloats ? ReadTypedPoints<float> : ReadTypedPoints<double>;
   this->ReadCornerPoints = hasFloats ? ReadTypedCornerPoints<float> : ReadTypedCornerPoints<double>;
   this->ReadTetrahedra = view.IdType == ScalarType::Int32 ? ReadListedTetrahedra<std::int32_t>
@@ -223,6 +224,7 @@ MeshCells::MeshCells(const MeshView& view, int threads)
   DispatchScalarType(view.ValueType,
     [this](auto value)
     {
+      this->BytesOfValue = this->View.ValueStride * static_cast<std::int64_t>(sizeof(value));
       this->ReadValues = ReadTypedValues<decltype(value)>;
       this->ReadComponents = ReadTypedComponents<decltype(value)>;
       this->ReadCornerValues = ReadTypedCornerValues<decltype(value)>;
@@ -273,12 +275,18 @@ void MeshCells::LoadTetrahedra(
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::LoadTetrahedra(
-  const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const
+void MeshCells::ReadCornerIds(
+  const std::uint32_t* numbers, int count, CornerOrder* orders, std::int64_t (*ids)[4]) const
 {
-  std::int64_t ids[MaximumCells][4];
   this->ReadOrderedTetrahedra(this->View, numbers, count, orders, ids);
-  this->LoadTetrahedra(ids, count, corners);
+  for (int i = 0; i < count; ++i)
+  {
+    for (const std::int64_t id : ids[i])
+    {
+      PrefetchLine(static_cast<const char*>(this->View.Points) + id * this->BytesOfPoint);
+      PrefetchLine(static_cast<const char*>(this->View.Values) + id * this->BytesOfValue);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -69,15 +69,17 @@ public:
     PrefetchLine(static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
   }
 
+  /// Reads the ids of the corners of tetrahedra, in their order, and begins to fetch the points and
+  /// the values.
+  void ReadCornerIds(
+    const std::uint32_t* numbers, int count, CornerOrder* orders, std::int64_t (*ids)[4]) const;
+
   /// Reads cells that are traced and finite: their corners, and in place of differences the values.
   /// Tetrahedra, as many as there are pairs...
   void LoadTetrahedra(const std::uint32_t* numbers, int count, double (*corners)[4][4]) const;
-  /// ...or those with the given ids of corners...
+  /// ...or those with the given ids of corners.
   void LoadTetrahedra(const std::int64_t (*ids)[4], int count, double (*corners)[4][4]) const;
-  /// ...whose corners are put in the order of their ids...
-  void LoadTetrahedra(
-    const std::uint32_t* numbers, int count, CornerOrder* orders, double (*corners)[4][4]) const;
-  /// ...or as many cells of any shape, as in PassedCellRecords.
+  /// The same of as many cells of any shape, as in PassedCellRecords.
   void LoadTrilinear(const std::uint32_t* numbers, int count,
     double (*corners)[PassedCellRecords::Corners][4]) const;
 
@@ -96,6 +98,9 @@ private:
   std::int64_t NumberOfCells;
   /// The mean size of a listed cell in the connectivity.
   std::int64_t BytesOfCell = 0;
+  /// From one to the next, in memory.
+  std::int64_t BytesOfPoint = 0;
+  std::int64_t BytesOfValue = 0;
   /// For the types of the arrays.
   bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
