@@ -63,11 +63,13 @@ void SetCells(vtkUnstructuredGrid* grid, vtkirt::MeshView& view)
   vtkDataArray* types = grid->GetCellTypesArray();
 #endif
   view.Shapes = static_cast<const unsigned char*>(types->GetVoidPointer(0));
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
   view.Offsets = cells->GetOffsetsArray()->GetVoidPointer(0);
-  view.Connectivity = cells->GetConnectivityArray()->GetVoidPointer(0);
-  view.IdType = cells->IsStorage64Bit() ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
-  const std::string problem =
-    vtkirt::FindProblem(view, cells->GetConnectivityArray()->GetNumberOfValues(), 1);
+  view.Connectivity = connectivity->GetVoidPointer(0);
+  // IsStorage64Bit is false for the cells of one size that VTK 9.6 has.
+  view.IdType =
+    connectivity->GetDataTypeSize() == 8 ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
+  const std::string problem = vtkirt::FindProblem(view, connectivity->GetNumberOfValues(), 1);
   if (!problem.empty())
   {
     throw std::runtime_error(problem);
