@@ -72,6 +72,15 @@ struct LabelledRays
   Doubles End;
 };
 
+/// The depths of rays at some t, and a margin.
+SIMD_INLINE Doubles FindDepths(
+  const RayPacket& packet, const BeamNumbers& beam, const double* t, int first)
+{
+  return GetEndDepth(beam,
+    Load(&packet.Origin[beam.Along][first]) +
+      Load(&t[first]) * Load(&packet.Direction[beam.Along][first]));
+}
+
 SIMD_INLINE LabelledRays FrameSome(
   const RayPacket& packet, const BeamNumbers& beam, int first, FramedRays& framed)
 {
@@ -90,13 +99,11 @@ SIMD_INLINE LabelledRays FrameSome(
     inverse[axis] = Load(&packet.Inverse[axis][first]);
   }
   StoreFrames(origin, direction, inverse, first, framed);
-  const Doubles start = origin[beam.Along];
-  const Doubles rise = direction[beam.Along];
-  const Doubles way = beam.Plane - start;
+  const Doubles way = beam.Plane - origin[beam.Along];
   LabelledRays rays;
   Doubles place[2];
   Doubles slope[2];
-  Mask isIn = ToMask(exists) & (0.0 < rise * beam.Sign);
+  Mask isIn = ToMask(exists) & (0.0 < direction[beam.Along] * beam.Sign);
   for (int k = 0; k < 2; ++k)
   {
     const int across = beam.Across[k];
@@ -106,9 +113,8 @@ SIMD_INLINE LabelledRays FrameSome(
     isIn = isIn & (Abs(rays.Label[k]) <= 1.0);
   }
   isIn = isIn & (GetLabelError(beam, place, slope) <= static_cast<double>(beam.Margin));
-  rays.Begin = GetEndDepth(beam, start + Load(&packet.Begin[first]) * rise);
-  const Doubles end = GetEndDepth(beam, start + Load(&packet.End[first]) * rise);
-  rays.End = Select(isIn, end, Doubles(-Infinity));
+  rays.Begin = FindDepths(packet, beam, packet.Begin, first);
+  rays.End = Select(isIn, FindDepths(packet, beam, packet.End, first), Doubles(-Infinity));
   framed.InBeam.Words[first >> 6] |= static_cast<std::uint64_t>(ToBits(isIn)) << (first & 63);
   return rays;
 }
@@ -148,13 +154,15 @@ SIMD_INLINE void FindLabelBounds(int k, BeamRays& rays)
   rays.UpperOfAll[k] = ReduceMax(highest);
 }
 
-SIMD_INLINE void ForgetSure(BeamRays& rays)
+/// Finds the ends of all groups, of rays none of which surely hits what is not solved.
+SIMD_INLINE void FindAllEnds(BeamRays& rays)
 {
   for (unsigned int& sure : rays.Sure)
   {
     sure = 0;
   }
   rays.EndOfSure = -FloatInfinity;
+  FindGroupEnds((1U << BeamRays::Groups) - 1U, rays);
 }
 
 void FrameRays(const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed, BeamRays& rays)
@@ -181,17 +189,7 @@ void FrameRays(const RayPacket& packet, const BeamNumbers& beam, FramedRays& fra
     PlaceNumbers(label[k], rays, rays.Label[k]);
     FindLabelBounds(k, rays);
   }
-  ForgetSure(rays);
-  FindGroupEnds((1U << BeamRays::Groups) - 1U, rays);
-}
-
-/// The depths where rays end at some t.
-SIMD_INLINE Doubles FindEndDepths(
-  const RayPacket& packet, const BeamNumbers& beam, const double* ends, int first)
-{
-  return GetEndDepth(beam,
-    Load(&packet.Origin[beam.Along][first]) +
-      Load(&ends[first]) * Load(&packet.Direction[beam.Along][first]));
+  FindAllEnds(rays);
 }
 
 RaySet EndRays(const RayPacket& packet, const BeamNumbers& beam, const double* ends, BeamRays& rays)
@@ -200,9 +198,9 @@ RaySet EndRays(const RayPacket& packet, const BeamNumbers& beam, const double* e
   alignas(64) float placed[BeamRays::Capacity];
   for (int i = 0; i < BeamRays::Capacity; i += FloatWidth)
   {
-    StoreFloats(Round(FindEndDepths(packet, beam, ends, i),
-                  FindEndDepths(packet, beam, ends, i + DoubleWidth)),
-      &depths[i]);
+    const Doubles low = FindDepths(packet, beam, ends, i);
+    const Doubles high = FindDepths(packet, beam, ends, i + DoubleWidth);
+    StoreFloats(Round(low, high), &depths[i]);
   }
   PlaceNumbers(depths, rays, placed);
   RaySet missed = {};
@@ -221,8 +219,7 @@ RaySet EndRays(const RayPacket& packet, const BeamNumbers& beam, const double* e
       rays.End[place] = -FloatInfinity;
     }
   }
-  ForgetSure(rays);
-  FindGroupEnds((1U << BeamRays::Groups) - 1U, rays);
+  FindAllEnds(rays);
   return missed;
 }
 

@@ -30,19 +30,9 @@ RaySet BeamTracer::Trace(
   this->Packet = &packet;
   this->Enter(selection, beam.GetFrame());
   hits.Clear();
-  for (std::size_t next = 0;;)
+  for (std::size_t next = 0;
+       next < beam.GetNumberOfSets() || this->FindMore(selection, beam, hits);)
   {
-    if (next == beam.GetNumberOfSets())
-    {
-      if (this->IsBehindSure(beam.GetNextDepth()))
-      {
-        this->Solve(selection, beam, hits);
-      }
-      if (!beam.FindMore(selection, this->Rays.EndOfAll))
-      {
-        break;
-      }
-    }
     const std::size_t first = next / MeshBeam::GroupSize * MeshBeam::GroupSize;
     for (unsigned int passed = beam.FindPassed(selection, this->Rays, next); passed != 0;
          passed &= passed - 1)
@@ -103,12 +93,17 @@ void BeamTracer::PlaceRays()
 }
 
 //------------------------------------------------------------------------------
-/// Whether a depth is behind the ends of all rays that surely hit, and others may end before it if
-/// they are solved.
-bool BeamTracer::IsBehindSure(float depth) const
+/// Finds further sets of the beam. Returns false if there are none before the rays end.
+bool BeamTracer::FindMore(const MeshSelection& selection, MeshBeam& beam, HitsOfRays& hits)
 {
-  return this->Pairs.UnsureCount > 0 && this->Rays.EndOfSure > -FloatInfinity &&
-    this->Rays.EndOfSure < depth;
+  // They begin behind the ends of all rays that surely hit. The others may end before, too, but
+  // must be solved for that.
+  if (this->Pairs.UnsureCount > 0 && this->Rays.EndOfSure > -FloatInfinity &&
+    this->Rays.EndOfSure < beam.GetNextDepth())
+  {
+    this->Solve(selection, beam, hits);
+  }
+  return beam.FindMore(selection, this->Rays.EndOfAll);
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ private:
   {
     return { this->Packet->Begin[ray], this->Ends[ray], this->Packet->Base[ray] };
   }
-  bool IsBehindSure(float depth) const;
+  bool FindMore(const MeshSelection& selection, MeshBeam& beam, HitsOfRays& hits);
   void RemovePairsBehindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);
   /// Cells of pairs.
