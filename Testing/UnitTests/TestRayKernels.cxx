@@ -253,6 +253,58 @@ TEST_P(RayKernels, GenerateRaysInFacesOfCells)
 }
 
 //------------------------------------------------------------------------------
+// Rays of any lines, as they are given, of which some do not exist.
+TEST_P(RayKernels, ClipRaysThatAreGiven)
+{
+  RandomNumbers random(832);
+  const double bad[] = { 0.0, Infinity, std::nan(""), 1e300, 1e-310 };
+  int clipped = 0;
+  int missing = 0;
+  for (int run = 0; run < 500; ++run)
+  {
+    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
+      random.Integer(2, 600) };
+    RayPacket packet;
+    std::memset(&packet, 0xFF, sizeof(packet)); // all numbers are none
+    packet.Clear();
+    RayPacket expected = packet;
+    const int count = random.Integer(0, RayPacket::Capacity);
+    while (packet.Count < count)
+    {
+      Line line =
+        random.Integer(0, 2) ? RandomLine(random, dimensions) : LatticeLine(random, dimensions);
+      if (random.Integer(0, 9) == 0)
+      {
+        (random.Integer(0, 1) ? line.Origin : line.Direction)[random.Bits() % 3] =
+          bad[random.Integer(0, 4)];
+      }
+      const double begin = random.Integer(0, 1) ? 0.0 : random.Uniform(0.0, 20.0);
+      const double end = random.Integer(0, 1) ? Infinity : random.Uniform(0.0, 60.0);
+      packet.Append(line.Origin, line.Direction, begin, end);
+      AppendRay(ClipToVolume(line.Origin, line.Direction, begin, end, dimensions), expected);
+      if (random.Integer(0, 9) == 0)
+      {
+        Remove(packet.Count - 1, packet.Exists);
+        Remove(packet.Count - 1, expected.Exists);
+      }
+    }
+    this->TheKernels.ClipRays(dimensions.data(), packet);
+    ASSERT_EQ(packet.Count, count);
+    for (int i = 0; i < RayPacket::Capacity; ++i)
+    {
+      ASSERT_EQ(Has(packet.Exists, i), Has(expected.Exists, i)) << "ray " << i;
+      if (Has(packet.Exists, i))
+      {
+        ASSERT_TRUE(AreSame(GetRay(packet, i), GetRay(expected, i))) << "ray " << i;
+      }
+      (Has(packet.Exists, i) ? clipped : missing) += i < count ? 1 : 0;
+    }
+  }
+  EXPECT_GT(clipped, 5000);
+  EXPECT_GT(missing, 5000);
+}
+
+//------------------------------------------------------------------------------
 using LongPoint = std::array<long double, 3>;
 
 LongPoint PointOn(const Ray& ray, long double t)

@@ -9,6 +9,27 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
+void TracedField::ClipRays(RayPacket& packet) const
+{
+  RayPacket clipped;
+  clipped.Clear();
+  for (int i = 0; i < packet.Count; ++i)
+  {
+    if (Has(packet.Exists, i))
+    {
+      this->AddRay(
+        packet.GetOrigin(i), packet.GetDirection(i), packet.Begin[i], packet.End[i], clipped);
+    }
+    else
+    {
+      ++clipped.Count;
+    }
+  }
+  clipped.Columns = packet.Columns;
+  packet = clipped;
+}
+
+//------------------------------------------------------------------------------
 void TracedField::MoveRays(
   const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays, RayPacket& moved) const
 {

@@ -97,6 +97,10 @@ public:
   virtual void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const = 0;
 
+  /// Cuts the rays of a packet to the field, exactly as AddRay does. Of those that exist origins,
+  /// directions, begins and ends are given.
+  virtual void ClipRays(RayPacket& packet) const;
+
   /// Moves parts of rays, which are in another space, to the object space of the field, in which
   /// they make a packet with the same places. The matrix is affine.
   virtual void MoveRays(const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays,

@@ -165,6 +165,20 @@ void ImageField::AddRay(const Vector3& origin, const Vector3& direction, double 
 }
 
 //------------------------------------------------------------------------------
+void ImageField::ClipRays(RayPacket& packet) const
+{
+  const CellLattice& lattice = this->Selection.Lattice;
+  const Kernels* kernels = this->Selection.PacketKernels;
+  if (!kernels)
+  {
+    TracedField::ClipRays(packet);
+    return;
+  }
+  kernels->ClipRays(lattice.GetDimensions().data(), packet);
+  SetCellsOfParallelRays(lattice.GetPlanes(), packet);
+}
+
+//------------------------------------------------------------------------------
 void ImageField::MoveRays(
   const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays, RayPacket& moved) const
 {

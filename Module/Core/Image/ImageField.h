@@ -53,6 +53,7 @@ public:
   bool MayHit() const override;
 
   Bounds GetBounds() const override;
+  void ClipRays(RayPacket& packet) const override;
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
   void MoveRays(const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays,

@@ -227,6 +227,10 @@ struct Kernels
   /// each.
   unsigned int (*FindMetBoxes)(const BoxGroup& boxes, const FrustumSide* sides, int count);
 
+  /// Clips the rays of a packet to a volume, exactly as ClipToVolume does. Of those that exist
+  /// origins, directions, begins and ends are given.
+  void (*ClipRays)(const int dimensions[3], RayPacket& packet);
+
   /// Moves the parts of rays that are in a box to the space of a volume, exactly as ClipToVolume
   /// does after the matrix, which is affine. The moved rays have the places of the rays.
   void (*MoveRays)(const RayPacket& rays, const RaysInBox& parts, const double* ownFromRays,

@@ -122,7 +122,7 @@ SIMD_INLINE void LoadCorner(
   }
 
 #define KERNELS(name)                                                                              \
-  const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, MoveRays, Align,   \
+  const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, ClipRays, MoveRays, Align,   \
     FindPassages, FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(BoundCells),                         \
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, EndRays, ProjectChildren, FindExtents<4>,    \

@@ -43,6 +43,33 @@ void CutPacketToBox(
   }
 }
 
+void ClipRays(const int dimensions[3], RayPacket& packet)
+{
+  const double lastPlanes[3] = { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 };
+  const RaySet given = packet.Exists;
+  packet.Exists.Words[0] = 0;
+  packet.Exists.Words[1] = 0;
+  for (int i = 0; i < packet.Count; i += DoubleWidth)
+  {
+    const unsigned int some = GetLanes(given, i);
+    if (some == 0)
+    {
+      continue;
+    }
+    ClippedRays<Doubles> clipped;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      clipped.Origin[axis] = Load(&packet.Origin[axis][i]);
+      clipped.Direction[axis] = Load(&packet.Direction[axis][i]);
+    }
+    clipped.Begin = Load(&packet.Begin[i]);
+    clipped.End = Load(&packet.End[i]);
+    const Mask exists = ClipToVolume(dimensions, lastPlanes, clipped);
+    StoreRays(clipped, i, packet);
+    AddLanes(exists & ToMask(some), i, packet.Exists);
+  }
+}
+
 void MoveRays(const RayPacket& rays, const RaysInBox& parts, const double* ownFromRays,
   const int dimensions[3], RayPacket& moved)
 {

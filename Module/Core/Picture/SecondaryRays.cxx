@@ -7,14 +7,20 @@
 #include "Picture/Hemisphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
+
+/// Directions have a place on a face of a cube, which is divided into so many parts each way.
+constexpr int SectorBits = 4;
+constexpr int Sectors = 6 << (2 * SectorBits);
 
 /// A number that is near for similar directions: the place on a face of a cube in Morton order, so
 /// that halves of a sequence, and halves of them, have similar directions, too.
@@ -30,16 +36,14 @@ int GetSector(const Vector3& direction)
   {
     return 0; // no ray
   }
-  constexpr int bits = 5;
-  int sector = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
-  const auto part = [&direction, length](std::size_t other)
-  {
-    constexpr int parts = 1 << bits;
-    return std::min(parts - 1, static_cast<int>(0.5 * parts * (direction[other] / length + 1.0)));
-  };
+  const double scale = 1.0 / length;
+  constexpr int parts = 1 << SectorBits;
+  const auto part = [&direction, scale](std::size_t other)
+  { return std::min(parts - 1, static_cast<int>(0.5 * parts * (direction[other] * scale + 1.0))); };
   const int u = part((axis + 1) % 3);
   const int v = part((axis + 2) % 3);
-  for (int bit = bits - 1; bit >= 0; --bit)
+  int sector = 2 * static_cast<int>(axis) + (direction[axis] > 0.0 ? 1 : 0);
+  for (int bit = SectorBits - 1; bit >= 0; --bit)
   {
     sector = 4 * sector + 2 * (u >> bit & 1) + (v >> bit & 1);
   }
@@ -71,21 +75,17 @@ SecondaryRays::SecondaryRays(const Scene& scene, std::size_t field)
 std::vector<double> SecondaryRays::FindLightTransmittance(const std::vector<Hit>& hits) const
 {
   const std::size_t lights = this->TheScene.Lights.size();
-  std::vector<double> transmittance(hits.size() * lights, 1.0);
+  const std::vector<Start> starts = this->FindStarts(hits);
+  std::vector<double> transmittance(hits.size() * lights);
   for (std::size_t first = 0; first < hits.size(); first += RayPacket::Capacity)
   {
     const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, hits.size() - first);
-    Vector3 gradients[RayPacket::Capacity];
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      gradients[i] = this->Field.GetGradient(hits[first + i], NormalMode::InterpolantGradient);
-    }
     for (std::size_t light = 0; light < lights; ++light)
     {
       OutgoingRay rays[RayPacket::Capacity];
       for (std::size_t i = 0; i < count; ++i)
       {
-        rays[i] = this->MakeLightRay(this->TheScene.Lights[light], hits[first + i], gradients[i]);
+        rays[i] = this->MakeLightRay(this->TheScene.Lights[light], starts[first + i]);
       }
       double some[RayPacket::Capacity];
       this->FindTransmittance(rays, static_cast<int>(count), some);
@@ -102,16 +102,14 @@ std::vector<double> SecondaryRays::FindLightTransmittance(const std::vector<Hit>
 std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hit>& hits) const
 {
   const int count = this->TheScene.OcclusionRays;
+  const std::vector<Start> starts = this->FindStarts(hits);
   std::vector<Hemisphere> hemispheres;
-  std::vector<Vector3> gradients;
-  for (const Hit& hit : hits)
+  for (std::size_t i = 0; i < hits.size(); ++i)
   {
-    // The exact normal: with another, rays might enter the surface that they leave.
-    gradients.push_back(this->Field.GetGradient(hit, NormalMode::InterpolantGradient));
     const Vector3 normal =
-      Normalized(TransformDirection(this->WorldFromGradient, Normalized(gradients.back())));
-    hemispheres.emplace_back(hit.Entering ? normal * -1.0 : normal, count,
-      HitNumbers(this->Field.GetPointInCells(hit), this->TheScene.OcclusionFrame));
+      Normalized(TransformDirection(this->WorldFromGradient, Normalized(starts[i].Gradient)));
+    hemispheres.emplace_back(hits[i].Entering ? normal * -1.0 : normal, count,
+      HitNumbers(this->Field.GetPointInCells(hits[i]), this->TheScene.OcclusionFrame));
   }
   // Rays of several hits at a time, so that many of them have similar directions.
   constexpr int atOnce = 32;
@@ -126,7 +124,7 @@ std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hi
     {
       for (int number = 0; number < some; ++number)
       {
-        rays.push_back(this->MakeOcclusionRay(hemispheres[i].Next(), hits[i], gradients[i]));
+        rays.push_back(this->MakeOcclusionRay(hemispheres[i].Next(), starts[i]));
       }
     }
     this->FindTransmittanceSorted(rays, transmittance);
@@ -139,30 +137,41 @@ std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hi
 }
 
 //------------------------------------------------------------------------------
-SecondaryRays::OutgoingRay SecondaryRays::MakeLightRay(
-  const Light& light, const Hit& hit, const Vector3& gradient) const
+std::vector<SecondaryRays::Start> SecondaryRays::FindStarts(const std::vector<Hit>& hits) const
 {
-  const Vector3 origin = this->Field.GetPoint(hit);
+  std::vector<Start> starts;
+  starts.reserve(hits.size());
+  for (const Hit& hit : hits)
+  {
+    // The exact normal: with another, rays might enter the surface that they leave.
+    starts.push_back({ this->Field.GetPoint(hit),
+      this->Field.GetGradient(hit, NormalMode::InterpolantGradient), hit.Surface, hit.Member });
+  }
+  return starts;
+}
+
+//------------------------------------------------------------------------------
+SecondaryRays::OutgoingRay SecondaryRays::MakeLightRay(const Light& light, const Start& start) const
+{
   const Vector3 toLight = light.Positional
-    ? light.Position - TransformPoint(this->WorldFromObject, origin)
+    ? light.Position - TransformPoint(this->WorldFromObject, start.Point)
     : light.Direction;
   // The matrix of gradients is the inverse transpose, up to a factor.
   const Vector3 direction = TransposeTransformDirection(this->WorldFromGradient, toLight);
   const double end = light.Positional
     ? Length(toLight) / Length(TransformDirection(this->WorldFromObject, direction))
     : std::numeric_limits<double>::infinity();
-  return { origin, direction, end, { hit.Surface, Dot(gradient, direction) > 0.0, hit.Member } };
+  return { &start, direction, end };
 }
 
 //------------------------------------------------------------------------------
 /// In a direction of length one in the world.
 SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
-  const Vector3& direction, const Hit& hit, const Vector3& gradient) const
+  const Vector3& direction, const Start& start) const
 {
   const Vector3 inObject = TransposeTransformDirection(this->WorldFromGradient, direction);
   const double unit = Length(TransformDirection(this->WorldFromObject, inObject));
-  return { this->Field.GetPoint(hit), inObject, this->TheScene.OcclusionRadius / unit,
-    { hit.Surface, Dot(gradient, inObject) > 0.0, hit.Member } };
+  return { &start, inObject, this->TheScene.OcclusionRadius / unit };
 }
 
 //------------------------------------------------------------------------------
@@ -171,12 +180,7 @@ SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
 void SecondaryRays::FindTransmittanceSorted(
   const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
 {
-  std::vector<std::pair<int, std::size_t>> order(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i)
-  {
-    order[i] = { GetSector(rays[i].Direction), i };
-  }
-  std::sort(order.begin(), order.end());
+  const std::vector<std::size_t> order = SortByDirection(rays);
   transmittance.resize(rays.size());
   for (std::size_t first = 0; first < order.size(); first += RayPacket::Capacity)
   {
@@ -185,14 +189,34 @@ void SecondaryRays::FindTransmittanceSorted(
     double some[RayPacket::Capacity];
     for (std::size_t i = 0; i < count; ++i)
     {
-      someRays[i] = rays[order[first + i].second];
+      someRays[i] = rays[order[first + i]];
     }
     this->FindTransmittance(someRays, static_cast<int>(count), some);
     for (std::size_t i = 0; i < count; ++i)
     {
-      transmittance[order[first + i].second] = some[i];
+      transmittance[order[first + i]] = some[i];
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// The numbers of rays, those with similar directions next to each other.
+std::vector<std::size_t> SecondaryRays::SortByDirection(const std::vector<OutgoingRay>& rays)
+{
+  std::vector<std::uint16_t> sectors(rays.size());
+  std::array<std::size_t, Sectors + 1> places = {};
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    sectors[i] = static_cast<std::uint16_t>(GetSector(rays[i].Direction));
+    ++places[sectors[i] + 1U];
+  }
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  std::vector<std::size_t> order(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    order[places[sectors[i]]++] = i;
+  }
+  return order;
 }
 
 //------------------------------------------------------------------------------
@@ -205,9 +229,11 @@ void SecondaryRays::FindTransmittance(
   Departure departures[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {
-    departures[i] = rays[i].Start;
-    this->Field.AddRay(rays[i].Origin, rays[i].Direction, 0.0, rays[i].End, packet);
+    const Start& start = *rays[i].From;
+    departures[i] = { start.Surface, Dot(start.Gradient, rays[i].Direction) > 0.0, start.Member };
+    packet.Append(start.Point, rays[i].Direction, 0.0, rays[i].End);
   }
+  this->Field.ClipRays(packet);
   this->Field.FindTransmittance(packet, departures, transmittance);
   this->FindTransmittanceOfOthers(rays, count, transmittance);
 }
@@ -231,10 +257,11 @@ void SecondaryRays::FindTransmittanceOfOthers(
         const Vector3 direction = TransformDirection(other.OtherFromOwn, rays[i].Direction);
         // Coinciding surfaces must not shadow each other.
         const double begin = other.NearStart / Length(direction);
-        other.Field->AddRay(TransformPoint(other.OtherFromOwn, rays[i].Origin), direction, begin,
-          rays[i].End, packet);
+        packet.Append(
+          TransformPoint(other.OtherFromOwn, rays[i].From->Point), direction, begin, rays[i].End);
       }
     }
+    other.Field->ClipRays(packet);
     double some[RayPacket::Capacity];
     other.Field->FindTransmittance(packet, none, some);
     for (int i = 0; i < packet.Count; ++i)

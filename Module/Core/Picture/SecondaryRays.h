@@ -27,13 +27,20 @@ public:
   std::vector<double> FindAmbientTransmittance(const std::vector<Hit>& hits) const;
 
 private:
-  /// In the object space of the field.
+  /// Where rays leave a hit, in the object space of the field.
+  struct Start
+  {
+    Vector3 Point;
+    Vector3 Gradient;
+    int Surface;
+    int Member;
+  };
+
   struct OutgoingRay
   {
-    Vector3 Origin;
+    const Start* From;
     Vector3 Direction;
     double End;
-    Departure Start;
   };
 
   /// Another field of the scene.
@@ -45,9 +52,10 @@ private:
     double NearStart;
   };
 
-  OutgoingRay MakeLightRay(const Light& light, const Hit& hit, const Vector3& gradient) const;
-  OutgoingRay MakeOcclusionRay(
-    const Vector3& direction, const Hit& hit, const Vector3& gradient) const;
+  std::vector<Start> FindStarts(const std::vector<Hit>& hits) const;
+  OutgoingRay MakeLightRay(const Light& light, const Start& start) const;
+  OutgoingRay MakeOcclusionRay(const Vector3& direction, const Start& start) const;
+  static std::vector<std::size_t> SortByDirection(const std::vector<OutgoingRay>& rays);
   void FindTransmittanceSorted(
     const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
   void FindTransmittance(const OutgoingRay* rays, int count, double* transmittance) const;

@@ -7,6 +7,7 @@
 #include "Math/Compiler.h"
 #include "Math/Vector.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace vtkIsosurfaceRayTracing
@@ -44,6 +45,20 @@ struct RayPacket
     this->Count = 0;
     this->Columns = 0;
     this->Exists = {};
+  }
+
+  /// Appends a ray, for which there must be room, as it was given: neither base nor inverse is set.
+  void Append(const Vector3& origin, const Vector3& direction, double begin, double end)
+  {
+    const int ray = this->Count++;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Origin[axis][ray] = origin[axis];
+      this->Direction[axis][ray] = direction[axis];
+    }
+    this->Begin[ray] = begin;
+    this->End[ray] = end;
+    this->Exists.Words[ray / 64] |= std::uint64_t{ 1 } << (ray % 64);
   }
 
   Vector3 GetOrigin(int ray) const
