@@ -138,6 +138,8 @@ struct Solutions
 
   /// Those with a root.
   std::uint64_t Found[Words];
+  /// Those with further roots, as Robust::ForEachRoot finds them; of boxes there are none.
+  std::uint64_t Further[Words];
   /// Those whose values are too large or too small for the arithmetic of the kernels.
   std::uint64_t Extreme[Words];
   std::uint64_t Entering[Words];

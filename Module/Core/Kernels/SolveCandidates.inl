@@ -56,22 +56,26 @@ SIMD_INLINE RaysInCells<Doubles> LoadRaysInCells(
   return rays;
 }
 
-/// The first piece of each cubic in which its sign changes. Returns where there is one.
-SIMD_INLINE Mask FindFirstSignChange(const Doubles b[4], MonotonePiece<Doubles>& first)
+/// The first piece of each cubic in which its sign changes, and whether it does in further ones.
+/// Returns where there is one.
+SIMD_INLINE Mask FindFirstSignChange(
+  const Doubles b[4], MonotonePiece<Doubles>& first, Mask& further)
 {
   TurningPoints<Doubles> turns;
   turns.Find(b);
   Mask exists = {};
+  further = Mask();
   first = { 0.0, 1.0, b[0], b[3] };
   ForEachSignChange(
     turns, b[0], b[3], [b](Doubles u) { return EvaluateBernstein(b, u); },
-    [&exists, &first](Mask changes, const MonotonePiece<Doubles>& piece)
+    [&exists, &first, &further](Mask changes, const MonotonePiece<Doubles>& piece)
     {
       const Mask isFirst = AndNot(changes, exists);
       first.Low = Select(isFirst, piece.Low, first.Low);
       first.High = Select(isFirst, piece.High, first.High);
       first.AtLow = Select(isFirst, piece.AtLow, first.AtLow);
       first.AtHigh = Select(isFirst, piece.AtHigh, first.AtHigh);
+      further = further | (changes & exists);
       exists = exists | changes;
       return false;
     });
@@ -87,7 +91,7 @@ SIMD_INLINE void ClearSolutions(Solutions& solutions)
 {
   for (int i = 0; i < Solutions::Words; ++i)
   {
-    solutions.Found[i] = solutions.Extreme[i] = solutions.Entering[i] = 0;
+    solutions.Found[i] = solutions.Further[i] = solutions.Extreme[i] = solutions.Entering[i] = 0;
   }
 }
 
@@ -100,6 +104,8 @@ struct CellCubics
   /// Whether there is a root, and the piece with the first.
   Mask Exists;
   MonotonePiece<Doubles> Piece;
+  /// Whether there are further roots.
+  Mask HasFurther;
 };
 
 template <bool Even>
@@ -120,7 +126,7 @@ SIMD_INLINE void FindCubics(const RayPacket& packet, const Candidates& candidate
   const int lanes = SmallerOf(LargerOf(candidates.Count - first, 0), DoubleWidth);
   const Mask mayHaveRoot = exists & FirstLanes(lanes) & MayHaveRoot(b);
   const Mask ordinary = IsOrdinarySize(GetSize(b));
-  const Mask changesSign = FindFirstSignChange(b, cubics.Piece);
+  const Mask changesSign = FindFirstSignChange(b, cubics.Piece, cubics.HasFurther);
   cubics.Exists = changesSign & mayHaveRoot & ordinary;
   SetBits(ToBits(AndNot(mayHaveRoot, ordinary)), first, solutions.Extreme);
 }
@@ -154,6 +160,7 @@ SIMD_INLINE void StoreSolutions(const RayPacket& packet, const Candidates& candi
 {
   const CellSegments<Doubles>& segment = cubics.Segment;
   SetBits(ToBits(cubics.Exists), first, solutions.Found);
+  SetBits(ToBits(cubics.Exists & cubics.HasFurther), first, solutions.Further);
   SetBits(ToBits(IsInside(cubics.Piece.AtHigh)), first, solutions.Entering);
   Store(segment.Begin, &solutions.Begin[first]);
   Store(segment.BeginAxis, &solutions.BeginAxis[first]);

@@ -14,6 +14,11 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+bool HasCandidate(const std::uint64_t (&set)[Solutions::Words], int candidate)
+{
+  return (set[candidate / 64] >> (candidate % 64) & 1) != 0;
+}
+
 /// Calls visit(candidate) for the members of a set of Solutions, in order.
 template <typename Visit>
 void ForEachCandidate(const std::uint64_t (&set)[Solutions::Words], const Visit& visit)
@@ -269,10 +274,12 @@ void FirstHitTracer::StopAtSureHits(const Frustum& frustum)
 void FirstHitTracer::StopAtCandidate(int candidate)
 {
   const int ray = this->Waiting.Ray[candidate];
-  const bool entering = (this->Solved.Entering[candidate / 64] >> (candidate % 64) & 1) != 0;
-  if (this->Departures[ray].Is(0, entering))
+  if (this->Departures[ray].Is(0, HasCandidate(this->Solved.Entering, candidate)))
   {
-    this->StopInCell(ray, this->GetCell(candidate));
+    if (HasCandidate(this->Solved.Further, candidate))
+    {
+      this->StopInCell(ray, this->GetCell(candidate));
+    }
   }
   else
   {
@@ -306,7 +313,7 @@ Hit FirstHitTracer::GetHit(int candidate) const
   return { solved.T[candidate], this->Lattice.GetNumber(this->GetCell(candidate)), 0,
     { solved.Parametric[0][candidate], solved.Parametric[1][candidate],
       solved.Parametric[2][candidate] },
-    (solved.Entering[candidate / 64] >> (candidate % 64) & 1) != 0 };
+    HasCandidate(solved.Entering, candidate) };
 }
 
 //------------------------------------------------------------------------------
