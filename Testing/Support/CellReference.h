@@ -55,13 +55,14 @@ inline CellCorners Differences(const CellCorners& corners, const ScaledIsovalue&
   return differences;
 }
 
-/// The first root in a cell.
+/// The first root in a cell, and whether there are more.
 struct FirstRoot
 {
   Crossing Begin;
   double T;
   Vector3 Parametric;
   bool Entering;
+  bool IsOnly;
 };
 
 using MaybeRoot = std::optional<FirstRoot>;
@@ -78,14 +79,19 @@ inline MaybeRoot ExpectRoot(const Ray& ray, const Index3& cell, const CellCorner
   Robust::ForEachRoot(differences, segment,
     [&](double u, bool entering)
     {
+      if (root)
+      {
+        root->IsOnly = false;
+        return true;
+      }
       const double t = segment.Begin + (segment.End - segment.Begin) * u;
       root = FirstRoot{ { segment.Begin, segment.BeginAxis }, ray.Base + std::min(t, segment.End),
-        {}, entering };
+        {}, entering, true };
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         root->Parametric[axis] = Lerp(segment.Entry[axis], segment.Exit[axis], u);
       }
-      return true;
+      return false;
     });
   return root;
 }

@@ -40,29 +40,34 @@ class CellKernels : public WithKernels
 INSTANTIATE_TEST_SUITE_P(All, CellKernels, AllKernels(), NameOfKernels);
 
 //------------------------------------------------------------------------------
-/// Calls visit(passage) for every passage that a kernel finds in a block.
-template <typename Visit>
-void ForEachPassage(const Kernels& kernels, const AlignedRays& aligned, const RaySet& rays,
-  int axis, const Index3& block, const BlockMask& mask, const LatticePlanes* planes,
-  Passages& passages, const Visit& visit)
+/// The slices that have any cells.
+unsigned int FindSlices(const std::uint64_t cells[8])
+{
+  unsigned int slices = 0;
+  for (int slice = 0; slice < 8; ++slice)
+  {
+    slices |= (cells[slice] != 0 ? 1U : 0U) << slice;
+  }
+  return slices;
+}
+
+/// Calls visit(passage) for every passage that find(first cell of the block) adds to passages.
+template <typename Find, typename Visit>
+void ForEachPassage(const Index3& block, Passages& passages, const Find& find, const Visit& visit)
 {
   const int first[3] = { 8 * block[0], 8 * block[1], 8 * block[2] };
   // Others exist already, and are kept.
   passages.Count = 1;
   passages.Segments[0].Ray = -1;
   passages.BlockCount = 1;
-  kernels.FindPassages(aligned, rays, axis, first, mask.Slices[axis], planes, passages);
+  passages.HasEnds = false;
+  find(first);
   ASSERT_EQ(passages.Segments[0].Ray, -1);
   ASSERT_EQ(passages.BlockCount, passages.Count > 1 ? 2 : 1);
   for (int i = 1; i < passages.Count; ++i)
   {
-    unsigned int slices = 0;
-    for (int slice = 0; slice < 8; ++slice)
-    {
-      slices |= (passages.Cells[i][slice] != 0 ? 1U : 0U) << slice;
-    }
-    ASSERT_EQ(passages.Slices[i], slices);
-    ASSERT_NE(slices, 0U);
+    ASSERT_NE(passages.Slices[i], 0U);
+    ASSERT_EQ(passages.Slices[i] & ~FindSlices(passages.Cells[i]), 0U);
     ASSERT_EQ(passages.Segments[i].Block, 1);
     ASSERT_TRUE(std::equal(first, first + 3, passages.First[1]));
     ASSERT_FALSE(passages.Hits[i]);
@@ -113,6 +118,10 @@ public:
         ray.Planes = this->Planes;
         const std::vector<Index3> passed = CellsOnRay(ray, dimensions);
         left[static_cast<std::size_t>(i)].insert(passed.begin(), passed.end());
+        if (!this->Planes)
+        {
+          ASSERT_NO_FATAL_FAILURE(this->CheckMembers(i, axis, passed));
+        }
         this->Passed += all ? passed.size() : 0;
         ++this->Rays;
       }
@@ -124,14 +133,25 @@ public:
         const BlockMask mask = MakeMask(random, block, dimensions, all);
         RaySet found = {};
         Passages passages;
-        ForEachPassage(this->TheKernels, this->Aligned, rays, axis, block, mask,
-          this->Planes ? &planes : nullptr, passages,
+        ForEachPassage(
+          block, passages,
+          [&](const int first[3])
+          {
+            this->TheKernels.FindPassages(this->Aligned, rays, axis, first, mask.Slices[axis],
+              this->Planes ? &planes : nullptr, passages);
+          },
           [&](int i)
           {
             const int ray = passages.Segments[i].Ray;
             ASSERT_TRUE(Has(rays, ray));
             ASSERT_FALSE(Has(found, ray));
             Add(ray, found);
+            ASSERT_EQ(passages.Slices[i], FindSlices(passages.Cells[i]));
+            if (!this->Planes)
+            {
+              this->CheckPassage(
+                passages, i, axis, block, mask, left[static_cast<std::size_t>(ray)]);
+            }
             this->Take(
               passages.Cells[i], axis, block, mask, left[static_cast<std::size_t>(ray)], all);
           });
@@ -161,6 +181,84 @@ public:
   const AlignedRays& GetAlignedRays() const { return this->Aligned; }
 
 private:
+  /// The passage of the ray alone is the same, but for cells in slices that the ray does not reach.
+  void CheckPassage(const Passages& passages, int i, int axis, const Index3& block,
+    const BlockMask& mask, const std::set<Index3>& passed)
+  {
+    const int ray = passages.Segments[i].Ray;
+    Passages alone;
+    bool isFound = false;
+    ForEachPassage(
+      block, alone,
+      [&](const int first[3])
+      { this->TheKernels.FindPassage(this->Aligned, ray, axis, first, mask.Slices[axis], alone); },
+      [&](int number)
+      {
+        isFound = true;
+        const Passages::Segment& segment = alone.Segments[number];
+        const Passages::Segment& expected = passages.Segments[i];
+        ASSERT_EQ(segment.Ray, ray);
+        ASSERT_TRUE(std::equal(segment.Line, segment.Line + 4, expected.Line));
+        ASSERT_TRUE(passages.HasEnds || !alone.HasEnds);
+        for (int end = 0; alone.HasEnds && end < 2; ++end)
+        {
+          // Those next to the first and the last plane do not count.
+          const bool isHere = std::abs(segment.Ends[end]) < 3.9999F;
+          ASSERT_TRUE(!isHere || segment.Ends[end] == expected.Ends[end]);
+        }
+      });
+    for (int slice = 0; slice < 8; ++slice)
+    {
+      const bool isReached = isFound && (alone.Slices[1] >> slice & 1) != 0;
+      ASSERT_TRUE(!isReached || alone.Cells[1][slice] == passages.Cells[i][slice]);
+      for (const Index3& cell : passed)
+      {
+        const int place =
+          cell[static_cast<std::size_t>(axis)] - 8 * block[static_cast<std::size_t>(axis)];
+        ASSERT_FALSE(!isReached && place == slice &&
+          (passages.Cells[i][slice] >> GetBit(cell, axis) & 1) != 0 && IsIn(cell, block));
+      }
+    }
+  }
+
+  static bool IsIn(const Index3& cell, const Index3& block)
+  {
+    return cell[0] / 8 == block[0] && cell[1] / 8 == block[1] && cell[2] / 8 == block[2];
+  }
+
+  /// Of a cell in its slice of a block across an axis.
+  static int GetBit(const Index3& cell, int axis)
+  {
+    return cell[static_cast<std::size_t>(BlockMask::U[axis])] % 8 +
+      8 * (cell[static_cast<std::size_t>(BlockMask::V[axis])] % 8);
+  }
+
+  /// In blocks of blocks, a ray comes to all that have a cell that it passes.
+  void CheckMembers(int ray, int axis, const std::vector<Index3>& passed)
+  {
+    constexpr std::uint64_t all[8] = { ~0ULL, ~0ULL, ~0ULL, ~0ULL, ~0ULL, ~0ULL, ~0ULL, ~0ULL };
+    for (const int edge : { 8, 64 })
+    {
+      for (const Index3& cell : passed)
+      {
+        int first[3];
+        Index3 member;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          first[i] = cell[i] / (8 * edge) * (8 * edge);
+          member[i] = (cell[i] - first[i]) / edge;
+        }
+        std::uint64_t members[8];
+        const unsigned int slices =
+          this->TheKernels.FindMembersOfRay(this->Aligned, ray, axis, first, edge, all, members);
+        const int slice = member[static_cast<std::size_t>(axis)];
+        ASSERT_NE(slices >> slice & 1, 0U);
+        ASSERT_NE(members[slice] >> GetBit(member, axis) & 1, 0U);
+        ASSERT_LE(CountBits(members[slice]), 9);
+      }
+    }
+  }
+
   void Take(const std::uint64_t cells[8], int axis, const Index3& block, const BlockMask& mask,
     std::set<Index3>& left, bool all)
   {
@@ -491,6 +589,7 @@ public:
   }
 
   std::size_t Roots = 0;
+  std::size_t Several = 0;
   std::size_t None = 0;
   std::size_t Extremes = 0;
 
@@ -537,11 +636,14 @@ private:
       {
         ASSERT_NO_FATAL_FAILURE(CheckRoot(solutions, i, *root));
         ASSERT_EQ(has(solutions.Entering, i), root->Entering);
+        ASSERT_EQ(has(solutions.Further, i), !root->IsOnly);
+        this->Several += root->IsOnly ? 0 : 1;
       }
     }
     for (std::size_t i = count; i < 64 * Solutions::Words; ++i)
     {
-      ASSERT_FALSE(has(solutions.Found, i) || has(solutions.Extreme, i));
+      ASSERT_FALSE(
+        has(solutions.Found, i) || has(solutions.Further, i) || has(solutions.Extreme, i));
     }
   }
 
@@ -600,6 +702,7 @@ TEST_P(CellKernels, FirstRootsMatchTheRobustSolver)
       ASSERT_NO_FATAL_FAILURE(checks.Check(random, packet, queries)) << i;
     }
     EXPECT_GT(checks.Roots + checks.Extremes, isZero ? 100000U : 5000U);
+    EXPECT_GE(checks.Several, isZero ? 1000U : 0U);
     EXPECT_GT(checks.None, isZero ? 300000U : 10000U);
     EXPECT_TRUE(!isZero || checks.Extremes > 10000U);
   }

@@ -37,7 +37,8 @@ struct OutgoingRays
   Departure Departures[RayPacket::Capacity];
 };
 
-OutgoingRays MakeOutgoingRays(RandomNumbers& random, ImageField& field, bool areCoherent)
+OutgoingRays MakeOutgoingRays(
+  RandomNumbers& random, ImageField& field, const Index3& size, bool areCoherent)
 {
   OutgoingRays rays;
   rays.Packet.Count = 0;
@@ -45,7 +46,7 @@ OutgoingRays MakeOutgoingRays(RandomNumbers& random, ImageField& field, bool are
   const Vector3 common = random.Direction();
   while (rays.Packet.Count < RayPacket::Capacity)
   {
-    const Vector3 target = random.PointInVolume(Size);
+    const Vector3 target = random.PointInVolume(size);
     const Vector3 way = random.Direction();
     const std::vector<Hit> hits = Trace(field, { target - way * 60.0, way });
     if (hits.empty())
@@ -67,14 +68,14 @@ class Transmittance : public WithKernels
 {
 protected:
   /// Compares both methods for some packets of rays.
-  void Check(ImageField& field, std::uint64_t seed)
+  void Check(ImageField& field, std::uint64_t seed, const Index3& size = Size)
   {
     RandomNumbers random(seed);
     int dark = 0;
     int bright = 0;
     for (int run = 0; run < 12; ++run)
     {
-      const OutgoingRays rays = MakeOutgoingRays(random, field, run % 2 == 0);
+      const OutgoingRays rays = MakeOutgoingRays(random, field, size, run % 2 == 0);
       double actual[RayPacket::Capacity];
       double expected[RayPacket::Capacity];
       RayPacket packet = rays.Packet;
@@ -119,6 +120,26 @@ TEST_P(Transmittance, OfOneOpaqueSurfaceOfNoise)
   const auto volume = Noise<std::uint8_t>(Size, 5);
   const auto field = NewTraced(volume, this->NewRequest({ { 112.5, 1.0 } }));
   this->Check(*field, 12);
+}
+
+//------------------------------------------------------------------------------
+// Small spheres far from each other: rays pass empty blocks of blocks, of two levels.
+TEST_P(Transmittance, OfOneOpaqueSurfaceInManyBlocks)
+{
+  constexpr Index3 size = { 620, 75, 90 };
+  const auto volume = TestVolume<float>::Of(size,
+    [](const AnalyticFields::Point& p)
+    {
+      double squares = 0.0;
+      for (const double coordinate : p)
+      {
+        const double off = std::remainder(coordinate - 11.3, 23.0);
+        squares += off * off;
+      }
+      return 5.2 - std::sqrt(squares);
+    });
+  const auto field = NewTraced(volume, this->NewRequest({ { 0.0, 1.0 } }));
+  this->Check(*field, 19, size);
 }
 
 //------------------------------------------------------------------------------

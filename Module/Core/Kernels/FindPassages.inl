@@ -195,6 +195,20 @@ SIMD_INLINE unsigned int FindCells(const BlockPlace& place, const float middle[2
   return FindCellsBetweenPlanes(middle, slope, static_cast<float>(margin), planes, masks, cells);
 }
 
+/// Sets a passage through the next block, but not its cells.
+SIMD_INLINE void SetPassage(const float middle[2], const float slope[2], const float ends[2],
+  int ray, unsigned int slices, int passage, Passages& passages)
+{
+  Passages::Segment& segment = passages.Segments[passage];
+  CopyPair(middle, segment.Line);
+  CopyPair(slope, segment.Line + 2);
+  CopyPair(ends, segment.Ends);
+  segment.Ray = ray;
+  segment.Block = passages.BlockCount;
+  passages.Slices[passage] = slices;
+  passages.Hits[passage] = false;
+}
+
 void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
   const std::uint64_t slices[8], const LatticePlanes* planes, Passages& passages)
 {
@@ -213,14 +227,7 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
     const int ray = found.Numbers[k];
     const unsigned int any =
       FindCells(place, found.Middles[ray], aligned.Slopes[ray], masks, passages.Cells[count]);
-    Passages::Segment& segment = passages.Segments[count];
-    CopyPair(found.Middles[ray], segment.Line);
-    CopyPair(aligned.Slopes[ray], segment.Line + 2);
-    CopyPair(found.Ends[ray], segment.Ends);
-    segment.Ray = ray;
-    segment.Block = passages.BlockCount;
-    passages.Slices[count] = any;
-    passages.Hits[count] = false;
+    SetPassage(found.Middles[ray], aligned.Slopes[ray], found.Ends[ray], ray, any, count, passages);
     count += any != 0 ? 1 : 0;
   }
   if (count > passages.Count)
@@ -234,6 +241,72 @@ void FindPassages(const AlignedRays& aligned, const RaySet& rays, int axis, cons
     ++passages.BlockCount;
   }
   passages.Count = count;
+}
+
+/// The slices of eight members that a range meets, which is counted in members from the first; a
+/// bit for each.
+SIMD_INLINE unsigned int FindSlices(double low, double high)
+{
+  if (!(low < 8.0 && 0.0 <= high))
+  {
+    return 0;
+  }
+  const int first = static_cast<int>(low > 0.0 ? low : 0.0);
+  const int last = static_cast<int>(high < 7.0 ? high : 7.0);
+  return 0xFFU << first & 0xFFU >> (7 - last);
+}
+
+/// Finds members as FindMembersOfRay does, and where the ray is in the middle plane of the block,
+/// counted in members from the first.
+SIMD_INLINE unsigned int FindMembers(const AlignedRays& aligned, int ray, int axis,
+  const int first[3], int edge, const std::uint64_t slices[8], float middle[2],
+  std::uint64_t members[8])
+{
+  const int across[2] = { AxisU[axis], AxisV[axis] };
+  const double scale = 1.0 / edge;
+  const double low = (aligned.Low[ray] - first[axis]) * scale;
+  const double high = (aligned.High[ray] - first[axis]) * scale;
+  const double plane = first[axis] + 4.0 * edge;
+  for (int j = 0; j < 2; ++j)
+  {
+    middle[j] = static_cast<float>(
+      (aligned.Offset[j][ray] + plane * aligned.Slope[j][ray] - first[across[j]]) * scale);
+  }
+  return FindSlices(low, high) &
+    FindCellsOfRay(
+      middle, aligned.Slopes[ray], static_cast<float>(Margin), LoadSlices(slices), members);
+}
+
+unsigned int FindMembersOfRay(const AlignedRays& aligned, int ray, int axis, const int first[3],
+  int edge, const std::uint64_t slices[8], std::uint64_t members[8])
+{
+  float middle[2];
+  return FindMembers(aligned, ray, axis, first, edge, slices, middle, members);
+}
+
+void FindPassage(const AlignedRays& aligned, int ray, int axis, const int first[3],
+  const std::uint64_t slices[8], Passages& passages)
+{
+  const int count = passages.Count;
+  float middle[2];
+  const unsigned int any =
+    FindMembers(aligned, ray, axis, first, 1, slices, middle, passages.Cells[count]);
+  if (any == 0)
+  {
+    return;
+  }
+  const double plane = first[axis] + 4.0;
+  const float ends[2] = { static_cast<float>(aligned.Low[ray] + Margin - plane),
+    static_cast<float>(aligned.High[ray] - Margin - plane) };
+  passages.HasEnds = passages.HasEnds || -4.0F < ends[0] || ends[1] < 4.0F;
+  SetPassage(middle, aligned.Slopes[ray], ends, ray, any, count, passages);
+  for (int i = 0; i < 3; ++i)
+  {
+    passages.First[passages.BlockCount][i] = first[i];
+    passages.Planes[passages.BlockCount][i] = nullptr;
+  }
+  ++passages.BlockCount;
+  ++passages.Count;
 }
 
 }

@@ -250,6 +250,18 @@ struct Kernels
   void (*FindPassages)(const AlignedRays& aligned, const RaySet& rays, int axis, const int first[3],
     const std::uint64_t slices[8], const LatticePlanes* planes, Passages& passages);
 
+  /// Finds the members of a block that one ray of a frustum may pass, of those in its slices across
+  /// the axis: slice by slice. Members have an edge of so many cells; the first cell of the block
+  /// is at first. Returns which slices have any; of others members are undefined. For planes at
+  /// whole numbers.
+  unsigned int (*FindMembersOfRay)(const AlignedRays& aligned, int ray, int axis,
+    const int first[3], int edge, const std::uint64_t slices[8], std::uint64_t members[8]);
+
+  /// Adds the passage of one ray of a frustum through a block, as FindPassages does. For planes at
+  /// whole numbers.
+  void (*FindPassage)(const AlignedRays& aligned, int ray, int axis, const int first[3],
+    const std::uint64_t slices[8], Passages& passages);
+
   /// Classifies cells in single precision: adds those in which a ray may hit the surface to the
   /// candidates, and marks the passages and the rays that surely hit it: hits[0] where values fall
   /// along the axis, hits[1] where they rise. Corners are kept in rows; strides are the distances

@@ -68,7 +68,7 @@ public:
       }
     }
     this->FindLeast();
-    this->TraceQueued(others, *this, this->CornersInRows);
+    this->TraceQueued(others, *this, this->CornersInRows, Order::FrontToBack);
     for (int i = 0; i < this->Rays.Count; ++i)
     {
       if (this->GetProjection(i).Exists())

@@ -129,6 +129,8 @@ public:
   {
   }
 
+  bool NeedsOrder() const override { return false; }
+
   bool Follow(int ray, const std::vector<Index3>& cells) override
   {
     const Ray own = this->Selection.TakeRay(this->Rays, ray);

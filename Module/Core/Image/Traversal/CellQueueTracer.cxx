@@ -11,12 +11,13 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-void CellQueueTracer::TraceQueued(const RayPacket& packet, Cells& cells, CornerSource& corners)
+void CellQueueTracer::TraceQueued(
+  const RayPacket& packet, Cells& cells, CornerSource& corners, Order order)
 {
   this->Corners = &corners;
   this->CornerSteps = corners.GetSteps();
   this->Queue.Count = 0;
-  this->Trace(packet, cells);
+  this->Trace(packet, cells, order);
 }
 
 //------------------------------------------------------------------------------

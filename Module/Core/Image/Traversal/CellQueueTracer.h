@@ -41,7 +41,7 @@ protected:
   using PacketTracer::PacketTracer;
 
   /// Takes all rays of a packet that exist to their ends.
-  void TraceQueued(const RayPacket& packet, Cells& cells, CornerSource& corners);
+  void TraceQueued(const RayPacket& packet, Cells& cells, CornerSource& corners, Order order);
 
   /// Takes the queued cells, which are left to it afterwards. The lanes of a vector behind the last
   /// repeat the first.

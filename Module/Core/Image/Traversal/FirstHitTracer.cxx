@@ -64,7 +64,8 @@ void FirstHitTracer::TraceSurface(
   this->SurelyHit[1] = {};
   this->Stopped = {};
   this->Hits.Found = {};
-  this->TraceQueued(packet, cells, cells.GetCorners());
+  this->TraceQueued(
+    packet, cells, cells.GetCorners(), this->Departures ? Order::Any : Order::FrontToBack);
   this->SolveCandidates();
 }
 

@@ -3,6 +3,7 @@
 
 #include "Image/Traversal/PacketTracer.h"
 
+#include "Image/Traversal/BlockWalk.h"
 #include "Image/Traversal/FrustumTraversal.h"
 #include "Math/Compiler.h"
 
@@ -32,6 +33,20 @@ int GetMainAxis(const RayPacket& packet, int ray)
     }
   }
   return axis;
+}
+
+/// Whether a frustum is so wide, by the number of blocks across it, that few of its rays meet in
+/// one.
+bool HaveLittleInCommon(const Frustum& frustum, int count)
+{
+  double blocks = 1.0;
+  for (int j = 0; j < 2; ++j)
+  {
+    const double width =
+      0.5 * (frustum.Most[j][0] - frustum.Least[j][0] + frustum.Most[j][1] - frustum.Least[j][1]);
+    blocks *= width / BlockMask::Edge + 1.0;
+  }
+  return blocks > count;
 }
 
 }
@@ -75,15 +90,17 @@ bool PacketTracer::MayMeet(
 }
 
 //------------------------------------------------------------------------------
-void PacketTracer::Trace(const RayPacket& packet, Cells& cells)
+void PacketTracer::Trace(const RayPacket& packet, Cells& cells, Order order)
 {
   this->Packet = &packet;
   this->Source = &cells;
+  this->TheOrder = order;
   this->TraceSet(packet.Exists, CountOf(packet.Exists));
 }
 
 //------------------------------------------------------------------------------
-/// Traces rays as one frustum or, where they have none, one half of them after the other.
+/// Traces rays as one frustum or, where that is not narrow, each by itself, or one half of them
+/// after the other.
 void PacketTracer::TraceSet(const RaySet& rays, int count)
 {
   if (count == 0)
@@ -93,21 +110,65 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
   const int axis = GetMainAxis(*this->Packet, FirstOf(rays));
   Frustum frustum;
   const bool isFrustum = this->TheKernels.Align(*this->Packet, rays, axis, this->Aligned, frustum);
-  if (count > 1 && (!isFrustum || FrustumTraversal::IsTooWide(frustum)))
+  const bool mayBeApart =
+    this->TheOrder == Order::Any && !this->Planes && !this->Cropped && count > 1;
+  if (mayBeApart && (!isFrustum || HaveLittleInCommon(frustum, count)))
   {
-    RaySet half = {};
-    RaySet rest = rays;
-    for (int i = 0; i < count / 2; ++i)
-    {
-      const int ray = FirstOf(rest);
-      Add(ray, half);
-      rest.Words[ray / 64] &= rest.Words[ray / 64] - 1;
-    }
-    this->TraceSet(half, count / 2);
-    this->TraceSet(rest, count - count / 2);
-    return;
+    this->TraceAlike(rays, axis);
   }
-  this->Going = rays;
+  else if (count > 1 && (!isFrustum || FrustumTraversal::IsTooWide(frustum)))
+  {
+    this->TraceHalves(rays, count);
+  }
+  else
+  {
+    this->Going = rays;
+    this->TraceFrustum(frustum);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PacketTracer::TraceHalves(const RaySet& rays, int count)
+{
+  RaySet half = {};
+  RaySet rest = rays;
+  for (int i = 0; i < count / 2; ++i)
+  {
+    const int ray = FirstOf(rest);
+    Add(ray, half);
+    Remove(ray, rest);
+  }
+  this->TraceSet(half, count / 2);
+  this->TraceSet(rest, count - count / 2);
+}
+
+//------------------------------------------------------------------------------
+/// Traces the rays that go the same way along the axis as the first, each by itself; then the
+/// others. None is too steep for a frustum: the axis is the main one of each.
+void PacketTracer::TraceAlike(const RaySet& rays, int axis)
+{
+  const bool isUp = this->Packet->Direction[axis][FirstOf(rays)] > 0.0;
+  RaySet alike = {};
+  RaySet others = {};
+  for (int i = 0; i < this->Packet->Count; ++i)
+  {
+    if (Has(rays, i))
+    {
+      const bool isAlike =
+        GetMainAxis(*this->Packet, i) == axis && (this->Packet->Direction[axis][i] > 0.0) == isUp;
+      Add(i, isAlike ? alike : others);
+    }
+  }
+  Frustum frustum;
+  this->TheKernels.Align(*this->Packet, alike, axis, this->Aligned, frustum);
+  this->Going = alike;
+  this->TraceApart(frustum);
+  this->TraceSet(others, CountOf(others));
+}
+
+//------------------------------------------------------------------------------
+void PacketTracer::TraceFrustum(const Frustum& frustum)
+{
   this->ClearPassages();
   this->BeginFrustum(frustum);
   FrustumTraversal(this->Tree, this->Lattice.GetPlanes(), frustum)
@@ -125,6 +186,43 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
         this->EndSlice(frustum);
         return IsEmpty(this->Going);
       });
+}
+
+//------------------------------------------------------------------------------
+void PacketTracer::TraceApart(const Frustum& frustum)
+{
+  this->ClearPassages();
+  this->BeginFrustum(frustum);
+  BlockWalk(this->TheKernels, this->Tree, this->Aligned, frustum, this->Going)
+    .ForEachRound(
+      [this, &frustum](const BlockWalk::Step* steps, int count)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          this->Source->Prefetch(steps[i].Block);
+        }
+        for (int i = 0; i < count; ++i)
+        {
+          this->PassBlock(frustum, steps[i].Ray, steps[i].Block);
+        }
+        this->EndSlice(frustum);
+      });
+}
+
+//------------------------------------------------------------------------------
+/// Finds the cells of a block that one ray may pass.
+void PacketTracer::PassBlock(const Frustum& frustum, int ray, const Index3& block)
+{
+  BlockMask own;
+  const BlockMask& mask = this->Source->GetMask(block, own);
+  const Index3 cell = BlockMask::GetFirstCell(block);
+  const int before = this->Passed.Count;
+  this->TheKernels.FindPassage(
+    this->Aligned, ray, frustum.Axis, cell.data(), mask.Slices[frustum.Axis], this->Passed);
+  if (this->Passed.Count > before)
+  {
+    this->AddBlock(frustum, block);
+  }
 }
 
 //------------------------------------------------------------------------------

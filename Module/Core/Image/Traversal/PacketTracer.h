@@ -67,8 +67,15 @@ protected:
   PacketTracer(const PacketTracer&) = delete;
   PacketTracer& operator=(const PacketTracer&) = delete;
 
+  /// The order in which a ray comes to the slices of its blocks.
+  enum class Order
+  {
+    FrontToBack,
+    Any
+  };
+
   /// Takes all rays of a packet that exist to their ends.
-  void Trace(const RayPacket& packet, Cells& cells);
+  void Trace(const RayPacket& packet, Cells& cells, Order order);
 
   virtual void BeginFrustum(const Frustum& /*frustum*/) {}
   /// Called when rays pass a block: its passages are the last ones.
@@ -78,8 +85,8 @@ protected:
   {
     this->AddBlock(frustum, block);
   }
-  /// Called behind the last block of a slice across the axis. Rays that have ended are to be
-  /// removed from Going.
+  /// Called behind the last block of a slice across the axis, or in any order behind a block of
+  /// each ray. Rays that have ended are to be removed from Going.
   virtual void EndSlice(const Frustum& frustum) = 0;
 
   void ClearPassages();
@@ -98,13 +105,19 @@ protected:
 
 private:
   void TraceSet(const RaySet& rays, int count);
+  void TraceHalves(const RaySet& rays, int count);
+  void TraceAlike(const RaySet& rays, int axis);
+  void TraceFrustum(const Frustum& frustum);
+  void TraceApart(const Frustum& frustum);
   void VisitBlock(const Frustum& frustum, const Index3& block);
+  void PassBlock(const Frustum& frustum, int ray, const Index3& block);
   bool FindPassages(const Frustum& frustum, const Index3& block, const BlockMask& mask);
 
   const BlockTree& Tree;
   const CroppedBlocks* Cropped;
   LatticePlanes OwnPlanes;
   Cells* Source = nullptr;
+  Order TheOrder = Order::FrontToBack;
   /// Along the axis of the current frustum.
   AlignedRays Aligned;
 };

@@ -13,7 +13,7 @@ namespace vtkIsosurfaceRayTracing
 void RayFollower::Follow(const RayPacket& packet, FollowedCells& cells)
 {
   this->Source = &cells;
-  this->Trace(packet, cells);
+  this->Trace(packet, cells, cells.NeedsOrder() ? Order::FrontToBack : Order::Any);
 }
 
 //------------------------------------------------------------------------------

@@ -19,8 +19,10 @@ public:
   class FollowedCells : public Cells
   {
   public:
-    /// Traces a ray through cells that it may pass, in no order; all cells that it passes before
-    /// them have been visited. Returns whether the ray ends there.
+    /// Whether a ray must have been followed through all cells that it passes before others.
+    virtual bool NeedsOrder() const { return true; }
+    /// Traces a ray through cells that it may pass, in no order. Returns whether the ray ends
+    /// there.
     virtual bool Follow(int ray, const std::vector<Index3>& cells) = 0;
   };
 
