@@ -37,6 +37,8 @@ set(core_sources
   Mesh/MeshCloud.cxx
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
+  Mesh/NearestNodes.cxx
+  Mesh/PairSolver.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
   Mesh/ShapeFunctions.cxx

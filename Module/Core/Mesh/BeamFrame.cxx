@@ -62,14 +62,12 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
   int numbers[RayPacket::Capacity];
   int count = 0;
   Vector3 direction = {};
-  for (int i = 0; i < lines.Count; ++i)
-  {
-    if (Has(some, i))
+  ForEachRay(some,
+    [&](int line)
     {
-      numbers[count++] = i;
-      direction = direction + Normalized(lines.GetDirection(i));
-    }
-  }
+      numbers[count++] = line;
+      direction = direction + Normalized(lines.GetDirection(line));
+    });
   const std::size_t along = FindLongestAxis(direction);
   const std::size_t across[2] = { (along + 1) % 3, (along + 2) % 3 };
   this->Numbers.Along = static_cast<int>(along);
@@ -179,14 +177,13 @@ float BeamFrame::FindBegin(const RayPacket& rays, const RaySet& some) const
 {
   const int along = this->Numbers.Along;
   double begin = HUGE_VAL;
-  for (int i = 0; i < rays.Count; ++i)
-  {
-    if (Has(some, i))
+  ForEachRay(some,
+    [&](int ray)
     {
-      const double coordinate = rays.Origin[along][i] + rays.Begin[i] * rays.Direction[along][i];
+      const double coordinate =
+        rays.Origin[along][ray] + rays.Begin[ray] * rays.Direction[along][ray];
       begin = std::min(begin, this->Numbers.Sign * (coordinate - this->Numbers.Plane));
-    }
-  }
+    });
   return static_cast<float>(begin - 0x1p-20 * (std::abs(begin) + this->Numbers.Length));
 }
 

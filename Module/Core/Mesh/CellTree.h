@@ -89,6 +89,12 @@ public:
     return this->IsSorted ? this->Order[block * Width + place] : this->Order[block] * Width + place;
   }
 
+  /// The cell in a place of a leaf: of its blocks, one after the other.
+  std::uint32_t GetCellOfLeaf(std::size_t leaf, int place) const
+  {
+    return this->GetCell(leaf * Width + static_cast<std::size_t>(place / Width), place % Width);
+  }
+
   /// The numbers of all of them. Returns how many there are.
   int GetCells(std::size_t block, std::uint32_t (&numbers)[Width]) const
   {

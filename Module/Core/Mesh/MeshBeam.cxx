@@ -7,23 +7,11 @@
 #include "Math/Compiler.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// The nodes that hold blocks of cells.
-constexpr int LevelOfLeaves = 0;
-
-IsovalueSpan FindSpan(double isovalue)
-{
-  const auto rounded = static_cast<float>(isovalue);
-  const float from =
-    static_cast<double>(rounded) < isovalue ? std::nextafterf(rounded, FloatInfinity) : rounded;
-  return { std::nextafterf(from, -FloatInfinity), from };
-}
 
 /// Whether rays end at any hit with a surface.
 bool EndsRays(const MeshSelection& selection, int surface)
@@ -36,14 +24,6 @@ bool EndsRays(const MeshSelection& selection, int surface)
 }
 
 //------------------------------------------------------------------------------
-MeshBeam::MeshBeam()
-  : Boxes{}
-{
-  std::fill_n(this->Boxes.Low, CellTreeNode::Width, -FloatInfinity);
-  std::fill_n(this->Boxes.High, CellTreeNode::Width, FloatInfinity);
-}
-
-//------------------------------------------------------------------------------
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 {
   RaySet all = {};
@@ -51,39 +31,32 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
   {
     Add(i, all);
   }
-  this->FindFrame(selection, lines, all);
+  if (this->FindFrame(selection, lines, all))
+  {
+    this->Nodes.Begin(selection, this->Frame.GetProjection());
+  }
 }
 
 //------------------------------------------------------------------------------
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some)
 {
-  this->FindFrame(selection, rays, some);
-  if (this->HasFrame)
+  if (this->FindFrame(selection, rays, some))
   {
-    this->Projection.Begin = this->Frame.FindBegin(rays, some);
+    BeamProjection projection = this->Frame.GetProjection();
+    projection.Begin = this->Frame.FindBegin(rays, some);
+    this->Nodes.Begin(selection, projection);
   }
 }
 
 //------------------------------------------------------------------------------
-void MeshBeam::FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some)
+bool MeshBeam::FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some)
 {
-  this->Heap.clear();
+  this->Nodes.Clear();
   this->Sets.clear();
   this->NumberOfSeen = 0;
-  const int levels = selection.Tree->GetNumberOfLevels();
-  this->HasFrame = levels > 0 && selection.PacketKernels &&
+  this->HasFrame = selection.Tree->GetNumberOfLevels() > 0 && selection.PacketKernels &&
     this->Frame.Find(lines, some, selection.Tree->GetBounds());
-  if (!this->HasFrame)
-  {
-    return;
-  }
-  this->Projection = this->Frame.GetProjection();
-  this->Spans.clear();
-  for (const MeshSurface& surface : selection.Surfaces)
-  {
-    this->Spans.push_back(FindSpan(surface.Isovalue));
-  }
-  this->Heap.push_back({ -FloatInfinity, levels - 1, 0 });
+  return this->HasFrame;
 }
 
 //------------------------------------------------------------------------------
@@ -118,59 +91,12 @@ bool MeshBeam::MayHitBetween(const MeshSelection& selection, const RayPacket& li
 bool MeshBeam::FindMore(const MeshSelection& selection, float end)
 {
   const std::size_t before = this->Sets.size();
-  while (this->Sets.size() == before && !this->Heap.empty() && this->Heap.front().Near <= end)
+  std::size_t leaf;
+  while (this->Sets.size() == before && this->Nodes.FindLeaf(selection, end, leaf))
   {
-    std::pop_heap(this->Heap.begin(), this->Heap.end());
-    const Node node = this->Heap.back();
-    this->Heap.pop_back();
-    if (node.Level == LevelOfLeaves)
-    {
-      this->AddLeaf(selection, node.Number);
-    }
-    else
-    {
-      this->Expand(selection, node);
-    }
+    this->AddLeaf(selection, leaf);
   }
   return this->Sets.size() > before;
-}
-
-//------------------------------------------------------------------------------
-void MeshBeam::Expand(const MeshSelection& selection, const Node& node)
-{
-  LabelBounds bounds;
-  unsigned int found =
-    selection.PacketKernels->ProjectChildren(selection.Tree->GetNode(node.Level, node.Number),
-      this->Projection, this->Spans.data(), static_cast<int>(this->Spans.size()), bounds);
-  for (; found != 0; found &= found - 1)
-  {
-    const int child = LowestBit(found);
-    const std::size_t number = node.Number * CellTree::Width + static_cast<std::size_t>(child);
-    this->Prefetch(selection, node.Level - 1, number);
-    this->Heap.push_back({ bounds.Near[child], node.Level - 1, number });
-    std::push_heap(this->Heap.begin(), this->Heap.end());
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Begins to fetch what is read of a node when it is expanded.
-void MeshBeam::Prefetch(const MeshSelection& selection, int level, std::size_t number)
-{
-  if (level > LevelOfLeaves)
-  {
-    selection.Tree->Prefetch(level, number);
-  }
-  for (const MeshSurface& surface : selection.Surfaces)
-  {
-    if (level == LevelOfLeaves)
-    {
-      surface.Pieces->PrefetchBoxes(number);
-    }
-    else if (level == LevelOfLeaves + 1)
-    {
-      surface.Pieces->Prefetch(number * CellTree::Width, CellTree::Width);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -193,21 +119,11 @@ void MeshBeam::AddLeaf(const MeshSelection& selection, std::size_t leaf)
 void MeshBeam::AddSets(const MeshSelection& selection, std::size_t leaf, int surface,
   const PackedPieces* first, int count)
 {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      this->Boxes.Lower[axis][i] = first[i].Lower[axis];
-      this->Boxes.Upper[axis][i] = first[i].Upper[axis];
-    }
-  }
-  constexpr IsovalueSpan anyValue = { 0.0F, 0.0F };
   LabelBounds bounds;
-  unsigned int found =
-    selection.PacketKernels->ProjectChildren(this->Boxes, this->Projection, &anyValue, 1, bounds);
+  unsigned int found = this->Nodes.FindSets(selection, first, count, bounds);
   int order[CellTreeNode::Width];
   int passed = 0;
-  for (found &= (1U << count) - 1U; found != 0; found &= found - 1)
+  for (; found != 0; found &= found - 1)
   {
     order[passed++] = LowestBit(found);
   }

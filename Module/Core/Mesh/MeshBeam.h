@@ -8,6 +8,7 @@
 #include "Kernels/BeamPieces.h"
 #include "Mesh/BeamFrame.h"
 #include "Mesh/MeshSelection.h"
+#include "Mesh/NearestNodes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,6 @@ class MeshBeam final : public TracedField::Beam
 {
 public:
   static constexpr std::size_t GroupSize = LabelBounds::Capacity;
-
-  MeshBeam();
 
   /// Begins with the rays between lines, of which the origins and directions are set.
   void Begin(const MeshSelection& selection, const RayPacket& lines);
@@ -48,10 +47,7 @@ public:
   bool MayHitBetween(const MeshSelection& selection, const RayPacket& lines);
 
   /// A depth that the sets which were not found are behind.
-  float GetNextDepth() const
-  {
-    return this->Heap.empty() ? FloatInfinity : this->Heap.front().Near;
-  }
+  float GetNextDepth() const { return this->Nodes.GetNextDepth(); }
 
   /// Finds the sets in another leaf. Returns false if there is none before a depth.
   bool FindMore(const MeshSelection& selection, float end);
@@ -87,17 +83,6 @@ private:
   static constexpr int MaximumSeen = 2048;
   static constexpr int NotSeen = -1;
 
-  /// A node of the tree, and a depth that it is behind.
-  struct Node
-  {
-    float Near;
-    int Level;
-    std::size_t Number;
-
-    /// The nearest one is on top of the heap.
-    bool operator<(const Node& other) const { return this->Near > other.Near; }
-  };
-
   /// Pieces of a surface in a leaf.
   struct Set
   {
@@ -109,10 +94,7 @@ private:
 
   static std::uint32_t GetCell(const MeshSelection& selection, const Set& set, int number)
   {
-    const int place = set.Packed->Cells[number];
-    return selection.Tree->GetCell(
-      set.Leaf * CellTree::Width + static_cast<std::size_t>(place / CellTree::Width),
-      place % CellTree::Width);
+    return selection.Tree->GetCellOfLeaf(set.Leaf, set.Packed->Cells[number]);
   }
 
   const SeenPieces& GetSeen(int number) const
@@ -124,9 +106,7 @@ private:
     return this->Sets[this->GetSeen(piece / BeamPieces::Capacity).Set];
   }
 
-  void FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some);
-  void Expand(const MeshSelection& selection, const Node& node);
-  static void Prefetch(const MeshSelection& selection, int level, std::size_t number);
+  bool FindFrame(const MeshSelection& selection, const RayPacket& lines, const RaySet& some);
   void AddLeaf(const MeshSelection& selection, std::size_t leaf);
   void AddSets(const MeshSelection& selection, std::size_t leaf, int surface,
     const PackedPieces* first, int count);
@@ -134,16 +114,12 @@ private:
 
   bool HasFrame = false;
   BeamFrame Frame;
-  BeamProjection Projection;
-  std::vector<IsovalueSpan> Spans;
-  std::vector<Node> Heap;
+  NearestNodes Nodes;
   std::vector<Set> Sets;
   std::vector<LabelBounds> Bounds;
   /// Those in use are the first: the memory is kept from beam to beam.
   std::vector<SeenPieces> Seen;
   int NumberOfSeen = 0;
-  /// The boxes of sets, as children of a node with all values.
-  CellTreeNode Boxes;
   PassedCellRecords Records;
 };
 

@@ -86,6 +86,19 @@ inline void Remove(int ray, RaySet& set)
   set.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
 }
 
+/// Calls visit(ray) for those in a set.
+template <typename Visit>
+void ForEachRay(const RaySet& set, const Visit& visit)
+{
+  for (int word = 0; word < 2; ++word)
+  {
+    for (std::uint64_t rays = set.Words[word]; rays != 0; rays &= rays - 1)
+    {
+      visit(64 * word + LowestBit(rays));
+    }
+  }
+}
+
 inline bool IsEmpty(const RaySet& set)
 {
   return (set.Words[0] | set.Words[1]) == 0;

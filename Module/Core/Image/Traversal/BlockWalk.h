@@ -88,13 +88,7 @@ private:
   {
     Step steps[RayPacket::Capacity];
     int count = 0;
-    for (int word = 0; word < 2; ++word)
-    {
-      for (std::uint64_t rays = this->Going.Words[word]; rays != 0; rays &= rays - 1)
-      {
-        steps[count++] = { 64 * word + LowestBit(rays), block };
-      }
-    }
+    ForEachRay(this->Going, [&steps, &count, &block](int ray) { steps[count++] = { ray, block }; });
     this->Enter(this->Levels.size() - 1, steps, count, visit);
   }
 
