@@ -31,6 +31,7 @@ set(core_sources
   Mesh/CellTree.cxx
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
+  Mesh/LoneTracer.cxx
   Mesh/MeshBeam.cxx
   Mesh/MeshCaps.cxx
   Mesh/MeshCells.cxx

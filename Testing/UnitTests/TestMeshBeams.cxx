@@ -109,6 +109,40 @@ std::vector<Hit> TracePicture(MeshField& field, const Camera& camera, int tile, 
   return all;
 }
 
+/// What rays hit, and what reaches them if they start on the surface.
+struct FoundByRays
+{
+  RayHits Hits;
+  std::vector<double> Transmittance;
+
+  FoundByRays(MeshField& field, const RayPacket& packet)
+    : Transmittance(static_cast<std::size_t>(packet.Count))
+  {
+    RayPacket rays = packet;
+    field.Trace(rays, this->Hits);
+    rays = packet;
+    const std::vector<Departure> departures(
+      static_cast<std::size_t>(packet.Count), Departure{ 0, false });
+    field.FindTransmittance(rays, departures.data(), this->Transmittance.data());
+  }
+};
+
+/// Rays in any direction, to points of hits.
+RayPacket MakeRaysTo(const MeshField& field, const std::vector<Hit>& hits, RandomNumbers& random)
+{
+  RayPacket packet;
+  packet.Clear();
+  const int count = random.Integer(1, RayPacket::Capacity);
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 target = field.GetPoint(hits[random.Bits() % hits.size()]);
+    const Vector3 way = random.Direction() * random.Uniform(0.1, 10.0);
+    const double end = random.Integer(0, 1) ? Infinity : random.Uniform(0.5, 1.5);
+    field.AddRay(target - way, way, 0.0, end, packet);
+  }
+  return packet;
+}
+
 class MeshBeams : public WithKernels
 {
 protected:
@@ -126,11 +160,30 @@ protected:
       const std::vector<Hit> inBeams = TracePicture(field, camera, tile, true);
       EXPECT_EQ(alone.size(), inBeams.size());
       EXPECT_TRUE(AreSame(alone, inBeams));
+      this->CompareLoneRays(field, request, alone);
       count += alone.size();
       this->Caps += static_cast<std::size_t>(std::count_if(
         alone.begin(), alone.end(), [](const Hit& hit) { return hit.Plane != Hit::NoPlane; }));
     }
     return count;
+  }
+
+  /// The same for rays that make no beam.
+  void CompareLoneRays(
+    MeshField& field, const TraceRequest& request, const std::vector<Hit>& targets)
+  {
+    RandomNumbers random(targets.size());
+    for (int i = 0; i < 4 && !targets.empty(); ++i)
+    {
+      const RayPacket packet = MakeRaysTo(field, targets, random);
+      field.Select(request, { 1, nullptr });
+      const FoundByRays alone(field, packet);
+      field.Select(request, { 1, &this->TheKernels });
+      const FoundByRays together(field, packet);
+      EXPECT_EQ(alone.Hits.First, together.Hits.First);
+      EXPECT_TRUE(AreSame(alone.Hits.Hits, together.Hits.Hits));
+      EXPECT_EQ(alone.Transmittance, together.Transmittance);
+    }
   }
 
   /// Of all hits that were compared, the caps.
@@ -293,24 +346,6 @@ RayPacket MakeRays(const MeshField& field, Aim aim, RandomNumbers& random, int c
   }
   return packet;
 }
-
-/// What rays hit, and what reaches them if they start on the surface.
-struct FoundByRays
-{
-  RayHits Hits;
-  std::vector<double> Transmittance;
-
-  FoundByRays(MeshField& field, const RayPacket& packet)
-    : Transmittance(static_cast<std::size_t>(packet.Count))
-  {
-    RayPacket rays = packet;
-    field.Trace(rays, this->Hits);
-    rays = packet;
-    const std::vector<Departure> departures(
-      static_cast<std::size_t>(packet.Count), Departure{ 0, false });
-    field.FindTransmittance(rays, departures.data(), this->Transmittance.data());
-  }
-};
 
 TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
 {

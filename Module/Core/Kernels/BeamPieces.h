@@ -123,7 +123,7 @@ SIMD_INLINE Number GetEndDepth(const BeamNumbers& frame, Number coordinate)
 }
 
 /// Pieces of a surface in some cells of a leaf of the tree, for any view. In tetrahedra they are
-/// polygons.
+/// polygons; of others, the boxes are known that they are in.
 struct alignas(64) PackedPieces
 {
   static constexpr int Capacity = LabelBounds::Capacity;
@@ -142,7 +142,8 @@ struct alignas(64) PackedPieces
   /// Of the first set of a leaf, the number of sets.
   std::uint16_t Sets;
   /// The corners of polygons in order around them: x, y and z in steps of the box from its lower
-  /// corner, x lowest. In triangles the last two are the same.
+  /// corner, x lowest. In triangles the last two are the same. Of boxes the first two are the lower
+  /// and the upper corner.
   std::uint32_t Polygons[Corners][Capacity];
 };
 

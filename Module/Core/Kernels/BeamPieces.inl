@@ -359,8 +359,26 @@ struct PackedProjection
   }
 };
 
+/// Bounds boxes, given those of their corners that have the extreme labels.
+SIMD_INLINE void BoundBoxes(
+  const EdgePoints (&points)[4], const Floats (&margins)[2], int first, BeamPieces& pieces)
+{
+  PointBounds bounds;
+  for (const EdgePoints& point : points)
+  {
+    bounds.Include(point);
+  }
+  StoreBounds(bounds, margins, first, pieces);
+  for (int i = 0; i < BeamPieces::Lines; ++i)
+  {
+    StoreLine(0.0F, 0.0F, 0.0F, i, first, pieces);
+  }
+}
+
 /// In a tetrahedron the piece is a triangle or a quadrangle.
-void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
+template <bool AreBoxes>
+SIMD_INLINE void BoundPacked(
+  const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
 {
   constexpr unsigned int mask = PackedPieces::Steps;
   const PackedProjection projection(packed, frame);
@@ -376,10 +394,12 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
     Floats far = -static_cast<float>(Infinity);
     for (int i = 0; i < PackedPieces::Corners; ++i)
     {
-      const std::uint32_t* words = &packed.Polygons[i][first];
-      const Floats x = GetBits(words, PackedPieces::Bits * frame.Across[0], mask);
-      const Floats y = GetBits(words, PackedPieces::Bits * frame.Across[1], mask);
-      const Floats z = GetBits(words, PackedPieces::Bits * frame.Along, mask);
+      // Labels of boxes are extreme at both ends along the beam, and on both sides across it.
+      const std::uint32_t* across = &packed.Polygons[AreBoxes ? i % 2 : i][first];
+      const std::uint32_t* along = &packed.Polygons[AreBoxes ? i / 2 : i][first];
+      const Floats x = GetBits(across, PackedPieces::Bits * frame.Across[0], mask);
+      const Floats y = GetBits(across, PackedPieces::Bits * frame.Across[1], mask);
+      const Floats z = GetBits(along, PackedPieces::Bits * frame.Along, mask);
       const Floats w = projection.W.Get(0.0F, z);
       const Floats inverse = ApproximateReciprocal(w);
       points[i] = { projection.X.Get(x, z) * inverse, projection.Y.Get(y, z) * inverse,
@@ -398,10 +418,55 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
     const Floats margins[2] = { MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[0]),
                                   inverse, rounding),
       MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[1]), inverse, rounding) };
-    BoundPolygons(points, margins, first, pieces);
+    if constexpr (AreBoxes)
+    {
+      BoundBoxes(points, margins, first, pieces);
+    }
+    else
+    {
+      BoundPolygons(points, margins, first, pieces);
+    }
     const unsigned int bounded = isBounded ? ToBits(hasLabel) : 0;
     OpenUnbounded(~bounded & ((1U << FloatWidth) - 1U), first, pieces);
   }
+}
+
+void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
+{
+  BoundPacked<false>(packed, frame, pieces);
+}
+
+unsigned int FindPiecesOnRay(
+  const PackedPieces& packed, const BeamNumbers& frame, float begin, float end)
+{
+  BeamPieces pieces;
+  if (packed.AreInTetrahedra)
+  {
+    BoundPacked<false>(packed, frame, pieces);
+  }
+  else
+  {
+    BoundPacked<true>(packed, frame, pieces);
+  }
+  // The label of the ray is 0.
+  const Floats zero = 0.0F;
+  unsigned int found = 0;
+  for (int i = 0; i < packed.Count; i += FloatWidth)
+  {
+    FloatMask isBeside =
+      (end < LoadFloats(&pieces.Bounds.Near[i])) | (LoadFloats(&pieces.Far[i]) < begin);
+    for (int k = 0; k < 2; ++k)
+    {
+      isBeside = isBeside | (zero < LoadFloats(&pieces.Bounds.Lower[k][i])) |
+        (LoadFloats(&pieces.Bounds.Upper[k][i]) < zero);
+    }
+    for (const auto& line : pieces.Line)
+    {
+      isBeside = isBeside | (LoadFloats(&line[2][i]) < zero);
+    }
+    found |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << i;
+  }
+  return found & ((1U << packed.Count) - 1U);
 }
 
 /// A trilinear cell is, with its values, in the convex hull of its corners; so the piece is in that

@@ -192,6 +192,27 @@ void FrameRays(const RayPacket& packet, const BeamNumbers& beam, FramedRays& fra
   FindAllEnds(rays);
 }
 
+void FindFrames(const RayPacket& packet, FramedRays& framed)
+{
+  for (int i = 0; i < packet.Count; i += DoubleWidth)
+  {
+    if (GetLanes(packet.Exists, i) == 0)
+    {
+      continue;
+    }
+    Doubles origin[3];
+    Doubles direction[3];
+    Doubles inverse[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      origin[axis] = Load(&packet.Origin[axis][i]);
+      direction[axis] = Load(&packet.Direction[axis][i]);
+      inverse[axis] = Load(&packet.Inverse[axis][i]);
+    }
+    StoreFrames(origin, direction, inverse, i, framed);
+  }
+}
+
 RaySet EndRays(const RayPacket& packet, const BeamNumbers& beam, const double* ends, BeamRays& rays)
 {
   alignas(64) float depths[BeamRays::Capacity];

@@ -311,6 +311,9 @@ struct Kernels
   void (*FrameRays)(
     const RayPacket& packet, const BeamNumbers& beam, FramedRays& framed, BeamRays& rays);
 
+  /// Finds the frames of rays alone.
+  void (*FindFrames)(const RayPacket& packet, FramedRays& framed);
+
   /// Ends rays of a beam where they end by what they have hit. Returns those that do not end before
   /// they surely should have: they are no longer in the beam.
   RaySet (*EndRays)(
@@ -332,6 +335,11 @@ struct Kernels
   /// Makes a set of pieces in tetrahedra, as many as its count, but not its cells. The corners are
   /// as in TetrahedronPairs.
   void (*PackPolygons)(const double (*corners)[4][4], PackedPieces& packed);
+
+  /// Finds the packed pieces that a ray may meet between two depths, given its frame as a beam of
+  /// one ray; a bit for each.
+  unsigned int (*FindPiecesOnRay)(
+    const PackedPieces& packed, const BeamNumbers& frame, float begin, float end);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -126,9 +126,9 @@ SIMD_INLINE void LoadCorner(
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, EndRays, ProjectChildren, FindExtents<4>, FindExtents<8>, WeightGradients,          \
-    PackPolygons, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra,       \
-    SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                                              \
+    FrameRays, FindFrames, EndRays, ProjectChildren, FindExtents<4>, FindExtents<8>,               \
+    WeightGradients, PackPolygons, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, \
+    FindPairs, SolveTetrahedra, SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                  \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -23,7 +23,6 @@ RaySet BeamTracer::Trace(
 {
   this->Packet = &packet;
   this->Enter(selection, beam.GetFrame());
-  hits.Clear();
   for (std::size_t next = 0;
        next < beam.GetNumberOfSets() || this->FindMore(selection, beam, hits);)
   {

@@ -21,7 +21,7 @@ namespace vtkIsosurfaceRayTracing
 class BeamTracer
 {
 public:
-  /// Finds the hits of the rays that are in the beam, and are not given up. Returns which these are:
+  /// Adds the hits of the rays that are in the beam, and are not given up. Returns which these are:
   /// those of others are not all there.
   RaySet Trace(
     const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);

@@ -41,6 +41,9 @@ public:
     this->Found.pop_back();
   }
 
+  /// Removes all hits of a ray.
+  void RemoveAll(int ray) { this->First[ray] = None; }
+
   /// Removes the hits of a ray beyond a t.
   void RemoveBeyond(int ray, double t)
   {

@@ -31,6 +31,9 @@ public:
   /// Begins with some rays, from where they begin.
   void Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some);
 
+  /// Ends without beginning anew: there is no frame.
+  void End() { this->HasFrame = false; }
+
   /// Whether the rays have a frame.
   bool IsBeam() const { return this->HasFrame; }
   const BeamFrame& GetFrame() const { return this->Frame; }

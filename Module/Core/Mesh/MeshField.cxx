@@ -10,6 +10,7 @@
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
 #include "Mesh/HitsOfRays.h"
+#include "Mesh/LoneTracer.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshCaps.h"
 #include "Mesh/MeshCloud.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
@@ -30,75 +32,36 @@ class MeshField::ThreadBeam final : public Beam
 public:
   MeshBeam Pieces;
   BeamTracer Tracer;
+  LoneTracer OfOthers;
   HitsOfRays Hits;
 };
 
-/// Traces rays of a packet one by one.
-class MeshField::LoneRays
+/// What one of them is taken from and given back to: to make one takes longer than to trace a few
+/// packets.
+class MeshField::SpareBeams
 {
 public:
-  LoneRays(const MeshSelection& selection, const RayPacket& packet)
-    : Selection(selection)
-    , Packet(packet)
+  std::unique_ptr<ThreadBeam> Take()
   {
-  }
-
-  /// Appends the hits of a ray; those beyond the first opaque one may be missing.
-  void FindHits(int ray, std::vector<Hit>& hits)
-  {
-    if (!this->FindHitsOfBeam(ray, hits))
+    const std::lock_guard<std::mutex> lock(this->Lock);
+    if (this->Beams.empty())
     {
-      MeshRay(this->Selection, this->Packet, ray).FindHits(this->InCell, hits);
+      return std::make_unique<ThreadBeam>();
     }
+    std::unique_ptr<ThreadBeam> taken = std::move(this->Beams.back());
+    this->Beams.pop_back();
+    return taken;
   }
 
-  CellHits InCell;
+  void GiveBack(std::unique_ptr<ThreadBeam> beam)
+  {
+    const std::lock_guard<std::mutex> lock(this->Lock);
+    this->Beams.push_back(std::move(beam));
+  }
 
 private:
-  /// A ray is a beam with one line. Returns false if it has no frame.
-  bool FindHitsOfBeam(int ray, std::vector<Hit>& hits)
-  {
-    if (!this->Selection.PacketKernels)
-    {
-      return false;
-    }
-    if (!this->Beam)
-    {
-      this->Beam = std::make_unique<ThreadBeam>();
-      this->Lone.Clear();
-      this->Lone.Count = 1;
-      Add(0, this->Lone.Exists);
-    }
-    this->CopyRay(ray);
-    this->Beam->Pieces.Begin(this->Selection, this->Lone, this->Lone.Exists);
-    if (!this->Beam->Pieces.IsBeam() ||
-      !Has(
-        this->Beam->Tracer.Trace(this->Selection, this->Lone, this->Beam->Pieces, this->Beam->Hits),
-        0))
-    {
-      return false;
-    }
-    this->Beam->Hits.Get(0, hits);
-    return true;
-  }
-
-  void CopyRay(int ray)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Lone.Origin[axis][0] = this->Packet.Origin[axis][ray];
-      this->Lone.Direction[axis][0] = this->Packet.Direction[axis][ray];
-      this->Lone.Inverse[axis][0] = this->Packet.Inverse[axis][ray];
-    }
-    this->Lone.Begin[0] = this->Packet.Begin[ray];
-    this->Lone.End[0] = this->Packet.End[ray];
-    this->Lone.Base[0] = this->Packet.Base[ray];
-  }
-
-  const MeshSelection& Selection;
-  const RayPacket& Packet;
-  std::unique_ptr<ThreadBeam> Beam;
-  RayPacket Lone;
+  std::mutex Lock;
+  std::vector<std::unique_ptr<ThreadBeam>> Beams;
 };
 
 //------------------------------------------------------------------------------
@@ -118,6 +81,7 @@ struct MeshField::GradientsOfComponent
 MeshField::MeshField(const MeshCells& cells, int threads)
   : Cells(cells)
   , Tree(this->Cells, threads)
+  , Spare(std::make_unique<SpareBeams>())
 {
 }
 
@@ -302,17 +266,44 @@ std::vector<std::optional<Hit>> MeshField::FindFirstCaps(RayPacket& packet, Cell
 }
 
 //------------------------------------------------------------------------------
-/// Rays to a light, and others without a picture, may be a beam. Null if they are too few.
-std::unique_ptr<MeshField::ThreadBeam> MeshField::MakeBeamOf(const RayPacket& packet) const
+/// One to be given back. Rays to a light, and others without a picture, may be a beam.
+std::unique_ptr<MeshField::ThreadBeam> MeshField::TakeBeamOf(const RayPacket& packet) const
 {
   constexpr int fewest = 8;
-  if (!this->Selection.PacketKernels || CountOf(packet.Exists) < fewest)
+  std::unique_ptr<ThreadBeam> taken = this->Spare->Take();
+  if (CountOf(packet.Exists) < fewest)
   {
-    return nullptr;
+    taken->Pieces.End();
   }
-  auto beam = std::make_unique<ThreadBeam>();
-  beam->Pieces.Begin(this->Selection, packet, packet.Exists);
-  return beam;
+  else
+  {
+    taken->Pieces.Begin(this->Selection, packet, packet.Exists);
+  }
+  return taken;
+}
+
+//------------------------------------------------------------------------------
+/// Finds the hits of the rays of a packet together. Returns those that were traced.
+RaySet MeshField::TraceTogether(const RayPacket& packet, ThreadBeam& thread) const
+{
+  thread.Hits.Clear();
+  RaySet traced = {};
+  if (thread.Pieces.IsBeam())
+  {
+    traced = thread.Tracer.Trace(this->Selection, packet, thread.Pieces, thread.Hits);
+  }
+  RaySet others = packet.Exists;
+  ForEachRay(traced, [&others](int ray) { Remove(ray, others); });
+  ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
+  if (!IsEmpty(others))
+  {
+    const RaySet lone = thread.OfOthers.Trace(this->Selection, packet, others, thread.Hits);
+    for (std::size_t word = 0; word < 2; ++word)
+    {
+      traced.Words[word] |= lone.Words[word];
+    }
+  }
+  return traced;
 }
 
 //------------------------------------------------------------------------------
@@ -323,17 +314,16 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   {
     CutRays(half, packet);
   }
-  LoneRays rays(this->Selection, packet);
-  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, rays.InCell);
-  const std::unique_ptr<ThreadBeam> own = beam ? nullptr : this->MakeBeamOf(packet);
+  CellHits inCell;
+  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
+  std::unique_ptr<ThreadBeam> own =
+    beam || !this->Selection.PacketKernels ? nullptr : this->TakeBeamOf(packet);
   auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
-  const RaySet inBeam = thread && thread->Pieces.IsBeam()
-    ? thread->Tracer.Trace(this->Selection, packet, thread->Pieces, thread->Hits)
-    : RaySet{};
+  const RaySet traced = thread ? this->TraceTogether(packet, *thread) : RaySet{};
   std::vector<Hit> found;
   for (int i = 0; i < packet.Count; ++i)
   {
-    const Hit* only = caps.empty() && Has(inBeam, i) ? thread->Hits.GetOnly(i) : nullptr;
+    const Hit* only = caps.empty() && Has(traced, i) ? thread->Hits.GetOnly(i) : nullptr;
     if (only)
     {
       hits.Hits.push_back(*only);
@@ -341,13 +331,13 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
       continue;
     }
     found.clear();
-    if (Has(inBeam, i))
+    if (Has(traced, i))
     {
       thread->Hits.Get(i, found);
     }
     else if (Has(packet.Exists, i))
     {
-      rays.FindHits(i, found);
+      MeshRay(this->Selection, packet, i).FindHits(inCell, found);
     }
     const std::optional<Hit> first =
       caps.empty() ? std::nullopt : caps[static_cast<std::size_t>(i)];
@@ -360,13 +350,17 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
       std::any_of(found.begin(), found.end(),
         [&collector](const Hit& hit) { return collector.AddVisible(hit); });
     const std::optional<Hit> last = !caps.empty() && !isOver && Has(packet.Exists, i)
-      ? FindCap(this->Selection, packet, i, RayEnd::End, rays.InCell)
+      ? FindCap(this->Selection, packet, i, RayEnd::End, inCell)
       : std::nullopt;
     if (last)
     {
       collector.AddVisible(*last);
     }
     hits.EndRay();
+  }
+  if (own)
+  {
+    this->Spare->GiveBack(std::move(own));
   }
 }
 

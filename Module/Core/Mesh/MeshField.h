@@ -62,14 +62,15 @@ public:
 
 private:
   class ThreadBeam;
-  class LoneRays;
+  class SpareBeams;
 
   struct GradientsOfComponent;
 
   void FindSmoothGradients(const TraceRequest& request, int threads);
   std::vector<const PointGradients*> FindGradientsOfCloud(int components, int threads);
   MeshSurface SelectSurface(double isovalue) const;
-  std::unique_ptr<ThreadBeam> MakeBeamOf(const RayPacket& packet) const;
+  std::unique_ptr<ThreadBeam> TakeBeamOf(const RayPacket& packet) const;
+  RaySet TraceTogether(const RayPacket& packet, ThreadBeam& thread) const;
 
   std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
 
@@ -88,6 +89,7 @@ private:
   std::vector<std::unique_ptr<GradientsOfComponent>> SmoothOfComponents;
   double GradientSeconds = 0.0;
   MeshSelection Selection;
+  std::unique_ptr<SpareBeams> Spare;
 };
 
 }

@@ -18,10 +18,11 @@ namespace
 /// Of leaves without any.
 constexpr PackedPieces NoPieces = {};
 
-/// Includes where all segments between corners inside and outside meet the surface: a trilinear
-/// cell is, with its values, in the convex hull of its corners.
-void IncludeHull(const MeshCell& cell, double isovalue, double scale, Bounds& box)
+/// The box of the points where segments between corners on both sides meet the surface: all of it
+/// in the cell is in their convex hull.
+Bounds FindHull(const MeshCell& cell, double isovalue, double scale)
 {
+  Bounds box = { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
   for (int i = 0; i < cell.Count; ++i)
   {
     const double a = Difference(cell.Values[i], isovalue, scale);
@@ -39,6 +40,44 @@ void IncludeHull(const MeshCell& cell, double isovalue, double scale, Bounds& bo
         box.Lower[axis] = std::min(box.Lower[axis], point[axis]);
         box.Upper[axis] = std::max(box.Upper[axis], point[axis]);
       }
+    }
+  }
+  return box;
+}
+
+/// Makes the box of a set, and its boxes: the nearest step to each side.
+void PackBoxes(const Bounds (&boxes)[PackedPieces::Capacity], PackedPieces& set)
+{
+  for (auto& words : set.Polygons)
+  {
+    std::fill_n(words, PackedPieces::Capacity, 0U);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double lower = Infinity;
+    double upper = -Infinity;
+    for (int i = 0; i < set.Count; ++i)
+    {
+      lower = std::min(lower, boxes[i].Lower[axis]);
+      upper = std::max(upper, boxes[i].Upper[axis]);
+    }
+    set.Lower[axis] = RoundDown(lower);
+    set.Upper[axis] = RoundUp(upper);
+    lower = static_cast<double>(set.Lower[axis]);
+    const double size = static_cast<double>(set.Upper[axis]) - lower;
+    if (!(size > 0.0 && size < Infinity))
+    {
+      continue; // Without a size, or so large that it has no labels in single precision.
+    }
+    const auto pack = [&set, axis, lower, size](int corner, int i, double coordinate)
+    {
+      const double steps = (coordinate - lower) * (PackedPieces::Steps / size) + 0.5;
+      set.Polygons[corner][i] |= static_cast<std::uint32_t>(steps) << (PackedPieces::Bits * axis);
+    };
+    for (int i = 0; i < set.Count; ++i)
+    {
+      pack(0, i, boxes[i].Lower[axis]);
+      pack(1, i, boxes[i].Upper[axis]);
     }
   }
 }
@@ -157,18 +196,14 @@ void SurfacePieces::MakeSets(const PassedCells& others, PackedPieces* sets) cons
     set.AreInTetrahedra = false;
     set.Count = static_cast<std::uint8_t>(std::min(others.Count - first, PackedPieces::Capacity));
     std::copy_n(&others.Numbers[first], set.Count, set.Cells);
-    Bounds box = { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
+    Bounds boxes[PackedPieces::Capacity];
     for (int i = 0; i < set.Count; ++i)
     {
       MeshCell cell;
       this->Cells->Load(others.Cells[first + i], cell);
-      IncludeHull(cell, this->Isovalue, this->Scale, box);
+      boxes[i] = FindHull(cell, this->Isovalue, this->Scale);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      set.Lower[axis] = RoundDown(box.Lower[axis]);
-      set.Upper[axis] = RoundUp(box.Upper[axis]);
-    }
+    PackBoxes(boxes, set);
   }
 }
 

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef LoneTracer_h
+#define LoneTracer_h
+
+#include "Mesh/BeamFrame.h"
+#include "Mesh/HitsOfRays.h"
+#include "Mesh/MeshSelection.h"
+#include "Mesh/NearestNodes.h"
+#include "Mesh/PairSolver.h"
+#include "Rays/RayPacket.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// Traces rays of a packet that make no beam, each as a beam of its own: in rounds, in each of
+/// which every ray comes to a leaf of the tree with pieces that it may hit. The pairs of a round
+/// are solved together.
+class LoneTracer
+{
+public:
+  /// Adds the hits of some rays. Returns those that were traced: all that have a frame.
+  RaySet Trace(
+    const MeshSelection& selection, const RayPacket& packet, const RaySet& rays, HitsOfRays& hits);
+
+private:
+  /// How a ray goes through the tree.
+  struct Way
+  {
+    BeamNumbers Frame;
+    /// The depths that it begins and ends at.
+    float Begin;
+    float End;
+    NearestNodes Nodes;
+  };
+
+  bool BeginWay(const MeshSelection& selection, int ray);
+  float FindEnd(int ray) const;
+  bool Advance(const MeshSelection& selection, int ray, HitsOfRays& hits);
+  void AddPieces(const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits);
+  void Solve(const MeshSelection& selection, HitsOfRays& hits);
+
+  const RayPacket* Packet = nullptr;
+  /// Kept for the memory of their nodes.
+  std::vector<Way> Ways;
+  PairSolver Solver;
+  /// The ray of each pair.
+  std::vector<int> Pairs;
+};
+
+}
+
+#endif
