@@ -6,7 +6,8 @@
     time_frames.py kinds VOLUME ISOVALUE           kinds of data beside an image, on one thread
     time_frames.py interpolation VOLUME ISOVALUE   tricubic beside trilinear isosurfaces
     time_frames.py projection VOLUME               maximum intensity beside the fixed-point mapper
-    time_frames.py secondary VOLUME ISOVALUE...    shadows and ambient occlusion beside neither
+    time_frames.py secondary DATA ISOVALUE...      shadows and ambient occlusion beside neither, on one
+                                                   thread; DATA is a VOLUME, or MESH.vtu:ARRAY
 
 In time of the processors, all threads together."""
 
@@ -15,14 +16,17 @@ import statistics
 import sys
 import time
 
+import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for its factories
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkRectilinearGrid
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkNIFTIImageReader
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
+from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 VIEWS, FRAMES, SIZE = 8, 3, 512
 
@@ -45,9 +49,22 @@ def new_volume(image, mapper):
     return volume
 
 
-def new_isosurface(image, isovalue, mode):
-    volume = new_volume(image, vtkIsosurfaceRayTraceMapper())
-    volume.GetMapper().SetInterpolationMode(mode)
+def read_mesh(name, array):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(name)
+    reader.Update()
+    mesh = reader.GetOutput()
+    if mesh.GetPointData().SetActiveScalars(array) < 0:
+        sys.exit(f"{name} has no point data {array}")
+    return mesh
+
+
+def new_isosurface(data, isovalue, mode=vtkIsosurfaceRayTraceMapper.TRILINEAR):
+    if data.IsA("vtkUnstructuredGrid"):
+        volume = new_volume(data, vtkIsosurfaceRayTraceMeshMapper())
+    else:
+        volume = new_volume(data, vtkIsosurfaceRayTraceMapper())
+        volume.GetMapper().SetInterpolationMode(mode)
     look = volume.GetProperty()
     look.ShadeOn()
     look.GetIsoSurfaceValues().SetValue(0, isovalue)
@@ -108,8 +125,9 @@ def new_projection(image, mapper):
     return volume
 
 
-def measure(volumes, clock, prepare):
-    """The ms of the first frames after prepare(volume, view), and of the frames that follow."""
+def measure(volumes, clock, prepare, look=lambda window: None):
+    """The ms of the first frames after prepare(volume, view), and of the frames that follow, which
+    look(window) is shown."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
@@ -128,6 +146,7 @@ def measure(volumes, clock, prepare):
                 window.Render()
                 window.WaitForCompletion()
                 times[name].append(1e3 * (clock() - start))
+            look(window)
         renderer.GetActiveCamera().Azimuth(360 / VIEWS)
     return firsts, frames
 
@@ -192,20 +211,42 @@ def time_projection(file_name):
     print_table(["processor ms per frame"], [frames])
 
 
-def time_secondary(file_name, *isovalues):
-    """All isosurfaces are opaque."""
-    image = read(file_name)
-    volumes = {name: new_isosurface(image, float(isovalues[0]), vtkIsosurfaceRayTraceMapper.TRILINEAR)
-               for name in ("neither", "shadows", "ambient occlusion, 16 rays")}
+def count_hits(window, counts):
+    """Appends the number of pixels that are not background, which is black."""
+    pixels = vtkWindowToImageFilter()
+    pixels.SetInput(window)
+    pixels.ReadFrontBufferOff()
+    pixels.ShouldRerenderOff()
+    pixels.Update()
+    colors = vtk_to_numpy(pixels.GetOutput().GetPointData().GetScalars())
+    counts.append(int(numpy.count_nonzero(colors.any(axis=1))))
+
+
+def time_secondary(data_name, *isovalues):
+    """All isosurfaces are opaque. Of times a ray, those of all rays of a kind are the same."""
+    file_name, _, array = data_name.partition(":")
+    data = read_mesh(file_name, array) if array else read(file_name)
+    rays = {"neither": 1, "shadows": 1, "ambient occlusion, 16 rays": 16}
+    volumes = {name: new_isosurface(data, float(isovalues[0])) for name in rays}
     for volume in volumes.values():
+        volume.GetMapper().SetNumberOfThreads(1)
         for i, isovalue in enumerate(isovalues):
             volume.GetProperty().GetIsoSurfaceValues().SetValue(i, float(isovalue))
     volumes["shadows"].GetMapper().ShadowsOn()
     occluded = volumes["ambient occlusion, 16 rays"].GetMapper()
     occluded.AmbientOcclusionOn()
     occluded.SetNumberOfAmbientOcclusionRays(16)
-    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
-    print_table(["processor ms per frame"], [frames])
+    hits = []
+    _, frames = measure(volumes, time.process_time, lambda volume, view: None,
+                        lambda window: count_hits(window, hits))
+    if 0 in hits:
+        sys.exit("no ray hits any of the isosurfaces")
+    print("| picture | processor ms per frame | ns a ray that hits, or starts at a hit |\n|---|---|---|")
+    plain = frames["neither"]
+    for name, own in frames.items():
+        of_ray = [1e6 * (a - (b if name != "neither" else 0.0)) / (rays[name] * count)
+                  for a, b, count in zip(own, plain, numpy.repeat(hits[::len(rays)], FRAMES))]
+        print(f"| {name} | {describe(own)} | {describe(of_ray)} |")
 
 
 def main():
