@@ -134,6 +134,42 @@ TEST(TrilinearHits, AreThoseThatBisectionFinds)
 }
 
 //------------------------------------------------------------------------------
+/// Rays along the edges of boxes, as those to a light in a grid: two of the coordinates are known
+/// at once, and the third is still to be found.
+TEST(TrilinearHits, AreCertainAlongTheEdgesOfBoxes)
+{
+  RandomNumbers random(36);
+  constexpr int cells = 10000;
+  int certain = 0;
+  int hits = 0;
+  for (int i = 0; i < cells; ++i)
+  {
+    FramedCell cell;
+    const Vector3 edges = random.PointInBox({ 0.1, 0.1, 0.1 }, { 9.0, 9.0, 9.0 });
+    for (std::size_t k = 0; k < 8; ++k)
+    {
+      cell.System.Functions[0][k] = (k & 1U) * edges[0];
+      cell.System.Functions[1][k] = (k >> 1 & 1U) * edges[1];
+      cell.System.Functions[2][k] = random.Uniform(-1.0, 1.0);
+      cell.Along[k] = (k >> 2) * edges[2];
+    }
+    cell.MoveTo(random.PointInBox({ 0.01, 0.01, 0.01 }, { 0.99, 0.99, 0.99 }), 2);
+    const TrilinearSolutions found = cell.Solve();
+    std::vector<Vector3> expected;
+    cell.System.Solve(expected);
+    certain += found.AreCertain ? 1 : 0;
+    ASSERT_TRUE(!found.AreCertain || static_cast<std::size_t>(found.Count) == expected.size()) << i;
+    for (int k = 0; k < found.Count; ++k)
+    {
+      ++hits;
+      ASSERT_LT(std::abs(Interpolate(cell.System.Functions[2], GetPoint(found, k))), 1e-12) << i;
+    }
+  }
+  EXPECT_GT(certain, cells * 99 / 100);
+  EXPECT_GT(hits, cells / 10);
+}
+
+//------------------------------------------------------------------------------
 TEST(TrilinearHits, EnterWhereValuesRise)
 {
   RandomNumbers random(31);

@@ -93,6 +93,9 @@ private:
   static constexpr double LeastClearance = 1e-6;
   /// In coordinates of a part it is more. Thinner parts than this are given up.
   static constexpr double LargestClearance = 1e-2;
+  /// So no part is made thinner than this, in coordinates of the cell: where a ray goes along the
+  /// edges of a box, its solutions are known at once in two of three directions.
+  static constexpr double ThinnestHalf = 0x1p-8;
   /// What rounding may move functions by, in units of their coefficients.
   static constexpr double Rounding = 1e-14;
 
@@ -172,6 +175,7 @@ private:
       farthest = Max(farthest, Abs(constant) - reach);
       this->Low[i] = Max(0.0 - constant - reach, Number(-1.0));
       this->High[i] = Min(reach - constant, Number(1.0));
+      this->Widen(i);
       volume = volume * (this->High[i] - this->Low[i]);
       steepness = Max(steepness, this->System.GetSteepness(i));
     }
@@ -180,6 +184,17 @@ private:
     this->IsEmpty = this->IsEmpty | (isSafe & (1.0 < farthest));
     this->HasHit = AndNot(isSafe, this->IsEmpty) & (steepness < 0.95);
     this->IsOpen = AndNot(AndNot(this->IsOpen, this->IsEmpty), this->HasHit);
+  }
+
+  /// Widens a part that would be too thin to go on with.
+  SIMD_INLINE void Widen(int axis)
+  {
+    const Number one = 1.0;
+    const Number thinnest = Min(ThinnestHalf / this->Half[axis], one);
+    const Number half = Max(0.5 * (this->High[axis] - this->Low[axis]), thinnest);
+    const Number middle = Clamp(0.5 * (this->Low[axis] + this->High[axis]), half - one, one - half);
+    this->Low[axis] = middle - half;
+    this->High[axis] = middle + half;
   }
 
   /// Finds the only solutions of contractions, by Newton's method.
