@@ -109,10 +109,10 @@ void LoneTracer::AddPieces(
   const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits)
 {
   const Way& way = this->Ways[static_cast<std::size_t>(ray)];
-  for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
+  for (std::size_t number = 0; number < selection.Surfaces.size(); ++number)
   {
-    const PackedPieces* all =
-      selection.Surfaces[surface].Pieces->Get(leaf, *selection.PacketKernels);
+    const MeshSurface& surface = selection.Surfaces[number];
+    const PackedPieces* all = surface.Pieces->Get(leaf, *selection.PacketKernels);
     for (int first = 0; first < all->Sets; first += CellTree::Width)
     {
       LabelBounds bounds;
@@ -121,18 +121,21 @@ void LoneTracer::AddPieces(
         way.Nodes.FindSets(selection, sets, std::min(all->Sets - first, CellTree::Width), bounds);
       for (; met != 0; met &= met - 1)
       {
-        const int number = LowestBit(met);
-        const PackedPieces& set = sets[number];
-        unsigned int pieces = bounds.Near[number] <= way.End
+        const PackedPieces& set = sets[LowestBit(met)];
+        unsigned int pieces = bounds.Near[LowestBit(met)] <= way.End
           ? selection.PacketKernels->FindPiecesOnRay(set, way.Frame, way.Begin, way.End)
           : 0;
+        if (pieces != 0 && !set.AreInTetrahedra)
+        {
+          pieces = this->FindWithinHulls(selection, way, leaf, surface, set, pieces);
+        }
         for (; pieces != 0; pieces &= pieces - 1)
         {
           const auto pair = static_cast<int>(this->Pairs.size());
           this->Pairs.push_back(ray);
           this->Solver.Add(selection,
             { selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]),
-              set.AreInTetrahedra, static_cast<int>(surface) },
+              set.AreInTetrahedra, static_cast<int>(number) },
             pair, pair + 1);
           if (this->Solver.IsFull())
           {
@@ -142,6 +145,48 @@ void LoneTracer::AddPieces(
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Of pieces in trilinear cells whose boxes a ray meets, those whose hulls it may meet. These must
+/// be as narrow as they are in beams: where a ray passes an edge, what rounding decides about may
+/// lie beside the surface, in two cells or in none.
+unsigned int LoneTracer::FindWithinHulls(const MeshSelection& selection, const Way& way,
+  std::size_t leaf, const MeshSurface& surface, const PackedPieces& set, unsigned int pieces)
+{
+  int numbers[PackedPieces::Capacity];
+  std::uint32_t cells[PackedPieces::Capacity] = {};
+  int count = 0;
+  for (unsigned int left = pieces; left != 0; left &= left - 1)
+  {
+    numbers[count] = LowestBit(left);
+    cells[count] = selection.Tree->GetCellOfLeaf(leaf, set.Cells[numbers[count]]);
+    ++count;
+  }
+  selection.Cells->LoadTrilinear(cells, count, this->Records.Corner);
+  for (int i = 0; i < count; ++i)
+  {
+    SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner[i]);
+  }
+  this->Hulls.Count = count;
+  selection.PacketKernels->BoundTrilinear(this->Records, way.Frame, this->Hulls);
+  unsigned int within = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    // The label of the ray is 0.
+    const LabelBounds& bounds = this->Hulls.Bounds;
+    bool isWithin = bounds.Near[i] <= way.End;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      isWithin = isWithin && bounds.Lower[k][i] <= 0.0F && 0.0F <= bounds.Upper[k][i];
+    }
+    for (const auto& line : this->Hulls.Line)
+    {
+      isWithin = isWithin && line[2][i] >= 0.0F;
+    }
+    within |= static_cast<unsigned int>(isWithin) << numbers[i];
+  }
+  return within;
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,8 @@ private:
   float FindEnd(int ray) const;
   bool Advance(const MeshSelection& selection, int ray, HitsOfRays& hits);
   void AddPieces(const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits);
+  unsigned int FindWithinHulls(const MeshSelection& selection, const Way& way, std::size_t leaf,
+    const MeshSurface& surface, const PackedPieces& set, unsigned int pieces);
   void Solve(const MeshSelection& selection, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
@@ -50,6 +52,8 @@ private:
   PairSolver Solver;
   /// The ray of each pair.
   std::vector<int> Pairs;
+  PassedCellRecords Records;
+  BeamPieces Hulls;
 };
 
 }
