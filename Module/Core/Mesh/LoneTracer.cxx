@@ -163,24 +163,18 @@ unsigned int LoneTracer::FindWithinHulls(const MeshSelection& selection, const W
     cells[count] = selection.Tree->GetCellOfLeaf(leaf, set.Cells[numbers[count]]);
     ++count;
   }
-  selection.Cells->LoadTrilinear(cells, count, this->Records.Corner);
-  for (int i = 0; i < count; ++i)
-  {
-    SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner[i]);
-  }
-  this->Hulls.Count = count;
-  selection.PacketKernels->BoundTrilinear(this->Records, way.Frame, this->Hulls);
+  this->Hulls.Bound(selection, surface, cells, count, way.Frame, this->InHulls);
   unsigned int within = 0;
   for (int i = 0; i < count; ++i)
   {
     // The label of the ray is 0.
-    const LabelBounds& bounds = this->Hulls.Bounds;
+    const LabelBounds& bounds = this->InHulls.Bounds;
     bool isWithin = bounds.Near[i] <= way.End;
     for (std::size_t k = 0; k < 2; ++k)
     {
       isWithin = isWithin && bounds.Lower[k][i] <= 0.0F && 0.0F <= bounds.Upper[k][i];
     }
-    for (const auto& line : this->Hulls.Line)
+    for (const auto& line : this->InHulls.Line)
     {
       isWithin = isWithin && line[2][i] >= 0.0F;
     }

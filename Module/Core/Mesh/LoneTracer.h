@@ -9,6 +9,7 @@
 #include "Mesh/MeshSelection.h"
 #include "Mesh/NearestNodes.h"
 #include "Mesh/PairSolver.h"
+#include "Mesh/TrilinearHulls.h"
 #include "Rays/RayPacket.h"
 
 #include <cstddef>
@@ -52,8 +53,8 @@ private:
   PairSolver Solver;
   /// The ray of each pair.
   std::vector<int> Pairs;
-  PassedCellRecords Records;
-  BeamPieces Hulls;
+  TrilinearHulls Hulls;
+  BeamPieces InHulls;
 };
 
 }

@@ -197,14 +197,8 @@ void MeshBeam::BoundTrilinear(const MeshSelection& selection, const Set& set, Be
   {
     cells[i] = GetCell(selection, set, i);
   }
-  selection.Cells->LoadTrilinear(cells, count, this->Records.Corner);
-  const MeshSurface& surface = selection.Surfaces[static_cast<std::size_t>(set.Surface)];
-  for (int i = 0; i < count; ++i)
-  {
-    SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner[i]);
-  }
-  pieces.Count = count;
-  selection.PacketKernels->BoundTrilinear(this->Records, this->Frame.GetNumbers(), pieces);
+  this->Hulls.Bound(selection, selection.Surfaces[static_cast<std::size_t>(set.Surface)], cells,
+    count, this->Frame.GetNumbers(), pieces);
 }
 
 //------------------------------------------------------------------------------

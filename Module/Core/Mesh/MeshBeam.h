@@ -9,6 +9,7 @@
 #include "Mesh/BeamFrame.h"
 #include "Mesh/MeshSelection.h"
 #include "Mesh/NearestNodes.h"
+#include "Mesh/TrilinearHulls.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -123,7 +124,7 @@ private:
   /// Those in use are the first: the memory is kept from beam to beam.
   std::vector<SeenPieces> Seen;
   int NumberOfSeen = 0;
-  PassedCellRecords Records;
+  TrilinearHulls Hulls;
 };
 
 }
