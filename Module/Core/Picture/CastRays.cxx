@@ -22,8 +22,9 @@ void TraceField(TracedField& field, const CastRay* rays, std::size_t count, cons
   packet.Clear();
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    field.AddRay(rays[ray].Origin, rays[ray].Direction, rays[ray].Begin, rays[ray].End, packet);
+    packet.Append(rays[ray].Origin, rays[ray].Direction, rays[ray].Begin, rays[ray].End);
   }
+  field.ClipRays(packet);
   ends.Cut(packet);
   field.Trace(packet, hits);
 }
