@@ -175,15 +175,21 @@ protected:
     RandomNumbers random(targets.size());
     for (int i = 0; i < 4 && !targets.empty(); ++i)
     {
-      const RayPacket packet = MakeRaysTo(field, targets, random);
-      field.Select(request, { 1, nullptr });
-      const FoundByRays alone(field, packet);
-      field.Select(request, { 1, &this->TheKernels });
-      const FoundByRays together(field, packet);
-      EXPECT_EQ(alone.Hits.First, together.Hits.First);
-      EXPECT_TRUE(AreSame(alone.Hits.Hits, together.Hits.Hits));
-      EXPECT_EQ(alone.Transmittance, together.Transmittance);
+      this->CompareRays(field, request, MakeRaysTo(field, targets, random));
     }
+  }
+
+  /// The same for any rays. Returns the number of hits.
+  std::size_t CompareRays(MeshField& field, const TraceRequest& request, const RayPacket& packet)
+  {
+    field.Select(request, { 1, nullptr });
+    const FoundByRays alone(field, packet);
+    field.Select(request, { 1, &this->TheKernels });
+    const FoundByRays together(field, packet);
+    EXPECT_EQ(alone.Hits.First, together.Hits.First);
+    EXPECT_TRUE(AreSame(alone.Hits.Hits, together.Hits.Hits));
+    EXPECT_EQ(alone.Transmittance, together.Transmittance);
+    return alone.Hits.Hits.size();
   }
 
   /// Of all hits that were compared, the caps.
@@ -360,14 +366,7 @@ TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
       const TraceRequest request({ { 0.2, i % 2 == 0 ? 0.5 : 1.0 } });
       const Aim aim = std::array{ Aim::Parallel, Aim::ToPoint, Aim::Any }[i % 3U];
       const RayPacket packet = MakeRays(field, aim, random, random.Integer(1, 128));
-      field.Select(request, { 1, nullptr });
-      const FoundByRays alone(field, packet);
-      field.Select(request, { 1, &this->TheKernels });
-      const FoundByRays inBeams(field, packet);
-      EXPECT_EQ(alone.Hits.First, inBeams.Hits.First);
-      EXPECT_TRUE(AreSame(alone.Hits.Hits, inBeams.Hits.Hits));
-      EXPECT_EQ(alone.Transmittance, inBeams.Transmittance);
-      count += alone.Hits.Hits.size();
+      count += this->CompareRays(field, request, packet);
     }
   }
   EXPECT_GT(count, 5000U);

@@ -150,15 +150,13 @@ void PacketTracer::TraceAlike(const RaySet& rays, int axis)
   const bool isUp = this->Packet->Direction[axis][FirstOf(rays)] > 0.0;
   RaySet alike = {};
   RaySet others = {};
-  for (int i = 0; i < this->Packet->Count; ++i)
-  {
-    if (Has(rays, i))
+  ForEachRay(rays,
+    [&](int ray)
     {
-      const bool isAlike =
-        GetMainAxis(*this->Packet, i) == axis && (this->Packet->Direction[axis][i] > 0.0) == isUp;
-      Add(i, isAlike ? alike : others);
-    }
-  }
+      const bool isAlike = GetMainAxis(*this->Packet, ray) == axis &&
+        (this->Packet->Direction[axis][ray] > 0.0) == isUp;
+      Add(ray, isAlike ? alike : others);
+    });
   Frustum frustum;
   this->TheKernels.Align(*this->Packet, alike, axis, this->Aligned, frustum);
   this->Going = alike;
