@@ -35,8 +35,10 @@ public:
 
   /// Finds the segments of a tile.
   const vtkIsosurfaceRayTracing::TileSegments& Find(int tile);
-  /// Draws those that were found last.
+  /// Draws those that were found last, as they come in a message.
   void Draw(int tile);
+  /// Finds and draws a tile, as a frame of one machine does.
+  void Render(int tile);
   /// The light of a pixel of the viewport, unrounded.
   std::array<double, 4> GetLight(int x, int y);
 
@@ -54,8 +56,9 @@ private:
 /// The seconds of one thread that the segments of a picture took, and how many there are.
 struct CloudTimes
 {
+  /// Of a picture by one machine, and of finding alone.
+  double Render = 0.0;
   double Find = 0.0;
-  double Draw = 0.0;
   std::int64_t Segments = 0;
 };
 

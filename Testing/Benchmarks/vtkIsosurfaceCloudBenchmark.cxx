@@ -316,12 +316,11 @@ void ComparePictures(const Cloud& cloud, const Arguments& arguments)
     cloud.Eye, PictureRays(cloud.Eye, arguments.Size), arguments.Size, medium);
   const CloudTimes times = MeasureCloud(scene);
   std::printf("%lld tetrahedra, %d x %d pixels, %lld segments, %.1f ns of one thread a segment "
-              "(finding %.1f, drawing %.1f), %.1f bytes a cell\n\n",
+              "(finding alone %.1f), %.1f bytes a cell\n\n",
     static_cast<long long>(cloud.Grid->GetNumberOfCells()), arguments.Size, arguments.Size,
     static_cast<long long>(times.Segments),
-    1e9 * (times.Find + times.Draw) / static_cast<double>(times.Segments),
+    1e9 * times.Render / static_cast<double>(times.Segments),
     1e9 * times.Find / static_cast<double>(times.Segments),
-    1e9 * times.Draw / static_cast<double>(times.Segments),
     tracer.GetMemory() / static_cast<double>(cloud.Grid->GetNumberOfCells()));
   if (!OffScreenWindow::IsPossible())
   {
