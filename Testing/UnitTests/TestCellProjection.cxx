@@ -1007,7 +1007,7 @@ TEST_P(CellProjection, PassesOverWhatIsNotShown)
 //------------------------------------------------------------------------------
 /// No cell that reaches above all sides is left out, near the origin or far from it; of the others
 /// nearly all are.
-TEST(CellBoxes, FindCellsAboveSides)
+TEST_P(CellProjection, FindsCellsAboveSides)
 {
   RandomNumbers random(12);
   for (const double offset : { 0.0, 1e4 })
@@ -1035,7 +1035,13 @@ TEST(CellBoxes, FindCellsAboveSides)
       }
       for (std::size_t block = 0; block < tree.GetNumberOfBlocks(); ++block)
       {
-        const unsigned int met = boxes.FindMet(tree, block, sides, 2);
+        const CellTreeNode& node = tree.GetNode(0, block / CellTree::Width);
+        const auto child = static_cast<int>(block % CellTree::Width);
+        const unsigned int met =
+          this->TheKernels.FindMetCells(node, child, boxes.Get(block), sides, 2);
+        const bool isBlockMet =
+          (this->TheKernels.FindMetChildren(node, sides, 2) >> child & 1U) != 0;
+        EXPECT_TRUE(isBlockMet || met == 0);
         for (int i = 0; i < tree.GetNumberOfCells(block); ++i, ++all)
         {
           MeshCell cell;

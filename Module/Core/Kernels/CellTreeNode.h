@@ -4,6 +4,8 @@
 #ifndef CellTreeNode_h
 #define CellTreeNode_h
 
+#include <cstdint>
+
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -18,6 +20,17 @@ struct alignas(64) CellTreeNode
   float Upper[3][Width];
   float Low[Width];
   float High[Width];
+};
+
+/// The boxes of the cells in a block, which is a child of a node without nodes below it: 6 bytes a
+/// cell.
+struct BlockOfBoxes
+{
+  /// The steps in which the box of the block is divided along each axis.
+  static constexpr int Steps = 255;
+
+  /// The lower ends along each axis, then the upper ones.
+  std::uint8_t Ends[6][CellTreeNode::Width];
 };
 
 }

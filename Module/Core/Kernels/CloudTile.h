@@ -119,15 +119,19 @@ struct SegmentLight
 
 /// A piece of transfer functions, in which they are linear: from a value Low to High. The functions
 /// are the attenuation for a unit of length in the world, red, green and blue.
-struct alignas(32) TransferPiece
+struct alignas(64) TransferPiece
 {
   double Low;
   double High;
   /// A value, and the functions there.
   double Anchor;
-  double Unused;
+  /// One over the width; zero if the piece has no end, infinite if it is too narrow for that.
+  double Scale;
   double AtAnchor[4];
   double Slope[4];
+  /// The functions in single precision: at the anchor, and how they change over the width.
+  float Start[4];
+  float Change[4];
 };
 
 /// Transfer functions of all values.

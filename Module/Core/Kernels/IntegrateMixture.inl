@@ -176,7 +176,8 @@ public:
   {
     for (int i = 0; i < mixed.Components; ++i)
     {
-      this->Values[i] = SegmentValues(*mixed.Transfers[i], segments.Value[i], first, count);
+      this->Values[i] = SegmentValues(*mixed.Transfers[i], Load(&segments.Value[i][0][first]),
+        Load(&segments.Value[i][1][first]), count);
     }
   }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The light of segments, step by step: through a piece of the transfer functions, as far as the
-// series of EmissionAbsorption.h goes. Included by Kernels.inl only.
+// series of EmissionAbsorption.h goes. Most segments take one step, for which single precision
+// suffices. Included by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -47,6 +48,13 @@ struct LoadedPieces
   }
 };
 
+/// The intervals that values are in. Those that are no number have no interval.
+SIMD_INLINE void FindBins(const TransferPieces& transfer, Doubles values, int* bins)
+{
+  const Doubles bin = Floor((values - transfer.First) * transfer.BinsPerUnit);
+  StoreTruncated(Max(Min(bin, Doubles(transfer.Bins - 1)), Doubles(0.0)), bins);
+}
+
 /// The piece that a segment begins in, given its first value and whether its values rise.
 SIMD_INLINE int FindPiece(const TransferPieces& transfer, int bin, double value, bool isRising)
 {
@@ -68,19 +76,19 @@ public:
   int Numbers[DoubleWidth];
 
   SegmentValues() = default;
-  SIMD_INLINE SegmentValues(const TransferPieces& transfer,
-    const double (&values)[2][CloudSegments::Capacity], int first, int count)
-    : Begin(Load(&values[0][first]))
-    , Change(Load(&values[1][first]) - this->Begin)
+  SIMD_INLINE SegmentValues(const TransferPieces& transfer, Doubles begin, Doubles end, int count)
+    : Begin(begin)
+    , Change(end - begin)
     , Rising(ToBits(0.0 < this->Change))
     , Inverse(1.0 / this->Change)
   {
-    const Doubles bin = Floor((this->Begin - transfer.First) * transfer.BinsPerUnit);
-    StoreTruncated(Max(Min(bin, Doubles(transfer.Bins - 1)), Doubles(0.0)), this->Numbers);
+    double values[DoubleWidth];
+    Store(begin, values);
+    FindBins(transfer, begin, this->Numbers);
     for (int lane = 0; lane < DoubleWidth; ++lane)
     {
       this->Numbers[lane] = lane < count
-        ? FindPiece(transfer, this->Numbers[lane], values[0][first + lane], this->IsRising(lane))
+        ? FindPiece(transfer, this->Numbers[lane], values[lane], this->IsRising(lane))
         : this->Numbers[0];
     }
   }
@@ -145,17 +153,149 @@ SIMD_INLINE void StoreLights(
   }
 }
 
+/// A vector of floats: segments that are in one piece each, and not deeper than a step.
+class ShallowSegments
+{
+public:
+  SIMD_INLINE ShallowSegments(const CloudTile& tile, const TransferPieces& transfer,
+    const CloudSegments& segments, int first, int count)
+  {
+    const float* rows[2][FloatWidth];
+    Doubles lengths[2];
+    Doubles places[2][2];
+    unsigned int inside = 0;
+    for (int half = 0; half < 2; ++half)
+    {
+      const int lane = half * DoubleWidth;
+      const int left = LargerOf(SmallerOf(count - lane, DoubleWidth), 0);
+      lengths[half] = FindLengths(tile, segments, first + lane, left);
+      const Mask isInside = FindPlaces(
+        transfer, segments, first + lane, left, places[half], rows[0] + lane, rows[1] + lane);
+      // Beyond them single precision may lose what their product with the attenuation is.
+      const Mask isUsual = (0x1p-60 < lengths[half]) & (lengths[half] < 0x1p60);
+      inside |= ToBits(isInside & isUsual & FirstLanes(left)) << lane;
+    }
+    this->Length = Round(lengths[0], lengths[1]);
+    this->Place[0] = Round(places[0][0], places[1][0]);
+    this->Place[1] = Round(places[0][1], places[1][1]);
+    LoadFours(rows[0], this->Start);
+    LoadFours(rows[1], this->Change);
+    const Floats depths[2] = { this->GetFunction(0, 0) * this->Length,
+      this->GetFunction(0, 1) * this->Length };
+    this->Linear = depths[0];
+    this->Square = 0.5F * (depths[1] - depths[0]);
+    const Floats depth = this->Linear + this->Square;
+    this->Found = inside & ~ToBits(static_cast<float>(LargestStepDepth) < depth);
+  }
+
+  /// Those that are such segments; a bit for each.
+  unsigned int Found;
+
+  /// Finds red, green and blue, and the part of the light that passes; see AbsorptionStep.
+  SIMD_INLINE void FindLight(Floats light[4]) const
+  {
+    const Floats opacity = FindOpacity(this->Linear + this->Square);
+    const Floats first = FindMeanOpacity(this->Linear, this->Square);
+    for (int i = 0; i < 3; ++i)
+    {
+      light[i] =
+        this->GetFunction(1 + i, 0) * first + this->GetFunction(1 + i, 1) * (opacity - first);
+    }
+    light[3] = 1.0F - opacity;
+  }
+
+private:
+  /// Finds the places of both values in the piece that the first of them may be in: from 0 to 1.
+  /// Returns whether both are in it.
+  SIMD_INLINE static Mask FindPlaces(const TransferPieces& transfer, const CloudSegments& segments,
+    int first, int count, Doubles places[2], const float** starts, const float** changes)
+  {
+    const Doubles values[2] = { Load(&segments.Value[0][0][first]),
+      Load(&segments.Value[0][1][first]) };
+    int bins[DoubleWidth];
+    FindBins(transfer, values[0], bins);
+    const double* rows[DoubleWidth];
+    for (int lane = 0; lane < DoubleWidth; ++lane)
+    {
+      const int bin = lane < count ? bins[lane] : 0;
+      const TransferPiece& piece = transfer.Pieces[transfer.FirstInBin[bin]];
+      rows[lane] = &piece.Low;
+      starts[lane] = piece.Start;
+      changes[lane] = piece.Change;
+    }
+    Doubles piece[4];
+    LoadFours(rows, piece);
+    Mask isInside = piece[3] < Infinity;
+    for (int end = 0; end < 2; ++end)
+    {
+      isInside = isInside & (piece[0] <= values[end]) & (values[end] <= piece[1]);
+      places[end] = (values[end] - piece[2]) * piece[3];
+    }
+    return isInside;
+  }
+
+  /// The attenuation, or a colour, at an end.
+  SIMD_INLINE Floats GetFunction(int function, int end) const
+  {
+    return Max(this->Start[function] + this->Change[function] * this->Place[end], Floats(0.0F));
+  }
+
+  /// 1 - exp(-depth).
+  SIMD_INLINE static Floats FindOpacity(Floats depth)
+  {
+    Floats sum = 1.0F;
+    for (int i = 5; i > 1; --i)
+    {
+      sum = 1.0F - depth * sum * (1.0F / static_cast<float>(i));
+    }
+    return depth * sum;
+  }
+
+  /// What the mean of exp(-d) lacks of one, where d = a x + b x^2.
+  SIMD_INLINE static Floats FindMeanOpacity(Floats a, Floats b)
+  {
+    const Floats aa = a * a;
+    const Floats ab = a * b;
+    const Floats bb = b * b;
+    const Floats first = a * (1.0F / 2.0F) + b * (1.0F / 3.0F);
+    const Floats second = aa * (1.0F / 6.0F) + ab * (1.0F / 4.0F) + bb * (1.0F / 10.0F);
+    const Floats third = aa * (a * (1.0F / 24.0F) + b * (1.0F / 10.0F)) +
+      bb * (a * (1.0F / 12.0F) + b * (1.0F / 42.0F));
+    const Floats fourth = aa * (aa * (1.0F / 120.0F) + ab * (1.0F / 36.0F)) +
+      bb * (aa * (1.0F / 28.0F) + ab * (1.0F / 48.0F) + bb * (1.0F / 216.0F));
+    return first - (second - (third - fourth));
+  }
+
+  Floats Length;
+  Floats Place[2];
+  Floats Start[4];
+  Floats Change[4];
+  /// The depth is Linear x + Square x^2.
+  Floats Linear;
+  Floats Square;
+};
+
 /// Less light than this is not followed.
 constexpr double LeastTransmittance = 0x1p-20;
 
-void IntegrateSegments(const CloudTile& tile, const TransferPieces& transfer,
-  const CloudSegments& segments, SegmentLight* lights)
+/// Integrates some of the segments, given their numbers, in as many steps as they take.
+void IntegrateInSteps(const CloudTile& tile, const TransferPieces& transfer,
+  const CloudSegments& segments, const int* numbers, int total, SegmentLight* lights)
 {
-  for (int first = 0; first < segments.Count; first += DoubleWidth)
+  for (int first = 0; first < total; first += DoubleWidth)
   {
-    const int count = SmallerOf(segments.Count - first, DoubleWidth);
-    const Doubles length = FindLengths(tile, segments, first, count);
-    SegmentValues values(transfer, segments.Value[0], first, count);
+    const int count = SmallerOf(total - first, DoubleWidth);
+    int some[DoubleWidth];
+    int pixels[DoubleWidth];
+    for (int lane = 0; lane < DoubleWidth; ++lane)
+    {
+      some[lane] = numbers[first + (lane < count ? lane : 0)];
+      pixels[lane] = segments.Pixel[some[lane]];
+    }
+    const Doubles length = Gather(tile.Length, pixels) *
+      (Gather(segments.Depth[1], some) - Gather(segments.Depth[0], some));
+    SegmentValues values(
+      transfer, Gather(segments.Value[0][0], some), Gather(segments.Value[0][1], some), count);
 
     // What is left of each segment begins at x.
     Doubles x = 0.0;
@@ -196,8 +336,40 @@ void IntegrateSegments(const CloudTile& tile, const TransferPieces& transfer,
       isOpen = isOpen & (isStep | (end < 1.0)) & (LeastTransmittance < transmittance);
       values.Move(AndNot(isOpen, isStep));
     }
-    StoreLights(light, transmittance, count, lights + first);
+    SegmentLight found[DoubleWidth];
+    StoreLights(light, transmittance, count, found);
+    for (int lane = 0; lane < count; ++lane)
+    {
+      lights[some[lane]] = found[lane];
+    }
   }
+}
+
+void IntegrateSegments(const CloudTile& tile, const TransferPieces& transfer,
+  const CloudSegments& segments, SegmentLight* lights)
+{
+  int numbers[CloudSegments::Capacity];
+  int total = 0;
+  for (int first = 0; first < segments.Count; first += FloatWidth)
+  {
+    const int count = SmallerOf(segments.Count - first, FloatWidth);
+    const ShallowSegments shallow(tile, transfer, segments, first, count);
+    Floats light[4];
+    shallow.FindLight(light);
+    float found[4 * FloatWidth];
+    StoreFours(light, found);
+    for (int lane = 0; lane < count; ++lane)
+    {
+      const float* of = found + 4 * lane;
+      lights[first + lane] = { { of[0], of[1], of[2] }, of[3] };
+    }
+    unsigned int others = ~shallow.Found & ((1U << count) - 1U);
+    for (; others != 0; others &= others - 1)
+    {
+      numbers[total++] = first + LowestBit(others);
+    }
+  }
+  IntegrateInSteps(tile, transfer, segments, numbers, total, lights);
 }
 
 }

@@ -361,6 +361,13 @@ struct Kernels
   /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
   void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
 
+  /// Finds the children of a node, or the cells of a block that is a child of it, whose boxes may
+  /// reach above all of some sides; a bit for each. A side is a row whose product with (x, y, z, 1)
+  /// is positive above it.
+  unsigned int (*FindMetChildren)(const CellTreeNode& node, const double (*sides)[4], int count);
+  unsigned int (*FindMetCells)(const CellTreeNode& node, int block, const BlockOfBoxes& boxes,
+    const double (*sides)[4], int count);
+
   /// Makes the rays of a tile: each begins at the near plane. The block has no dimensions, and no
   /// more pixels than a tile. With a lighting, which may be null, the rays in the world are found.
   void (*MakeCloudRays)(const PixelBlock& block, const double* worldFromObject, CloudTile& tile,

@@ -87,6 +87,7 @@ SIMD_INLINE void LoadCorner(
 
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
+#include "Kernels/FindMetCells.inl"
 #include "Kernels/FindPassages.inl"
 #include "Kernels/FindSegments.inl"
 #include "Kernels/FindSegmentsInCells.inl"
@@ -128,7 +129,8 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, FindFrames, EndRays, ProjectChildren, FindExtents<4>, FindExtents<8>,               \
     WeightGradients, PackPolygons, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, \
-    FindPairs, SolveTetrahedra, SolveTrilinear, MakeCloudRays, ProjectTetrahedra,                  \
+    FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,      \
+    ProjectTetrahedra,                                                                             \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -337,6 +337,23 @@ SIMD_INLINE Floats GetBits(const unsigned int* words, int shift, unsigned int ma
     _mm512_and_si512(_mm512_srl_epi32(_mm512_loadu_si512(words), _mm_cvtsi32_si128(shift)),
       _mm512_set1_epi32(static_cast<int>(mask)))) };
 }
+SIMD_INLINE Floats LoadBytes(const std::uint8_t* a)
+{
+  return { _mm512_cvtepi32_ps(
+    _mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a)))) };
+}
+/// Of each four lanes, takes the first of the rows to the first vector, and so on.
+SIMD_INLINE void TransposeFours(const __m512 rows[4], __m512 to[4])
+{
+  const __m512d low[2] = { _mm512_castps_pd(_mm512_unpacklo_ps(rows[0], rows[1])),
+    _mm512_castps_pd(_mm512_unpacklo_ps(rows[2], rows[3])) };
+  const __m512d high[2] = { _mm512_castps_pd(_mm512_unpackhi_ps(rows[0], rows[1])),
+    _mm512_castps_pd(_mm512_unpackhi_ps(rows[2], rows[3])) };
+  to[0] = _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1]));
+  to[1] = _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1]));
+  to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1]));
+  to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1]));
+}
 /// Four numbers for each lane, each of them in a vector.
 SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
 {
@@ -348,14 +365,26 @@ SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
     rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[8 + i]), 2);
     rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[12 + i]), 3);
   }
-  const __m512d low[2] = { _mm512_castps_pd(_mm512_unpacklo_ps(rows[0], rows[1])),
-    _mm512_castps_pd(_mm512_unpacklo_ps(rows[2], rows[3])) };
-  const __m512d high[2] = { _mm512_castps_pd(_mm512_unpackhi_ps(rows[0], rows[1])),
-    _mm512_castps_pd(_mm512_unpackhi_ps(rows[2], rows[3])) };
-  to[0] = { _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1])) };
-  to[1] = { _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1])) };
-  to[2] = { _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1])) };
-  to[3] = { _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1])) };
+  __m512 columns[4];
+  TransposeFours(rows, columns);
+  for (int i = 0; i < 4; ++i)
+  {
+    to[i] = { columns[i] };
+  }
+}
+/// Four numbers of each lane, those of the first lane first.
+SIMD_INLINE void StoreFours(const Floats from[4], float* to)
+{
+  const __m512 columns[4] = { from[0].Value, from[1].Value, from[2].Value, from[3].Value };
+  __m512 rows[4];
+  TransposeFours(columns, rows);
+  for (int i = 0; i < 4; ++i)
+  {
+    _mm_storeu_ps(to + 4 * i, _mm512_castps512_ps128(rows[i]));
+    _mm_storeu_ps(to + 16 + 4 * i, _mm512_extractf32x4_ps(rows[i], 1));
+    _mm_storeu_ps(to + 32 + 4 * i, _mm512_extractf32x4_ps(rows[i], 2));
+    _mm_storeu_ps(to + 48 + 4 * i, _mm512_extractf32x4_ps(rows[i], 3));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -293,11 +293,26 @@ SIMD_INLINE Floats GetBits(const unsigned int* words, int shift, unsigned int ma
   }
   return { bits };
 }
+SIMD_INLINE Floats LoadBytes(const std::uint8_t* a)
+{
+  return { FloatVector{ static_cast<float>(a[0]), static_cast<float>(a[1]),
+    static_cast<float>(a[2]), static_cast<float>(a[3]) } };
+}
 SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
 {
   for (int i = 0; i < 4; ++i)
   {
     to[i] = { FloatVector{ from[0][i], from[1][i], from[2][i], from[3][i] } };
+  }
+}
+SIMD_INLINE void StoreFours(const Floats from[4], float* to)
+{
+  for (int lane = 0; lane < FloatWidth; ++lane)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      to[4 * lane + i] = from[i].Value[lane];
+    }
   }
 }
 

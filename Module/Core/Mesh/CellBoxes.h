@@ -14,32 +14,21 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The boxes of the cells in the blocks of a tree, each in 256 steps of the box of its block: 6
-/// bytes a cell.
+/// The boxes of the cells in the blocks of a tree.
 class CellBoxes
 {
 public:
   CellBoxes(const MeshCells& cells, const CellTree& tree, int threads);
 
-  /// Finds the cells of a block whose boxes reach above all of some sides; a bit for each. A side
-  /// is a row whose product with (x, y, z, 1) is positive above it; it may be off by what single
-  /// precision loses.
-  unsigned int FindMet(
-    const CellTree& tree, std::size_t block, const double (*sides)[4], int count) const;
+  const BlockOfBoxes& Get(std::size_t block) const { return this->Blocks[block]; }
 
-  std::size_t GetMemory() const { return this->Blocks.capacity() * sizeof(Block); }
+  std::size_t GetMemory() const { return this->Blocks.capacity() * sizeof(BlockOfBoxes); }
 
 private:
-  struct Block
-  {
-    /// The lower ends along each axis, then the upper ones.
-    std::uint8_t Ends[6][CellTree::Width];
-  };
-
   static void SetBox(
-    const CellTreeNode& node, int child, const Bounds& box, int cell, Block& block);
+    const CellTreeNode& node, int child, const Bounds& box, int cell, BlockOfBoxes& block);
 
-  std::vector<Block> Blocks;
+  std::vector<BlockOfBoxes> Blocks;
 };
 
 }

@@ -28,6 +28,18 @@ double FindLargest(const double (&row)[4], const CellTreeNode& node, int child)
   return sum;
 }
 
+/// Makes the largest slope of a side one, for kernels in single precision.
+void ScaleSide(double (&side)[4])
+{
+  const double largest =
+    std::max(std::max(std::abs(side[0]), std::abs(side[1])), std::abs(side[2]));
+  const double scale = largest > 0.0 ? 1.0 / largest : 1.0;
+  for (double& number : side)
+  {
+    number *= scale;
+  }
+}
+
 /// The most numbers that a corner has.
 constexpr int MaximumNumbers = 4 * MaximumCloudComponents;
 
@@ -167,6 +179,10 @@ void MeshCloud::FindSides()
     this->Sides[3][i] = top * from[2][i] - from[1][i];
     this->Sides[4][i] = from[3][i];
   }
+  for (auto& side : this->Sides)
+  {
+    ScaleSide(side);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -299,15 +315,12 @@ void MeshCloud::FindBlocks(int level, std::size_t node)
 {
   const CellTree& tree = *this->Selection.Tree;
   const CellTreeNode& parent = tree.GetNode(level, node);
-  for (int child = 0; child < CellTree::Width; ++child)
+  unsigned int met =
+    this->TheKernels.FindMetChildren(parent, this->Sides, static_cast<int>(std::size(this->Sides)));
+  for (; met != 0; met &= met - 1)
   {
+    const int child = LowestBit(met);
     if (!this->IsShown(parent, child))
-    {
-      continue;
-    }
-    const bool isSeen = std::all_of(std::begin(this->Sides), std::end(this->Sides),
-      [&](const auto& side) { return FindLargest(side, parent, child) >= 0.0; });
-    if (!isSeen)
     {
       continue;
     }
@@ -413,8 +426,9 @@ void MeshCloud::SetNumbers()
 int MeshCloud::FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const
 {
   const CellTree& tree = *this->Selection.Tree;
-  const unsigned int met = this->Selection.Boxes->FindMet(
-    tree, block, this->Sides, static_cast<int>(std::size(this->Sides)));
+  const unsigned int met = this->TheKernels.FindMetCells(tree.GetNode(0, block / CellTree::Width),
+    static_cast<int>(block % CellTree::Width), this->Selection.Boxes->Get(block), this->Sides,
+    static_cast<int>(std::size(this->Sides)));
   int count = 0;
   for (int i = 0; i < tree.GetNumberOfCells(block); ++i)
   {

@@ -39,11 +39,14 @@ void CloudTransfer::AddPiece(double low, double high, const CloudNode& from, con
   piece.Low = low;
   piece.High = high;
   piece.Anchor = from.Value;
+  piece.Scale = 1.0 / (high - low);
   for (std::size_t i = 0; i < 4; ++i)
   {
     const double change = atHigh[i] - atLow[i];
     piece.AtAnchor[i] = atLow[i];
     piece.Slope[i] = change != 0.0 ? change / (high - low) : 0.0;
+    piece.Start[i] = static_cast<float>(atLow[i]);
+    piece.Change[i] = static_cast<float>(change);
   }
   this->Pieces.push_back(piece);
 }
