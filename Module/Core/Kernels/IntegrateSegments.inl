@@ -185,7 +185,8 @@ public:
     this->Linear = depths[0];
     this->Square = 0.5F * (depths[1] - depths[0]);
     const Floats depth = this->Linear + this->Square;
-    this->Found = inside & ~ToBits(static_cast<float>(LargestStepDepth) < depth);
+    // Not where a depth is no number.
+    this->Found = inside & ToBits(depth < static_cast<float>(LargestStepDepth));
   }
 
   /// Those that are such segments; a bit for each.
