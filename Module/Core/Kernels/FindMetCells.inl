@@ -12,6 +12,13 @@ namespace
 /// More than single precision loses in the sum of a side, in parts of its terms.
 constexpr float SideRounding = 1e-6F;
 
+/// The lanes that are met, given the least of their sums; a bit for each, from the first child on.
+/// Undefined sums are met, too.
+SIMD_INLINE unsigned int FindMetLanes(Floats least, int first)
+{
+  return (~ToBits(least < 0.0F) & ((1U << FloatWidth) - 1U)) << first;
+}
+
 unsigned int FindMetChildren(const CellTreeNode& node, const double (*sides)[4], int count)
 {
   unsigned int met = 0;
@@ -33,8 +40,7 @@ unsigned int FindMetChildren(const CellTreeNode& node, const double (*sides)[4],
       }
       least = Min(least, sum + SideRounding * size);
     }
-    // Undefined sums are met, too.
-    met |= (~ToBits(least < 0.0F) & ((1U << FloatWidth) - 1U)) << first;
+    met |= FindMetLanes(least, first);
   }
   return met;
 }
@@ -92,8 +98,7 @@ unsigned int FindMetCells(const CellTreeNode& node, int block, const BlockOfBoxe
   int first = 0;
   for (const Floats& some : least)
   {
-    // Undefined sums are met, too.
-    met |= (~ToBits(some < 0.0F) & ((1U << FloatWidth) - 1U)) << first;
+    met |= FindMetLanes(some, first);
     first += FloatWidth;
   }
   return met;
