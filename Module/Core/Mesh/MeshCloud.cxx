@@ -5,6 +5,7 @@
 
 #include "Math/Arithmetic.h"
 #include "Math/Matrix.h"
+#include "Math/PrefetchLines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +143,7 @@ void MeshCloud::Begin(
   std::sort(this->Blocks.begin(), this->Blocks.end(),
     [](const Block& a, const Block& b)
     { return a.Depth < b.Depth || (a.Depth == b.Depth && a.Number < b.Number); });
+  this->FindNextCells();
 }
 
 //------------------------------------------------------------------------------
@@ -381,9 +383,12 @@ void MeshCloud::LoadCells()
   this->DepthOfProjected = this->GetNextDepth();
   while (this->Loaded < ProjectedTetrahedra::Capacity && this->NextBlock < this->Blocks.size())
   {
-    const Block& block = this->Blocks[this->NextBlock++];
-    this->DepthOfLast = block.Depth;
-    this->Loaded += this->KeepShown(this->LoadBlock(block.Number));
+    std::uint32_t cells[CellTree::Width];
+    const int count = this->NextCount;
+    std::copy_n(this->NextCells, count, cells);
+    this->DepthOfLast = this->Blocks[this->NextBlock++].Depth;
+    this->FindNextCells();
+    this->Loaded += this->KeepShown(this->LoadTetrahedra(cells, count));
   }
   const int count = std::min(this->Loaded, ProjectedTetrahedra::Capacity);
   this->TheKernels.ProjectTetrahedra(this->Tile, this->Corners, count, this->Projected);
@@ -422,29 +427,40 @@ void MeshCloud::SetNumbers()
 }
 
 //------------------------------------------------------------------------------
-/// Finds the cells of a block that the tile may see. Returns how many there are.
-int MeshCloud::FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const
+/// Finds the cells of the next block that the tile may see, and begins to fetch what is read of
+/// them and of blocks after that.
+void MeshCloud::FindNextCells()
 {
+  constexpr std::size_t ahead = 4;
+  if (this->NextBlock + ahead < this->Blocks.size())
+  {
+    const std::size_t later = this->Blocks[this->NextBlock + ahead].Number;
+    PrefetchLines(&this->Selection.Boxes->Get(later), sizeof(BlockOfBoxes));
+  }
+  this->NextCount = 0;
+  if (this->NextBlock == this->Blocks.size())
+  {
+    return;
+  }
   const CellTree& tree = *this->Selection.Tree;
+  const std::size_t block = this->Blocks[this->NextBlock].Number;
   const unsigned int met = this->TheKernels.FindMetCells(tree.GetNode(0, block / CellTree::Width),
     static_cast<int>(block % CellTree::Width), this->Selection.Boxes->Get(block), this->Sides,
     static_cast<int>(std::size(this->Sides)));
-  int count = 0;
-  for (int i = 0; i < tree.GetNumberOfCells(block); ++i)
+  for (unsigned int left = met & ((1U << tree.GetNumberOfCells(block)) - 1U); left != 0;
+       left &= left - 1)
   {
-    numbers[count] = tree.GetCell(block, i);
-    count += static_cast<int>(met >> i & 1U);
+    const std::uint32_t cell = tree.GetCell(block, LowestBit(left));
+    this->Selection.Cells->Prefetch(cell);
+    this->NextCells[this->NextCount++] = cell;
   }
-  return count;
 }
 
 //------------------------------------------------------------------------------
-/// Loads the tetrahedra of a block behind those that are loaded. Returns how many there are.
-int MeshCloud::LoadBlock(std::size_t block)
+/// Loads the tetrahedra of some cells behind those that are loaded. Returns how many there are.
+int MeshCloud::LoadTetrahedra(const std::uint32_t* numbers, int count)
 {
   const MeshCells& cells = *this->Selection.Cells;
-  std::uint32_t numbers[CellTree::Width];
-  const int count = this->FindCells(block, numbers);
   const bool areTetrahedra = count > 0 && this->AreTetrahedra && !this->HasNumbers() &&
     std::all_of(numbers, numbers + count,
       [&](std::uint32_t number) { return cells.GetShape(number) == CellShape::Tetrahedron; });

@@ -56,8 +56,8 @@ private:
   int KeepShown(int count);
   void FindBlocks(int level, std::size_t node);
   void LoadCells();
-  int FindCells(std::size_t block, std::uint32_t (&numbers)[CellTree::Width]) const;
-  int LoadBlock(std::size_t block);
+  void FindNextCells();
+  int LoadTetrahedra(const std::uint32_t* cells, int count);
   int LoadCell(std::uint32_t number, int place);
   void LoadNumbers(const MeshCell& cell, double (*numbers)[MaximumCorners]) const;
   void FindGradients(int tetrahedron);
@@ -89,6 +89,9 @@ private:
   double Margin = 0.0;
   std::vector<Block> Blocks;
   std::size_t NextBlock = 0;
+  /// The cells of the next block that the tile may see.
+  std::uint32_t NextCells[CellTree::Width];
+  int NextCount = 0;
 
   ProjectedTetrahedra Projected;
   /// How many of them have been searched.
