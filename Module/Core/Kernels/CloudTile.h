@@ -60,6 +60,9 @@ struct ProjectedTetrahedra
   double Y[4][Capacity];
   double W[4][Capacity];
   double Depth[4][Capacity];
+  /// What no depth in them is less than, or more than, whatever rounding does.
+  double Nearest[Capacity];
+  double Farthest[Capacity];
   /// Of each component.
   double Value[MaximumCloudComponents][4][Capacity];
   /// The coordinates of the gradients at the corners, one after the other; null without.
@@ -71,9 +74,11 @@ struct ProjectedTetrahedra
   double C[Edges][Capacity];
   double Rounding[Edges][Capacity];
 
-  /// Of the faces 012, 013, 023 and 123, whether they are seen from one side or the other: 1 or -1;
-  /// 0 where that is not sure.
-  double Side[4][Capacity];
+  /// Half planes of labels outside of which tetrahedra are not, in single precision: the ray (i, j)
+  /// may pass one if A i + B j + C is nowhere negative.
+  float OutlineA[Edges][Capacity];
+  float OutlineB[Edges][Capacity];
+  float OutlineC[Edges][Capacity];
 
   /// The pixels that may be covered, from first to last; none if the last comes before the first.
   int FirstColumn[Capacity];

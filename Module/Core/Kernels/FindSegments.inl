@@ -8,62 +8,20 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The edges that bound a tetrahedron as a tile sees it, in single precision: half planes of
-/// labels, moved out by what rounding may be.
-struct Outline
+/// The pixels whose rays may pass a tetrahedron; a bit for each lane.
+SIMD_INLINE unsigned int FindInOutline(
+  const ProjectedTetrahedra& projected, int number, Floats columns, Floats rows)
 {
-  int Count = 0;
-  float A[4];
-  float B[4];
-  float C[4];
-
-  SIMD_INLINE Outline(const ProjectedTetrahedra& projected, int number)
+  Floats least = 0.0F;
+  for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
   {
-    const double side012 = projected.Side[0][number];
-    const double side013 = projected.Side[1][number];
-    const double side023 = projected.Side[2][number];
-    const double side123 = projected.Side[3][number];
-    // Both faces of a bounding edge are on one side of it, as seen from the eye.
-    this->Add(projected, number, 0, side012, side013);
-    this->Add(projected, number, 1, -side012, side023);
-    this->Add(projected, number, 2, -side013, -side023);
-    this->Add(projected, number, 3, side012, side123);
-    this->Add(projected, number, 4, side013, -side123);
-    this->Add(projected, number, 5, side023, side123);
+    const Floats a = projected.OutlineA[i][number];
+    const Floats b = projected.OutlineB[i][number];
+    const Floats c = projected.OutlineC[i][number];
+    least = Min(least, MultiplyAdd(columns, a, MultiplyAdd(rows, b, c)));
   }
-
-  /// The pixels that may be covered; a bit for each lane.
-  SIMD_INLINE unsigned int FindPixels(Floats columns, Floats rows) const
-  {
-    Floats least = 0.0F;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      least = Min(least, MultiplyAdd(columns, this->A[i], rows * this->B[i] + this->C[i]));
-    }
-    return ((1U << FloatWidth) - 1U) & ~ToBits(least < 0.0F);
-  }
-
-private:
-  SIMD_INLINE void Add(
-    const ProjectedTetrahedra& projected, int number, int edge, double one, double other)
-  {
-    if (one * other <= 0.0)
-    {
-      return;
-    }
-    const double a = one * projected.A[edge][number];
-    const double b = one * projected.B[edge][number];
-    const double c = one * projected.C[edge][number];
-    const double across = std::fabs(a) + std::fabs(b);
-    const double margin = 0x1p-20 * (std::fabs(c) + CloudTile::Middle * across);
-    // Single precision has no room for every scale.
-    const double scale = 1.0 / (margin + 0x1p-1000);
-    this->A[this->Count] = static_cast<float>(a * scale);
-    this->B[this->Count] = static_cast<float>(b * scale);
-    this->C[this->Count] = static_cast<float>(c * scale) + 1.0F;
-    ++this->Count;
-  }
-};
+  return ((1U << FloatWidth) - 1U) & ~ToBits(least < 0.0F);
+}
 
 /// The labels of the first pixels of a tile, a vector of them in one row or in several.
 struct PixelLabels
@@ -87,7 +45,6 @@ struct PixelLabels
 SIMD_INLINE int FindCovered(
   const CloudTile& tile, const ProjectedTetrahedra& projected, int number, int* pixels)
 {
-  const Outline outline(projected, number);
   const int firstColumn = projected.FirstColumn[number];
   const int lastColumn = projected.LastColumn[number];
   const int lastRow = projected.LastRow[number];
@@ -113,7 +70,8 @@ SIMD_INLINE int FindCovered(
         ? (open >> first & half) | (openNext >> first & half) << DoubleWidth
         : open >> first;
       const std::uint32_t covered = lanes &
-        outline.FindPixels(columns + static_cast<float>(first), rows + static_cast<float>(row));
+        FindInOutline(
+          projected, number, columns + static_cast<float>(first), rows + static_cast<float>(row));
       const int pixel = row * CloudTile::Edge + first;
       count += AppendLanes(pixel, covered & half, pixels + count);
       count += AppendLanes(
@@ -386,18 +344,10 @@ struct CommonDepths
     this->End = ReduceMin(end);
   }
 
-  /// Whether a tetrahedron is between them, by more than rounding.
+  /// Whether a tetrahedron is between them.
   SIMD_INLINE bool Hold(const ProjectedTetrahedra& projected, int number) const
   {
-    double nearest = projected.Depth[0][number];
-    double farthest = nearest;
-    for (int i = 1; i < 4; ++i)
-    {
-      nearest = SmallerOf(nearest, projected.Depth[i][number]);
-      farthest = LargerOf(farthest, projected.Depth[i][number]);
-    }
-    const double rounding = 1e-12 * (std::fabs(nearest) + std::fabs(farthest));
-    return this->Begin < nearest - rounding && farthest + rounding < this->End;
+    return this->Begin < projected.Nearest[number] && projected.Farthest[number] < this->End;
   }
 };
 

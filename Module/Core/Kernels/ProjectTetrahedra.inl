@@ -86,6 +86,31 @@ SIMD_INLINE Doubles FindSide(const TileCorners& corners, const Doubles edge[3], 
   return Select(isSure, CopySign(Doubles(1.0), volume), Doubles(0.0));
 }
 
+/// Finds the outlines of a vector of tetrahedra, from the first on, given which side the faces 012,
+/// 013, 023 and 123 are seen from: both faces of an edge of the outline are on one side of it. They
+/// are moved out by what rounding may be.
+SIMD_INLINE void FindOutlines(const Doubles (&edges)[ProjectedTetrahedra::Edges][3],
+  const Doubles (&sides)[4], int first, ProjectedTetrahedra& projected)
+{
+  const Doubles faces[ProjectedTetrahedra::Edges][2] = { { sides[0], sides[1] },
+    { 0.0 - sides[0], sides[2] }, { 0.0 - sides[1], 0.0 - sides[2] }, { sides[0], sides[3] },
+    { sides[1], 0.0 - sides[3] }, { sides[2], sides[3] } };
+  for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
+  {
+    const Doubles a = faces[i][0] * edges[i][0];
+    const Doubles b = faces[i][0] * edges[i][1];
+    const Doubles c = faces[i][0] * edges[i][2];
+    const Doubles across = Abs(a) + Abs(b);
+    const Doubles margin = 0x1p-20 * (Abs(c) + Doubles(CloudTile::Middle) * across);
+    // Single precision has no room for every scale.
+    const Doubles scale = 1.0 / (margin + 0x1p-1000);
+    const Mask isBounding = 0.0 < faces[i][0] * faces[i][1];
+    StoreRounded(Select(isBounding, a * scale, Doubles(0.0)), &projected.OutlineA[i][first]);
+    StoreRounded(Select(isBounding, b * scale, Doubles(0.0)), &projected.OutlineB[i][first]);
+    StoreRounded(Select(isBounding, c * scale + 1.0, Doubles(1.0)), &projected.OutlineC[i][first]);
+  }
+}
+
 void ProjectTetrahedra(
   const CloudTile& tile, const double (*corners)[4][4], int count, ProjectedTetrahedra& projected)
 {
@@ -107,6 +132,7 @@ void ProjectTetrahedra(
     Doubles columns[4];
     Doubles rows[4];
     Mask isInFront = Doubles(0.0) < Doubles(1.0);
+    Doubles nearest = Infinity;
     Doubles farthest = -1.0;
     for (int i = 0; i < 4; ++i)
     {
@@ -126,6 +152,7 @@ void ProjectTetrahedra(
       Store(numbers[3], &projected.Depth[i][first]);
       const Doubles largest = LargestCloudValue;
       Store(Max(0.0 - largest, Min(largest, placed[i].Numbers[3])), &projected.Value[0][i][first]);
+      nearest = Min(nearest, numbers[3]);
       farthest = Max(farthest, numbers[3]);
       isInFront = isInFront & (0.0 < numbers[2]);
       const Doubles inverse = 1.0 / numbers[2];
@@ -146,14 +173,18 @@ void ProjectTetrahedra(
       Store(rounding, &projected.Rounding[i][first]);
     }
     // Behind the eye sides are turned, and labels are anywhere: all pixels may be covered.
-    const Doubles sides[4] = { FindSide(seen, edges[0], 2), FindSide(seen, edges[0], 3),
+    Doubles sides[4] = { FindSide(seen, edges[0], 2), FindSide(seen, edges[0], 3),
       FindSide(seen, edges[1], 3), FindSide(seen, edges[3], 3) };
     for (int i = 0; i < 4; ++i)
     {
-      Store(Select(isInFront, sides[i], Doubles(0.0)), &projected.Side[i][first]);
+      sides[i] = Select(isInFront, sides[i], Doubles(0.0));
       columns[i] = Select(isInFront, columns[i], Doubles(i == 0 ? -Infinity : Infinity));
       rows[i] = Select(isInFront, rows[i], Doubles(i == 0 ? -Infinity : Infinity));
     }
+    FindOutlines(edges, sides, first, projected);
+    const Doubles margin = 1e-12 * (Abs(nearest) + Abs(farthest));
+    Store(nearest - margin, &projected.Nearest[first]);
+    Store(farthest + margin, &projected.Farthest[first]);
     // Nothing is seen before the near plane.
     const Mask isSeen = 0.0 < farthest;
     for (int i = 0; i < 4; ++i)

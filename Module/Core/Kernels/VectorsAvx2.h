@@ -217,6 +217,14 @@ SIMD_INLINE Floats Round(Doubles low, Doubles high)
 {
   return { _mm256_set_m128(_mm256_cvtpd_ps(high.Value), _mm256_cvtpd_ps(low.Value)) };
 }
+SIMD_INLINE void StoreRounded(Doubles a, float* to)
+{
+  _mm_storeu_ps(to, _mm256_cvtpd_ps(a.Value));
+}
+SIMD_INLINE Doubles LoadWidened(const float* a)
+{
+  return { _mm256_cvtps_pd(_mm_loadu_ps(a)) };
+}
 SIMD_INLINE Floats operator+(Floats a, Floats b)
 {
   return { _mm256_add_ps(a.Value, b.Value) };

@@ -261,6 +261,15 @@ SIMD_INLINE Floats Round(Doubles low, Doubles high)
   return { _mm512_insertf32x8(
     _mm512_castps256_ps512(_mm512_cvtpd_ps(low.Value)), _mm512_cvtpd_ps(high.Value), 1) };
 }
+/// In single precision.
+SIMD_INLINE void StoreRounded(Doubles a, float* to)
+{
+  _mm256_storeu_ps(to, _mm512_cvtpd_ps(a.Value));
+}
+SIMD_INLINE Doubles LoadWidened(const float* a)
+{
+  return { _mm512_cvtps_pd(_mm256_loadu_ps(a)) };
+}
 SIMD_INLINE Floats operator+(Floats a, Floats b)
 {
   return { _mm512_add_ps(a.Value, b.Value) };

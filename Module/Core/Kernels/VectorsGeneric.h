@@ -220,6 +220,15 @@ SIMD_INLINE Floats Round(Doubles low, Doubles high)
   return { FloatVector{ static_cast<float>(low.Value[0]), static_cast<float>(low.Value[1]),
     static_cast<float>(high.Value[0]), static_cast<float>(high.Value[1]) } };
 }
+SIMD_INLINE void StoreRounded(Doubles a, float* to)
+{
+  to[0] = static_cast<float>(a.Value[0]);
+  to[1] = static_cast<float>(a.Value[1]);
+}
+SIMD_INLINE Doubles LoadWidened(const float* a)
+{
+  return { DoubleVector{ static_cast<double>(a[0]), static_cast<double>(a[1]) } };
+}
 SIMD_INLINE Floats operator+(Floats a, Floats b)
 {
   return { a.Value + b.Value };
