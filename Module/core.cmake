@@ -49,6 +49,7 @@ set(core_sources
   Picture/CloudFinder.cxx
   Picture/CloudTileRenderer.cxx
   Picture/CloudTransfer.cxx
+  Picture/PendingSegments.cxx
   Picture/PixelBlockRenderer.cxx
   Picture/RenderSharedTiles.cxx
   Picture/RenderTiles.cxx

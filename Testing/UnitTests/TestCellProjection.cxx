@@ -18,6 +18,7 @@
 #include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
 #include "Picture/CloudTransfer.h"
+#include "Picture/PendingSegments.h"
 #include "Picture/RenderTiles.h"
 #include "RandomNumbers.h"
 #include "TestMesh.h"
@@ -440,6 +441,83 @@ TEST_P(CellProjection, IntegratesSegments)
     }
   }
   this->RecordProperty("worst", std::to_string(worst));
+}
+
+//------------------------------------------------------------------------------
+/// Lists of any lengths, with depths that are equal but for some digits: those that are drawn are
+/// drawn as one after the other, and none is left out that is not alike.
+TEST_P(CellProjection, DrawsSegmentsInOrder)
+{
+  struct Segment
+  {
+    double Depth;
+    SegmentLight Light;
+  };
+  RandomNumbers random(15);
+  int drawn = 0;
+  int alike = 0;
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    PendingSegments pending;
+    std::vector<std::vector<Segment>> lists(CloudTile::Capacity);
+    std::vector<bool> areAlike(CloudTile::Capacity, false);
+    for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
+    {
+      std::vector<Segment>& list = lists[static_cast<std::size_t>(pixel)];
+      const int count = random.Integer(0, turn < 10 ? 20 : 100);
+      for (int i = 0; i < count; ++i)
+      {
+        double depth = random.Uniform(0.0, 1.0);
+        if (i > 0 && random.Integer(0, 200) == 0)
+        {
+          const double steps[] = { 0.0, 0x1p-52, -0x1p-50, 0x1p-46 };
+          depth = list.back().Depth * (1.0 + steps[random.Integer(0, 3)]);
+          areAlike[static_cast<std::size_t>(pixel)] = true;
+        }
+        const auto part = [&random] { return static_cast<float>(random.Uniform(0.0, 1.0)); };
+        const float passing = turn % 2 == 0 ? 1.0F - 0.1F * part() : part();
+        list.push_back({ depth, { { part(), part(), part() }, passing } });
+        pending.Add(pixel, depth, list.back().Light);
+      }
+    }
+    const double before = turn % 3 == 0 ? Infinity : random.Uniform(0.0, 1.0);
+    auto light = std::make_unique<TileLight>();
+    std::fill_n(&light->Color[0][0], 3 * CloudTile::Capacity, 0.25);
+    std::fill_n(light->Transmittance, CloudTile::Capacity, 0.5);
+    for (int row = 0; row < CloudTile::Edge; ++row)
+    {
+      const auto columns = static_cast<unsigned int>(random.Integer(0, 0xFFFF));
+      const unsigned int left =
+        this->TheKernels.DrawSegments(pending.GetLists(), row, before, columns, *light);
+      EXPECT_EQ(left & ~columns, 0U);
+      for (int column = 0; column < CloudTile::Edge; ++column)
+      {
+        const int pixel = row * CloudTile::Edge + column;
+        std::vector<Segment>& list = lists[static_cast<std::size_t>(pixel)];
+        std::sort(list.begin(), list.end(),
+          [](const Segment& a, const Segment& b) { return a.Depth < b.Depth; });
+        const bool isDrawn = ((columns & ~left) >> column & 1U) != 0;
+        EXPECT_TRUE((left >> column & 1U) == 0 || areAlike[static_cast<std::size_t>(pixel)]);
+        double color = 0.25;
+        double transmittance = 0.5;
+        for (std::size_t i = 0; i < list.size() && isDrawn && list[i].Depth < before; ++i)
+        {
+          EXPECT_TRUE(i == 0 || list[i - 1].Depth < list[i].Depth);
+          if (transmittance >= NegligibleLight)
+          {
+            color += transmittance * static_cast<double>(list[i].Light.Color[1]);
+            transmittance *= static_cast<double>(list[i].Light.Transmittance);
+          }
+        }
+        EXPECT_EQ(light->Color[1][pixel], color) << turn << " " << pixel;
+        EXPECT_EQ(light->Transmittance[pixel], transmittance) << turn << " " << pixel;
+        drawn += static_cast<int>(isDrawn && !list.empty());
+        alike += static_cast<int>((left >> column & 1U) != 0);
+      }
+    }
+  }
+  EXPECT_GT(drawn, 1500);
+  EXPECT_GT(alike, 50);
 }
 
 //------------------------------------------------------------------------------

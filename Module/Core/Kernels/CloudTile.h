@@ -4,6 +4,8 @@
 #ifndef CloudTile_h
 #define CloudTile_h
 
+#include "Math/Compiler.h"
+
 #include <cstdint>
 
 // Cell projection: tetrahedra are projected to the pixels of a tile, and become segments of their
@@ -121,6 +123,36 @@ struct SegmentLight
   float Color[3];
   float Transmittance;
 };
+
+/// Segments of the rays of a tile that wait to be drawn: a list for each pixel. The lists of a row
+/// of pixels are stored side by side, with room for some segments each.
+struct SegmentLists
+{
+  int Room;
+  int Count[CloudTile::Capacity];
+  const double* Depth;
+  const SegmentLight* Light;
+  /// Of a kernel, for a row.
+  double* Keys;
+
+  /// Where a segment of a pixel is, given its place in the list.
+  SIMD_INLINE int GetIndex(int pixel, int place) const
+  {
+    const int column = pixel % CloudTile::Edge;
+    return (pixel - column) * this->Room + place * CloudTile::Edge + column;
+  }
+};
+
+/// What is seen of the rays of a tile so far: red, green and blue, and the part of the light behind
+/// it that is seen.
+struct TileLight
+{
+  double Color[3][CloudTile::Capacity];
+  double Transmittance[CloudTile::Capacity];
+};
+
+/// A ray ends where less of the light behind is seen.
+constexpr double NegligibleLight = 0x1p-15;
 
 /// A piece of transfer functions, in which they are linear: from a value Low to High. The functions
 /// are the attenuation for a unit of length in the world, red, green and blue.

@@ -394,6 +394,12 @@ struct Kernels
   void (*IntegrateLitMixture)(const CloudTile& tile, const MixedTransfers& mixed,
     const CloudLighting& lighting, const CloudSegments& segments, SegmentLight* lights);
 
+  /// Draws the segments of some pixels of a row that begin before a depth, front to back; a bit for
+  /// each column. Returns those of them for which it does nothing: where a segment begins at the
+  /// same depth as another, but for its last digits.
+  unsigned int (*DrawSegments)(
+    const SegmentLists& lists, int row, double before, unsigned int columns, TileLight& light);
+
   /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room
   /// for Capacity cells, and all have numbers. Returns those of the first ones that it passes, a
   /// bit for each.

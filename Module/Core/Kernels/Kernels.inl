@@ -85,6 +85,7 @@ SIMD_INLINE void LoadCorner(
 
 #include "Kernels/BoundCells.inl"
 
+#include "Kernels/DrawSegments.inl"
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindMetCells.inl"
@@ -135,5 +136,5 @@ SIMD_INLINE void LoadCorner(
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \
       { FindSegments<4, 0>, FindSegments<4, 1>, nullptr, nullptr, FindSegments<4, 4> } },          \
-    IntegrateSegments, IntegrateMixture, IntegrateLitMixture, FindSegmentsInCells,                 \
+    IntegrateSegments, IntegrateMixture, IntegrateLitMixture, DrawSegments, FindSegmentsInCells,   \
     InterpolateSamples, RestrictCell, FindCellGradient }

@@ -12,18 +12,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
 
-/// A ray ends where less of the light behind is seen.
-constexpr double NegligibleLight = 0x1p-15;
-
-/// How many segments are put in order at once.
-constexpr std::size_t SegmentsAtOnce = 128 * CloudTile::Capacity;
+/// How many segments of a pixel are drawn at once, at most, if not more must wait. (More leave the
+/// cache.)
+constexpr int SegmentsAtOnce = 48;
 
 CloudLight MakeCloudLight(const Light& light)
 {
@@ -38,29 +35,6 @@ CloudLight MakeCloudLight(const Light& light)
   made.LeastCosine = light.FindLeastCosine();
   made.Exponent = light.Exponent;
   return made;
-}
-
-/// Puts elements in order by a key from 0 to count - 1. Those of a key are from first[key] to
-/// first[key + 1], in the order that they had.
-template <typename Element, typename Key>
-void SortByKey(const std::vector<Element>& elements, std::size_t count, const Key& getKey,
-  std::vector<std::uint32_t>& first, std::vector<Element>& sorted)
-{
-  first.assign(count + 2, 0);
-  for (const Element& element : elements)
-  {
-    ++first[getKey(element) + 2];
-  }
-  for (std::size_t i = 2; i < first.size(); ++i)
-  {
-    first[i] += first[i - 1];
-  }
-  sorted.resize(elements.size());
-  for (const Element& element : elements)
-  {
-    // In the end it is where those of the next key begin.
-    sorted[first[getKey(element) + 1]++] = element;
-  }
 }
 
 }
@@ -138,9 +112,11 @@ struct CloudTileRenderer::SegmentEnds
 CloudTileRenderer::CloudTileRenderer(const Scene& scene, const Kernels* kernels)
   : TheScene(scene)
   , TheKernels(kernels ? *kernels : BaselineKernels)
-  , Rays(new RayLight[CloudTile::Capacity])
+  , Rays(new RayContents[CloudTile::Capacity])
+  , Light(new TileLight)
   , Segments(new CloudSegments)
   , Parts(new CloudSegments)
+  , Lights(new SegmentLight[CloudSegments::Capacity])
 {
   const bool isLit = std::any_of(scene.Fields.begin(), scene.Fields.end(),
     [](const SceneField& field)
@@ -161,25 +137,23 @@ void CloudTileRenderer::Begin(const PixelRectangle& tile)
 {
   this->Tile = tile;
   this->Surfaces.clear();
-  this->Pending.clear();
-  this->Lights.clear();
+  this->Pending.Clear();
   MakeCloudRays(this->TheScene, tile, this->TheKernels, this->RaysOfTile, this->Lighting.get());
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
     this->Open[row] = row < tile.Height ? (1U << tile.Width) - 1U : 0U;
   }
-  for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
-  {
-    this->Rays[static_cast<std::size_t>(pixel)] = { {}, 1.0, PixelWithoutDepth, -Infinity, nullptr,
-      0, 0 };
-  }
+  std::fill_n(this->Rays.get(), CloudTile::Capacity,
+    RayContents{ PixelWithoutDepth, -Infinity, nullptr, 0, 0 });
+  std::fill_n(&this->Light->Color[0][0], 3 * CloudTile::Capacity, 0.0);
+  std::fill_n(this->Light->Transmittance, CloudTile::Capacity, 1.0);
 }
 
 //------------------------------------------------------------------------------
 void CloudTileRenderer::SetFragments(int x, int y, const Fragment* fragments, std::size_t count)
 {
   const int pixel = y * CloudTile::Edge + x;
-  RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
+  RayContents& ray = this->Rays[static_cast<std::size_t>(pixel)];
   ray.Fragment = this->Surfaces.size();
   this->Surfaces.insert(this->Surfaces.end(), fragments, fragments + count);
   ray.End = this->Surfaces.size();
@@ -190,16 +164,16 @@ void CloudTileRenderer::SetFragments(int x, int y, const Fragment* fragments, st
 void CloudTileRenderer::Render(CloudFinder& finder, Frame& frame)
 {
   finder.Begin(this->Tile, this->RaysOfTile, 0.0);
-  std::size_t enough = SegmentsAtOnce;
+  int enough = SegmentsAtOnce;
   while (this->IsAnyOpen() && finder.GetNextDepth() < Infinity)
   {
     const std::size_t field = finder.FindMore(this->Open, *this->Segments);
     this->Add(field, *this->Segments);
-    if (this->Pending.size() >= enough)
+    if (this->Pending.GetLongest() >= enough)
     {
       this->DrawBefore(finder.GetNextDepth());
       // Those that are left are sorted again.
-      enough = std::max(SegmentsAtOnce, 2 * this->Pending.size());
+      enough = std::max(SegmentsAtOnce, 2 * this->Pending.GetLongest());
     }
   }
   this->Finish(frame);
@@ -218,7 +192,7 @@ void CloudTileRenderer::Finish(Frame& frame)
   this->DrawBefore(Infinity);
   for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
   {
-    this->DrawMaximum(this->Rays[static_cast<std::size_t>(pixel)]);
+    this->DrawMaximum(pixel);
     this->DrawFragments(pixel, Infinity);
   }
   this->Write(frame);
@@ -248,7 +222,7 @@ void CloudTileRenderer::FindMaxima(const SceneField& field, const CloudSegments&
 {
   for (int i = 0; i < segments.Count; ++i)
   {
-    RayLight& ray = this->Rays[static_cast<std::size_t>(segments.Pixel[i])];
+    RayContents& ray = this->Rays[static_cast<std::size_t>(segments.Pixel[i])];
     const double largest = std::max(segments.Value[0][0][i], segments.Value[0][1][i]);
     if (largest > ray.Maximum || (largest == ray.Maximum && &field < ray.MaximumOf))
     {
@@ -260,16 +234,17 @@ void CloudTileRenderer::FindMaxima(const SceneField& field, const CloudSegments&
 
 //------------------------------------------------------------------------------
 /// Draws the largest value before all else.
-void CloudTileRenderer::DrawMaximum(RayLight& ray) const
+void CloudTileRenderer::DrawMaximum(int pixel)
 {
+  const RayContents& ray = this->Rays[static_cast<std::size_t>(pixel)];
   if (ray.MaximumOf)
   {
     const std::array<double, 4> rgba = ray.MaximumOf->ColorsOfValues->Get(ray.Maximum);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      ray.Color[k] = rgba[k] * rgba[3];
+      this->Light->Color[k][pixel] = rgba[k] * rgba[3];
     }
-    ray.Transmittance = 1.0 - rgba[3];
+    this->Light->Transmittance[pixel] = 1.0 - rgba[3];
   }
 }
 
@@ -284,7 +259,7 @@ void CloudTileRenderer::IntegrateParts(const SceneField& field, const CloudSegme
   for (int i = 0; i < whole.Count; ++i)
   {
     const int pixel = whole.Pixel[i];
-    const RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
+    const RayContents& ray = this->Rays[static_cast<std::size_t>(pixel)];
     SegmentEnds ends(whole, i);
     for (std::size_t k = ray.Fragment; k < ray.End; ++k)
     {
@@ -316,12 +291,8 @@ void CloudTileRenderer::AddPart(const SceneField& field, int pixel, const Segmen
 //------------------------------------------------------------------------------
 void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& segments)
 {
-  const std::size_t before = this->Pending.size();
-  const auto count = static_cast<std::size_t>(segments.Count);
-  this->Pending.resize(before + count);
-  this->Lights.resize(before + count);
   const MixedTransfers& mixed = field.Cloud->GetMixed();
-  SegmentLight* lights = this->Lights.data() + before;
+  SegmentLight* lights = this->Lights.get();
   if (segments.Gradients > 0)
   {
     const Matrix4 toWorld = NormalMatrix(field.View.GetWorldFromObject());
@@ -337,10 +308,9 @@ void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& 
   {
     this->TheKernels.IntegrateMixture(this->RaysOfTile, mixed, segments, lights);
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (int i = 0; i < segments.Count; ++i)
   {
-    this->Pending[before + i] = { segments.Depth[0][i], segments.Pixel[i],
-      static_cast<std::uint32_t>(before + i) };
+    this->Pending.Add(segments.Pixel[i], segments.Depth[0][i], lights[i]);
   }
 }
 
@@ -348,147 +318,91 @@ void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& 
 /// Draws the segments that begin before a depth: none that is found later comes before them.
 void CloudTileRenderer::DrawBefore(double depth)
 {
-  this->SortByPixel();
-  this->Pending.clear();
-  this->LaterLights.clear();
-  for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
+  for (int row = 0; row < CloudTile::Edge; ++row)
   {
-    PendingSegment* first = this->Sorted.data() + this->First[static_cast<std::size_t>(pixel)];
-    PendingSegment* last = this->Sorted.data() + this->First[static_cast<std::size_t>(pixel) + 1];
-    if (first == last || !this->IsOpen(pixel))
+    std::uint32_t others = this->FindMixed(row);
+    others |= this->TheKernels.DrawSegments(
+      this->Pending.GetLists(), row, depth, this->Open[row] & ~others, *this->Light);
+    for (; others != 0; others &= others - 1)
     {
-      continue;
+      this->DrawSegments(row * CloudTile::Edge + LowestBit(others), depth);
     }
-    this->SortByDepth(first, last);
-    const PendingSegment* later = first;
-    while (later != last && later->Depth < depth)
+    this->CloseOpaque(row);
+    for (int column = 0; column < CloudTile::Edge; ++column)
     {
-      ++later;
+      const int pixel = row * CloudTile::Edge + column;
+      this->Pending.RemoveBefore(pixel, this->IsOpen(pixel) ? depth : Infinity);
     }
-    if (!this->DrawSegments(pixel, first, later))
-    {
-      this->Close(pixel);
-      continue;
-    }
-    for (; later != last; ++later)
-    {
-      this->Pending.push_back(
-        { later->Depth, pixel, static_cast<std::uint32_t>(this->LaterLights.size()) });
-      this->LaterLights.push_back(this->Lights[later->Light]);
-    }
-  }
-  this->Lights.swap(this->LaterLights);
-}
-
-//------------------------------------------------------------------------------
-/// Puts the pending segments in order by pixel, and those of each nearly in order by depth: by
-/// intervals of depth first.
-void CloudTileRenderer::SortByPixel()
-{
-  constexpr int intervals = 512;
-  double least = Infinity;
-  double most = -Infinity;
-  for (const PendingSegment& segment : this->Pending)
-  {
-    least = std::min(least, segment.Depth);
-    most = std::max(most, segment.Depth);
-  }
-  const double scale = least < most ? (intervals - 0.5) / (most - least) : 0.0;
-  SortByKey(
-    this->Pending, intervals,
-    [least, scale](const PendingSegment& segment)
-    { return static_cast<std::size_t>((segment.Depth - least) * scale); },
-    this->First, this->Sorted);
-  this->Pending.swap(this->Sorted);
-  SortByKey(
-    this->Pending, CloudTile::Capacity,
-    [](const PendingSegment& segment) { return static_cast<std::size_t>(segment.Pixel); },
-    this->First, this->Sorted);
-}
-
-//------------------------------------------------------------------------------
-/// Segments are nearly in order: each is moved to its place among those before it.
-void CloudTileRenderer::SortByDepth(PendingSegment* first, PendingSegment* last) const
-{
-  for (PendingSegment* i = first + 1; i < last; ++i)
-  {
-    const PendingSegment moved = *i;
-    PendingSegment* place = i;
-    for (; place > first && this->IsBefore(moved, *(place - 1)); --place)
-    {
-      *place = *(place - 1);
-    }
-    *place = moved;
   }
 }
 
 //------------------------------------------------------------------------------
-/// The order does not depend on which segment was found first: those that begin at one depth, in
-/// cells that overlap, are in order by their light.
-bool CloudTileRenderer::IsBefore(const PendingSegment& a, const PendingSegment& b) const
+/// The open rays of a row that have fragments which are not drawn yet; a bit for each column.
+std::uint32_t CloudTileRenderer::FindMixed(int row) const
 {
-  if (a.Depth != b.Depth)
+  std::uint32_t mixed = 0;
+  for (int column = 0; column < CloudTile::Edge && !this->Surfaces.empty(); ++column)
   {
-    return a.Depth < b.Depth;
+    const RayContents& ray = this->Rays[static_cast<std::size_t>(row * CloudTile::Edge + column)];
+    mixed |= static_cast<std::uint32_t>(ray.Fragment < ray.End) << column;
   }
-  const SegmentLight& one = this->Lights[a.Light];
-  const SegmentLight& other = this->Lights[b.Light];
-  return std::tie(one.Transmittance, one.Color[0], one.Color[1], one.Color[2]) <
-    std::tie(other.Transmittance, other.Color[0], other.Color[1], other.Color[2]);
+  return mixed & this->Open[row];
 }
 
 //------------------------------------------------------------------------------
-/// Draws segments of a ray, and the fragments before them. Returns false if nothing more is seen.
-bool CloudTileRenderer::DrawSegments(
-  int pixel, const PendingSegment* first, const PendingSegment* last)
+/// Draws the segments of a ray that begin before a depth, and the fragments before them.
+void CloudTileRenderer::DrawSegments(int pixel, double depth)
 {
-  RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
-  for (const PendingSegment* segment = first; segment != last; ++segment)
+  for (const std::size_t segment : this->Pending.FindOrder(pixel))
   {
-    if (ray.Fragment < ray.End)
+    const double at = this->Pending.GetDepth(segment);
+    if (at >= depth || this->Light->Transmittance[pixel] < NegligibleLight)
     {
-      this->DrawFragments(pixel, segment->Depth);
+      return;
     }
-    const SegmentLight& light = this->Lights[segment->Light];
+    this->DrawFragments(pixel, at);
+    const SegmentLight& light = this->Pending.GetLight(segment);
+    double& transmittance = this->Light->Transmittance[pixel];
     for (int k = 0; k < 3; ++k)
     {
-      ray.Color[k] += ray.Transmittance * static_cast<double>(light.Color[k]);
+      this->Light->Color[k][pixel] += transmittance * static_cast<double>(light.Color[k]);
     }
-    ray.Transmittance *= static_cast<double>(light.Transmittance);
-    if (ray.Transmittance < NegligibleLight)
-    {
-      return false;
-    }
+    transmittance *= static_cast<double>(light.Transmittance);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
 /// Draws the fragments of a ray up to a depth.
 void CloudTileRenderer::DrawFragments(int pixel, double depth)
 {
-  RayLight& ray = this->Rays[static_cast<std::size_t>(pixel)];
+  RayContents& ray = this->Rays[static_cast<std::size_t>(pixel)];
+  double& transmittance = this->Light->Transmittance[pixel];
   for (; ray.Fragment < ray.End; ++ray.Fragment)
   {
     const Fragment& fragment = this->Surfaces[ray.Fragment];
-    if (ray.Transmittance < NegligibleLight ||
+    if (transmittance < NegligibleLight ||
       (depth < Infinity && depth < this->GetDepth(fragment, pixel)))
     {
       return;
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      ray.Color[k] += ray.Transmittance * fragment.Color[k];
+      this->Light->Color[k][pixel] += transmittance * fragment.Color[k];
     }
-    ray.Transmittance *= 1.0 - fragment.Opacity;
+    transmittance *= 1.0 - fragment.Opacity;
     ray.Depth = fragment.Opacity >= 1.0 ? fragment.Depth : ray.Depth;
   }
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::Close(int pixel)
+/// Closes the rays of a row on which nothing more is seen.
+void CloudTileRenderer::CloseOpaque(int row)
 {
-  this->Open[pixel / CloudTile::Edge] &= ~(1U << (pixel % CloudTile::Edge));
+  for (int column = 0; column < CloudTile::Edge; ++column)
+  {
+    const double transmittance = this->Light->Transmittance[row * CloudTile::Edge + column];
+    this->Open[row] &= ~(static_cast<std::uint32_t>(transmittance < NegligibleLight) << column);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -498,16 +412,16 @@ void CloudTileRenderer::Write(Frame& frame) const
   {
     for (int x = 0; x < this->Tile.Width; ++x)
     {
-      const RayLight& ray = this->Rays[static_cast<std::size_t>(y * CloudTile::Edge + x)];
+      const int own = y * CloudTile::Edge + x;
       const std::size_t pixel = static_cast<std::size_t>(this->Tile.X + x) +
         static_cast<std::size_t>(this->Tile.Y + y) *
           static_cast<std::size_t>(this->TheScene.Pixels.Width);
       for (std::size_t k = 0; k < 3; ++k)
       {
-        frame.Colors[4 * pixel + k] = ToByte(ray.Color[k]);
+        frame.Colors[4 * pixel + k] = ToByte(this->Light->Color[k][own]);
       }
-      frame.Colors[4 * pixel + 3] = ToByte(1.0 - ray.Transmittance);
-      frame.Depths[pixel] = ray.Depth;
+      frame.Colors[4 * pixel + 3] = ToByte(1.0 - this->Light->Transmittance[own]);
+      frame.Depths[pixel] = this->Rays[static_cast<std::size_t>(own)].Depth;
     }
   }
 }

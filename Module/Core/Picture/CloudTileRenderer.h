@@ -6,6 +6,7 @@
 
 #include "Picture/CloudFinder.h"
 #include "Picture/Compositor.h"
+#include "Picture/PendingSegments.h"
 #include "Picture/Scene.h"
 
 #include <array>
@@ -54,31 +55,22 @@ public:
   bool IsAnyOpen() const;
 
   /// The number of segments that wait to be drawn.
-  std::size_t GetNumberOfPending() const { return this->Pending.size(); }
+  std::size_t GetNumberOfPending() const { return this->Pending.GetCount(); }
 
   /// What was drawn at the pixel (x, y) of the tile, unrounded: red, green and blue, multiplied by
   /// the opacity, and the opacity.
   std::array<double, 4> GetLight(int x, int y) const
   {
-    const RayLight& ray = this->Rays[static_cast<std::size_t>(y * CloudTile::Edge + x)];
-    return { ray.Color[0], ray.Color[1], ray.Color[2], 1.0 - ray.Transmittance };
+    const int pixel = y * CloudTile::Edge + x;
+    const auto& color = this->Light->Color;
+    return { color[0][pixel], color[1][pixel], color[2][pixel],
+      1.0 - this->Light->Transmittance[pixel] };
   }
 
 private:
-  /// A segment whose turn has not come.
-  struct PendingSegment
+  /// What else is found on a ray.
+  struct RayContents
   {
-    double Depth;
-    int Pixel;
-    /// The number of its light.
-    std::uint32_t Light;
-  };
-
-  /// What is seen of a ray so far.
-  struct RayLight
-  {
-    double Color[3];
-    double Transmittance;
     float Depth;
     /// The largest value of a cloud that shows it, and the cloud.
     double Maximum;
@@ -91,16 +83,14 @@ private:
   struct SegmentEnds;
 
   void FindMaxima(const SceneField& field, const CloudSegments& segments);
-  void DrawMaximum(RayLight& ray) const;
+  void DrawMaximum(int pixel);
   void IntegrateParts(const SceneField& field, const CloudSegments& whole);
   void AddPart(const SceneField& field, int pixel, const SegmentEnds& ends);
   void Integrate(const SceneField& field, const CloudSegments& segments);
-  void SortByPixel();
-  void SortByDepth(PendingSegment* first, PendingSegment* last) const;
-  bool IsBefore(const PendingSegment& a, const PendingSegment& b) const;
-  bool DrawSegments(int pixel, const PendingSegment* first, const PendingSegment* last);
+  std::uint32_t FindMixed(int row) const;
+  void DrawSegments(int pixel, double depth);
   void DrawFragments(int pixel, double depth);
-  void Close(int pixel);
+  void CloseOpaque(int row);
   bool IsOpen(int pixel) const
   {
     return (this->Open[pixel / CloudTile::Edge] >> (pixel % CloudTile::Edge) & 1U) != 0;
@@ -117,19 +107,16 @@ private:
   CloudTile RaysOfTile;
   /// The bits of the columns whose rays are not opaque yet.
   std::uint32_t Open[CloudTile::Edge];
-  std::unique_ptr<RayLight[]> Rays;
+  std::unique_ptr<RayContents[]> Rays;
+  std::unique_ptr<TileLight> Light;
   std::vector<Fragment> Surfaces;
   /// Null if no cloud is lit.
   std::unique_ptr<CloudLighting> Lighting;
   std::vector<CloudLight> Lamps;
   std::unique_ptr<CloudSegments> Segments;
   std::unique_ptr<CloudSegments> Parts;
-  std::vector<PendingSegment> Pending;
-  std::vector<SegmentLight> Lights;
-  std::vector<SegmentLight> LaterLights;
-  /// Those of each pixel, from First[pixel] on.
-  std::vector<PendingSegment> Sorted;
-  std::vector<std::uint32_t> First;
+  std::unique_ptr<SegmentLight[]> Lights;
+  PendingSegments Pending;
 };
 
 }

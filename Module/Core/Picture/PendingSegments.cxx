@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Picture/PendingSegments.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+//------------------------------------------------------------------------------
+PendingSegments::PendingSegments()
+  : Lists{}
+{
+}
+
+//------------------------------------------------------------------------------
+void PendingSegments::Clear()
+{
+  std::fill(std::begin(this->Lists.Count), std::end(this->Lists.Count), 0);
+}
+
+//------------------------------------------------------------------------------
+/// Doubles the room of all lists.
+void PendingSegments::MakeRoom()
+{
+  const int room = std::max(16, 2 * this->Lists.Room);
+  const auto ofRow = [](int places)
+  { return static_cast<std::ptrdiff_t>(places) * CloudTile::Edge; };
+  const auto all = static_cast<std::size_t>(ofRow(room) * CloudTile::Edge);
+  std::vector<double> depths(all);
+  std::vector<SegmentLight> lights(all);
+  for (int row = 0; row < CloudTile::Edge; ++row)
+  {
+    const std::ptrdiff_t from = row * ofRow(this->Lists.Room);
+    const std::ptrdiff_t to = row * ofRow(room);
+    std::copy_n(this->Depths.begin() + from, ofRow(this->Lists.Room), depths.begin() + to);
+    std::copy_n(this->Lights.begin() + from, ofRow(this->Lists.Room), lights.begin() + to);
+  }
+  this->Depths.swap(depths);
+  this->Lights.swap(lights);
+  this->Keys.resize(static_cast<std::size_t>(ofRow(room)));
+  this->Lists.Room = room;
+  this->Lists.Depth = this->Depths.data();
+  this->Lists.Light = this->Lights.data();
+  this->Lists.Keys = this->Keys.data();
+}
+
+//------------------------------------------------------------------------------
+std::size_t PendingSegments::GetCount() const
+{
+  return std::accumulate(
+    std::begin(this->Lists.Count), std::end(this->Lists.Count), std::size_t{ 0 });
+}
+
+//------------------------------------------------------------------------------
+int PendingSegments::GetLongest() const
+{
+  return *std::max_element(std::begin(this->Lists.Count), std::end(this->Lists.Count));
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::size_t>& PendingSegments::FindOrder(int pixel)
+{
+  this->Order.resize(static_cast<std::size_t>(this->Lists.Count[pixel]));
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    this->Order[i] = static_cast<std::size_t>(this->Lists.GetIndex(pixel, static_cast<int>(i)));
+  }
+  std::sort(this->Order.begin(), this->Order.end(),
+    [this](std::size_t a, std::size_t b) { return this->IsBefore(a, b); });
+  return this->Order;
+}
+
+//------------------------------------------------------------------------------
+bool PendingSegments::IsBefore(std::size_t a, std::size_t b) const
+{
+  if (this->Depths[a] != this->Depths[b])
+  {
+    return this->Depths[a] < this->Depths[b];
+  }
+  const SegmentLight& one = this->Lights[a];
+  const SegmentLight& other = this->Lights[b];
+  return std::tie(one.Transmittance, one.Color[0], one.Color[1], one.Color[2]) <
+    std::tie(other.Transmittance, other.Color[0], other.Color[1], other.Color[2]);
+}
+
+//------------------------------------------------------------------------------
+void PendingSegments::RemoveBefore(int pixel, double depth)
+{
+  int& count = this->Lists.Count[pixel];
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    // Without a branch, which could not be foreseen.
+    const auto from = static_cast<std::size_t>(this->Lists.GetIndex(pixel, i));
+    const auto to = static_cast<std::size_t>(this->Lists.GetIndex(pixel, kept));
+    kept += static_cast<int>(depth <= this->Depths[from]);
+    this->Depths[to] = this->Depths[from];
+    this->Lights[to] = this->Lights[from];
+  }
+  count = kept;
+}
+
+}

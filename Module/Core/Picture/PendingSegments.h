@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PendingSegments_h
+#define PendingSegments_h
+
+#include "Kernels/CloudTile.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// A list of segments for each pixel of a tile: those whose turn has not come.
+class PendingSegments
+{
+public:
+  PendingSegments();
+
+  void Clear();
+
+  void Add(int pixel, double depth, const SegmentLight& light)
+  {
+    int& count = this->Lists.Count[pixel];
+    if (count == this->Lists.Room)
+    {
+      this->MakeRoom();
+    }
+    const auto at = static_cast<std::size_t>(this->Lists.GetIndex(pixel, count));
+    this->Depths[at] = depth;
+    this->Lights[at] = light;
+    ++count;
+  }
+
+  /// The number of segments of all pixels.
+  std::size_t GetCount() const;
+  /// The most segments that a pixel has.
+  int GetLongest() const;
+
+  /// For Kernels::DrawSegments.
+  const SegmentLists& GetLists() const { return this->Lists; }
+
+  /// The segments of a pixel in order by depth: numbers for GetDepth and GetLight. The order does
+  /// not depend on which segment was added first: those that begin at one depth, in cells that
+  /// overlap, are in order by their light.
+  const std::vector<std::size_t>& FindOrder(int pixel);
+
+  double GetDepth(std::size_t number) const { return this->Depths[number]; }
+  const SegmentLight& GetLight(std::size_t number) const { return this->Lights[number]; }
+
+  /// Removes those of a pixel that begin before a depth.
+  void RemoveBefore(int pixel, double depth);
+
+private:
+  bool IsBefore(std::size_t a, std::size_t b) const;
+  void MakeRoom();
+
+  SegmentLists Lists;
+  std::vector<double> Depths;
+  std::vector<SegmentLight> Lights;
+  std::vector<double> Keys;
+  std::vector<std::size_t> Order;
+};
+
+}
+
+#endif
