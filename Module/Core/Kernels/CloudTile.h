@@ -129,9 +129,9 @@ struct SegmentLight
 struct SegmentLists
 {
   int Room;
-  int Count[CloudTile::Capacity];
-  const double* Depth;
-  const SegmentLight* Light;
+  int* Count;
+  double* Depth;
+  SegmentLight* Light;
   /// Of a kernel, for a row.
   double* Keys;
 
@@ -166,9 +166,8 @@ struct alignas(64) TransferPiece
   double Scale;
   double AtAnchor[4];
   double Slope[4];
-  /// The functions in single precision: at the anchor, and how they change over the width.
-  float Start[4];
-  float Change[4];
+  /// The functions in single precision: at the anchor, then how they change over the width.
+  float Functions[8];
 };
 
 /// Transfer functions of all values.

@@ -270,6 +270,40 @@ private:
   DepthKeys Keys;
 };
 
+void KeepSegments(const SegmentLists& lists, int row, double from, unsigned int columns)
+{
+  const int pixel = row * CloudTile::Edge;
+  int* counts = lists.Count + pixel;
+  int longest = 0;
+  int before[CloudTile::Edge];
+  for (int column = 0; column < CloudTile::Edge; ++column)
+  {
+    before[column] = (columns >> column & 1U) != 0 ? counts[column] : 0;
+    longest = LargerOf(longest, before[column]);
+    counts[column] = 0;
+  }
+  for (int i = 0; i < longest; ++i)
+  {
+    const int first = lists.GetIndex(pixel, i);
+    const Doubles place = i;
+    unsigned int kept = 0;
+    for (int column = 0; column < CloudTile::Edge; column += DoubleWidth)
+    {
+      const Mask isKept =
+        (from <= Load(lists.Depth + first + column)) & (place < LoadIntegers(before + column));
+      kept |= ToBits(isKept) << column;
+    }
+    // Few are, most often.
+    for (; kept != 0; kept &= kept - 1)
+    {
+      const int column = LowestBit(kept);
+      const int to = lists.GetIndex(pixel + column, counts[column]++);
+      lists.Depth[to] = lists.Depth[first + column];
+      lists.Light[to] = lists.Light[first + column];
+    }
+  }
+}
+
 unsigned int DrawSegments(
   const SegmentLists& lists, int row, double before, unsigned int columns, TileLight& light)
 {

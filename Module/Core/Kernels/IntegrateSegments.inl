@@ -48,11 +48,11 @@ struct LoadedPieces
   }
 };
 
-/// The intervals that values are in. Those that are no number have no interval.
+/// The intervals that values are in: for those that are no number, the last one.
 SIMD_INLINE void FindBins(const TransferPieces& transfer, Doubles values, int* bins)
 {
   const Doubles bin = Floor((values - transfer.First) * transfer.BinsPerUnit);
-  StoreTruncated(Max(Min(bin, Doubles(transfer.Bins - 1)), Doubles(0.0)), bins);
+  StoreTruncated(Max(Doubles(0.0), Min(Doubles(transfer.Bins - 1), bin)), bins);
 }
 
 /// The piece that a segment begins in, given its first value and whether its values rise.
@@ -127,13 +127,17 @@ private:
 SIMD_INLINE Doubles FindLengths(
   const CloudTile& tile, const CloudSegments& segments, int first, int count)
 {
+  const Doubles depth = Load(&segments.Depth[1][first]) - Load(&segments.Depth[0][first]);
+  if (count == DoubleWidth)
+  {
+    return Gather(tile.Length, &segments.Pixel[first]) * depth;
+  }
   int pixels[DoubleWidth] = {};
   for (int lane = 0; lane < count; ++lane)
   {
     pixels[lane] = segments.Pixel[first + lane];
   }
-  return Gather(tile.Length, pixels) *
-    (Load(&segments.Depth[1][first]) - Load(&segments.Depth[0][first]));
+  return Gather(tile.Length, pixels) * depth;
 }
 
 SIMD_INLINE void StoreLights(
@@ -160,7 +164,7 @@ public:
   SIMD_INLINE ShallowSegments(const CloudTile& tile, const TransferPieces& transfer,
     const CloudSegments& segments, int first, int count)
   {
-    const float* rows[2][FloatWidth];
+    const float* functions[FloatWidth];
     Doubles lengths[2];
     Doubles places[2][2];
     unsigned int inside = 0;
@@ -169,8 +173,8 @@ public:
       const int lane = half * DoubleWidth;
       const int left = LargerOf(SmallerOf(count - lane, DoubleWidth), 0);
       lengths[half] = FindLengths(tile, segments, first + lane, left);
-      const Mask isInside = FindPlaces(
-        transfer, segments, first + lane, left, places[half], rows[0] + lane, rows[1] + lane);
+      const Mask isInside =
+        FindPlaces(transfer, segments, first + lane, places[half], functions + lane);
       // Beyond them single precision may lose what their product with the attenuation is.
       const Mask isUsual = (0x1p-60 < lengths[half]) & (lengths[half] < 0x1p60);
       inside |= ToBits(isInside & isUsual & FirstLanes(left)) << lane;
@@ -178,8 +182,8 @@ public:
     this->Length = Round(lengths[0], lengths[1]);
     this->Place[0] = Round(places[0][0], places[1][0]);
     this->Place[1] = Round(places[0][1], places[1][1]);
-    LoadFours(rows[0], this->Start);
-    LoadFours(rows[1], this->Change);
+    LoadFours(functions, this->Start);
+    LoadFours(functions, this->Change, 4);
     const Floats depths[2] = { this->GetFunction(0, 0) * this->Length,
       this->GetFunction(0, 1) * this->Length };
     this->Linear = depths[0];
@@ -209,7 +213,7 @@ private:
   /// Finds the places of both values in the piece that the first of them may be in: from 0 to 1.
   /// Returns whether both are in it.
   SIMD_INLINE static Mask FindPlaces(const TransferPieces& transfer, const CloudSegments& segments,
-    int first, int count, Doubles places[2], const float** starts, const float** changes)
+    int first, Doubles places[2], const float** functions)
   {
     const Doubles values[2] = { Load(&segments.Value[0][0][first]),
       Load(&segments.Value[0][1][first]) };
@@ -218,11 +222,9 @@ private:
     const double* rows[DoubleWidth];
     for (int lane = 0; lane < DoubleWidth; ++lane)
     {
-      const int bin = lane < count ? bins[lane] : 0;
-      const TransferPiece& piece = transfer.Pieces[transfer.FirstInBin[bin]];
+      const TransferPiece& piece = transfer.Pieces[transfer.FirstInBin[bins[lane]]];
       rows[lane] = &piece.Low;
-      starts[lane] = piece.Start;
-      changes[lane] = piece.Change;
+      functions[lane] = piece.Functions;
     }
     Doubles piece[4];
     LoadFours(rows, piece);
@@ -357,13 +359,7 @@ void IntegrateSegments(const CloudTile& tile, const TransferPieces& transfer,
     const ShallowSegments shallow(tile, transfer, segments, first, count);
     Floats light[4];
     shallow.FindLight(light);
-    float found[4 * FloatWidth];
-    StoreFours(light, found);
-    for (int lane = 0; lane < count; ++lane)
-    {
-      const float* of = found + 4 * lane;
-      lights[first + lane] = { { of[0], of[1], of[2] }, of[3] };
-    }
+    StoreFours(light, lights[first].Color);
     unsigned int others = ~shallow.Found & ((1U << count) - 1U);
     for (; others != 0; others &= others - 1)
     {

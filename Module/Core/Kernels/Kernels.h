@@ -384,7 +384,7 @@ struct Kernels
   int (*FindSegments[MaximumCloudComponents][MaximumCloudComponents + 1])(const CloudTile& tile,
     const ProjectedTetrahedra& projected, int first, CloudSegments& segments);
 
-  /// Finds the light of segments of one component...
+  /// Finds the light of segments of one component, with room for a vector behind it...
   void (*IntegrateSegments)(const CloudTile& tile, const TransferPieces& transfer,
     const CloudSegments& segments, SegmentLight* lights);
   /// ...or of several...
@@ -399,6 +399,9 @@ struct Kernels
   /// same depth as another, but for its last digits.
   unsigned int (*DrawSegments)(
     const SegmentLists& lists, int row, double before, unsigned int columns, TileLight& light);
+  /// Removes the segments of a row that begin before a depth, and all of those pixels that are not
+  /// among some; a bit for each column.
+  void (*KeepSegments)(const SegmentLists& lists, int row, double from, unsigned int columns);
 
   /// Finds the segments of a ray of a packet in cells, exactly as SegmentInCell does. There is room
   /// for Capacity cells, and all have numbers. Returns those of the first ones that it passes, a

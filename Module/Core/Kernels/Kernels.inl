@@ -136,5 +136,5 @@ SIMD_INLINE void LoadCorner(
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \
       { FindSegments<4, 0>, FindSegments<4, 1>, nullptr, nullptr, FindSegments<4, 4> } },          \
-    IntegrateSegments, IntegrateMixture, IntegrateLitMixture, DrawSegments, FindSegmentsInCells,   \
-    InterpolateSamples, RestrictCell, FindCellGradient }
+    IntegrateSegments, IntegrateMixture, IntegrateLitMixture, DrawSegments, KeepSegments,          \
+    FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }

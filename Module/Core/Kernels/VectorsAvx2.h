@@ -307,12 +307,12 @@ SIMD_INLINE void TransposeFours(const __m256 rows[4], __m256 to[4])
   to[2] = _mm256_castpd_ps(_mm256_unpacklo_pd(high[0], high[1]));
   to[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(high[0], high[1]));
 }
-SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
+SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4], int at = 0)
 {
   __m256 rows[4];
   for (int i = 0; i < 4; ++i)
   {
-    rows[i] = _mm256_set_m128(_mm_loadu_ps(from[4 + i]), _mm_loadu_ps(from[i]));
+    rows[i] = _mm256_set_m128(_mm_loadu_ps(from[4 + i] + at), _mm_loadu_ps(from[i] + at));
   }
   __m256 columns[4];
   TransposeFours(rows, columns);

@@ -363,16 +363,16 @@ SIMD_INLINE void TransposeFours(const __m512 rows[4], __m512 to[4])
   to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1]));
   to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1]));
 }
-/// Four numbers for each lane, each of them in a vector.
-SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
+/// Four numbers for each lane, each of them in a vector: from one on.
+SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4], int at = 0)
 {
   __m512 rows[4];
   for (int i = 0; i < 4; ++i)
   {
-    rows[i] = _mm512_castps128_ps512(_mm_loadu_ps(from[i]));
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[4 + i]), 1);
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[8 + i]), 2);
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[12 + i]), 3);
+    rows[i] = _mm512_castps128_ps512(_mm_loadu_ps(from[i] + at));
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[4 + i] + at), 1);
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[8 + i] + at), 2);
+    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[12 + i] + at), 3);
   }
   __m512 columns[4];
   TransposeFours(rows, columns);

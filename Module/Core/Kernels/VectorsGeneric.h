@@ -307,11 +307,11 @@ SIMD_INLINE Floats LoadBytes(const std::uint8_t* a)
   return { FloatVector{ static_cast<float>(a[0]), static_cast<float>(a[1]),
     static_cast<float>(a[2]), static_cast<float>(a[3]) } };
 }
-SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4])
+SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4], int at = 0)
 {
   for (int i = 0; i < 4; ++i)
   {
-    to[i] = { FloatVector{ from[0][i], from[1][i], from[2][i], from[3][i] } };
+    to[i] = { FloatVector{ from[0][at + i], from[1][at + i], from[2][at + i], from[3][at + i] } };
   }
 }
 SIMD_INLINE void StoreFours(const Floats from[4], float* to)

@@ -328,11 +328,7 @@ void CloudTileRenderer::DrawBefore(double depth)
       this->DrawSegments(row * CloudTile::Edge + LowestBit(others), depth);
     }
     this->CloseOpaque(row);
-    for (int column = 0; column < CloudTile::Edge; ++column)
-    {
-      const int pixel = row * CloudTile::Edge + column;
-      this->Pending.RemoveBefore(pixel, this->IsOpen(pixel) ? depth : Infinity);
-    }
+    this->TheKernels.KeepSegments(this->Pending.GetLists(), row, depth, this->Open[row]);
   }
 }
 

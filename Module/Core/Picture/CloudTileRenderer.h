@@ -91,10 +91,6 @@ private:
   void DrawSegments(int pixel, double depth);
   void DrawFragments(int pixel, double depth);
   void CloseOpaque(int row);
-  bool IsOpen(int pixel) const
-  {
-    return (this->Open[pixel / CloudTile::Edge] >> (pixel % CloudTile::Edge) & 1U) != 0;
-  }
   double GetDepth(const Fragment& fragment, int pixel) const
   {
     return fragment.T * this->RaysOfTile.DepthOfT[pixel];

@@ -45,8 +45,8 @@ void CloudTransfer::AddPiece(double low, double high, const CloudNode& from, con
     const double change = atHigh[i] - atLow[i];
     piece.AtAnchor[i] = atLow[i];
     piece.Slope[i] = change != 0.0 ? change / (high - low) : 0.0;
-    piece.Start[i] = static_cast<float>(atLow[i]);
-    piece.Change[i] = static_cast<float>(change);
+    piece.Functions[i] = static_cast<float>(atLow[i]);
+    piece.Functions[4 + i] = static_cast<float>(change);
   }
   this->Pieces.push_back(piece);
 }

@@ -4,7 +4,6 @@
 #include "Picture/PendingSegments.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -15,12 +14,13 @@ namespace vtkIsosurfaceRayTracing
 PendingSegments::PendingSegments()
   : Lists{}
 {
+  this->Lists.Count = this->Counts.data();
 }
 
 //------------------------------------------------------------------------------
 void PendingSegments::Clear()
 {
-  std::fill(std::begin(this->Lists.Count), std::end(this->Lists.Count), 0);
+  this->Counts.fill(0);
 }
 
 //------------------------------------------------------------------------------
@@ -52,14 +52,13 @@ void PendingSegments::MakeRoom()
 //------------------------------------------------------------------------------
 std::size_t PendingSegments::GetCount() const
 {
-  return std::accumulate(
-    std::begin(this->Lists.Count), std::end(this->Lists.Count), std::size_t{ 0 });
+  return std::accumulate(this->Counts.begin(), this->Counts.end(), std::size_t{ 0 });
 }
 
 //------------------------------------------------------------------------------
 int PendingSegments::GetLongest() const
 {
-  return *std::max_element(std::begin(this->Lists.Count), std::end(this->Lists.Count));
+  return *std::max_element(this->Counts.begin(), this->Counts.end());
 }
 
 //------------------------------------------------------------------------------
@@ -86,23 +85,6 @@ bool PendingSegments::IsBefore(std::size_t a, std::size_t b) const
   const SegmentLight& other = this->Lights[b];
   return std::tie(one.Transmittance, one.Color[0], one.Color[1], one.Color[2]) <
     std::tie(other.Transmittance, other.Color[0], other.Color[1], other.Color[2]);
-}
-
-//------------------------------------------------------------------------------
-void PendingSegments::RemoveBefore(int pixel, double depth)
-{
-  int& count = this->Lists.Count[pixel];
-  int kept = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    // Without a branch, which could not be foreseen.
-    const auto from = static_cast<std::size_t>(this->Lists.GetIndex(pixel, i));
-    const auto to = static_cast<std::size_t>(this->Lists.GetIndex(pixel, kept));
-    kept += static_cast<int>(depth <= this->Depths[from]);
-    this->Depths[to] = this->Depths[from];
-    this->Lights[to] = this->Lights[from];
-  }
-  count = kept;
 }
 
 }

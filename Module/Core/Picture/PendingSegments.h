@@ -6,6 +6,7 @@
 
 #include "Kernels/CloudTile.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -38,7 +39,7 @@ public:
   /// The most segments that a pixel has.
   int GetLongest() const;
 
-  /// For Kernels::DrawSegments.
+  /// For Kernels::DrawSegments and KeepSegments.
   const SegmentLists& GetLists() const { return this->Lists; }
 
   /// The segments of a pixel in order by depth: numbers for GetDepth and GetLight. The order does
@@ -49,14 +50,12 @@ public:
   double GetDepth(std::size_t number) const { return this->Depths[number]; }
   const SegmentLight& GetLight(std::size_t number) const { return this->Lights[number]; }
 
-  /// Removes those of a pixel that begin before a depth.
-  void RemoveBefore(int pixel, double depth);
-
 private:
   bool IsBefore(std::size_t a, std::size_t b) const;
   void MakeRoom();
 
   SegmentLists Lists;
+  std::array<int, CloudTile::Capacity> Counts = {};
   std::vector<double> Depths;
   std::vector<SegmentLight> Lights;
   std::vector<double> Keys;
