@@ -136,10 +136,14 @@ struct SegmentLists
   double* Keys;
 
   /// Where a segment of a pixel is, given its place in the list.
-  SIMD_INLINE int GetIndex(int pixel, int place) const
+  SIMD_INLINE static int GetIndex(int room, int pixel, int place)
   {
     const int column = pixel % CloudTile::Edge;
-    return (pixel - column) * this->Room + place * CloudTile::Edge + column;
+    return (pixel - column) * room + place * CloudTile::Edge + column;
+  }
+  SIMD_INLINE int GetIndex(int pixel, int place) const
+  {
+    return GetIndex(this->Room, pixel, place);
   }
 };
 

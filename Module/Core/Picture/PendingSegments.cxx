@@ -11,23 +11,10 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-PendingSegments::PendingSegments()
-  : Lists{}
-{
-  this->Lists.Count = this->Counts.data();
-}
-
-//------------------------------------------------------------------------------
-void PendingSegments::Clear()
-{
-  this->Counts.fill(0);
-}
-
-//------------------------------------------------------------------------------
 /// Doubles the room of all lists.
 void PendingSegments::MakeRoom()
 {
-  const int room = std::max(16, 2 * this->Lists.Room);
+  const int room = std::max(16, 2 * this->Room);
   const auto ofRow = [](int places)
   { return static_cast<std::ptrdiff_t>(places) * CloudTile::Edge; };
   const auto all = static_cast<std::size_t>(ofRow(room) * CloudTile::Edge);
@@ -35,18 +22,15 @@ void PendingSegments::MakeRoom()
   std::vector<SegmentLight> lights(all);
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
-    const std::ptrdiff_t from = row * ofRow(this->Lists.Room);
+    const std::ptrdiff_t from = row * ofRow(this->Room);
     const std::ptrdiff_t to = row * ofRow(room);
-    std::copy_n(this->Depths.begin() + from, ofRow(this->Lists.Room), depths.begin() + to);
-    std::copy_n(this->Lights.begin() + from, ofRow(this->Lists.Room), lights.begin() + to);
+    std::copy_n(this->Depths.begin() + from, ofRow(this->Room), depths.begin() + to);
+    std::copy_n(this->Lights.begin() + from, ofRow(this->Room), lights.begin() + to);
   }
   this->Depths.swap(depths);
   this->Lights.swap(lights);
   this->Keys.resize(static_cast<std::size_t>(ofRow(room)));
-  this->Lists.Room = room;
-  this->Lists.Depth = this->Depths.data();
-  this->Lists.Light = this->Lights.data();
-  this->Lists.Keys = this->Keys.data();
+  this->Room = room;
 }
 
 //------------------------------------------------------------------------------
@@ -64,10 +48,10 @@ int PendingSegments::GetLongest() const
 //------------------------------------------------------------------------------
 const std::vector<std::size_t>& PendingSegments::FindOrder(int pixel)
 {
-  this->Order.resize(static_cast<std::size_t>(this->Lists.Count[pixel]));
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  this->Order.clear();
+  for (int i = 0; i < this->Counts[static_cast<std::size_t>(pixel)]; ++i)
   {
-    this->Order[i] = static_cast<std::size_t>(this->Lists.GetIndex(pixel, static_cast<int>(i)));
+    this->Order.push_back(this->GetIndex(pixel, i));
   }
   std::sort(this->Order.begin(), this->Order.end(),
     [this](std::size_t a, std::size_t b) { return this->IsBefore(a, b); });

@@ -17,21 +17,18 @@ namespace vtkIsosurfaceRayTracing
 class PendingSegments
 {
 public:
-  PendingSegments();
-
-  void Clear();
+  void Clear() { this->Counts.fill(0); }
 
   void Add(int pixel, double depth, const SegmentLight& light)
   {
-    int& count = this->Lists.Count[pixel];
-    if (count == this->Lists.Room)
+    int& count = this->Counts[static_cast<std::size_t>(pixel)];
+    if (count == this->Room)
     {
       this->MakeRoom();
     }
-    const auto at = static_cast<std::size_t>(this->Lists.GetIndex(pixel, count));
+    const std::size_t at = this->GetIndex(pixel, count++);
     this->Depths[at] = depth;
     this->Lights[at] = light;
-    ++count;
   }
 
   /// The number of segments of all pixels.
@@ -39,8 +36,12 @@ public:
   /// The most segments that a pixel has.
   int GetLongest() const;
 
-  /// For Kernels::DrawSegments and KeepSegments.
-  const SegmentLists& GetLists() const { return this->Lists; }
+  /// For Kernels::DrawSegments and KeepSegments; until something is added.
+  SegmentLists GetLists()
+  {
+    return { this->Room, this->Counts.data(), this->Depths.data(), this->Lights.data(),
+      this->Keys.data() };
+  }
 
   /// The segments of a pixel in order by depth: numbers for GetDepth and GetLight. The order does
   /// not depend on which segment was added first: those that begin at one depth, in cells that
@@ -51,10 +52,14 @@ public:
   const SegmentLight& GetLight(std::size_t number) const { return this->Lights[number]; }
 
 private:
+  std::size_t GetIndex(int pixel, int place) const
+  {
+    return static_cast<std::size_t>(SegmentLists::GetIndex(this->Room, pixel, place));
+  }
   bool IsBefore(std::size_t a, std::size_t b) const;
   void MakeRoom();
 
-  SegmentLists Lists;
+  int Room = 0;
   std::array<int, CloudTile::Capacity> Counts = {};
   std::vector<double> Depths;
   std::vector<SegmentLight> Lights;
