@@ -370,6 +370,64 @@ TEST_P(CellProjection, JoinsSegmentsExactly)
 }
 
 //------------------------------------------------------------------------------
+/// A ray through a point of one of two cells crosses the face between them where it does in the
+/// other one, to the last bit.
+TEST_P(CellProjection, JoinsSegmentsBehindPoints)
+{
+  RandomNumbers random(16);
+  auto tile = std::make_unique<CloudTile>();
+  tile->Columns = CloudTile::Edge;
+  tile->Rows = CloudTile::Edge;
+  const double fromPoint[4][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 0, 1 }, { 0, 0, 1, 0 } };
+  std::copy_n(&fromPoint[0][0], 16, &tile->FromPoint[0][0]);
+  std::fill_n(tile->Open, CloudTile::Edge, 0xFFFFU);
+  std::fill_n(tile->Begin, CloudTile::Capacity, 0.0);
+  std::fill_n(tile->End, CloudTile::Capacity, 100.0);
+  auto projected = std::make_unique<ProjectedTetrahedra>();
+  auto segments = std::make_unique<CloudSegments>();
+  for (int i = 0; i < 1000; ++i)
+  {
+    // Around the ray.
+    double face[3][4];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double angle = 2.1 * k + random.Uniform(-0.3, 0.3);
+      const double radius = random.Uniform(1.0, 2.0);
+      const double point[4] = { radius * std::cos(angle), radius * std::sin(angle),
+        random.Uniform(2.0, 3.0), random.Uniform(-1.0, 1.0) };
+      std::copy_n(point, 4, face[k]);
+    }
+    const double before[4] = { 0.0, 0.0, random.Uniform(0.0, 1.0), random.Uniform(-1.0, 1.0) };
+    const double behind[4] = { random.Uniform(0.1, 0.3), random.Uniform(0.1, 0.3),
+      random.Uniform(4.0, 5.0), random.Uniform(-1.0, 1.0) };
+    double corners[2][4][4];
+    for (int cell = 0; cell < 2; ++cell)
+    {
+      std::copy_n(&face[0][0], 12, &corners[cell][0][0]);
+      std::copy_n(cell == 0 ? before : behind, 4, corners[cell][3]);
+    }
+    this->TheKernels.ProjectTetrahedra(*tile, corners, 2, *projected);
+    segments->Count = 0;
+    this->TheKernels.FindSegments[0][0](*tile, *projected, 0, *segments);
+    constexpr int pixel = CloudTile::Middle * CloudTile::Edge + CloudTile::Middle;
+    int found[2];
+    int count = 0;
+    for (int k = 0; k < segments->Count; ++k)
+    {
+      if (segments->Pixel[k] == pixel)
+      {
+        ASSERT_LT(count, 2);
+        found[count++] = k;
+      }
+    }
+    ASSERT_EQ(count, 2);
+    EXPECT_NEAR(segments->Depth[0][found[0]], before[2], 1e-14);
+    EXPECT_EQ(segments->Depth[1][found[0]], segments->Depth[0][found[1]]) << i;
+    EXPECT_EQ(segments->Value[0][1][found[0]], segments->Value[0][0][found[1]]) << i;
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Rays along edges and through points of a mesh go through all of it.
 TEST_P(CellProjection, FillsTheMesh)
 {

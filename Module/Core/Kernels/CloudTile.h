@@ -75,6 +75,8 @@ struct ProjectedTetrahedra
   double B[Edges][Capacity];
   double C[Edges][Capacity];
   double Rounding[Edges][Capacity];
+  /// The largest of those of a tetrahedron.
+  double LargestRounding[Capacity];
 
   /// Half planes of labels outside of which tetrahedra are not, in single precision: the ray (i, j)
   /// may pass one if A i + B j + C is nowhere negative.

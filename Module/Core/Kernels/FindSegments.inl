@@ -189,17 +189,18 @@ public:
   SIMD_INLINE RaysInTetrahedron(
     const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row)
   {
-    Mask isUnsure = Doubles(1.0) < Doubles(0.0);
+    Doubles least = Infinity;
     for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
     {
       this->Area[i] =
         column * projected.A[i][number] + (row * projected.B[i][number] + projected.C[i][number]);
       this->IsLeft[i] = 0.0 < this->Area[i];
-      isUnsure = isUnsure | (Abs(this->Area[i]) <= projected.Rounding[i][number]);
+      least = Min(least, Abs(this->Area[i]));
     }
-    if (Any(isUnsure))
+    this->HasExact = Any(least <= projected.LargestRounding[number]);
+    if (this->HasExact)
     {
-      this->DecideExactly(projected, number, column, row, isUnsure);
+      this->DecideExactly(projected, number, column, row);
     }
   }
 
@@ -229,10 +230,9 @@ public:
 private:
   using Crossings = FaceCrossings<Parts::Numbers>;
 
-  /// Where rounding might decide, the signs are exact, see FrameEdge, and the areas are exact but
-  /// for their last digit: the crossings of faces that are seen edge-on are in order, too.
-  void DecideExactly(
-    const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row, Mask isUnsure)
+  /// Where rounding might decide, the signs are exact, see FrameEdge. All areas are found that are
+  /// exact but for their last digit, too.
+  void DecideExactly(const ProjectedTetrahedra& projected, int number, Doubles column, Doubles row)
   {
     FramePointOf<Doubles> points[4];
     for (int i = 0; i < 4; ++i)
@@ -246,6 +246,8 @@ private:
     {
       for (int k = i + 1; k < 4; ++k, ++edge)
       {
+        const Mask isUnsure = Abs(this->Area[edge]) <= projected.Rounding[edge][number];
+        this->Unsure[edge] = Select(isUnsure, Doubles(1.0), Doubles(0.0));
         const FramePointOf<Doubles>& a = points[i];
         const FramePointOf<Doubles>& b = points[k];
         const Mask isLeft = FrameEdge<Doubles>(a, b).IsLeft;
@@ -254,7 +256,7 @@ private:
         const Doubles other = b.X * a.Y;
         const Doubles rest =
           FusedMultiplyAdd(a.X, b.Y, 0.0 - one) - FusedMultiplyAdd(b.X, a.Y, 0.0 - other);
-        this->Area[edge] = Select(isUnsure, (one - other) + rest, this->Area[edge]);
+        this->Exact[edge] = (one - other) + rest;
       }
     }
   }
@@ -265,14 +267,40 @@ private:
     return AndNot(this->IsLeft[ab] ^ this->IsLeft[ac], this->IsLeft[ab] ^ this->IsLeft[bc]);
   }
 
+  /// The areas of a face, given what takes those of its edges. They are exact if one of its edges
+  /// is unsure: so the crossings of faces that are seen edge-on are in order, and both cells that
+  /// have the face agree.
+  template <typename Take>
+  SIMD_INLINE void FindAreas(const Take& take, Doubles areas[3]) const
+  {
+    take(this->Area, areas);
+    if (this->HasExact)
+    {
+      Doubles exact[3];
+      Doubles unsure[3];
+      take(this->Exact, exact);
+      take(this->Unsure, unsure);
+      const Mask isExact = 0.0 < Abs(unsure[0]) + Abs(unsure[1]) + Abs(unsure[2]);
+      for (int i = 0; i < 3; ++i)
+      {
+        areas[i] = Select(isExact, exact[i], areas[i]);
+      }
+    }
+  }
+
   /// The face of the corners 0, 1 or 2, and 2 or 3.
   SIMD_INLINE Crossings MakeOne(
     const ProjectedTetrahedra& projected, int number, Mask is012, Mask is023) const
   {
-    const Doubles areas[3] = {
-      Select(is012, this->Area[3], Select(is023, this->Area[5], this->Area[4])),
-      0.0 - Select(is012, this->Area[1], this->Area[2]), Select(is023, this->Area[1], this->Area[0])
-    };
+    Doubles areas[3];
+    this->FindAreas(
+      [&](const Doubles(&of)[ProjectedTetrahedra::Edges], Doubles taken[3])
+      {
+        taken[0] = Select(is012, of[3], Select(is023, of[5], of[4]));
+        taken[1] = 0.0 - Select(is012, of[1], of[2]);
+        taken[2] = Select(is023, of[1], of[0]);
+      },
+      areas);
     const auto take = [&](const double(*of)[ProjectedTetrahedra::Capacity], Doubles numbers[3])
     {
       numbers[0] = of[0][number];
@@ -286,9 +314,15 @@ private:
   SIMD_INLINE Crossings MakeOther(
     const ProjectedTetrahedra& projected, int number, Mask is013, Mask is123) const
   {
-    const Doubles areas[3] = { Select(is013, this->Area[4], this->Area[5]),
-      0.0 - Select(is123, this->Area[4], this->Area[2]),
-      Select(is013, this->Area[0], Select(is123, this->Area[3], this->Area[1])) };
+    Doubles areas[3];
+    this->FindAreas(
+      [&](const Doubles(&of)[ProjectedTetrahedra::Edges], Doubles taken[3])
+      {
+        taken[0] = Select(is013, of[4], of[5]);
+        taken[1] = 0.0 - Select(is123, of[4], of[2]);
+        taken[2] = Select(is013, of[0], Select(is123, of[3], of[1]));
+      },
+      areas);
     const auto take = [&](const double(*of)[ProjectedTetrahedra::Capacity], Doubles numbers[3])
     {
       numbers[0] = Select(is123, Doubles(of[1][number]), Doubles(of[0][number]));
@@ -318,6 +352,10 @@ private:
   }
 
   Doubles Area[ProjectedTetrahedra::Edges];
+  /// Where any may be unsure, areas that are exact, and 1 for those that are unsure.
+  bool HasExact;
+  Doubles Exact[ProjectedTetrahedra::Edges];
+  Doubles Unsure[ProjectedTetrahedra::Edges];
   Mask IsLeft[ProjectedTetrahedra::Edges];
 };
 

@@ -163,6 +163,7 @@ void ProjectTetrahedra(
     constexpr int ends[ProjectedTetrahedra::Edges][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
       { 1, 3 }, { 2, 3 } };
     Doubles edges[ProjectedTetrahedra::Edges][3];
+    Doubles largest = 0.0;
     for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
     {
       Doubles rounding;
@@ -171,7 +172,9 @@ void ProjectTetrahedra(
       Store(edges[i][1], &projected.B[i][first]);
       Store(edges[i][2], &projected.C[i][first]);
       Store(rounding, &projected.Rounding[i][first]);
+      largest = Max(largest, rounding);
     }
+    Store(largest, &projected.LargestRounding[first]);
     // Behind the eye sides are turned, and labels are anywhere: all pixels may be covered.
     Doubles sides[4] = { FindSide(seen, edges[0], 2), FindSide(seen, edges[0], 3),
       FindSide(seen, edges[1], 3), FindSide(seen, edges[3], 3) };
