@@ -503,7 +503,8 @@ TEST_P(CellProjection, IntegratesSegments)
 
 //------------------------------------------------------------------------------
 /// Lists of any lengths, with depths that are equal but for some digits: those that are drawn are
-/// drawn as one after the other, and none is left out that is not alike.
+/// drawn as one after the other, and none is left out that is not alike. Those that begin later are
+/// kept.
 TEST_P(CellProjection, DrawsSegmentsInOrder)
 {
   struct Segment
@@ -514,6 +515,7 @@ TEST_P(CellProjection, DrawsSegmentsInOrder)
   RandomNumbers random(15);
   int drawn = 0;
   int alike = 0;
+  int later = 0;
   for (int turn = 0; turn < 20; ++turn)
   {
     PendingSegments pending;
@@ -572,10 +574,31 @@ TEST_P(CellProjection, DrawsSegmentsInOrder)
         drawn += static_cast<int>(isDrawn && !list.empty());
         alike += static_cast<int>((left >> column & 1U) != 0);
       }
+      this->TheKernels.KeepSegments(pending.GetLists(), row, before, columns);
+      for (int column = 0; column < CloudTile::Edge; ++column)
+      {
+        const int pixel = row * CloudTile::Edge + column;
+        std::vector<double> kept;
+        for (const Segment& segment : lists[static_cast<std::size_t>(pixel)])
+        {
+          if ((columns >> column & 1U) != 0 && before <= segment.Depth)
+          {
+            kept.push_back(segment.Depth);
+          }
+        }
+        std::vector<double> found;
+        for (const std::size_t number : pending.FindOrder(pixel))
+        {
+          found.push_back(pending.GetDepth(number));
+        }
+        EXPECT_EQ(found, kept) << turn << " " << pixel;
+        later += static_cast<int>(kept.size());
+      }
     }
   }
   EXPECT_GT(drawn, 1500);
   EXPECT_GT(alike, 50);
+  EXPECT_GT(later, 10000);
 }
 
 //------------------------------------------------------------------------------
