@@ -296,40 +296,34 @@ SIMD_INLINE Floats LoadBytes(const std::uint8_t* a)
   return { _mm256_cvtepi32_ps(
     _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(a)))) };
 }
-SIMD_INLINE void TransposeFours(const __m256 rows[4], __m256 to[4])
+SIMD_INLINE void TransposeFours(const Floats rows[4], Floats to[4])
 {
-  const __m256d low[2] = { _mm256_castps_pd(_mm256_unpacklo_ps(rows[0], rows[1])),
-    _mm256_castps_pd(_mm256_unpacklo_ps(rows[2], rows[3])) };
-  const __m256d high[2] = { _mm256_castps_pd(_mm256_unpackhi_ps(rows[0], rows[1])),
-    _mm256_castps_pd(_mm256_unpackhi_ps(rows[2], rows[3])) };
-  to[0] = _mm256_castpd_ps(_mm256_unpacklo_pd(low[0], low[1]));
-  to[1] = _mm256_castpd_ps(_mm256_unpackhi_pd(low[0], low[1]));
-  to[2] = _mm256_castpd_ps(_mm256_unpacklo_pd(high[0], high[1]));
-  to[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(high[0], high[1]));
+  const __m256d low[2] = { _mm256_castps_pd(_mm256_unpacklo_ps(rows[0].Value, rows[1].Value)),
+    _mm256_castps_pd(_mm256_unpacklo_ps(rows[2].Value, rows[3].Value)) };
+  const __m256d high[2] = { _mm256_castps_pd(_mm256_unpackhi_ps(rows[0].Value, rows[1].Value)),
+    _mm256_castps_pd(_mm256_unpackhi_ps(rows[2].Value, rows[3].Value)) };
+  to[0] = { _mm256_castpd_ps(_mm256_unpacklo_pd(low[0], low[1])) };
+  to[1] = { _mm256_castpd_ps(_mm256_unpackhi_pd(low[0], low[1])) };
+  to[2] = { _mm256_castpd_ps(_mm256_unpacklo_pd(high[0], high[1])) };
+  to[3] = { _mm256_castpd_ps(_mm256_unpackhi_pd(high[0], high[1])) };
 }
 SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4], int at = 0)
 {
-  __m256 rows[4];
+  Floats rows[4];
   for (int i = 0; i < 4; ++i)
   {
-    rows[i] = _mm256_set_m128(_mm_loadu_ps(from[4 + i] + at), _mm_loadu_ps(from[i] + at));
+    rows[i] = { _mm256_set_m128(_mm_loadu_ps(from[4 + i] + at), _mm_loadu_ps(from[i] + at)) };
   }
-  __m256 columns[4];
-  TransposeFours(rows, columns);
-  for (int i = 0; i < 4; ++i)
-  {
-    to[i] = { columns[i] };
-  }
+  TransposeFours(rows, to);
 }
 SIMD_INLINE void StoreFours(const Floats from[4], float* to)
 {
-  const __m256 columns[4] = { from[0].Value, from[1].Value, from[2].Value, from[3].Value };
-  __m256 rows[4];
-  TransposeFours(columns, rows);
+  Floats rows[4];
+  TransposeFours(from, rows);
   for (int i = 0; i < 4; ++i)
   {
-    _mm_storeu_ps(to + 4 * i, _mm256_castps256_ps128(rows[i]));
-    _mm_storeu_ps(to + 16 + 4 * i, _mm256_extractf128_ps(rows[i], 1));
+    _mm_storeu_ps(to + 4 * i, _mm256_castps256_ps128(rows[i].Value));
+    _mm_storeu_ps(to + 16 + 4 * i, _mm256_extractf128_ps(rows[i].Value, 1));
   }
 }
 

@@ -352,47 +352,41 @@ SIMD_INLINE Floats LoadBytes(const std::uint8_t* a)
     _mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a)))) };
 }
 /// Of each four lanes, takes the first of the rows to the first vector, and so on.
-SIMD_INLINE void TransposeFours(const __m512 rows[4], __m512 to[4])
+SIMD_INLINE void TransposeFours(const Floats rows[4], Floats to[4])
 {
-  const __m512d low[2] = { _mm512_castps_pd(_mm512_unpacklo_ps(rows[0], rows[1])),
-    _mm512_castps_pd(_mm512_unpacklo_ps(rows[2], rows[3])) };
-  const __m512d high[2] = { _mm512_castps_pd(_mm512_unpackhi_ps(rows[0], rows[1])),
-    _mm512_castps_pd(_mm512_unpackhi_ps(rows[2], rows[3])) };
-  to[0] = _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1]));
-  to[1] = _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1]));
-  to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1]));
-  to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1]));
+  const __m512d low[2] = { _mm512_castps_pd(_mm512_unpacklo_ps(rows[0].Value, rows[1].Value)),
+    _mm512_castps_pd(_mm512_unpacklo_ps(rows[2].Value, rows[3].Value)) };
+  const __m512d high[2] = { _mm512_castps_pd(_mm512_unpackhi_ps(rows[0].Value, rows[1].Value)),
+    _mm512_castps_pd(_mm512_unpackhi_ps(rows[2].Value, rows[3].Value)) };
+  to[0] = { _mm512_castpd_ps(_mm512_unpacklo_pd(low[0], low[1])) };
+  to[1] = { _mm512_castpd_ps(_mm512_unpackhi_pd(low[0], low[1])) };
+  to[2] = { _mm512_castpd_ps(_mm512_unpacklo_pd(high[0], high[1])) };
+  to[3] = { _mm512_castpd_ps(_mm512_unpackhi_pd(high[0], high[1])) };
 }
 /// Four numbers for each lane, each of them in a vector: from one on.
 SIMD_INLINE void LoadFours(const float* const from[FloatWidth], Floats to[4], int at = 0)
 {
-  __m512 rows[4];
+  Floats rows[4];
   for (int i = 0; i < 4; ++i)
   {
-    rows[i] = _mm512_castps128_ps512(_mm_loadu_ps(from[i] + at));
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[4 + i] + at), 1);
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[8 + i] + at), 2);
-    rows[i] = _mm512_insertf32x4(rows[i], _mm_loadu_ps(from[12 + i] + at), 3);
+    __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(from[i] + at));
+    row = _mm512_insertf32x4(row, _mm_loadu_ps(from[4 + i] + at), 1);
+    row = _mm512_insertf32x4(row, _mm_loadu_ps(from[8 + i] + at), 2);
+    rows[i] = { _mm512_insertf32x4(row, _mm_loadu_ps(from[12 + i] + at), 3) };
   }
-  __m512 columns[4];
-  TransposeFours(rows, columns);
-  for (int i = 0; i < 4; ++i)
-  {
-    to[i] = { columns[i] };
-  }
+  TransposeFours(rows, to);
 }
 /// Four numbers of each lane, those of the first lane first.
 SIMD_INLINE void StoreFours(const Floats from[4], float* to)
 {
-  const __m512 columns[4] = { from[0].Value, from[1].Value, from[2].Value, from[3].Value };
-  __m512 rows[4];
-  TransposeFours(columns, rows);
+  Floats rows[4];
+  TransposeFours(from, rows);
   for (int i = 0; i < 4; ++i)
   {
-    _mm_storeu_ps(to + 4 * i, _mm512_castps512_ps128(rows[i]));
-    _mm_storeu_ps(to + 16 + 4 * i, _mm512_extractf32x4_ps(rows[i], 1));
-    _mm_storeu_ps(to + 32 + 4 * i, _mm512_extractf32x4_ps(rows[i], 2));
-    _mm_storeu_ps(to + 48 + 4 * i, _mm512_extractf32x4_ps(rows[i], 3));
+    _mm_storeu_ps(to + 4 * i, _mm512_castps512_ps128(rows[i].Value));
+    _mm_storeu_ps(to + 16 + 4 * i, _mm512_extractf32x4_ps(rows[i].Value, 1));
+    _mm_storeu_ps(to + 32 + 4 * i, _mm512_extractf32x4_ps(rows[i].Value, 2));
+    _mm_storeu_ps(to + 48 + 4 * i, _mm512_extractf32x4_ps(rows[i].Value, 3));
   }
 }
 
