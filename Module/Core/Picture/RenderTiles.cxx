@@ -27,6 +27,9 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/// What threads write is this far apart, so that none waits for the cache line of another.
+constexpr std::size_t CacheLine = 64;
+
 /// The time between two reports of progress: short for people, long for the threads, which must all
 /// come to rest for it.
 constexpr std::chrono::milliseconds ReportInterval{ 20 };
@@ -36,18 +39,14 @@ double Seconds(Clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
-std::int64_t Nanoseconds(Clock::duration duration)
-{
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
-}
-
 std::size_t Area(const PixelRectangle& pixels)
 {
   return static_cast<std::size_t>(pixels.Width) * static_cast<std::size_t>(pixels.Height);
 }
 
-/// A tile of the picture.
-struct Tile
+/// A tile of the picture. Those that follow each other are drawn by different threads, so each has
+/// a cache line of its own.
+struct alignas(CacheLine) Tile
 {
   PixelRectangle Pixels;
   /// The number of groups of blocks that are done: the first ones.
@@ -65,8 +64,8 @@ std::vector<Tile> FindTiles(const Scene& scene)
   return tiles;
 }
 
-/// What a thread renders with.
-struct ThreadRenderer
+/// What a thread renders with, and what it has done in a step.
+struct alignas(CacheLine) ThreadRenderer
 {
   ThreadRenderer(
     const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels, Frame& frame)
@@ -90,6 +89,10 @@ struct ThreadRenderer
   /// Null without clouds.
   std::unique_ptr<CloudRenderer> Clouds;
   PixelBlockRenderer Blocks;
+  std::size_t PixelsDone = 0;
+  Clock::duration TraceTime{};
+  Clock::duration ShadeTime{};
+  std::int64_t BuildNanoseconds = 0;
 };
 
 void Clear(const Scene& scene, Frame& frame)
@@ -151,13 +154,9 @@ private:
   std::vector<Tile> Tiles;
   /// Of each thread.
   std::vector<std::unique_ptr<ThreadRenderer>> Renderers;
-  std::atomic<std::size_t> PixelsDone{ 0 };
+  std::size_t PixelsDone = 0;
   Clock::time_point StepStart;
   std::atomic<bool> IsStepOver{ false };
-  // Summed over the threads.
-  std::atomic<std::int64_t> TraceNanoseconds{ 0 };
-  std::atomic<std::int64_t> ShadeNanoseconds{ 0 };
-  std::atomic<std::int64_t> BuildNanoseconds{ 0 };
 };
 
 //------------------------------------------------------------------------------
@@ -165,9 +164,6 @@ void FrameRenderer::TakeStep()
 {
   this->StepStart = Clock::now();
   this->IsStepOver = false;
-  this->TraceNanoseconds = 0;
-  this->ShadeNanoseconds = 0;
-  this->BuildNanoseconds = 0;
   const auto tiles = static_cast<std::int64_t>(this->Tiles.size());
   FirstException exception;
 #pragma omp parallel num_threads(this->TheExecution.Threads)
@@ -194,9 +190,19 @@ void FrameRenderer::TakeStep()
                       [](const Tile& tile) { return tile.IsDone; }),
     this->Tiles.end());
 
-  const double traceSeconds = 1e-9 * static_cast<double>(this->TraceNanoseconds.load());
-  const double shadeSeconds = 1e-9 * static_cast<double>(this->ShadeNanoseconds.load());
-  const double buildSeconds = 1e-9 * static_cast<double>(this->BuildNanoseconds.load());
+  double traceSeconds = 0.0;
+  double shadeSeconds = 0.0;
+  double buildSeconds = 0.0;
+  for (const std::unique_ptr<ThreadRenderer>& renderer : this->Renderers)
+  {
+    if (renderer)
+    {
+      this->PixelsDone += std::exchange(renderer->PixelsDone, 0);
+      traceSeconds += Seconds(std::exchange(renderer->TraceTime, {}));
+      shadeSeconds += Seconds(std::exchange(renderer->ShadeTime, {}));
+      buildSeconds += 1e-9 * static_cast<double>(std::exchange(renderer->BuildNanoseconds, 0));
+    }
+  }
   const double threadSeconds = traceSeconds + shadeSeconds;
   const double share =
     threadSeconds > 0.0 ? Seconds(Clock::now() - this->StepStart) / threadSeconds : 0.0;
@@ -225,9 +231,6 @@ void FrameRenderer::CollectFragments()
 void FrameRenderer::Render(Tile& tile, ThreadRenderer& renderer)
 {
   int number = 0;
-  Clock::duration traceTime{};
-  Clock::duration shadeTime{};
-  std::size_t pixels = 0;
   tile.IsDone = true;
   const std::int64_t builtBefore = BuildTimer::GetNanosecondsOfThread();
   renderer.Blocks.BeginTile(tile.Pixels);
@@ -253,11 +256,11 @@ void FrameRenderer::Render(Tile& tile, ThreadRenderer& renderer)
       const Clock::time_point traced = Clock::now();
       renderer.Blocks.Shade();
       const Clock::time_point end = Clock::now();
-      traceTime += traced - begin;
-      shadeTime += end - traced;
+      renderer.TraceTime += traced - begin;
+      renderer.ShadeTime += end - traced;
       for (int i = 0; i < count; ++i)
       {
-        pixels += Area(blocks[i]);
+        renderer.PixelsDone += Area(blocks[i]);
       }
       ++tile.GroupsDone;
       if (end - this->StepStart >= ReportInterval)
@@ -270,13 +273,9 @@ void FrameRenderer::Render(Tile& tile, ThreadRenderer& renderer)
   {
     const Clock::time_point begin = Clock::now();
     renderer.Clouds->OfTile.Render(renderer.Clouds->Finder, this->Picture);
-    traceTime += Clock::now() - begin;
+    renderer.TraceTime += Clock::now() - begin;
   }
-  this->PixelsDone.fetch_add(pixels, std::memory_order_relaxed);
-  this->TraceNanoseconds.fetch_add(Nanoseconds(traceTime), std::memory_order_relaxed);
-  this->ShadeNanoseconds.fetch_add(Nanoseconds(shadeTime), std::memory_order_relaxed);
-  this->BuildNanoseconds.fetch_add(
-    BuildTimer::GetNanosecondsOfThread() - builtBefore, std::memory_order_relaxed);
+  renderer.BuildNanoseconds += BuildTimer::GetNanosecondsOfThread() - builtBefore;
 }
 
 }
