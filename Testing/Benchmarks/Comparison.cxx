@@ -197,6 +197,7 @@ void Comparison::DrawRound(std::vector<Run>& runs, bool isFirst) const
       // Slow renderers have one round.
       if (isFirst || run.Seconds < patience)
       {
+        StartThreads(run.Threads);
         const FrameTimes times = run.Renderer->Draw(view, run.Threads);
         run.Frames.push_back(times);
         run.Seconds += times.GetSeconds();
