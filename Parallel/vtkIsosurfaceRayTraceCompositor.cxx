@@ -292,13 +292,14 @@ std::string FindProblemOfOne(vtkAbstractVolumeMapper* mapper, vtkMultiProcessCon
     : "";
 }
 
-/// Whether a process has any data at all.
+/// Whether a process has any data at all; points without cells are none.
 bool HasData(vtkAbstractVolumeMapper* mapper)
 {
   for (int i = 0; i < mapper->GetNumberOfInputConnections(0); ++i)
   {
     vtkDataObject* data = mapper->GetInputDataObject(0, i);
-    if (data && data->GetNumberOfElements(vtkDataObject::POINT) > 0)
+    if (data && data->GetNumberOfElements(vtkDataObject::POINT) > 0 &&
+      data->GetNumberOfElements(vtkDataObject::CELL) > 0)
     {
       return true;
     }
