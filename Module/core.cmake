@@ -49,12 +49,14 @@ set(core_sources
   Picture/CloudFinder.cxx
   Picture/CloudTileRenderer.cxx
   Picture/CloudTransfer.cxx
+  Picture/PartFinder.cxx
   Picture/PendingSegments.cxx
   Picture/PixelBlockRenderer.cxx
   Picture/RenderSharedTiles.cxx
   Picture/RenderTiles.cxx
   Picture/SecondaryRays.cxx
-  Picture/Shader.cxx)
+  Picture/Shader.cxx
+  Picture/SharedNotes.cxx)
 list(TRANSFORM core_sources PREPEND "${CMAKE_CURRENT_LIST_DIR}/Core/")
 
 # What depends on the type of the samples, compiled for each type by itself: in parallel.

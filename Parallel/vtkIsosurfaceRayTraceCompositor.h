@@ -37,15 +37,15 @@
  * none in some processes: give it an empty input there, so that connections are the same in all.
  *
  * Clouds (vtkCellProjectionMapper) are drawn together, too, isosurfaces in them included, by the
- * processes of a vtkMPIController. Cells may be dealt out in any way; one by one, round robin,
- * keeps all processes equally busy. The picture is divided into tiles, each of which a process
- * owns. All work on the same tiles at about the same time: they find the segments of rays in their
- * cells, front to back, and send them to the owner, which draws them by depth as they come, and
- * tells where the cloud is opaque. The picture is that of one process, bit for bit, for any number
- * of processes, pieces and threads. (Inputs that are composite data or several connections may
- * differ in the last bits, as above.) Clouds that are lit (vtkVolumeProperty::ShadeOn) need the
- * ghosts that isosurfaces need: none with NormalMode INTERPOLANT_GRADIENT, one layer with central
- * differences.
+ * processes of a vtkMPIController. Cells may be dealt out in any way; round robin, in short runs of
+ * some 64 that are neighbours in the file, keeps all processes equally busy. The picture is divided
+ * into tiles, whose rows are dealt out to processes, their owners. All work on the same tiles at
+ * about the same time: they find the segments of rays in their cells, front to back, and send them
+ * to the owners, which draw them by depth as they come, and tell where the cloud is opaque. The
+ * picture is that of one process, bit for bit, for any number of processes, pieces and threads.
+ * (Inputs that are composite data or several connections may differ in the last bits, as above.)
+ * Clouds that are lit (vtkVolumeProperty::ShadeOn) need the ghosts that isosurfaces need: none with
+ * NormalMode INTERPOLANT_GRADIENT, one layer with central differences.
  *
  * The pixels are composited by binary swap: in each of the logarithm of the number of processes
  * steps a process gives half of its rows to another, and takes the other half of the other's
@@ -146,7 +146,8 @@ public:
   /**
    * Set/Get how clouds are sent: a message has at least BufferDepth segments of rays (from 1 to
    * 2^24), unless its process has nothing else to do; and a process looks for messages after
-   * PollingInterval parts of tiles (from 1 on). Both change the time alone. Default: 4096 and 1.
+   * PollingInterval groups of up to 16 tiles in which it found segments, or drew what it has to
+   * draw of them (from 1 on). Both change the time alone. Default: 4096 and 1.
    */
   vtkSetClampMacro(BufferDepth, int, 1, 1 << 24);
   vtkGetMacro(BufferDepth, int);

@@ -10,7 +10,6 @@
 #include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
 #include "Picture/RenderTiles.h"
-#include "Picture/SharedNotes.h"
 #include "vtkIsosurfaceRayTracingCompat.h"
 
 #include <array>
@@ -33,10 +32,8 @@ public:
 
   int GetCount() const { return static_cast<int>(this->Tiles.size()); }
 
-  /// Finds the segments of a tile.
-  const vtkIsosurfaceRayTracing::TileSegments& Find(int tile);
-  /// Draws those that were found last, as they come in a message.
-  void Draw(int tile);
+  /// Finds the segments of a tile. Returns how many there are.
+  std::int64_t Find(int tile);
   /// Finds and draws a tile, as a frame of one machine does.
   void Render(int tile);
   /// The light of a pixel of the viewport, unrounded.
@@ -49,7 +46,6 @@ private:
   vtkIsosurfaceRayTracing::CloudTileRenderer Renderer;
   vtkIsosurfaceRayTracing::CloudTile Rays;
   vtkIsosurfaceRayTracing::CloudSegments Segments;
-  vtkIsosurfaceRayTracing::TileSegments Found;
   vtkIsosurfaceRayTracing::Frame Picture;
 };
 
@@ -64,9 +60,9 @@ struct CloudTimes
 
 CloudTimes MeasureCloud(const vtkIsosurfaceRayTracing::Scene& scene);
 
-/// Prints what a picture by up to so many processes would take, each of which has every so many-th
-/// cell of a mesh of tetrahedra, as a table in Markdown. What processes find and draw is measured
-/// here, one after the other; messages are assumed.
+/// Prints what a picture by up to so many processes would take, to which the cells of a mesh of
+/// tetrahedra are dealt out in short runs, as a table in Markdown. What processes find and draw is
+/// measured here, one after the other; messages are assumed.
 void SimulateProcesses(vtkUnstructuredGrid* grid,
   const std::vector<vtkIsosurfaceRayTracing::CloudNode>& nodes, const View& view, int size,
   int most);

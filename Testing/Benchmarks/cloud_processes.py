@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the cloud of a mesh takes whose cells are dealt out, round robin, to 1 to 8 processes, as tables in Markdown.
+"""What the cloud of a mesh takes whose cells are dealt out, in short runs, to 1 to 8 processes, as tables in Markdown.
 
     cloud_processes.py mesh.vtu array
     cloud_processes.py cubes
@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 
+import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkMath
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkUnstructuredGrid
@@ -47,9 +48,10 @@ def make(cubes):
 
 
 def take_cells(mesh, process, processes):
-    """Those of a process."""
+    """Those of a process: runs of 64."""
     corners = mesh.GetCell(0).GetNumberOfPoints()
-    ids = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, corners)[process::processes]
+    ids = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, corners)
+    ids = ids[numpy.arange(len(ids)) // 64 % processes == process]
     cells = vtkCellArray()
     cells.SetData(corners, numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
     piece = vtkUnstructuredGrid()

@@ -73,6 +73,13 @@ def with_some_empty(mesh):
     return None if RANK % 2 else extract(mesh, slice(RANK // 2, None, with_data))
 
 
+def in_runs(mesh):
+    """Of some cells that follow each other; the odd processes have the points alone."""
+    with_data = (SIZE + 1) // 2
+    runs = np.arange(mesh.GetNumberOfCells()) // 64
+    return extract(mesh, runs % with_data == RANK // 2 if RANK % 2 == 0 else runs < 0)
+
+
 def to_the_last(mesh):
     return mesh if RANK == SIZE - 1 else None
 
@@ -144,7 +151,7 @@ class TestClouds(PicturesOfMany):
 
     def test_cells_dealt_out_in_any_way(self):
         for mesh in (self.cells, self.tetrahedra):
-            for deal in (round_robin, in_order, with_some_empty, to_the_last):
+            for deal in (round_robin, in_order, in_runs, with_some_empty, to_the_last):
                 with self.subTest(deal.__name__):
                     self.check(mesh, deal)
 

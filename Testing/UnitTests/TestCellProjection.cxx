@@ -205,10 +205,17 @@ struct FoundSegment
 {
   double Depth[2];
   double Value[2];
+
+  bool operator==(const FoundSegment& other) const
+  {
+    return std::equal(this->Depth, this->Depth + 2, other.Depth) &&
+      std::equal(this->Value, this->Value + 2, other.Value);
+  }
 };
 
-std::map<int, std::vector<FoundSegment>> FindSegments(
-  const MeshField& field, const Camera& view, const PixelRectangle& pixels, const Kernels& kernels)
+/// If it pauses, another begin follows every few segments.
+std::map<int, std::vector<FoundSegment>> FindSegments(const MeshField& field, const Camera& view,
+  const PixelRectangle& pixels, const Kernels& kernels, bool pauses = false)
 {
   auto tile = std::make_unique<CloudTile>();
   tile->Columns = pixels.Width;
@@ -220,14 +227,19 @@ std::map<int, std::vector<FoundSegment>> FindSegments(
   std::vector<ViewedCloud> clouds;
   field.AddClouds(view, { { { -Infinity, Infinity } } }, &kernels, clouds);
   CloudSource& source = *clouds.front().Source;
-  source.Begin(view, pixels, *tile, 0.0);
+  source.Begin(view, pixels, *tile, -Infinity);
   std::map<int, std::vector<FoundSegment>> found;
   auto segments = std::make_unique<CloudSegments>();
+  segments->Enough = pauses ? 20 : CloudSegments::Batch;
   while (source.GetNextDepth() < Infinity)
   {
     const double least = source.GetNextDepth();
     segments->Count = 0;
-    source.FindMore(open, *segments);
+    source.FindMore(open, pauses && !source.IsPaused(), *segments);
+    if (pauses && source.IsPaused())
+    {
+      source.Begin(view, pixels, *tile, source.GetNextDepth());
+    }
     for (int i = 0; i < segments->Count; ++i)
     {
       EXPECT_GE(segments->Depth[0][i], least - 1e-9);
@@ -243,6 +255,30 @@ class CellProjection : public WithKernels
 };
 
 INSTANTIATE_TEST_SUITE_P(All, CellProjection, AllKernels(), NameOfKernels);
+
+//------------------------------------------------------------------------------
+/// What is found in parts, each by a begin where the last one paused, is what is found at once.
+TEST_P(CellProjection, GoesOnWhereItPaused)
+{
+  RandomNumbers random(2);
+  std::size_t pixels = 0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
+    MeshField field(mesh.View(), 1);
+    TraceRequest request;
+    request.HasCloud = true;
+    field.Select(request, {});
+    for (const Camera& view : { MakeCamera(false), MakeCamera(true), MakeParallelCamera() })
+    {
+      const auto whole = FindSegments(field, view, { 14, 11, 16, 16 }, this->TheKernels);
+      const auto parts = FindSegments(field, view, { 14, 11, 16, 16 }, this->TheKernels, true);
+      EXPECT_TRUE(whole == parts);
+      pixels += whole.size();
+    }
+  }
+  EXPECT_GT(pixels, 1000U);
+}
 
 //------------------------------------------------------------------------------
 TEST(CellSubdivision, CutsCellsWithoutRest)
@@ -266,6 +302,27 @@ TEST(CellSubdivision, CutsCellsWithoutRest)
     }
     EXPECT_NEAR(static_cast<double>(volume), Cubes[0] * Cubes[1] * Cubes[2], 1e-9);
   }
+}
+
+//------------------------------------------------------------------------------
+/// A layer of many cells, all of which begin at one depth.
+TEST_P(CellProjection, PausesBehindManyCellsAtOneDepth)
+{
+  RandomNumbers random(3);
+  TestMesh mesh = MakeMesh(random, Index3{ 40, 40, 1 }, Cutting::Tetrahedra, 0.0,
+    [&](const Index3&) { return random.Uniform(-1.0, 1.0); });
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    mesh.Points[i] *= i % 3 == 2 ? 1.0 : 0.15;
+  }
+  MeshField field(mesh.View(), 1);
+  TraceRequest request;
+  request.HasCloud = true;
+  field.Select(request, {});
+  const Camera view = MakeParallelCamera();
+  const auto whole = FindSegments(field, view, { 0, 0, 16, 16 }, this->TheKernels);
+  EXPECT_GT(whole.size(), 100U);
+  EXPECT_TRUE(whole == FindSegments(field, view, { 0, 0, 16, 16 }, this->TheKernels, true));
 }
 
 //------------------------------------------------------------------------------
@@ -836,7 +893,7 @@ TEST_P(CellProjection, CutsSegmentsOfMixtures)
   for (const int fragments : { 0, 3 })
   {
     CloudTileRenderer renderer(scene.Shown, &this->TheKernels);
-    renderer.Begin({ 16, 16, 16, 16 });
+    renderer.Begin(PixelRectangle{ 16, 16, 16, 16 });
     for (int pixel = 0; pixel < 256 && fragments > 0; ++pixel)
     {
       const double end =
@@ -1147,7 +1204,7 @@ TEST_P(CellProjection, PassesOverWhatIsNotShown)
     std::uint32_t open[CloudTile::Edge];
     std::fill(std::begin(open), std::end(open), ~0U);
     MakeCloudRays(shown, tile, this->TheKernels, *rays);
-    finder.Begin(tile, *rays, 0.0);
+    finder.Begin(tile, *rays);
     int found = 0;
     while (finder.GetNextDepth() < Infinity)
     {
@@ -1307,7 +1364,7 @@ TEST_P(CellProjection, DrawsFragmentsInTheCloud)
   CloudScene scene(mesh, nodes, MakeCamera(false));
   scene.Field.Select(scene.Request, { 1, &this->TheKernels });
   CloudTileRenderer renderer(scene.Shown, &this->TheKernels);
-  renderer.Begin({ 16, 16, 16, 16 });
+  renderer.Begin(PixelRectangle{ 16, 16, 16, 16 });
   const Camera& view = scene.Shown.Fields.front().View;
   // Two translucent ones and an opaque one, at random places of each ray.
   std::map<int, std::vector<Fragment>> fragments;

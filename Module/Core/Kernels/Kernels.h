@@ -368,10 +368,11 @@ struct Kernels
   unsigned int (*FindMetCells)(const CellTreeNode& node, int block, const BlockOfBoxes& boxes,
     const double (*sides)[4], int count);
 
-  /// Makes the rays of a tile: each begins at the near plane. The block has no dimensions, and no
-  /// more pixels than a tile. With a lighting, which may be null, the rays in the world are found.
-  void (*MakeCloudRays)(const PixelBlock& block, const double* worldFromObject, CloudTile& tile,
-    CloudLighting* lighting);
+  /// Makes the rays of a block of pixels, from a row of a tile on: each begins at the near plane.
+  /// The block has no dimensions. With a matrix their lengths are found, and with a lighting the
+  /// rays in the world; both may be null.
+  void (*MakeCloudRays)(const PixelBlock& block, int firstRow, const double* worldFromObject,
+    CloudTile& tile, CloudLighting* lighting);
 
   /// Projects tetrahedra to a tile, given their corners: coordinates and value. There may be up to
   /// ProjectedTetrahedra::Capacity.

@@ -18,12 +18,12 @@ SIMD_INLINE Doubles FindLength(const Doubles a[3])
 
 /// Depths grow with the T of the ray: see MakePixelRays, where w is one over that of the clip
 /// coordinates.
-void MakeCloudRays(
-  const PixelBlock& block, const double* worldFromObject, CloudTile& tile, CloudLighting* lighting)
+void MakeCloudRays(const PixelBlock& block, int firstRow, const double* worldFromObject,
+  CloudTile& tile, CloudLighting* lighting)
 {
   const double* object = block.ObjectFromClip;
   tile.Columns = block.Columns;
-  tile.Rows = block.Rows;
+  tile.Rows = firstRow + block.Rows;
   for (int row = 0; row < block.Rows; ++row)
   {
     for (int first = 0; first < block.Columns; first += DoubleWidth)
@@ -45,13 +45,17 @@ void MakeCloudRays(
       const Doubles x = (Load(columns) + 0.5) * (2.0 / block.Width) - 1.0;
       const double y = (block.Row + row + 0.5) * (2.0 / block.Height) - 1.0;
       const Doubles depthOfT = object[12] * x + object[13] * y + object[15] - object[14];
-      Doubles inWorld[3];
-      TransformDirection(worldFromObject, direction, inWorld);
-      const Doubles length = FindLength(inWorld);
-      const int pixel = row * CloudTile::Edge + first;
+      const int pixel = (firstRow + row) * CloudTile::Edge + first;
       Store(Doubles(0.0), &tile.Begin[pixel]);
       Store(end * depthOfT, &tile.End[pixel]);
       Store(depthOfT, &tile.DepthOfT[pixel]);
+      if (!worldFromObject)
+      {
+        continue;
+      }
+      Doubles inWorld[3];
+      TransformDirection(worldFromObject, direction, inWorld);
+      const Doubles length = FindLength(inWorld);
       Store(length / depthOfT, &tile.Length[pixel]);
       if (!lighting)
       {

@@ -335,8 +335,7 @@ void MeshCloud::FindBlocks(int level, std::size_t node)
     const auto& row = this->Tile.FromPoint[3];
     const double opposite[4] = { -row[0], -row[1], -row[2], -row[3] };
     const double depth = -FindLargest(opposite, parent, child) - this->Margin;
-    const double last = FindLargest(row, parent, child) + this->Margin;
-    if (depth <= this->LastEnd && this->From <= last)
+    if (this->From <= depth && depth <= this->LastEnd)
     {
       this->Blocks.push_back({ depth, number });
     }
@@ -358,14 +357,32 @@ double MeshCloud::GetNextDepth() const
 }
 
 //------------------------------------------------------------------------------
-void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
+bool MeshCloud::IsPaused() const
+{
+  return this->Searched == this->Projected.Count && this->Loaded == 0 && this->MayPause();
+}
+
+//------------------------------------------------------------------------------
+/// Whether the next block begins behind all that have been loaded.
+bool MeshCloud::MayPause() const
+{
+  return this->NextBlock == 0 || this->NextBlock == this->Blocks.size() ||
+    this->Blocks[this->NextBlock - 1].Depth < this->Blocks[this->NextBlock].Depth;
+}
+
+//------------------------------------------------------------------------------
+void MeshCloud::FindMore(
+  const std::uint32_t (&open)[CloudTile::Edge], bool pauses, CloudSegments& segments)
 {
   std::copy(std::begin(open), std::end(open), this->Tile.Open);
   while (segments.Count < segments.Enough)
   {
     if (this->Searched == this->Projected.Count)
     {
-      this->LoadCells();
+      // Those that are loaded must be finished to pause.
+      const int most =
+        std::clamp(segments.Enough / 32, CellTree::Width, ProjectedTetrahedra::Capacity);
+      this->LoadCells(most, pauses);
       if (this->Projected.Count == 0)
       {
         return;
@@ -377,11 +394,13 @@ void MeshCloud::FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegm
 }
 
 //------------------------------------------------------------------------------
-/// Loads cells of the next blocks and projects them.
-void MeshCloud::LoadCells()
+/// Loads cells of the next blocks, until there are so many tetrahedra or it may pause, and projects
+/// them.
+void MeshCloud::LoadCells(int most, bool pauses)
 {
   this->DepthOfProjected = this->GetNextDepth();
-  while (this->Loaded < ProjectedTetrahedra::Capacity && this->NextBlock < this->Blocks.size())
+  while (
+    this->Loaded < most && this->NextBlock < this->Blocks.size() && !(pauses && this->MayPause()))
   {
     std::uint32_t cells[CellTree::Width];
     const int count = this->NextCount;

@@ -34,7 +34,9 @@ public:
   void Begin(
     const Camera& view, const PixelRectangle& pixels, const CloudTile& tile, double from) override;
   double GetNextDepth() const override;
-  void FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments) override;
+  bool IsPaused() const override;
+  void FindMore(
+    const std::uint32_t (&open)[CloudTile::Edge], bool pauses, CloudSegments& segments) override;
 
 private:
   /// A block of cells and a depth that it does not begin before.
@@ -55,7 +57,8 @@ private:
   void Move(int from, int to, int count);
   int KeepShown(int count);
   void FindBlocks(int level, std::size_t node);
-  void LoadCells();
+  bool MayPause() const;
+  void LoadCells(int most, bool pauses);
   void FindNextCells();
   int LoadTetrahedra(const std::uint32_t* cells, int count);
   int LoadCell(std::uint32_t number, int place);
@@ -82,7 +85,7 @@ private:
   CloudTile Tile;
   /// The sides of what the tile sees: inside, the product with (x, y, z, 1) is not negative.
   double Sides[5][4];
-  /// Where segments begin that are looked for, and the depth that the last ray ends at.
+  /// Where blocks begin that are looked at, and the depth that the last ray ends at.
   double From = 0.0;
   double LastEnd = 0.0;
   /// More than rounding changes a depth.

@@ -21,32 +21,21 @@ PixelRectangle InViewport(const Scene& scene, const PixelRectangle& tile)
   return { scene.Pixels.X + tile.X, scene.Pixels.Y + tile.Y, tile.Width, tile.Height };
 }
 
-/// Leaves out the segments that begin before a depth.
-void RemoveBefore(double depth, CloudSegments& segments)
+/// The rays of rows, with what the kernel finds of them.
+void MakeRays(const Scene& scene, const PixelRows& tile, const Kernels& kernels,
+  const double* worldFromObject, CloudTile& rays, CloudLighting* lighting)
 {
-  int kept = 0;
-  for (int i = 0; i < segments.Count; ++i)
+  const Camera& view = scene.Fields.front().View;
+  const std::ptrdiff_t stride = scene.Pixels.Width;
+  for (int first = 0; first < tile.Count;)
   {
-    if (segments.Depth[0][i] < depth)
-    {
-      continue;
-    }
-    segments.Pixel[kept] = segments.Pixel[i];
-    for (int end = 0; end < 2; ++end)
-    {
-      segments.Depth[end][kept] = segments.Depth[end][i];
-      for (int component = 0; component < segments.Components; ++component)
-      {
-        segments.Value[component][end][kept] = segments.Value[component][end][i];
-      }
-      for (int k = 0; k < 3 * segments.Gradients; ++k)
-      {
-        segments.Gradient[k][end][kept] = segments.Gradient[k][end][i];
-      }
-    }
-    ++kept;
+    const PixelRectangle pixels = tile.FindRectangle(first);
+    const PixelDepths depths = { scene.Depth ? scene.Depth + pixels.Y * stride + pixels.X : nullptr,
+      stride };
+    kernels.MakeCloudRays(MakePixelBlock(view, InViewport(scene, pixels), depths), first,
+      worldFromObject, rays, lighting);
+    first += pixels.Height;
   }
-  segments.Count = kept;
 }
 
 }
@@ -59,15 +48,18 @@ bool HasClouds(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, const Kernels& kernels,
+void MakeCloudRays(
+  const Scene& scene, const PixelRows& tile, const Kernels& kernels, CloudTile& rays)
+{
+  MakeRays(scene, tile, kernels, nullptr, rays, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void MakeMeasuredCloudRays(const Scene& scene, const PixelRows& tile, const Kernels& kernels,
   CloudTile& rays, CloudLighting* lighting)
 {
-  const Camera& view = scene.Fields.front().View;
-  const std::ptrdiff_t stride = scene.Pixels.Width;
-  const PixelDepths depths = { scene.Depth ? scene.Depth + tile.Y * stride + tile.X : nullptr,
-    stride };
-  kernels.MakeCloudRays(MakePixelBlock(view, InViewport(scene, tile), depths),
-    view.GetWorldFromObject().data(), rays, lighting);
+  const Matrix4& worldFromObject = scene.Fields.front().View.GetWorldFromObject();
+  MakeRays(scene, tile, kernels, worldFromObject.data(), rays, lighting);
 }
 
 //------------------------------------------------------------------------------
@@ -104,12 +96,18 @@ CloudFinder::CloudFinder(const Scene& scene, const Kernels* kernels)
 }
 
 //------------------------------------------------------------------------------
-void CloudFinder::Begin(const PixelRectangle& tile, const CloudTile& rays, double from)
+void CloudFinder::Begin(
+  const PixelRectangle& tile, const CloudTile& rays, const std::vector<double>* position)
 {
-  this->From = from;
   this->Seen.clear();
-  for (const Cloud& cloud : this->Clouds)
+  for (std::size_t i = 0; i < this->Clouds.size(); ++i)
   {
+    const Cloud& cloud = this->Clouds[i];
+    const double from = position ? (*position)[i] : -Infinity;
+    if (from == Infinity)
+    {
+      continue;
+    }
     cloud.Viewed.Source->Begin(cloud.Viewed.View, InViewport(this->TheScene, tile), rays, from);
     if (cloud.Viewed.Source->GetNextDepth() < Infinity)
     {
@@ -137,12 +135,38 @@ std::size_t CloudFinder::FindMore(
     [](const Cloud* a, const Cloud* b)
     { return a->Viewed.Source->GetNextDepth() < b->Viewed.Source->GetNextDepth(); });
   segments.Count = 0;
-  cloud.Viewed.Source->FindMore(open, segments);
-  if (this->From > 0.0)
-  {
-    RemoveBefore(this->From, segments);
-  }
+  cloud.Viewed.Source->FindMore(open, false, segments);
   return cloud.Field;
+}
+
+//------------------------------------------------------------------------------
+bool CloudFinder::IsPaused() const
+{
+  return std::all_of(this->Seen.begin(), this->Seen.end(),
+    [](const Cloud* cloud) { return cloud->Viewed.Source->IsPaused(); });
+}
+
+//------------------------------------------------------------------------------
+std::size_t CloudFinder::FindMoreToPause(
+  const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments)
+{
+  const Cloud& cloud = **std::find_if(this->Seen.begin(), this->Seen.end(),
+    [](const Cloud* one) { return !one->Viewed.Source->IsPaused(); });
+  segments.Count = 0;
+  cloud.Viewed.Source->FindMore(open, true, segments);
+  return cloud.Field;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> CloudFinder::FindPosition() const
+{
+  std::vector<double> position;
+  for (const Cloud& cloud : this->Clouds)
+  {
+    const bool isSeen = std::find(this->Seen.begin(), this->Seen.end(), &cloud) != this->Seen.end();
+    position.push_back(isSeen ? cloud.Viewed.Source->GetNextDepth() : Infinity);
+  }
+  return position;
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include "Field/CloudSource.h"
 #include "Picture/Compositor.h"
+#include "Picture/PixelRows.h"
 #include "Picture/Scene.h"
 
 #include <cstddef>
@@ -18,10 +19,14 @@ namespace vtkIsosurfaceRayTracing
 /// Whether the scene has clouds.
 bool HasClouds(const Scene& scene);
 
-/// Makes the rays of a tile, counted from the rectangle drawn: each begins at the near plane and
-/// ends at the depth of the scene. With a lighting, its rays in the world are found, too.
-void MakeCloudRays(const Scene& scene, const PixelRectangle& tile, const Kernels& kernels,
-  CloudTile& rays, CloudLighting* lighting = nullptr);
+/// Makes the rays of the rows of a tile: each begins at the near plane and ends at the depth of the
+/// scene. Their lengths, which finding segments does not need, are not set.
+void MakeCloudRays(
+  const Scene& scene, const PixelRows& tile, const Kernels& kernels, CloudTile& rays);
+
+/// The same with lengths, and, given a lighting, with its rays in the world.
+void MakeMeasuredCloudRays(const Scene& scene, const PixelRows& tile, const Kernels& kernels,
+  CloudTile& rays, CloudLighting* lighting);
 
 /// Ends a ray at the last of its fragments, if that is opaque: nothing is seen behind it.
 void CutCloudRay(const Fragment* fragments, std::size_t count, int pixel, CloudTile& rays);
@@ -33,9 +38,10 @@ public:
   /// The scene must outlive the finder.
   CloudFinder(const Scene& scene, const Kernels* kernels);
 
-  /// Begins with a tile, counted from the rectangle drawn, whose rays are made. Segments that begin
-  /// before a depth are left out.
-  void Begin(const PixelRectangle& tile, const CloudTile& rays, double from);
+  /// Begins with a tile, counted from the rectangle drawn, whose rays are made: at the first cells,
+  /// or, given a position, where it paused.
+  void Begin(const PixelRectangle& tile, const CloudTile& rays,
+    const std::vector<double>* position = nullptr);
 
   /// No segment that is not found yet begins before this depth; infinite if there is none.
   double GetNextDepth() const;
@@ -43,6 +49,14 @@ public:
   /// Finds some of the next segments of the rays that are open, a bit for each column of each row,
   /// all of one cloud. Returns the number of its field.
   std::size_t FindMore(const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments);
+
+  ///@{
+  /// To pause, find more until it is paused; the position is where to begin again.
+  bool IsPaused() const;
+  std::size_t FindMoreToPause(
+    const std::uint32_t (&open)[CloudTile::Edge], CloudSegments& segments);
+  std::vector<double> FindPosition() const;
+  ///@}
 
 private:
   struct Cloud
@@ -55,7 +69,6 @@ private:
   std::vector<Cloud> Clouds;
   /// Those that the tile may see.
   std::vector<const Cloud*> Seen;
-  double From = 0.0;
 };
 
 }

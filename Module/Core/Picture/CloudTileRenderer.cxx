@@ -133,15 +133,16 @@ CloudTileRenderer::CloudTileRenderer(const Scene& scene, const Kernels* kernels)
 }
 
 //------------------------------------------------------------------------------
-void CloudTileRenderer::Begin(const PixelRectangle& tile)
+void CloudTileRenderer::Begin(const PixelRows& tile)
 {
   this->Tile = tile;
   this->Surfaces.clear();
   this->Pending.Clear();
-  MakeCloudRays(this->TheScene, tile, this->TheKernels, this->RaysOfTile, this->Lighting.get());
+  MakeMeasuredCloudRays(
+    this->TheScene, tile, this->TheKernels, this->RaysOfTile, this->Lighting.get());
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
-    this->Open[row] = row < tile.Height ? (1U << tile.Width) - 1U : 0U;
+    this->Open[row] = row < tile.Count ? (1U << tile.Rows[row].Width) - 1U : 0U;
   }
   std::fill_n(this->Rays.get(), CloudTile::Capacity,
     RayContents{ PixelWithoutDepth, -Infinity, nullptr, 0, 0 });
@@ -163,7 +164,7 @@ void CloudTileRenderer::SetFragments(int x, int y, const Fragment* fragments, st
 //------------------------------------------------------------------------------
 void CloudTileRenderer::Render(CloudFinder& finder, Frame& frame)
 {
-  finder.Begin(this->Tile, this->RaysOfTile, 0.0);
+  finder.Begin(this->Tile.FindRectangle(0), this->RaysOfTile);
   int enough = SegmentsAtOnce;
   while (this->IsAnyOpen() && finder.GetNextDepth() < Infinity)
   {
@@ -171,7 +172,7 @@ void CloudTileRenderer::Render(CloudFinder& finder, Frame& frame)
     this->Add(field, *this->Segments);
     if (this->Pending.GetLongest() >= enough)
     {
-      this->DrawBefore(finder.GetNextDepth());
+      this->DrawAllBefore(finder.GetNextDepth());
       // Those that are left are sorted again.
       enough = std::max(SegmentsAtOnce, 2 * this->Pending.GetLongest());
     }
@@ -189,7 +190,7 @@ bool CloudTileRenderer::IsAnyOpen() const
 //------------------------------------------------------------------------------
 void CloudTileRenderer::Finish(Frame& frame)
 {
-  this->DrawBefore(Infinity);
+  this->DrawAllBefore(Infinity);
   for (int pixel = 0; pixel < CloudTile::Capacity; ++pixel)
   {
     this->DrawMaximum(pixel);
@@ -315,11 +316,20 @@ void CloudTileRenderer::Integrate(const SceneField& field, const CloudSegments& 
 }
 
 //------------------------------------------------------------------------------
+void CloudTileRenderer::DrawAllBefore(double depth)
+{
+  double depths[CloudTile::Edge];
+  std::fill(std::begin(depths), std::end(depths), depth);
+  this->DrawBefore(depths);
+}
+
+//------------------------------------------------------------------------------
 /// Draws the segments that begin before a depth: none that is found later comes before them.
-void CloudTileRenderer::DrawBefore(double depth)
+void CloudTileRenderer::DrawBefore(const double (&depths)[CloudTile::Edge])
 {
   for (int row = 0; row < CloudTile::Edge; ++row)
   {
+    const double depth = depths[row];
     std::uint32_t others = this->FindMixed(row);
     others |= this->TheKernels.DrawSegments(
       this->Pending.GetLists(), row, depth, this->Open[row] & ~others, *this->Light);
@@ -404,14 +414,15 @@ void CloudTileRenderer::CloseOpaque(int row)
 //------------------------------------------------------------------------------
 void CloudTileRenderer::Write(Frame& frame) const
 {
-  for (int y = 0; y < this->Tile.Height; ++y)
+  for (int y = 0; y < this->Tile.Count; ++y)
   {
-    for (int x = 0; x < this->Tile.Width; ++x)
+    const PixelRectangle& row = this->Tile.Rows[y];
+    const std::size_t first = static_cast<std::size_t>(row.X) +
+      static_cast<std::size_t>(row.Y) * static_cast<std::size_t>(this->TheScene.Pixels.Width);
+    for (int x = 0; x < row.Width; ++x)
     {
       const int own = y * CloudTile::Edge + x;
-      const std::size_t pixel = static_cast<std::size_t>(this->Tile.X + x) +
-        static_cast<std::size_t>(this->Tile.Y + y) *
-          static_cast<std::size_t>(this->TheScene.Pixels.Width);
+      const std::size_t pixel = first + static_cast<std::size_t>(x);
       for (std::size_t k = 0; k < 3; ++k)
       {
         frame.Colors[4 * pixel + k] = ToByte(this->Light->Color[k][own]);

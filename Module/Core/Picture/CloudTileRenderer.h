@@ -7,6 +7,7 @@
 #include "Picture/CloudFinder.h"
 #include "Picture/Compositor.h"
 #include "Picture/PendingSegments.h"
+#include "Picture/PixelRows.h"
 #include "Picture/Scene.h"
 
 #include <array>
@@ -33,20 +34,21 @@ class CloudTileRenderer final : public FragmentSink
 public:
   CloudTileRenderer(const Scene& scene, const Kernels* kernels);
 
-  /// Begins with a tile, counted from the rectangle drawn.
-  void Begin(const PixelRectangle& tile);
+  /// Begins with the rows of a tile.
+  void Begin(const PixelRows& tile);
 
   /// Sets the fragments of the pixel (x, y) of the tile, front to back.
   void SetFragments(int x, int y, const Fragment* fragments, std::size_t count) override;
 
-  /// Draws the clouds and the fragments.
+  /// Draws the clouds and the fragments of a tile of the picture.
   void Render(CloudFinder& finder, Frame& frame);
 
   ///@{
   /// The same, for segments that are found elsewhere: add those of any fields, in any order; draw
-  /// those that begin before a depth when none of them is left to be added; at last, finish.
+  /// those that begin before a depth, given for each row, when none of them is left to be added; at
+  /// last, finish.
   void Add(std::size_t field, const CloudSegments& segments);
-  void DrawBefore(double depth);
+  void DrawBefore(const double (&depths)[CloudTile::Edge]);
   void Finish(Frame& frame);
   ///@}
 
@@ -82,6 +84,7 @@ private:
 
   struct SegmentEnds;
 
+  void DrawAllBefore(double depth);
   void FindMaxima(const SceneField& field, const CloudSegments& segments);
   void DrawMaximum(int pixel);
   void IntegrateParts(const SceneField& field, const CloudSegments& whole);
@@ -99,7 +102,7 @@ private:
 
   const Scene& TheScene;
   const Kernels& TheKernels;
-  PixelRectangle Tile;
+  PixelRows Tile;
   CloudTile RaysOfTile;
   /// The bits of the columns whose rays are not opaque yet.
   std::uint32_t Open[CloudTile::Edge];

@@ -5,10 +5,9 @@
 
 #include "Field/FirstException.h"
 #include "Math/Arithmetic.h"
-#include "Picture/CloudFinder.h"
 #include "Picture/CloudMedium.h"
 #include "Picture/CloudTileRenderer.h"
-#include "Picture/PixelBlockRenderer.h"
+#include "Picture/PartFinder.h"
 #include "Picture/SharedNotes.h"
 #include "Picture/SharedTiles.h"
 
@@ -18,6 +17,7 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -41,120 +41,23 @@ constexpr std::chrono::milliseconds ReportInterval{ 20 };
 constexpr std::chrono::microseconds Rest{ 20 };
 
 //------------------------------------------------------------------------------
-/// Finds the parts of tiles, for one thread.
-class PartFinder final : public FragmentSink
-{
-public:
-  PartFinder(const Scene& scene, const std::vector<Shader>& shaders, const Kernels* kernels,
-    Frame& frame, std::size_t enough)
-    : TheScene(scene)
-    , TheKernels(kernels ? *kernels : BaselineKernels)
-    , Enough(enough)
-    , BlocksAtOnce(PixelBlockRenderer::GetBlocksAtOnce(scene))
-    , Blocks(scene, shaders, this, frame)
-    , Clouds(scene, kernels)
-    , Segments(new CloudSegments)
-  {
-    this->Segments->Enough = static_cast<int>(std::min<std::size_t>(enough, CloudSegments::Batch));
-  }
-
-  void SetFragments(int x, int y, const Fragment* fragments, std::size_t count) override
-  {
-    const int pixel = y * CloudTile::Edge + x;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Fragments.push_back({ pixel, fragments[i] });
-    }
-    CutCloudRay(fragments, count, pixel, this->Rays);
-  }
-
-  /// Finds the next part of a tile: the first has the fragments, too.
-  void Find(const PixelRectangle& tile, const SegmentRequest& request)
-  {
-    this->Fragments.clear();
-    this->Found.Clear();
-    MakeCloudRays(this->TheScene, tile, this->TheKernels, this->Rays);
-    // Later parts begin behind the near plane.
-    if (request.From == 0.0)
-    {
-      this->FindFragments(tile);
-    }
-    this->Clouds.Begin(tile, this->Rays, request.From);
-    this->Horizon = this->Clouds.GetNextDepth();
-    while (this->Horizon < Infinity &&
-      (this->Found.GetCount() < this->Enough || this->Found.GetLeastDepth() >= this->Horizon))
-    {
-      const std::size_t field = this->Clouds.FindMore(request.Open, *this->Segments);
-      this->Found.Add(field, *this->Segments);
-      this->Horizon = this->Clouds.GetNextDepth();
-    }
-    this->Found.CutAt(this->Horizon);
-  }
-
-  std::size_t GetNumberOfSegments() const { return this->Found.GetCount(); }
-
-  /// Writes the part that was found, as a note.
-  void Write(int tile, Message& message) const
-  {
-    const PartHeader part = { this->Horizon, static_cast<std::int64_t>(this->Fragments.size()),
-      static_cast<std::int64_t>(this->Found.GetCount()) };
-    Message body;
-    NoteWriter writer(body);
-    writer.Add(part);
-    writer.Add(this->Fragments.data(), this->Fragments.size());
-    this->Found.Write(writer);
-    NoteWriter(message).Add(
-      NoteHeader{ NoteHeader::Part, tile, static_cast<std::int64_t>(body.size()) });
-    message.insert(message.end(), body.begin(), body.end());
-  }
-
-  /// Writes a part with nothing, the last of a tile.
-  static void WriteNothing(int tile, Message& message)
-  {
-    NoteWriter writer(message);
-    writer.Add(NoteHeader{ NoteHeader::Part, tile, sizeof(PartHeader) + sizeof(std::int64_t) });
-    writer.Add(PartHeader{ Infinity, 0, 0 });
-    writer.Add(std::int64_t{ 0 });
-  }
-
-private:
-  void FindFragments(const PixelRectangle& tile)
-  {
-    this->Blocks.BeginTile(tile);
-    ForEachGroup(tile, this->BlocksAtOnce,
-      [this](const PixelRectangle* blocks, int count)
-      {
-        this->Blocks.Trace(blocks, count);
-        this->Blocks.Shade();
-        return true;
-      });
-  }
-
-  const Scene& TheScene;
-  const Kernels& TheKernels;
-  std::size_t Enough;
-  int BlocksAtOnce;
-  PixelBlockRenderer Blocks;
-  CloudFinder Clouds;
-  CloudTile Rays;
-  std::unique_ptr<CloudSegments> Segments;
-  std::vector<TileFragment> Fragments;
-  TileSegments Found;
-  double Horizon = 0.0;
-};
-
-//------------------------------------------------------------------------------
-/// A part of a tile as its owner has it.
+/// A part of a share as its owner has it.
 struct Part
 {
   int Process;
   PartHeader Header;
   /// What follows the header.
   Message Bytes;
+
+  bool IsLast() const
+  {
+    return std::all_of(std::begin(this->Header.Horizons), std::end(this->Header.Horizons),
+      [](double horizon) { return horizon == Infinity; });
+  }
 };
 
-/// A tile that the process owns.
-struct OwnTile
+/// A share that the process owns.
+struct OwnShare
 {
   /// How many processes send the next part, and those that have come.
   int Awaited;
@@ -165,7 +68,15 @@ struct OwnTile
   std::int64_t Stored = 0;
 };
 
-/// Gives the fragments of all parts to the renderer of their tile, those of each pixel front to
+/// What a process has found of a group of tiles.
+struct FoundGroup
+{
+  /// What is looked for next, and how many owners have not answered which rays are open.
+  PartRequest Next;
+  int Awaited = 0;
+};
+
+/// Gives the fragments of all parts to the renderer of their share, those of each pixel front to
 /// back. They are passed over by the readers.
 void SetFragments(
   const std::vector<Part>& parts, std::vector<NoteReader>& readers, CloudTileRenderer& renderer)
@@ -198,13 +109,13 @@ void SetFragments(
 /// What a segment takes in a message, at most.
 std::size_t FindBytesOfSegment(const Scene& scene)
 {
-  std::size_t bytes = TileSegments::GetBytesOfOne(1, 0);
+  std::size_t bytes = SharedSegments::GetBytesOfOne(1, 0);
   for (const SceneField& field : scene.Fields)
   {
     if (field.Cloud)
     {
       const MixedTransfers& mixed = field.Cloud->GetMixed();
-      bytes = std::max(bytes, TileSegments::GetBytesOfOne(mixed.Components, mixed.Gradients));
+      bytes = std::max(bytes, SharedSegments::GetBytesOfOne(mixed.Components, mixed.Gradients));
     }
   }
   return bytes;
@@ -228,26 +139,33 @@ public:
     , Tiles(scene, this->Processes)
     , Shaders(MakeShaders(scene, execution.PacketKernels))
     , Finders(static_cast<std::size_t>(execution.Threads))
-    , OwnTiles(static_cast<std::size_t>(this->Tiles.GetCount()))
-    , IsFinished(static_cast<std::size_t>(this->Tiles.GetCount()), false)
+    , OwnShares(static_cast<std::size_t>(this->Tiles.GetNumberOfShares()))
+    , Groups(static_cast<std::size_t>(this->Tiles.GetNumberOfGroups()))
+    , GroupsLeft(this->Tiles.GetNumberOfGroups())
+    , Unfinished(this->Groups.size(), this->Tiles.GetGroupSize())
     , MessageBytes(sharing.BufferDepth * FindBytesOfSegment(scene))
     , Outgoing(static_cast<std::size_t>(this->Processes))
   {
-    for (OwnTile& tile : this->OwnTiles)
+    for (std::size_t share = 0; share < this->OwnShares.size(); ++share)
     {
-      tile.Awaited = this->Processes;
+      this->OwnShares[share].Awaited = this->Processes;
+      this->SharesLeft += this->Tiles.GetOwner(static_cast<int>(share)) == this->Own ? 1 : 0;
     }
-    // Enough for all threads of all processes, and no more than it takes.
-    this->Window =
-      std::max({ 16, 2 * this->Processes, 4 * execution.Threads, this->Tiles.GetCount() / 64 });
+    // Enough for all threads of all processes, and no more than it takes; the same for all.
+    const int size = this->Tiles.GetGroupSize();
+    const int tiles = std::max(
+      { 16, 2 * this->Processes, 4 * execution.Threads, this->Tiles.GetNumberOfTiles() / 64 });
+    this->Window = (tiles + size - 1) / size;
+    exchange.FindLargest(&this->Window, 1);
+    this->Jobs = this->GroupsLeft + this->SharesLeft;
   }
 
   bool IsDone() const { return this->IsOver; }
 
   double GetFractionDone() const
   {
-    return static_cast<double>(this->NumberOfFinished.load()) /
-      static_cast<double>(std::max(this->Tiles.GetCount(), 1));
+    return static_cast<double>(this->JobsDone.load()) /
+      static_cast<double>(std::max(this->Jobs, 1));
   }
 
   /// Works until the progress is to be reported, or all is done.
@@ -260,7 +178,7 @@ public:
   void Rethrow() const { this->Exception.Rethrow(); }
 
 private:
-  /// What a thread does next: a part of a tile is found, or a tile is drawn.
+  /// What a thread does next: parts of a group are found, or a share is drawn.
   struct Job
   {
     enum Kinds
@@ -271,23 +189,33 @@ private:
     };
 
     Kinds Kind = None;
-    int Tile = 0;
-    SegmentRequest Request{};
+    /// The group or the share.
+    int Number = 0;
+    PartRequest Request{};
   };
+
+  /// Whether groups must wait for earlier ones.
+  bool IsWindowed() const { return this->Window < this->Tiles.GetNumberOfGroups(); }
 
   Job TakeJob();
   void Do(const Job& job);
   void Find(const Job& job);
-  void Draw(int tile);
-  bool DrawParts(OwnTile& own, int tile);
+  void Await(const PartRequest& rest, FoundGroup& group);
+  void FinishGroup();
+  void Draw(int share);
+  bool DrawParts(OwnShare& own, int share);
   std::unique_ptr<CloudTileRenderer> TakeRenderer();
-  void RequestMore(int tile);
-  void Finish(int tile);
-  void Tell(int process, NoteHeader::Kinds kind, int tile, const SegmentRequest* request);
-  void Post(int process, const Message& notes);
+  void Answer(int share, bool isFinished);
+  bool IsWanted(const Part& part, const OpenRays& open) const;
+  void Finish(int share);
+  template <typename... Body>
+  void Tell(int process, NoteHeader::Kinds kind, int share, const Body&... body);
+  void TellNothing(int owner, int share);
+  void TakeOwn();
   void Take(int process, const Message& message);
-  void Deliver(Part&& part, int tile);
-  void MarkFinished(int tile);
+  void Deliver(Part&& part, int share);
+  void TakeAnswer(int share, const OpenRays& open);
+  void MarkFinished(int share);
   void Communicate(bool sendsAll);
   bool IsNothingLeft();
 
@@ -307,20 +235,25 @@ private:
 
   /// Guards all that follows, up to the messages.
   std::mutex Mutex;
-  std::vector<OwnTile> OwnTiles;
+  std::vector<OwnShare> OwnShares;
   std::vector<std::unique_ptr<CloudTileRenderer>> FreeRenderers;
   std::deque<int> Drawable;
-  std::deque<Job> Requested;
-  /// The next turn, and the first whose tile is not finished: see SharedTiles::GetTile.
-  int NextTurn = 0;
-  int FirstTurn = 0;
-  std::vector<bool> IsFinished;
+  std::vector<FoundGroup> Groups;
+  std::deque<int> Requested;
+  /// Those in which something may be left to find, and own shares that are not drawn.
+  int GroupsLeft;
+  int SharesLeft = 0;
+  /// The next group, and the first that is not drawn; how many shares of each are not.
+  int NextGroup = 0;
+  int FirstGroup = 0;
+  std::vector<int> Unfinished;
   std::int64_t Stored = 0;
   /// What is sent to each process when it has so many bytes.
   std::size_t MessageBytes;
   std::vector<Message> Outgoing;
 
-  std::atomic<int> NumberOfFinished{ 0 };
+  int Jobs = 0;
+  std::atomic<int> JobsDone{ 0 };
   std::atomic<bool> IsAbandoned{ false };
   std::atomic<bool> IsOver{ false };
   std::atomic<bool> IsStepOver{ false };
@@ -369,19 +302,22 @@ SharedRenderer::Job SharedRenderer::TakeJob()
   if (!this->Drawable.empty())
   {
     job.Kind = Job::Draw;
-    job.Tile = this->Drawable.front();
+    job.Number = this->Drawable.front();
     this->Drawable.pop_front();
   }
   else if (!this->Requested.empty())
   {
-    job = this->Requested.front();
+    job.Kind = Job::Find;
+    job.Number = this->Requested.front();
+    job.Request = this->Groups[static_cast<std::size_t>(job.Number)].Next;
     this->Requested.pop_front();
   }
-  else if (this->NextTurn < std::min(this->FirstTurn + this->Window, this->Tiles.GetCount()))
+  else if (this->NextGroup <
+    std::min(this->FirstGroup + this->Window, this->Tiles.GetNumberOfGroups()))
   {
     job.Kind = Job::Find;
-    job.Tile = this->Tiles.GetTile(this->NextTurn++);
-    std::fill(std::begin(job.Request.Open), std::end(job.Request.Open), ~0U);
+    job.Number = this->NextGroup++;
+    job.Request = PartRequest::MakeFirst();
   }
   return job;
 }
@@ -391,7 +327,7 @@ void SharedRenderer::Do(const Job& job)
 {
   if (job.Kind == Job::Draw)
   {
-    this->Draw(job.Tile);
+    this->Draw(job.Number);
   }
   else
   {
@@ -400,12 +336,10 @@ void SharedRenderer::Do(const Job& job)
 }
 
 //------------------------------------------------------------------------------
-/// Finds a part of a tile. Whatever happens, there is one: others wait for it.
+/// Finds a part of a group. Whatever happens, there is one: others wait for it.
 void SharedRenderer::Find(const Job& job)
 {
-  Message message;
-  std::size_t count = 0;
-  bool isFound = false;
+  const PartFinder* found = nullptr;
   if (!this->IsAbandoned)
   {
     this->Exception.Guard(
@@ -415,32 +349,75 @@ void SharedRenderer::Find(const Job& job)
           this->Finders[static_cast<std::size_t>(omp_get_thread_num())];
         if (!finder)
         {
-          finder = std::make_unique<PartFinder>(this->TheScene, this->Shaders,
-            this->TheExecution.PacketKernels, this->Picture,
+          const std::size_t enough = std::max(this->TheSharing.LeastSegmentsAtOnce,
             this->TheSharing.SegmentsAtOnce / static_cast<std::size_t>(this->Processes));
+          finder = std::make_unique<PartFinder>(this->TheScene, this->Tiles, this->Shaders,
+            this->TheExecution.PacketKernels, this->Picture, enough);
         }
-        finder->Find(this->Tiles.Get(job.Tile), job.Request);
-        finder->Write(job.Tile, message);
-        count = finder->GetNumberOfSegments();
-        isFound = true;
+        finder->Find(job.Number, job.Request);
+        found = finder.get();
       });
   }
-  if (!isFound)
-  {
-    this->IsAbandoned = true;
-    message.clear();
-    PartFinder::WriteNothing(job.Tile, message);
-  }
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Counts.SegmentsFound += static_cast<std::int64_t>(count);
-  this->Post(this->Tiles.GetOwner(job.Tile), message);
+  this->IsAbandoned = this->IsAbandoned || !found;
+  for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
+  {
+    if (!job.Request.IsLookedFor(this->Tiles, number))
+    {
+      continue;
+    }
+    const int share = this->Tiles.GetShare(job.Number, number);
+    const int owner = this->Tiles.GetOwner(share);
+    if (found)
+    {
+      found->Write(job.Number, number, this->Outgoing[static_cast<std::size_t>(owner)]);
+    }
+    else
+    {
+      this->TellNothing(owner, share);
+    }
+  }
+  FoundGroup& group = this->Groups[static_cast<std::size_t>(job.Number)];
+  if (found)
+  {
+    this->Counts.SegmentsFound += static_cast<std::int64_t>(found->GetNumberOfSegments());
+    this->Await(found->GetRest(), group);
+  }
+  if (group.Awaited == 0)
+  {
+    this->FinishGroup();
+  }
+  this->TakeOwn();
 }
 
 //------------------------------------------------------------------------------
-/// Draws the parts of a tile, all of which have come.
-void SharedRenderer::Draw(int tile)
+/// Waits until the owners of shares whose part was not the last one have answered which rays are
+/// open. The mutex is held.
+void SharedRenderer::Await(const PartRequest& rest, FoundGroup& group)
 {
-  OwnTile& own = this->OwnTiles[static_cast<std::size_t>(tile)];
+  group.Next = rest;
+  for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
+  {
+    group.Awaited += rest.IsLookedFor(this->Tiles, number) ? 1 : 0;
+  }
+  for (PartRequest::OfTile& tile : group.Next.Tiles)
+  {
+    std::fill(std::begin(tile.Open), std::end(tile.Open), 0U);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SharedRenderer::FinishGroup()
+{
+  --this->GroupsLeft;
+  ++this->JobsDone;
+}
+
+//------------------------------------------------------------------------------
+/// Draws the parts of a share, all of which have come.
+void SharedRenderer::Draw(int share)
+{
+  OwnShare& own = this->OwnShares[static_cast<std::size_t>(share)];
   // Not in the order of their arrival, so that the picture does not depend on it.
   std::sort(own.Parts.begin(), own.Parts.end(),
     [](const Part& a, const Part& b) { return a.Process < b.Process; });
@@ -451,50 +428,55 @@ void SharedRenderer::Draw(int tile)
     this->Exception.Guard(
       [&]
       {
-        isFinished = this->DrawParts(own, tile);
+        isFinished = this->DrawParts(own, share);
         left = isFinished ? 0 : static_cast<std::int64_t>(own.Renderer->GetNumberOfPending());
       });
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Stored += left - own.Stored;
   own.Stored = left;
+  this->Answer(share, isFinished);
   if (isFinished)
   {
-    this->Finish(tile);
+    this->Finish(share);
   }
-  else
-  {
-    this->RequestMore(tile);
-  }
+  this->TakeOwn();
 }
 
 //------------------------------------------------------------------------------
-/// Returns whether no more will be seen of the tile.
-bool SharedRenderer::DrawParts(OwnTile& own, int tile)
+/// Returns whether no more will be seen of the share.
+bool SharedRenderer::DrawParts(OwnShare& own, int share)
 {
   std::vector<NoteReader> readers;
-  double horizon = Infinity;
+  double depths[CloudTile::Edge];
+  std::fill(std::begin(depths), std::end(depths), Infinity);
   for (const Part& part : own.Parts)
   {
     readers.emplace_back(part.Bytes.data(), part.Bytes.size());
-    horizon = std::min(horizon, part.Header.Horizon);
+    for (int row = 0; row < CloudTile::Edge; ++row)
+    {
+      depths[row] = std::min(depths[row], part.Header.Horizons[this->Tiles.GetTileOfRow(row)]);
+    }
   }
   if (!own.Renderer)
   {
     own.Renderer = this->TakeRenderer();
-    own.Renderer->Begin(this->Tiles.Get(tile));
+    own.Renderer->Begin(this->Tiles.FindRows(share));
     SetFragments(own.Parts, readers, *own.Renderer);
   }
   auto segments = std::make_unique<CloudSegments>();
   for (NoteReader& reader : readers)
   {
-    TileSegments::Read(reader, *segments,
+    SharedSegments::Read(reader, *segments,
       [&own](std::size_t field, const CloudSegments& some) { own.Renderer->Add(field, some); });
   }
-  own.Renderer->DrawBefore(horizon);
-  if (horizon < Infinity && own.Renderer->IsAnyOpen())
+  own.Renderer->DrawBefore(depths);
+  for (int row = 0; row < CloudTile::Edge; ++row)
   {
-    return false;
+    if (depths[row] < Infinity && own.Renderer->GetOpen()[row] != 0)
+    {
+      return false;
+    }
   }
   own.Renderer->Finish(this->Picture);
   return true;
@@ -514,64 +496,84 @@ std::unique_ptr<CloudTileRenderer> SharedRenderer::TakeRenderer()
 }
 
 //------------------------------------------------------------------------------
-/// Requests the next parts of a tile from those that have more. The mutex is held, as for all that
-/// follow.
-void SharedRenderer::RequestMore(int tile)
+/// Tells those that may find more which rays are open. The mutex is held, as for all that follow.
+void SharedRenderer::Answer(int share, bool isFinished)
 {
-  OwnTile& own = this->OwnTiles[static_cast<std::size_t>(tile)];
-  SegmentRequest request{};
-  std::copy_n(own.Renderer->GetOpen(), CloudTile::Edge, request.Open);
-  std::vector<Part> parts;
-  parts.swap(own.Parts);
-  own.Awaited = 0;
-  for (const Part& part : parts)
+  OwnShare& own = this->OwnShares[static_cast<std::size_t>(share)];
+  OpenRays open = {};
+  if (!isFinished)
   {
-    if (part.Header.Horizon < Infinity)
+    std::copy_n(own.Renderer->GetOpen(), CloudTile::Edge, open.Rows);
+  }
+  own.Awaited = 0;
+  for (const Part& part : own.Parts)
+  {
+    if (!part.IsLast())
     {
-      ++own.Awaited;
-      request.From = part.Header.Horizon;
-      this->Tell(part.Process, NoteHeader::Request, tile, &request);
+      own.Awaited += this->IsWanted(part, open) ? 1 : 0;
+      this->Tell(part.Process, NoteHeader::Answer, share, open);
     }
   }
+  own.Parts.clear();
 }
 
 //------------------------------------------------------------------------------
-void SharedRenderer::Finish(int tile)
+/// Whether a next part follows one.
+bool SharedRenderer::IsWanted(const Part& part, const OpenRays& open) const
 {
-  OwnTile& own = this->OwnTiles[static_cast<std::size_t>(tile)];
+  for (int row = 0; row < CloudTile::Edge; ++row)
+  {
+    if (open.Rows[row] != 0 && part.Header.Horizons[this->Tiles.GetTileOfRow(row)] < Infinity)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void SharedRenderer::Finish(int share)
+{
+  OwnShare& own = this->OwnShares[static_cast<std::size_t>(share)];
   if (own.Renderer)
   {
     this->FreeRenderers.push_back(std::move(own.Renderer));
   }
   std::vector<Part>().swap(own.Parts);
-  for (int process = 0; process < this->Processes; ++process)
+  --this->SharesLeft;
+  ++this->JobsDone;
+  for (int process = 0; process < this->Processes && this->IsWindowed(); ++process)
   {
-    this->Tell(process, NoteHeader::Finished, tile, nullptr);
+    this->Tell(process, NoteHeader::Finished, share);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Tells a process, which may be this one, something about a tile.
-void SharedRenderer::Tell(
-  int process, NoteHeader::Kinds kind, int tile, const SegmentRequest* request)
+/// Tells a process, which may be this one, something about a share.
+template <typename... Body>
+void SharedRenderer::Tell(int process, NoteHeader::Kinds kind, int share, const Body&... body)
+{
+  NoteWriter writer(this->Outgoing[static_cast<std::size_t>(process)]);
+  writer.Add(NoteHeader{ kind, share, (std::int64_t{ 0 } + ... + std::int64_t{ sizeof(body) }) });
+  (writer.Add(body), ...);
+}
+
+//------------------------------------------------------------------------------
+/// Tells the owner of a share that nothing more comes.
+void SharedRenderer::TellNothing(int owner, int share)
+{
+  PartHeader part = {};
+  std::fill(std::begin(part.Horizons), std::end(part.Horizons), Infinity);
+  this->Tell(owner, NoteHeader::Part, share, part);
+}
+
+//------------------------------------------------------------------------------
+/// Takes what the process tells itself.
+void SharedRenderer::TakeOwn()
 {
   Message message;
-  NoteWriter writer(message);
-  writer.Add(NoteHeader{ kind, tile, static_cast<std::int64_t>(request ? sizeof(*request) : 0) });
-  writer.Add(request, request ? 1 : 0);
-  this->Post(process, message);
-}
-
-//------------------------------------------------------------------------------
-void SharedRenderer::Post(int process, const Message& notes)
-{
-  if (process == this->Own)
-  {
-    this->Take(this->Own, notes);
-    return;
-  }
-  Message& outgoing = this->Outgoing[static_cast<std::size_t>(process)];
-  outgoing.insert(outgoing.end(), notes.begin(), notes.end());
+  message.swap(this->Outgoing[static_cast<std::size_t>(this->Own)]);
+  this->Take(this->Own, message);
 }
 
 //------------------------------------------------------------------------------
@@ -587,23 +589,23 @@ void SharedRenderer::Take(int process, const Message& message)
       const auto part = reader.Take<PartHeader>();
       const std::size_t size = static_cast<std::size_t>(header.Bytes) - sizeof(part);
       const unsigned char* bytes = reader.Skip(size);
-      this->Deliver({ process, part, Message(bytes, bytes + size) }, header.Tile);
+      this->Deliver({ process, part, Message(bytes, bytes + size) }, header.Share);
     }
-    else if (header.Kind == NoteHeader::Request)
+    else if (header.Kind == NoteHeader::Answer)
     {
-      this->Requested.push_back({ Job::Find, header.Tile, reader.Take<SegmentRequest>() });
+      this->TakeAnswer(header.Share, reader.Take<OpenRays>());
     }
     else
     {
-      this->MarkFinished(header.Tile);
+      this->MarkFinished(header.Share);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void SharedRenderer::Deliver(Part&& part, int tile)
+void SharedRenderer::Deliver(Part&& part, int share)
 {
-  OwnTile& own = this->OwnTiles[static_cast<std::size_t>(tile)];
+  OwnShare& own = this->OwnShares[static_cast<std::size_t>(share)];
   const std::int64_t count = part.Header.Segments;
   own.Stored += count;
   this->Stored += count;
@@ -612,20 +614,52 @@ void SharedRenderer::Deliver(Part&& part, int tile)
   own.Parts.push_back(std::move(part));
   if (static_cast<int>(own.Parts.size()) == own.Awaited)
   {
-    this->Drawable.push_back(tile);
+    this->Drawable.push_back(share);
   }
 }
 
 //------------------------------------------------------------------------------
-void SharedRenderer::MarkFinished(int tile)
+/// When the owners of all shares of a group have answered, more of it is found, or it is finished.
+void SharedRenderer::TakeAnswer(int share, const OpenRays& open)
 {
-  this->IsFinished[static_cast<std::size_t>(tile)] = true;
-  ++this->NumberOfFinished;
-  const int count = this->Tiles.GetCount();
-  while (this->FirstTurn < count &&
-    this->IsFinished[static_cast<std::size_t>(this->Tiles.GetTile(this->FirstTurn))])
+  const int number = this->Tiles.GetGroup(share);
+  FoundGroup& group = this->Groups[static_cast<std::size_t>(number)];
+  for (int row = 0; row < CloudTile::Edge; ++row)
   {
-    ++this->FirstTurn;
+    const int inTile = this->Tiles.GetRowInTile(this->Tiles.GetNumber(share), row);
+    group.Next.Tiles[this->Tiles.GetTileOfRow(row)].Open[inTile] = open.Rows[row];
+  }
+  if (--group.Awaited > 0)
+  {
+    return;
+  }
+  bool isAnyOpen = false;
+  for (PartRequest::OfTile& tile : group.Next.Tiles)
+  {
+    const bool isOpen = tile.NextDepth < Infinity &&
+      std::any_of(
+        std::begin(tile.Open), std::end(tile.Open), [](std::uint32_t row) { return row != 0; });
+    tile.NextDepth = isOpen ? tile.NextDepth : Infinity;
+    isAnyOpen = isAnyOpen || isOpen;
+  }
+  if (isAnyOpen)
+  {
+    this->Requested.push_back(number);
+  }
+  else
+  {
+    this->FinishGroup();
+  }
+}
+
+//------------------------------------------------------------------------------
+void SharedRenderer::MarkFinished(int share)
+{
+  --this->Unfinished[static_cast<std::size_t>(this->Tiles.GetGroup(share))];
+  while (this->FirstGroup < this->Tiles.GetNumberOfGroups() &&
+    this->Unfinished[static_cast<std::size_t>(this->FirstGroup)] == 0)
+  {
+    ++this->FirstGroup;
   }
 }
 
@@ -662,11 +696,12 @@ void SharedRenderer::Communicate(bool sendsAll)
 }
 
 //------------------------------------------------------------------------------
-/// Whether all tiles are finished, and all that are told so know it.
+/// Whether all is found and drawn, and all that is told to or by this process has come.
 bool SharedRenderer::IsNothingLeft()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  bool isLeft = this->NumberOfFinished < this->Tiles.GetCount();
+  bool isLeft = this->GroupsLeft > 0 || this->SharesLeft > 0 ||
+    (this->IsWindowed() && this->FirstGroup < this->Tiles.GetNumberOfGroups());
   for (int process = 0; process < this->Processes && !isLeft; ++process)
   {
     isLeft = process != this->Own &&

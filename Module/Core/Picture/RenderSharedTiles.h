@@ -21,17 +21,20 @@ struct Sharing
 {
   /// A message is sent when it has about so many segments, or when there is nothing else to do.
   std::size_t BufferDepth = 4096;
-  /// After so many parts of tiles, found or drawn, a process looks for messages.
+  /// After so many groups of tiles in which segments are found, or shares of groups that are drawn,
+  /// a process looks for messages.
   int PollingInterval = 1;
-  /// So many segments of a tile are found by all together before rays may be found to be opaque.
+  /// So many segments of a tile are found by all together before rays may be found to be opaque,
+  /// and so many by each process: to find less takes nearly as long.
   std::size_t SegmentsAtOnce = std::size_t{ 1 } << 15;
+  std::size_t LeastSegmentsAtOnce = 2048;
 };
 
 /// What a process did for a picture.
 struct SharingCounts
 {
   std::int64_t SegmentsFound = 0;
-  /// Those of its own tiles, and how many of them were there at once, at most.
+  /// Those of its own shares, and how many of them were there at once, at most.
   std::int64_t SegmentsDrawn = 0;
   std::int64_t MostStored = 0;
   std::int64_t Bytes = 0;
@@ -54,18 +57,19 @@ Agreement AgreeOnPicture(Scene* scene, MessageExchange& exchange);
 /// Draws a scene with clouds whose fields lie in many processes: what one process would draw that
 /// had them all, bit for bit if all fields have the same object space.
 ///
-/// Tiles are dealt out to owners, and all processes work on them in the same order. Of each tile
-/// they find the fragments and the segments of their cells, front to back, and send these to the
-/// owner, which draws them in the order of their depths as far as no process may send one that
-/// comes before. If that takes more than one part, the owner asks for more by the rays that are
-/// not opaque yet. A process does not run ahead: so only a few tiles are stored at any time. (After
+/// All processes work on the same tiles at about the same time, and their rows are dealt out to
+/// owners: see SharedTiles. Of each tile they find the fragments and the segments of their cells,
+/// front to back, and send these to the owners, which draw them in the order of their depths as far
+/// as no process may send one that comes before. If that takes more than one part, the owners
+/// answer which rays are not opaque yet. A process does not run ahead: so only a few tiles are
+/// stored at any time. (After
 /// K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
 /// Three-Dimensional Unstructured Data, 1997. They deal out cells, and agree on regions of space by
 /// a k-d tree, where we have tiles.)
 ///
 /// All processes must call it, after they have agreed. The fields must be selected. As for
 /// RenderTiles, keepGoing is called now and then; if it returns false the frame is abandoned, but
-/// the process takes part until all are done. Afterwards the frame has the pixels of the tiles
+/// the process takes part until all are done. Afterwards the frame has the pixels of the shares
 /// that the process owns; the others are black and transparent.
 bool RenderSharedTiles(const Scene& scene, const Execution& execution, const Sharing& sharing,
   MessageExchange& exchange, Frame& frame, SharingCounts& counts,

@@ -7,12 +7,11 @@
 #include "Kernels/CloudTile.h"
 #include "Picture/Compositor.h"
 #include "Picture/MessageExchange.h"
+#include "Picture/SharedTiles.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -95,16 +94,16 @@ struct NoteHeader
 {
   enum Kinds : std::int32_t
   {
-    /// Some segments of a tile, and at first the fragments, for its owner.
+    /// Some segments of a share, and at first the fragments, for its owner.
     Part,
-    /// More segments are wanted: by which rays, and from which depth on.
-    Request,
-    /// A tile is drawn.
+    /// The rays of a share that are open, for a process whose last part was not its last one.
+    Answer,
+    /// A share is drawn.
     Finished
   };
 
   std::int32_t Kind;
-  std::int32_t Tile;
+  std::int32_t Share;
   /// The size of what follows.
   std::int64_t Bytes;
 };
@@ -112,28 +111,35 @@ struct NoteHeader
 /// How what follows begins in a part.
 struct PartHeader
 {
-  /// No segment in a later part begins before this depth; infinite if there is none.
-  double Horizon;
+  /// Of each tile of the group: no segment in a later part begins before this depth; infinite if
+  /// there is none.
+  double Horizons[SharedTiles::MaximumGroupSize];
   std::int64_t Fragments;
   std::int64_t Segments;
 };
 
-/// What follows in a request.
-struct SegmentRequest
+/// What follows in an answer: the open rays of each row.
+struct OpenRays
 {
-  double From;
-  std::uint32_t Open[CloudTile::Edge];
+  std::uint32_t Rows[CloudTile::Edge];
 };
 
-/// A fragment and the number of its pixel in the tile.
+/// A fragment and the number of its pixel in the share.
 struct TileFragment
 {
   int Pixel;
   Fragment Own;
 };
 
-/// Segments of a tile, of any fields.
-class TileSegments
+/// Where the segments of a row of a tile go: the number of a share, and the first pixel there.
+struct RowPlace
+{
+  std::uint8_t Share;
+  std::uint8_t Pixel;
+};
+
+/// Segments of one field, of the shares of a group.
+class SharedSegments
 {
 public:
   /// What a segment takes in a message: its pixel, two depths, two values of each component, and
@@ -144,105 +150,25 @@ public:
       2 * 3 * static_cast<std::size_t>(gradients) * sizeof(float);
   }
 
-  void Clear()
-  {
-    this->Least = std::numeric_limits<double>::infinity();
-    this->Runs.clear();
-    this->Pixels.clear();
-    for (int end = 0; end < 2; ++end)
-    {
-      this->Depths[end].clear();
-      for (auto& values : this->Values)
-      {
-        values[end].clear();
-      }
-      for (auto& coordinates : this->Gradients)
-      {
-        coordinates[end].clear();
-      }
-    }
-  }
-
+  void Clear();
   std::size_t GetCount() const { return this->Pixels.size(); }
-  double GetLeastDepth() const { return this->Least; }
 
-  void Add(std::size_t field, const CloudSegments& segments)
-  {
-    const std::size_t before = this->GetCount();
-    this->Runs.push_back({ static_cast<std::int32_t>(field), segments.Count, segments.Components,
-      segments.Gradients });
-    this->Pixels.insert(this->Pixels.end(), segments.Pixel, segments.Pixel + segments.Count);
-    for (int end = 0; end < 2; ++end)
-    {
-      const double* depths = segments.Depth[end];
-      this->Depths[end].insert(this->Depths[end].end(), depths, depths + segments.Count);
-      for (int i = 0; i < segments.Components; ++i)
-      {
-        Append(segments.Value[i][end], segments.Count, before, this->Values[i][end]);
-      }
-      for (int i = 0; i < 3 * segments.Gradients; ++i)
-      {
-        Append(segments.Gradient[i][end], segments.Count, before, this->Gradients[i][end]);
-      }
-    }
-    this->Least = std::accumulate(segments.Depth[0], segments.Depth[0] + segments.Count,
-      this->Least, [](double a, double b) { return std::min(a, b); });
-  }
+  /// Adds the segments of a tile whose rows go to some places.
+  void Add(const CloudSegments& segments, const RowPlace (&places)[CloudTile::Edge]);
 
-  /// Keeps those that begin before a depth.
-  void CutAt(double depth)
-  {
-    std::size_t kept = 0;
-    std::size_t next = 0;
-    for (Run& run : this->Runs)
-    {
-      const std::size_t keptBefore = kept;
-      for (const std::size_t end = next + static_cast<std::size_t>(run.Count); next < end; ++next)
-      {
-        if (this->Depths[0][next] < depth)
-        {
-          this->Move(next, kept++, run);
-        }
-      }
-      run.Count = static_cast<std::int32_t>(kept - keptBefore);
-    }
-    this->Pixels.resize(kept);
-  }
+  /// Puts those of each share together; to be called before they are counted and written.
+  void Sort();
+  std::size_t GetCountOf(int share) const { return this->First[share + 1] - this->First[share]; }
+  void Write(std::size_t field, int share, NoteWriter& writer) const;
 
-  void Write(NoteWriter& writer) const
-  {
-    writer.Add(static_cast<std::int64_t>(this->Runs.size()));
-    writer.Add(this->Runs.data(), this->Runs.size());
-    std::size_t first = 0;
-    for (const Run& run : this->Runs)
-    {
-      const auto count = static_cast<std::size_t>(run.Count);
-      for (int end = 0; end < 2; ++end)
-      {
-        writer.Add(this->Depths[end].data() + first, count);
-        for (int i = 0; i < run.Components; ++i)
-        {
-          writer.Add(this->Values[i][end].data() + first, count);
-        }
-        for (int i = 0; i < 3 * run.Gradients; ++i)
-        {
-          writer.Add(this->Gradients[i][end].data() + first, count);
-        }
-      }
-      writer.Add(this->Pixels.data() + first, count);
-      first += count;
-    }
-  }
-
-  /// Calls add(field, segments) for what was written.
+  /// Calls add(field, segments) for all that was written.
   template <typename AddSegments>
   static void Read(NoteReader& reader, CloudSegments& segments, const AddSegments& add)
   {
-    std::vector<Run> runs(static_cast<std::size_t>(reader.Take<std::int64_t>()));
-    reader.Take(runs.data(), runs.size());
-    std::uint8_t pixels[CloudSegments::Capacity];
-    for (const Run& run : runs)
+    std::uint8_t pixels[CloudSegments::Batch];
+    while (!reader.IsAtEnd())
     {
+      const Run run = reader.Take<Run>();
       segments.Count = run.Count;
       segments.Components = run.Components;
       segments.Gradients = run.Gradients;
@@ -266,7 +192,7 @@ public:
   }
 
 private:
-  /// Segments of one field, no more than CloudSegments has room for.
+  /// How what is written begins: some segments, no more than a batch.
   struct Run
   {
     std::int32_t Field;
@@ -275,37 +201,16 @@ private:
     std::int32_t Gradients;
   };
 
-  /// Appends numbers to those of the runs before, which may have fewer components.
-  template <typename Number>
-  static void Append(const Number* numbers, int count, std::size_t before, std::vector<Number>& all)
-  {
-    all.resize(before);
-    all.insert(all.end(), numbers, numbers + count);
-  }
-
-  void Move(std::size_t from, std::size_t to, const Run& run)
-  {
-    this->Pixels[to] = this->Pixels[from];
-    for (int end = 0; end < 2; ++end)
-    {
-      this->Depths[end][to] = this->Depths[end][from];
-      for (int i = 0; i < run.Components; ++i)
-      {
-        this->Values[i][end][to] = this->Values[i][end][from];
-      }
-      for (int i = 0; i < 3 * run.Gradients; ++i)
-      {
-        this->Gradients[i][end][to] = this->Gradients[i][end][from];
-      }
-    }
-  }
-
-  double Least = std::numeric_limits<double>::infinity();
-  std::vector<Run> Runs;
+  int Components = 0;
+  int Gradients = 0;
+  std::vector<std::uint8_t> Shares;
   std::vector<std::uint8_t> Pixels;
   std::vector<double> Depths[2];
   std::vector<double> Values[MaximumCloudComponents][2];
-  std::vector<float> Gradients[3 * MaximumCloudComponents][2];
+  std::vector<float> Coordinates[3 * MaximumCloudComponents][2];
+  /// The places of the segments of each share, from its first on.
+  std::vector<std::uint32_t> Order;
+  std::size_t First[SharedTiles::MaximumGroupSize + 1] = {};
 };
 
 }

@@ -4,64 +4,131 @@
 #ifndef SharedTiles_h
 #define SharedTiles_h
 
+#include "Kernels/CloudTile.h"
+#include "Picture/PixelRows.h"
 #include "Picture/Tiles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The tiles of a picture that many processes draw: each is drawn by one of them, its owner, and
-/// all work on them in the same order.
+/// The tiles of a picture that many processes draw together.
+///
+/// All work on the tiles in the same order, by groups of a few. A group is drawn in as many shares,
+/// each by a process, its owner: a share has every so many-th row of each tile of the group. Tiles
+/// that follow each other lie all over the picture, so all shares have about as much to draw, and
+/// there is work for all, whatever part of the data each has. (K.-L. Ma and T. W. Crockett deal out
+/// interleaved pixels: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
+/// Three-Dimensional Unstructured Data, 1997.)
 class SharedTiles
 {
 public:
+  /// The most tiles of a group.
+  static constexpr int MaximumGroupSize = CloudTile::Edge;
+
+  /// The tiles of the scene may not be larger than a CloudTile.
   SharedTiles(const Scene& scene, int processes)
     : Tiles(MakeTiles(scene))
-    , Columns((scene.Pixels.Width + scene.TileWidth - 1) / scene.TileWidth)
     , Processes(processes)
-    , Step(FindStep(processes))
-    , Stride(FindStep(this->GetCount()))
+    , GroupSize(FindGroupSize(processes))
+    , Stride(FindStride(static_cast<int>(this->Tiles.size())))
   {
   }
 
-  int GetCount() const { return static_cast<int>(this->Tiles.size()); }
-  const PixelRectangle& Get(int tile) const { return this->Tiles[static_cast<std::size_t>(tile)]; }
-
-  /// Neighbours in rows, in columns and on diagonals have different owners, so that each has its
-  /// share of what is dense.
-  int GetOwner(int tile) const
+  int GetNumberOfTiles() const { return static_cast<int>(this->Tiles.size()); }
+  int GetNumberOfGroups() const
   {
-    const int row = tile / this->Columns;
-    return (tile % this->Columns + row % this->Processes * this->Step) % this->Processes;
+    return (this->GetNumberOfTiles() + this->GroupSize - 1) / this->GroupSize;
+  }
+  int GetNumberOfShares() const { return this->GetNumberOfGroups() * this->GroupSize; }
+
+  /// The number of shares of a group, and of its tiles, of which the last group may have fewer.
+  int GetGroupSize() const { return this->GroupSize; }
+  int GetNumberOfTilesOf(int group) const
+  {
+    return std::min(this->GroupSize, this->GetNumberOfTiles() - group * this->GroupSize);
   }
 
-  /// The tile that is the next in turn: those that follow each other lie all over the picture, so
-  /// that there is work for all, whatever part of the data each has.
-  int GetTile(int turn) const
+  const PixelRectangle& GetTile(int group, int number) const
   {
-    return static_cast<int>(std::int64_t{ turn } * this->Stride % this->GetCount());
+    const std::int64_t turn = std::int64_t{ group } * this->GroupSize + number;
+    return this->Tiles[static_cast<std::size_t>(turn * this->Stride % this->GetNumberOfTiles())];
+  }
+
+  /// The shares of a group follow each other.
+  int GetShare(int group, int number) const { return group * this->GroupSize + number; }
+  int GetGroup(int share) const { return share / this->GroupSize; }
+  int GetNumber(int share) const { return share % this->GroupSize; }
+  int GetOwner(int share) const { return share % this->Processes; }
+
+  /// Of the rows of a tile of a group: the number of the share that has one, and where.
+  int GetNumberOfShare(int tile, int row) const { return (row + tile) % this->GroupSize; }
+  int GetRowInShare(int tile, int row) const
+  {
+    return tile * this->GetRowsOfTile() + row / this->GroupSize;
+  }
+
+  /// The other way: the tile that a row of a share is of, and the row there.
+  int GetTileOfRow(int row) const { return row / this->GetRowsOfTile(); }
+  int GetRowInTile(int number, int row) const
+  {
+    const int first = number - this->GetTileOfRow(row) + this->GroupSize;
+    return row % this->GetRowsOfTile() * this->GroupSize + first % this->GroupSize;
+  }
+
+  PixelRows FindRows(int share) const
+  {
+    const int group = this->GetGroup(share);
+    PixelRows rows;
+    for (int i = 0; i < CloudTile::Edge; ++i)
+    {
+      const int tile = this->GetTileOfRow(i);
+      const int row = this->GetRowInTile(this->GetNumber(share), i);
+      rows.Add({ 0, 0, 0, 1 });
+      if (tile < this->GetNumberOfTilesOf(group) && row < this->GetTile(group, tile).Height)
+      {
+        const PixelRectangle& pixels = this->GetTile(group, tile);
+        rows.Rows[i] = { pixels.X, pixels.Y + row, pixels.Width, 1 };
+      }
+    }
+    return rows;
   }
 
 private:
-  /// A number without a common divisor, by the golden section.
-  static int FindStep(int count)
+  /// Of few processes each has many tiles, which balance by themselves. A power of two.
+  static int FindGroupSize(int processes)
   {
-    int step = static_cast<int>(std::lround(0.618 * count));
-    while (std::gcd(step, count) > 1)
+    int size = 1;
+    while (2 * size < processes && size < MaximumGroupSize)
     {
-      ++step;
+      size *= 2;
     }
-    return step;
+    return size;
   }
 
+  /// A number without a common divisor, by the golden section.
+  static int FindStride(int count)
+  {
+    int stride = static_cast<int>(std::lround(0.618 * count));
+    while (std::gcd(stride, count) > 1)
+    {
+      ++stride;
+    }
+    return stride;
+  }
+
+  /// The number of rows of a tile that are in a share.
+  int GetRowsOfTile() const { return CloudTile::Edge / this->GroupSize; }
+
   std::vector<PixelRectangle> Tiles;
-  int Columns;
   int Processes;
-  int Step;
+  int GroupSize;
   int Stride;
 };
 
