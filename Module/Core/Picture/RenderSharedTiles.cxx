@@ -340,6 +340,7 @@ void SharedRenderer::Do(const Job& job)
 void SharedRenderer::Find(const Job& job)
 {
   const PartFinder* found = nullptr;
+  std::vector<Message> notes(static_cast<std::size_t>(this->Tiles.GetGroupSize()));
   if (!this->IsAbandoned)
   {
     this->Exception.Guard(
@@ -355,6 +356,13 @@ void SharedRenderer::Find(const Job& job)
             this->TheExecution.PacketKernels, this->Picture, enough);
         }
         finder->Find(job.Number, job.Request);
+        for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
+        {
+          if (job.Request.IsLookedFor(this->Tiles, number))
+          {
+            finder->Write(job.Number, number, notes[static_cast<std::size_t>(number)]);
+          }
+        }
         found = finder.get();
       });
   }
@@ -370,7 +378,9 @@ void SharedRenderer::Find(const Job& job)
     const int owner = this->Tiles.GetOwner(share);
     if (found)
     {
-      found->Write(job.Number, number, this->Outgoing[static_cast<std::size_t>(owner)]);
+      const Message& note = notes[static_cast<std::size_t>(number)];
+      Message& outgoing = this->Outgoing[static_cast<std::size_t>(owner)];
+      outgoing.insert(outgoing.end(), note.begin(), note.end());
     }
     else
     {
