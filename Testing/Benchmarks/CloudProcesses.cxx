@@ -194,9 +194,7 @@ private:
   void MeasureFinding()
   {
     const vtkirt::Sharing sharing;
-    GroupFinder finder(this->Own, this->Tiles,
-      std::max(sharing.LeastSegmentsAtOnce,
-        sharing.SegmentsAtOnce / static_cast<std::size_t>(this->Processes)));
+    GroupFinder finder(this->Own, this->Tiles, sharing.FindSegmentsOfPart(this->Processes));
     this->Messages = 0;
     const double seconds = MeasureOn(1,
       [&]()
@@ -241,7 +239,7 @@ private:
     DrawingCosts costs;
     std::vector<double> all(static_cast<std::size_t>(this->Processes), 0.0);
     std::vector<double> some = all;
-    const int window = std::max({ 16, 2 * this->Processes, this->Tiles.GetNumberOfTiles() / 64 });
+    const int window = this->Tiles.FindWindow(1) * this->Tiles.GetGroupSize();
     const int shares = this->Tiles.GetNumberOfShares();
     for (int share = 0; share < shares; ++share)
     {

@@ -151,11 +151,8 @@ public:
       this->OwnShares[share].Awaited = this->Processes;
       this->SharesLeft += this->Tiles.GetOwner(static_cast<int>(share)) == this->Own ? 1 : 0;
     }
-    // Enough for all threads of all processes, and no more than it takes; the same for all.
-    const int size = this->Tiles.GetGroupSize();
-    const int tiles = std::max(
-      { 16, 2 * this->Processes, 4 * execution.Threads, this->Tiles.GetNumberOfTiles() / 64 });
-    this->Window = (tiles + size - 1) / size;
+    // The same for all processes.
+    this->Window = this->Tiles.FindWindow(execution.Threads);
     exchange.FindLargest(&this->Window, 1);
     this->Jobs = this->GroupsLeft + this->SharesLeft;
   }
@@ -350,10 +347,9 @@ void SharedRenderer::Find(const Job& job)
           this->Finders[static_cast<std::size_t>(omp_get_thread_num())];
         if (!finder)
         {
-          const std::size_t enough = std::max(this->TheSharing.LeastSegmentsAtOnce,
-            this->TheSharing.SegmentsAtOnce / static_cast<std::size_t>(this->Processes));
           finder = std::make_unique<PartFinder>(this->TheScene, this->Tiles, this->Shaders,
-            this->TheExecution.PacketKernels, this->Picture, enough);
+            this->TheExecution.PacketKernels, this->Picture,
+            this->TheSharing.FindSegmentsOfPart(this->Processes));
         }
         finder->Find(job.Number, job.Request);
         for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)

@@ -9,6 +9,7 @@
 #include "Picture/RenderTiles.h"
 #include "Picture/Scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -28,6 +29,13 @@ struct Sharing
   /// and so many by each process: to find less takes nearly as long.
   std::size_t SegmentsAtOnce = std::size_t{ 1 } << 15;
   std::size_t LeastSegmentsAtOnce = 2048;
+
+  /// So many segments of a tile are enough for a part of one process.
+  std::size_t FindSegmentsOfPart(int processes) const
+  {
+    return std::max(
+      this->LeastSegmentsAtOnce, this->SegmentsAtOnce / static_cast<std::size_t>(processes));
+  }
 };
 
 /// What a process did for a picture.

@@ -82,6 +82,15 @@ public:
     return row % this->GetRowsOfTile() * this->GroupSize + first % this->GroupSize;
   }
 
+  /// How many groups processes with so many threads may be apart: enough for all of them, and no
+  /// more than it takes.
+  int FindWindow(int threads) const
+  {
+    const int tiles =
+      std::max({ 16, 2 * this->Processes, 4 * threads, this->GetNumberOfTiles() / 64 });
+    return (tiles + this->GroupSize - 1) / this->GroupSize;
+  }
+
   PixelRows FindRows(int share) const
   {
     const int group = this->GetGroup(share);
@@ -90,12 +99,9 @@ public:
     {
       const int tile = this->GetTileOfRow(i);
       const int row = this->GetRowInTile(this->GetNumber(share), i);
-      rows.Add({ 0, 0, 0, 1 });
-      if (tile < this->GetNumberOfTilesOf(group) && row < this->GetTile(group, tile).Height)
-      {
-        const PixelRectangle& pixels = this->GetTile(group, tile);
-        rows.Rows[i] = { pixels.X, pixels.Y + row, pixels.Width, 1 };
-      }
+      const PixelRectangle pixels =
+        tile < this->GetNumberOfTilesOf(group) ? this->GetTile(group, tile) : PixelRectangle{};
+      rows.Add({ pixels.X, pixels.Y + row, row < pixels.Height ? pixels.Width : 0, 1 });
     }
     return rows;
   }
