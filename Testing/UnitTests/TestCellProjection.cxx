@@ -213,6 +213,14 @@ struct FoundSegment
   }
 };
 
+/// Selects a cloud alone.
+void SelectCloud(MeshField& field)
+{
+  TraceRequest request;
+  request.HasCloud = true;
+  field.Select(request, {});
+}
+
 /// If it pauses, another begin follows every few segments.
 std::map<int, std::vector<FoundSegment>> FindSegments(const MeshField& field, const Camera& view,
   const PixelRectangle& pixels, const Kernels& kernels, bool pauses = false)
@@ -266,9 +274,7 @@ TEST_P(CellProjection, GoesOnWhereItPaused)
   {
     const TestMesh mesh = MakeConvexMesh(random, cutting, 0.2);
     MeshField field(mesh.View(), 1);
-    TraceRequest request;
-    request.HasCloud = true;
-    field.Select(request, {});
+    SelectCloud(field);
     for (const Camera& view : { MakeCamera(false), MakeCamera(true), MakeParallelCamera() })
     {
       const auto whole = FindSegments(field, view, { 14, 11, 16, 16 }, this->TheKernels);
@@ -316,9 +322,7 @@ TEST_P(CellProjection, PausesBehindManyCellsAtOneDepth)
     mesh.Points[i] *= i % 3 == 2 ? 1.0 : 0.15;
   }
   MeshField field(mesh.View(), 1);
-  TraceRequest request;
-  request.HasCloud = true;
-  field.Select(request, {});
+  SelectCloud(field);
   const Camera view = MakeParallelCamera();
   const auto whole = FindSegments(field, view, { 0, 0, 16, 16 }, this->TheKernels);
   EXPECT_GT(whole.size(), 100U);
@@ -383,9 +387,7 @@ TEST_P(CellProjection, JoinsSegmentsExactly)
     {
       const TestMesh mesh = MakeConvexMesh(random, cutting, jitter);
       MeshField field(mesh.View(), 1);
-      TraceRequest request;
-      request.HasCloud = true;
-      field.Select(request, {});
+      SelectCloud(field);
       const Camera views[] = { MakeCamera(false), MakeCamera(true), MakeParallelCamera() };
       for (const Camera& view : views)
       {
@@ -493,9 +495,7 @@ TEST_P(CellProjection, FillsTheMesh)
   {
     const TestMesh mesh = MakeConvexMesh(random, cutting, 0.0);
     MeshField field(mesh.View(), 1);
-    TraceRequest request;
-    request.HasCloud = true;
-    field.Select(request, {});
+    SelectCloud(field);
     const auto found =
       FindSegments(field, MakeParallelCamera(), { 0, 0, 16, 16 }, this->TheKernels);
     // Those on the border of the mesh count as beside it or within it.
