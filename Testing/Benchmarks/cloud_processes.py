@@ -53,7 +53,7 @@ def take_cells(mesh, process, processes):
     ids = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, corners)
     ids = ids[numpy.arange(len(ids)) // 64 % processes == process]
     cells = vtkCellArray()
-    cells.SetData(corners, numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
+    cells.SetData(corners, numpy_to_vtkIdTypeArray(ids.ravel().astype(numpy.int64), deep=True))
     piece = vtkUnstructuredGrid()
     piece.SetPoints(mesh.GetPoints())
     piece.GetPointData().SetScalars(mesh.GetPointData().GetScalars())
