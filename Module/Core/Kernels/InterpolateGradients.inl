@@ -8,25 +8,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The two samples of a row that belong to a cell. A row has a neighbour on both sides.
-template <typename T>
-SIMD_INLINE void LoadPair(const void* const* rows, int lanes, std::ptrdiff_t index,
-  std::ptrdiff_t stride, Doubles values[2])
-{
-  if constexpr (sizeof(T) == 1)
-  {
-    // Two bytes cannot be gathered, but four can.
-    Doubles row[4];
-    LoadRow<T, 4>(rows, lanes, index - stride, stride, row);
-    values[0] = row[1];
-    values[1] = row[2];
-  }
-  else
-  {
-    LoadRow<T, 2>(rows, lanes, index, stride, values);
-  }
-}
-
 /// Finds the slope at a corner of the lower side of each cell along an axis, or of the upper one.
 template <bool Even>
 struct Slopes
@@ -74,8 +55,8 @@ SIMD_INLINE void InterpolateSlopes(const InnerCells& cells, const std::ptrdiff_t
 {
   for (int i = 0; i < cells.Count; i += DoubleWidth)
   {
-    const void* const* corners = &cells.First[i];
-    const int lanes = SmallerOf(cells.Count - i, DoubleWidth);
+    const void* corners[DoubleWidth];
+    TakeRows(cells.First, i, cells.Count, corners);
     const Slopes<Even> slopes(cells, i);
     Doubles samples[8];
     Doubles differences[3][8];
@@ -85,8 +66,7 @@ SIMD_INLINE void InterpolateSlopes(const InnerCells& cells, const std::ptrdiff_t
       {
         const int corner = 2 * y + 4 * z;
         Doubles row[4];
-        LoadRow<T, 4>(
-          corners, lanes, y * strides[1] + z * strides[2] - strides[0], strides[0], row);
+        LoadRow<T, 4>(corners, y * strides[1] + z * strides[2] - strides[0], strides[0], row);
         samples[corner] = row[1];
         samples[corner + 1] = row[2];
         differences[0][corner] = slopes.Get(0, 0, row[0], row[1], row[2]);
@@ -103,8 +83,8 @@ SIMD_INLINE void InterpolateSlopes(const InnerCells& cells, const std::ptrdiff_t
         const int high = low + (axis == 1 ? 2 : 4);
         Doubles before[2];
         Doubles behind[2];
-        LoadPair<T>(corners, lanes, index - strides[axis], strides[0], before);
-        LoadPair<T>(corners, lanes, index + 2 * strides[axis], strides[0], behind);
+        LoadRow<T, 2>(corners, index - strides[axis], strides[0], before);
+        LoadRow<T, 2>(corners, index + 2 * strides[axis], strides[0], behind);
         for (int x = 0; x < 2; ++x)
         {
           const Doubles first = samples[low + x];

@@ -13,11 +13,12 @@ void LoadCorners(const std::ptrdiff_t strides[3], Candidates& candidates)
 {
   for (int i = 0; i < candidates.Count; i += DoubleWidth)
   {
+    const void* first[DoubleWidth];
+    TakeRows(candidates.First, i, candidates.Count, first);
     for (int row = 0; row < 4; ++row)
     {
       Doubles pair[2];
-      LoadRow<T, 2>(&candidates.First[i], SmallerOf(candidates.Count - i, DoubleWidth),
-        row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
+      LoadRow<T, 2>(first, row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
       Store(pair[0], &candidates.Corners[2 * row][i]);
       Store(pair[1], &candidates.Corners[2 * row + 1][i]);
     }

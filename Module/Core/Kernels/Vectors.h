@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -25,18 +26,28 @@ constexpr bool IsFloating = static_cast<T>(0.5) != 0;
 template <typename T>
 constexpr bool IsSigned = static_cast<T>(-1) < 0;
 
+/// A word of 8, 4 or 2 bytes.
+template <int Size>
+using WordOf =
+  std::conditional_t<Size == 8, long long, std::conditional_t<Size == 4, int, std::uint16_t>>;
+
+template <typename Word>
+SIMD_INLINE Word LoadWord(const void* row, std::ptrdiff_t bytes)
+{
+  Word word;
+  __builtin_memcpy(&word, static_cast<const char*>(row) + bytes, sizeof(word));
+  return word;
+}
+
 }
 }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #include "Kernels/VectorsAvx512.h"
-#else
-#if defined(__AVX2__) && defined(__FMA__)
+#elif defined(__AVX2__) && defined(__FMA__)
 #include "Kernels/VectorsAvx2.h"
 #else
 #include "Kernels/VectorsGeneric.h"
-#endif
-#include "Kernels/VectorsComposed.h"
 #endif
 
 namespace vtkIsosurfaceRayTracing

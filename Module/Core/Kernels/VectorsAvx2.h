@@ -149,6 +149,66 @@ SIMD_INLINE double ReduceMin(Doubles a)
   return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
 }
 
+SIMD_INLINE Mask ToMask(unsigned int bits)
+{
+  const __m256i ofLanes = _mm256_set_epi64x(8, 4, 2, 1);
+  const __m256i all = _mm256_set1_epi64x(bits);
+  return { _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(all, ofLanes), ofLanes)) };
+}
+SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+  const __m128 a = _mm256_cvtpd_ps(first.Value);
+  const __m128 b = _mm256_cvtpd_ps(second.Value);
+  _mm_storeu_ps(pairs[0], _mm_unpacklo_ps(a, b));
+  _mm_storeu_ps(pairs[2], _mm_unpackhi_ps(a, b));
+}
+
+/// For each set of lanes, its members in order, and lane 0 behind them.
+struct LanesInOrder
+{
+  alignas(16) int Members[1 << DoubleWidth][DoubleWidth];
+
+  constexpr LanesInOrder()
+    : Members{}
+  {
+    for (int lanes = 0; lanes < 1 << DoubleWidth; ++lanes)
+    {
+      int count = 0;
+      for (int lane = 0; lane < DoubleWidth; ++lane)
+      {
+        this->Members[lanes][count] = lanes >> lane & 1 ? lane : 0;
+        count += lanes >> lane & 1;
+      }
+    }
+  }
+};
+
+SIMD_INLINE __m128i GetLanesInOrder(unsigned int lanes)
+{
+  static constexpr LanesInOrder inOrder;
+  return _mm_load_si128(reinterpret_cast<const __m128i*>(inOrder.Members[lanes]));
+}
+SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
+{
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(numbers),
+    _mm_add_epi32(_mm_set1_epi32(first), GetLanesInOrder(lanes)));
+  return __builtin_popcount(lanes);
+}
+SIMD_INLINE void StoreLanes(Doubles a, unsigned int lanes, double* to)
+{
+  // Each lane is two of floats.
+  const __m256i first = _mm256_slli_epi64(_mm256_cvtepi32_epi64(GetLanesInOrder(lanes)), 1);
+  const __m256i second = _mm256_slli_epi64(_mm256_add_epi64(first, _mm256_set1_epi64x(1)), 32);
+  _mm256_storeu_ps(reinterpret_cast<float*>(to),
+    _mm256_permutevar8x32_ps(_mm256_castpd_ps(a.Value), _mm256_or_si256(first, second)));
+}
+SIMD_INLINE int CopyLanes(const int* from, unsigned int lanes, int* to)
+{
+  const __m128 all = _mm_loadu_ps(reinterpret_cast<const float*>(from));
+  _mm_storeu_ps(reinterpret_cast<float*>(to), _mm_permutevar_ps(all, GetLanesInOrder(lanes)));
+  return __builtin_popcount(lanes);
+}
+
 SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
 {
   __m256d rows[4];
@@ -261,6 +321,10 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { _mm256_max_ps(b.Value, a.Value) };
 }
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
+{
+  return Max(Abs(a), Abs(b));
+}
 SIMD_INLINE float ReduceMin(Floats a)
 {
   const __m128 four =
@@ -332,31 +396,19 @@ SIMD_INLINE void StoreFours(const Floats from[4], float* to)
 template <typename T>
 constexpr bool HasWords = sizeof(T) <= 2 || (sizeof(T) == 4 && IsSigned<T>);
 
-template <typename Word>
-SIMD_INLINE Word LoadWord(const void* row, std::ptrdiff_t bytes)
-{
-  Word word;
-  __builtin_memcpy(&word, static_cast<const char*>(row) + bytes, sizeof(word));
-  return word;
-}
-
 template <int Size>
-SIMD_INLINE auto LoadWords(const void* const* rows, int lanes, std::ptrdiff_t bytes)
+SIMD_INLINE auto LoadWords(const void* const* rows, std::ptrdiff_t bytes)
 {
-  const void* row[DoubleWidth];
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    row[lane] = rows[lane < lanes ? lane : 0];
-  }
+  using Word = WordOf<Size>;
   if constexpr (Size == 8)
   {
-    return _mm256_set_epi64x(LoadWord<long long>(row[3], bytes), LoadWord<long long>(row[2], bytes),
-      LoadWord<long long>(row[1], bytes), LoadWord<long long>(row[0], bytes));
+    return _mm256_set_epi64x(LoadWord<Word>(rows[3], bytes), LoadWord<Word>(rows[2], bytes),
+      LoadWord<Word>(rows[1], bytes), LoadWord<Word>(rows[0], bytes));
   }
   else
   {
-    return _mm_set_epi32(LoadWord<int>(row[3], bytes), LoadWord<int>(row[2], bytes),
-      LoadWord<int>(row[1], bytes), LoadWord<int>(row[0], bytes));
+    return _mm_set_epi32(LoadWord<Word>(rows[3], bytes), LoadWord<Word>(rows[2], bytes),
+      LoadWord<Word>(rows[1], bytes), LoadWord<Word>(rows[0], bytes));
   }
 }
 
@@ -393,11 +445,10 @@ SIMD_INLINE Doubles TakeFromWords(__m128i words, int k)
 }
 
 template <typename T, int Count>
-SIMD_INLINE void LoadWordRow(
-  const void* const* rows, int lanes, std::ptrdiff_t index, Doubles values[Count])
+SIMD_INLINE void LoadWordRow(const void* const* rows, std::ptrdiff_t index, Doubles values[Count])
 {
   const auto words =
-    LoadWords<Count * sizeof(T)>(rows, lanes, index * static_cast<std::ptrdiff_t>(sizeof(T)));
+    LoadWords<Count * sizeof(T)>(rows, index * static_cast<std::ptrdiff_t>(sizeof(T)));
   for (int k = 0; k < Count; ++k)
   {
     values[k] = TakeFromWords<T>(words, k);
@@ -405,7 +456,37 @@ SIMD_INLINE void LoadWordRow(
 }
 
 template <typename T>
-constexpr bool HasFloatPairs = false;
+constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
+
+template <typename T>
+SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
+{
+  constexpr int size = 2 * sizeof(T);
+  const std::ptrdiff_t bytes = index * static_cast<std::ptrdiff_t>(sizeof(T));
+  const auto low = LoadWords<size>(rows, bytes);
+  const auto high = LoadWords<size>(rows + DoubleWidth, bytes);
+  if constexpr (size <= 4)
+  {
+    constexpr int bits = 8 * sizeof(T);
+    const __m256i words = _mm256_set_m128i(high, low);
+    for (int k = 0; k < 2; ++k)
+    {
+      const __m256i highest = _mm256_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
+      pair[k] = { _mm256_cvtepi32_ps(IsSigned<T> ? _mm256_srai_epi32(highest, 32 - bits)
+                                                 : _mm256_srli_epi32(highest, 32 - bits)) };
+    }
+  }
+  else
+  {
+    const __m256 first = _mm256_castsi256_ps(low);
+    const __m256 second = _mm256_castsi256_ps(high);
+    // Lanes 0, 1, 4, 5, 2, 3, 6, 7.
+    const __m256d even = _mm256_castps_pd(_mm256_shuffle_ps(first, second, 0x88));
+    const __m256d odd = _mm256_castps_pd(_mm256_shuffle_ps(first, second, 0xDD));
+    pair[0] = { _mm256_castpd_ps(_mm256_permute4x64_pd(even, 0xD8)) };
+    pair[1] = { _mm256_castpd_ps(_mm256_permute4x64_pd(odd, 0xD8)) };
+  }
+}
 
 //------------------------------------------------------------------------------
 using SliceMasks = const std::uint64_t*;

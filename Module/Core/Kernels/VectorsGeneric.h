@@ -150,6 +150,56 @@ SIMD_INLINE double ReduceMin(Doubles a)
 {
   return a.Value[1] < a.Value[0] ? a.Value[1] : a.Value[0];
 }
+SIMD_INLINE Mask ToMask(unsigned int bits)
+{
+  double lanes[DoubleWidth];
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    lanes[lane] = static_cast<double>(bits >> lane & 1U);
+  }
+  return Doubles(0.0) < Load(lanes);
+}
+SIMD_INLINE void StorePairs(Doubles first, Doubles second, float (*pairs)[2])
+{
+  double lanes[2][DoubleWidth];
+  Store(first, lanes[0]);
+  Store(second, lanes[1]);
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    pairs[lane][0] = static_cast<float>(lanes[0][lane]);
+    pairs[lane][1] = static_cast<float>(lanes[1][lane]);
+  }
+}
+SIMD_INLINE int AppendLanes(int first, unsigned int lanes, int* numbers)
+{
+  int count = 0;
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    numbers[count] = first + lane;
+    count += static_cast<int>(lanes >> lane & 1U);
+  }
+  return count;
+}
+SIMD_INLINE void StoreLanes(Doubles a, unsigned int lanes, double* to)
+{
+  double all[DoubleWidth];
+  Store(a, all);
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    *to = all[lane];
+    to += lanes >> lane & 1U;
+  }
+}
+SIMD_INLINE int CopyLanes(const int* from, unsigned int lanes, int* to)
+{
+  int count = 0;
+  for (int lane = 0; lane < DoubleWidth; ++lane)
+  {
+    to[count] = from[lane];
+    count += static_cast<int>(lanes >> lane & 1U);
+  }
+  return count;
+}
 
 SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
 {
@@ -266,6 +316,10 @@ SIMD_INLINE Floats Max(Floats a, Floats b)
 {
   return { a.Value < b.Value ? b.Value : a.Value };
 }
+SIMD_INLINE Floats MaxAbs(Floats a, Floats b)
+{
+  return Max(Abs(a), Abs(b));
+}
 SIMD_INLINE float ReduceMin(Floats a)
 {
   const float first = a.Value[1] < a.Value[0] ? a.Value[1] : a.Value[0];
@@ -330,7 +384,19 @@ SIMD_INLINE void StoreFours(const Floats from[4], float* to)
 template <typename T>
 constexpr bool HasWords = false;
 template <typename T>
-constexpr bool HasFloatPairs = false;
+constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
+
+template <typename T>
+SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    for (int lane = 0; lane < FloatWidth; ++lane)
+    {
+      pair[k].Value[lane] = static_cast<float>(static_cast<const T*>(rows[lane])[index + k]);
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 using SliceMasks = const std::uint64_t*;

@@ -112,7 +112,7 @@ void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
   put(queue.Count, cells);
   cells &= cells - 1;
   put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
-  queue.Count += cells != 0 ? 2 : 1;
+  queue.Count += 1 + static_cast<int>((cells | (0 - cells)) >> 63);
   for (cells &= cells - 1; cells != 0; cells &= cells - 1)
   {
     put(queue.Count++, cells);
