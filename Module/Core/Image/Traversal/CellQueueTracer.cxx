@@ -54,6 +54,36 @@ void CellQueueTracer::EndSlice(const Frustum& frustum)
 }
 
 //------------------------------------------------------------------------------
+inline void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
+{
+  PassedCells& queue = this->Queue;
+  const unsigned int code =
+    static_cast<unsigned int>(passage) | static_cast<unsigned int>(slice) << 16;
+  // Corners that are not kept in rows are copied later.
+  const char* block = this->AllInRows ? this->Passed.Corner[this->Passed.Segments[passage].Block]
+                                      : reinterpret_cast<const char*>(this);
+  const char* corner = block + slice * this->CornerSteps[static_cast<std::size_t>(axis)];
+  const auto put = [&](int index, std::uint64_t cells)
+  {
+    const int bit = LowestBit(cells);
+    queue.Codes[index] = code | static_cast<unsigned int>(bit) << 24;
+    queue.First[index] = corner + this->StepsInSlice[static_cast<std::size_t>(bit)];
+    PrefetchLine(queue.First[index]);
+    PrefetchLine(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
+  };
+  // Mostly there are one or two cells. Both are written, and then counted.
+  std::uint64_t cells = this->Passed.Cells[passage][slice];
+  put(queue.Count, cells);
+  cells &= cells - 1;
+  put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
+  queue.Count += 1 + static_cast<int>((cells | (0 - cells)) >> 63);
+  for (cells &= cells - 1; cells != 0; cells &= cells - 1)
+  {
+    put(queue.Count++, cells);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Queues the cells of every passage, slice by slice, up to where it is over. (Whether a ray needs
 /// more is unpredictable: counting is faster than branching, here and in KeepNeeded.)
 void CellQueueTracer::TakePassages(const Frustum& frustum)
@@ -87,36 +117,6 @@ void CellQueueTracer::TakePassages(const Frustum& frustum)
   }
   this->ClearPassages();
   this->AllInRows = true;
-}
-
-//------------------------------------------------------------------------------
-void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
-{
-  PassedCells& queue = this->Queue;
-  const unsigned int code =
-    static_cast<unsigned int>(passage) | static_cast<unsigned int>(slice) << 16;
-  // Corners that are not kept in rows are copied later.
-  const char* block = this->AllInRows ? this->Passed.Corner[this->Passed.Segments[passage].Block]
-                                      : reinterpret_cast<const char*>(this);
-  const char* corner = block + slice * this->CornerSteps[static_cast<std::size_t>(axis)];
-  const auto put = [&](int index, std::uint64_t cells)
-  {
-    const int bit = LowestBit(cells);
-    queue.Codes[index] = code | static_cast<unsigned int>(bit) << 24;
-    queue.First[index] = corner + this->StepsInSlice[static_cast<std::size_t>(bit)];
-    PrefetchLine(queue.First[index]);
-    PrefetchLine(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
-  };
-  // Mostly there are one or two cells. Both are written, and then counted.
-  std::uint64_t cells = this->Passed.Cells[passage][slice];
-  put(queue.Count, cells);
-  cells &= cells - 1;
-  put(queue.Count + 1, cells | std::uint64_t{ 1 } << 63);
-  queue.Count += 1 + static_cast<int>((cells | (0 - cells)) >> 63);
-  for (cells &= cells - 1; cells != 0; cells &= cells - 1)
-  {
-    put(queue.Count++, cells);
-  }
 }
 
 //------------------------------------------------------------------------------
