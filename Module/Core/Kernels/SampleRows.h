@@ -18,6 +18,10 @@ void LoadWordRow(const void* const* rows, std::ptrdiff_t index, Doubles values[C
 template <typename T>
 void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2]);
 
+/// Whether pairs of samples of a type are loaded in single precision.
+template <typename T>
+constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
+
 /// The rows of a vector, of which the first has a number, of so many; the last is repeated.
 SIMD_INLINE void TakeRows(
   const void* const* rows, int first, int count, const void* taken[DoubleWidth])

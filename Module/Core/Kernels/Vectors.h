@@ -44,8 +44,12 @@ SIMD_INLINE Word LoadWord(const void* row, std::ptrdiff_t bytes)
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #include "Kernels/VectorsAvx512.h"
+
+#include "Kernels/SampleWords.h"
 #elif defined(__AVX2__) && defined(__FMA__)
 #include "Kernels/VectorsAvx2.h"
+
+#include "Kernels/SampleWords.h"
 #else
 #include "Kernels/VectorsGeneric.h"
 #endif

@@ -444,48 +444,25 @@ SIMD_INLINE Doubles TakeFromWords(__m128i words, int k)
   return ToDoubles<T>(_mm_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1))));
 }
 
-template <typename T, int Count>
-SIMD_INLINE void LoadWordRow(const void* const* rows, std::ptrdiff_t index, Doubles values[Count])
+template <typename T>
+SIMD_INLINE Floats TakeFromWords(__m128i low, __m128i high, int k)
 {
-  const auto words =
-    LoadWords<Count * sizeof(T)>(rows, index * static_cast<std::ptrdiff_t>(sizeof(T)));
-  for (int k = 0; k < Count; ++k)
-  {
-    values[k] = TakeFromWords<T>(words, k);
-  }
+  constexpr int bits = 8 * sizeof(T);
+  const __m256i words = _mm256_set_m128i(high, low);
+  const __m256i highest = _mm256_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
+  return { _mm256_cvtepi32_ps(
+    IsSigned<T> ? _mm256_srai_epi32(highest, 32 - bits) : _mm256_srli_epi32(highest, 32 - bits)) };
 }
 
 template <typename T>
-constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
-
-template <typename T>
-SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
+SIMD_INLINE Floats TakeFromWords(__m256i low, __m256i high, int k)
 {
-  constexpr int size = 2 * sizeof(T);
-  const std::ptrdiff_t bytes = index * static_cast<std::ptrdiff_t>(sizeof(T));
-  const auto low = LoadWords<size>(rows, bytes);
-  const auto high = LoadWords<size>(rows + DoubleWidth, bytes);
-  if constexpr (size <= 4)
-  {
-    constexpr int bits = 8 * sizeof(T);
-    const __m256i words = _mm256_set_m128i(high, low);
-    for (int k = 0; k < 2; ++k)
-    {
-      const __m256i highest = _mm256_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
-      pair[k] = { _mm256_cvtepi32_ps(IsSigned<T> ? _mm256_srai_epi32(highest, 32 - bits)
-                                                 : _mm256_srli_epi32(highest, 32 - bits)) };
-    }
-  }
-  else
-  {
-    const __m256 first = _mm256_castsi256_ps(low);
-    const __m256 second = _mm256_castsi256_ps(high);
-    // Lanes 0, 1, 4, 5, 2, 3, 6, 7.
-    const __m256d even = _mm256_castps_pd(_mm256_shuffle_ps(first, second, 0x88));
-    const __m256d odd = _mm256_castps_pd(_mm256_shuffle_ps(first, second, 0xDD));
-    pair[0] = { _mm256_castpd_ps(_mm256_permute4x64_pd(even, 0xD8)) };
-    pair[1] = { _mm256_castpd_ps(_mm256_permute4x64_pd(odd, 0xD8)) };
-  }
+  const __m256 first = _mm256_castsi256_ps(low);
+  const __m256 second = _mm256_castsi256_ps(high);
+  // Lanes 0, 1, 4, 5, 2, 3, 6, 7.
+  const __m256 mixed =
+    k == 0 ? _mm256_shuffle_ps(first, second, 0x88) : _mm256_shuffle_ps(first, second, 0xDD);
+  return { _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0xD8)) };
 }
 
 //------------------------------------------------------------------------------

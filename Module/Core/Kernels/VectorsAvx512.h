@@ -454,49 +454,24 @@ SIMD_INLINE Doubles TakeFromWords(__m256i words, int k)
     IsSigned<T> ? _mm256_srai_epi32(high, 32 - bits) : _mm256_srli_epi32(high, 32 - bits)) };
 }
 
-template <typename T, int Count>
-SIMD_INLINE void LoadWordRow(const void* const* rows, std::ptrdiff_t index, Doubles values[Count])
+/// Sample k of each word, in single precision: of two integers...
+template <typename T>
+SIMD_INLINE Floats TakeFromWords(__m256i low, __m256i high, int k)
 {
-  const auto words =
-    LoadWords<Count * sizeof(T)>(rows, index * static_cast<std::ptrdiff_t>(sizeof(T)));
-  for (int k = 0; k < Count; ++k)
-  {
-    values[k] = TakeFromWords<T>(words, k);
-  }
+  constexpr int bits = 8 * sizeof(T);
+  const __m512i words = _mm512_inserti32x8(_mm512_castsi256_si512(low), high, 1);
+  const __m512i highest = _mm512_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
+  return { _mm512_cvtepi32_ps(
+    IsSigned<T> ? _mm512_srai_epi32(highest, 32 - bits) : _mm512_srli_epi32(highest, 32 - bits)) };
 }
 
-/// Whether pairs of samples of a type are loaded in single precision.
+/// ...or of two floats.
 template <typename T>
-constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
-
-template <typename T>
-SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
+SIMD_INLINE Floats TakeFromWords(__m512i low, __m512i high, int k)
 {
-  constexpr int size = 2 * sizeof(T);
-  const std::ptrdiff_t bytes = index * static_cast<std::ptrdiff_t>(sizeof(T));
-  const auto low = LoadWords<size>(rows, bytes);
-  const auto high = LoadWords<size>(rows + DoubleWidth, bytes);
-  if constexpr (size <= 4)
-  {
-    constexpr int bits = 8 * sizeof(T);
-    const __m512i words = _mm512_inserti32x8(_mm512_castsi256_si512(low), high, 1);
-    for (int k = 0; k < 2; ++k)
-    {
-      const __m512i highest = _mm512_sll_epi32(words, _mm_cvtsi32_si128(32 - bits * (k + 1)));
-      pair[k] = { _mm512_cvtepi32_ps(IsSigned<T> ? _mm512_srai_epi32(highest, 32 - bits)
-                                                 : _mm512_srli_epi32(highest, 32 - bits)) };
-    }
-  }
-  else
-  {
-    const __m512i even =
-      _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
-    const __m512i odd = _mm512_or_si512(even, _mm512_set1_epi32(1));
-    const __m512 first = _mm512_castsi512_ps(low);
-    const __m512 second = _mm512_castsi512_ps(high);
-    pair[0] = { _mm512_permutex2var_ps(first, even, second) };
-    pair[1] = { _mm512_permutex2var_ps(first, odd, second) };
-  }
+  const __m512i even = _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
+  return { _mm512_permutex2var_ps(_mm512_castsi512_ps(low),
+    _mm512_or_si512(even, _mm512_set1_epi32(k)), _mm512_castsi512_ps(high)) };
 }
 
 //------------------------------------------------------------------------------

@@ -384,9 +384,6 @@ SIMD_INLINE void StoreFours(const Floats from[4], float* to)
 template <typename T>
 constexpr bool HasWords = false;
 template <typename T>
-constexpr bool HasFloatPairs = sizeof(T) <= 2 || (IsFloating<T> && sizeof(T) == 4);
-
-template <typename T>
 SIMD_INLINE void LoadFloatPairs(const void* const* rows, std::ptrdiff_t index, Floats pair[2])
 {
   for (int k = 0; k < 2; ++k)
