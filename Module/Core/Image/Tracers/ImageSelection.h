@@ -144,8 +144,8 @@ struct ImageSelection
     bool isFinite = true;
     for (int i = 0; i < rays.Count; ++i)
     {
-      const bool isFiniteOne = std::isfinite(rays.End[i] - rays.Begin[i]);
-      isFinite = isFinite && (isFiniteOne || !Has(rays.Exists, i));
+      // The difference is finite only if both are.
+      isFinite = isFinite && (!Has(rays.Exists, i) || std::isfinite(rays.End[i] - rays.Begin[i]));
     }
     return isFinite && this->Tree && this->PacketKernels;
   }
