@@ -71,7 +71,8 @@ inline void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
     PrefetchLine(queue.First[index]);
     PrefetchLine(static_cast<const char*>(queue.First[index]) + this->CornerSteps[2]);
   };
-  // Mostly there are one or two cells. Both are written, and then counted.
+  // Mostly there are one or two cells. Both are written, and then counted: by the sign of a number,
+  // since compilers make a branch of a comparison, which is unpredictable.
   std::uint64_t cells = this->Passed.Cells[passage][slice];
   put(queue.Count, cells);
   cells &= cells - 1;
