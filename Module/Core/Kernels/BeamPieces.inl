@@ -584,8 +584,9 @@ SIMD_INLINE Floats LeastOf(const Floats (&numbers)[4])
   return Min(Min(numbers[0], numbers[1]), Min(numbers[2], numbers[3]));
 }
 
-/// Adds the rays of a group that may meet a piece. Returns whether some of them surely do.
-SIMD_INLINE bool AddPairs(
+/// Adds the rays of a group that may meet a piece. Returns whether some of them surely do: 1 or 0.
+/// (Whether any do is unpredictable: there are no branches.)
+SIMD_INLINE unsigned int AddPairs(
   const BeamPieces& pieces, int piece, int number, int group, BeamRays& rays, BeamPairs& pairs)
 {
   const LabelBounds& bounds = pieces.Bounds;
@@ -593,7 +594,7 @@ SIMD_INLINE bool AddPairs(
   const float far = pieces.Far[piece];
   const int begin = group * BeamRays::GroupSize;
   unsigned int sureOfGroup = 0;
-  int unsure = 0;
+  unsigned int unsureOfGroup = 0;
   int count = pairs.Count;
   for (int first = begin; first < begin + BeamRays::GroupSize; first += FloatWidth)
   {
@@ -611,10 +612,6 @@ SIMD_INLINE bool AddPairs(
     isBeside = isBeside | (LeastOf(heights) < 0.0F);
     constexpr unsigned int lanes = (1U << FloatWidth) - 1U;
     const unsigned int found = ~ToBits(isBeside) & lanes;
-    if (found == 0)
-    {
-      continue;
-    }
     for (int lane = 0; lane < FloatWidth; ++lane)
     {
       pairs.Piece[count + lane] = number;
@@ -631,37 +628,68 @@ SIMD_INLINE bool AddPairs(
       isBeside | (LeastOf(heights) < 0.0F) | (near < LoadFloats(&rays.Begin[first])) | (end < far);
     const unsigned int sure = ~ToBits(isSpared) & lanes;
     sureOfGroup |= sure << (first - begin);
-    unsure += CountBits(found & ~sure & ~(rays.Sure[group] >> (first - begin)));
+    unsureOfGroup |= (found & ~sure) << (first - begin);
     StoreFloats(Select(isSpared, end, far), &rays.End[first]);
   }
   pairs.Count = count;
-  pairs.UnsureCount += unsure;
-  if (sureOfGroup == 0)
-  {
-    return false;
-  }
+  pairs.UnsureCount += CountBits(unsureOfGroup & ~rays.Sure[group]);
   rays.Sure[group] |= sureOfGroup;
-  rays.EndOfSure = rays.EndOfSure < far ? far : rays.EndOfSure;
-  return true;
+  return sureOfGroup != 0 ? 1U : 0U;
 }
+
+/// The farthest end of some of the pieces; a bit for each.
+SIMD_INLINE float FindFarthest(const BeamPieces& pieces, unsigned int among)
+{
+  float farthest = -FloatInfinity;
+  for (; among != 0; among &= among - 1)
+  {
+    const float far = pieces.Far[LowestBit(among)];
+    farthest = farthest < far ? far : farthest;
+  }
+  return farthest;
+}
+
+/// Groups of rays and pieces that they may meet.
+struct GroupsOfPieces
+{
+  int Count = 0;
+  /// The number of the piece, times that of groups, plus the group.
+  int Codes[BeamPieces::Capacity * BeamRays::Groups + DoubleWidth];
+
+  SIMD_INLINE void Add(int piece, unsigned int groups)
+  {
+    for (int i = 0; i < BeamRays::Groups; i += DoubleWidth)
+    {
+      this->Count += AppendLanes(piece * BeamRays::Groups + i,
+        groups >> i & ((1U << DoubleWidth) - 1U), &this->Codes[this->Count]);
+    }
+  }
+};
 
 void FindPairs(const BeamPieces& pieces, int firstPiece, BeamRays& rays, BeamPairs& pairs)
 {
-  unsigned int ended = 0;
+  GroupsOfPieces found;
   for (unsigned int near = FindNear(pieces.Bounds, (1U << pieces.Count) - 1U, rays); near != 0;
        near &= near - 1)
   {
     const int piece = LowestBit(near);
-    for (unsigned int groups = FindGroups(pieces.Bounds, piece, rays); groups != 0;
-         groups &= groups - 1)
-    {
-      const int group = LowestBit(groups);
-      const bool areSure = AddPairs(pieces, piece, firstPiece + piece, group, rays, pairs);
-      ended |= static_cast<unsigned int>(areSure) << group;
-    }
+    found.Add(piece, FindGroups(pieces.Bounds, piece, rays));
+  }
+  unsigned int surelyHit = 0;
+  unsigned int ended = 0;
+  for (int i = 0; i < found.Count; ++i)
+  {
+    const auto code = static_cast<unsigned int>(found.Codes[i]);
+    const int piece = static_cast<int>(code / BeamRays::Groups);
+    const int group = static_cast<int>(code % BeamRays::Groups);
+    const unsigned int isSure = AddPairs(pieces, piece, firstPiece + piece, group, rays, pairs);
+    surelyHit |= isSure << piece;
+    ended |= isSure << group;
   }
   if (ended != 0)
   {
+    const float farthest = FindFarthest(pieces, surelyHit);
+    rays.EndOfSure = rays.EndOfSure < farthest ? farthest : rays.EndOfSure;
     FindGroupEnds(ended, rays);
   }
 }
