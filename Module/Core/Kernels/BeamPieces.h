@@ -258,7 +258,8 @@ struct FramedRays
   /// The longest axis of the ray.
   int Axis[RayPacket::Capacity];
   /// The numbers of the frame, as in FrameNumbers: its origin, the shears and the inverse.
-  alignas(64) double Frame[RayPacket::Capacity][8];
+  static constexpr int Numbers = 8;
+  alignas(64) double Frame[RayPacket::Capacity][Numbers];
 };
 
 /// Rays in tetrahedra, and where they hit.

@@ -37,30 +37,21 @@ SIMD_INLINE void StoreFrames(const Doubles origin[3], const Doubles direction[3]
   const Doubles inverses[3], int first, FramedRays& framed)
 {
   const LongestAxes axes(direction);
-  Doubles turned[3];
-  double numbers[6][DoubleWidth];
-  axes.Turn(origin, turned);
-  for (int i = 0; i < 3; ++i)
+  Doubles origins[3];
+  Doubles directions[3];
+  Doubles inversesAlong[3];
+  axes.Turn(origin, origins);
+  axes.Turn(direction, directions);
+  axes.Turn(inverses, inversesAlong);
+  const Doubles inverse = inversesAlong[0];
+  const Doubles numbers[2][4] = { { origins[0], origins[1], origins[2], directions[1] * inverse },
+    { directions[2] * inverse, inverse, 0.0, 0.0 } };
+  for (int i = 0; i < 2; ++i)
   {
-    Store(turned[i], numbers[i]);
+    StoreFours(numbers[i], &framed.Frame[first][4 * i], FramedRays::Numbers);
   }
-  axes.Turn(inverses, turned);
-  const Doubles inverse = turned[0];
-  Store(inverse, numbers[5]);
-  axes.Turn(direction, turned);
-  Store(turned[1] * inverse, numbers[3]);
-  Store(turned[2] * inverse, numbers[4]);
-  const unsigned int areFirst = ToBits(axes.AreFirst);
-  const unsigned int areSecond = ToBits(axes.AreSecond);
-  for (int lane = 0; lane < DoubleWidth; ++lane)
-  {
-    framed.Axis[first + lane] =
-      (areFirst >> lane & 1U) != 0 ? 0 : ((areSecond >> lane & 1U) != 0 ? 1 : 2);
-    for (int i = 0; i < 6; ++i)
-    {
-      framed.Frame[first + lane][i] = numbers[i][lane];
-    }
-  }
+  StoreTruncated(Select(axes.AreFirst, Doubles(0.0), Select(axes.AreSecond, Doubles(1.0), 2.0)),
+    &framed.Axis[first]);
 }
 
 /// Rays as a beam sees them.

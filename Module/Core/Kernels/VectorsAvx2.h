@@ -209,21 +209,35 @@ SIMD_INLINE int CopyLanes(const int* from, unsigned int lanes, int* to)
   return __builtin_popcount(lanes);
 }
 
-SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
+/// Of each lane, takes the first of the rows to the first vector, and so on.
+SIMD_INLINE void TransposeFours(const Doubles rows[4], Doubles to[4])
 {
-  __m256d rows[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    rows[i] = _mm256_loadu_pd(from[i]);
-  }
-  const __m256d low[2] = { _mm256_unpacklo_pd(rows[0], rows[1]),
-    _mm256_unpacklo_pd(rows[2], rows[3]) };
-  const __m256d high[2] = { _mm256_unpackhi_pd(rows[0], rows[1]),
-    _mm256_unpackhi_pd(rows[2], rows[3]) };
+  const __m256d low[2] = { _mm256_unpacklo_pd(rows[0].Value, rows[1].Value),
+    _mm256_unpacklo_pd(rows[2].Value, rows[3].Value) };
+  const __m256d high[2] = { _mm256_unpackhi_pd(rows[0].Value, rows[1].Value),
+    _mm256_unpackhi_pd(rows[2].Value, rows[3].Value) };
   to[0] = { _mm256_permute2f128_pd(low[0], low[1], 0x20) };
   to[1] = { _mm256_permute2f128_pd(high[0], high[1], 0x20) };
   to[2] = { _mm256_permute2f128_pd(low[0], low[1], 0x31) };
   to[3] = { _mm256_permute2f128_pd(high[0], high[1], 0x31) };
+}
+SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
+{
+  Doubles rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = Load(from[i]);
+  }
+  TransposeFours(rows, to);
+}
+SIMD_INLINE void StoreFours(const Doubles from[4], double* to, int stride)
+{
+  Doubles rows[4];
+  TransposeFours(from, rows);
+  for (int i = 0; i < 4; ++i)
+  {
+    _mm256_storeu_pd(to + stride * i, rows[i].Value);
+  }
 }
 
 constexpr int FloatWidth = 8;

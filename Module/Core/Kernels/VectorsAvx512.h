@@ -209,6 +209,26 @@ SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
   to[3] = { _mm512_permutex2var_pd(high[0], second, high[1]) };
 }
 
+/// Four numbers of each lane, in a row for each: rows are so many numbers apart.
+SIMD_INLINE void StoreFours(const Doubles from[4], double* to, int stride)
+{
+  const __m512d low[2] = { _mm512_unpacklo_pd(from[0].Value, from[1].Value),
+    _mm512_unpacklo_pd(from[2].Value, from[3].Value) };
+  const __m512d high[2] = { _mm512_unpackhi_pd(from[0].Value, from[1].Value),
+    _mm512_unpackhi_pd(from[2].Value, from[3].Value) };
+  const __m512i first = _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0);
+  const __m512i second = _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4);
+  const __m512d pairs[4] = { _mm512_permutex2var_pd(low[0], first, low[1]),
+    _mm512_permutex2var_pd(high[0], first, high[1]), _mm512_permutex2var_pd(low[0], second, low[1]),
+    _mm512_permutex2var_pd(high[0], second, high[1]) };
+  for (int i = 0; i < 4; ++i)
+  {
+    double* row = to + stride * (i / 2 * 4 + i % 2);
+    _mm256_storeu_pd(row, _mm512_castpd512_pd256(pairs[i]));
+    _mm256_storeu_pd(row + 2 * stride, _mm512_extractf64x4_pd(pairs[i], 1));
+  }
+}
+
 constexpr int FloatWidth = 16;
 
 struct FloatMask

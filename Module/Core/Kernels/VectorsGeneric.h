@@ -208,6 +208,14 @@ SIMD_INLINE void LoadFours(const double* const from[DoubleWidth], Doubles to[4])
     to[i] = { DoubleVector{ from[0][i], from[1][i] } };
   }
 }
+SIMD_INLINE void StoreFours(const Doubles from[4], double* to, int stride)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    to[i] = from[i].Value[0];
+    to[stride + i] = from[i].Value[1];
+  }
+}
 
 constexpr int FloatWidth = 4;
 
