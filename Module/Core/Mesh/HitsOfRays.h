@@ -21,35 +21,36 @@ class HitsOfRays
 public:
   void Clear()
   {
-    this->Found.clear();
+    this->Count = 0;
     std::fill_n(this->First, RayPacket::Capacity, None);
   }
 
-  /// Adds a hit, to be made there.
+  /// Adds a hit, to be made there. What hits in cells do not set has its default.
   Hit& Add(int ray)
   {
-    this->Found.emplace_back();
-    this->Found.back().Next = this->First[ray];
-    this->First[ray] = static_cast<int>(this->Found.size()) - 1;
-    return this->Found.back().TheHit;
+    const auto number = static_cast<std::size_t>(this->Count);
+    if (number == this->Found.size())
+    {
+      this->Found.resize(std::max<std::size_t>(RayPacket::Capacity, 2 * number));
+    }
+    this->Found[number].Next = this->First[ray];
+    this->First[ray] = this->Count++;
+    return this->Found[number].TheHit;
   }
 
   /// Removes the hit that was added last.
-  void Remove(int ray)
-  {
-    this->First[ray] = this->Found.back().Next;
-    this->Found.pop_back();
-  }
+  void Remove(int ray) { this->First[ray] = this->GetFound(--this->Count).Next; }
 
   /// Removes all hits of a ray.
   void RemoveAll(int ray) { this->First[ray] = None; }
 
-  /// Removes the hits of a ray beyond a t.
+  /// Removes the hits of a ray beyond a t, but not the last one.
   void RemoveBeyond(int ray, double t)
   {
-    for (int* link = &this->First[ray]; *link != None;)
+    int* link = &this->GetFound(this->First[ray]).Next;
+    while (*link != None)
     {
-      FoundHit& found = this->Found[static_cast<std::size_t>(*link)];
+      FoundHit& found = this->GetFound(*link);
       if (found.TheHit.T > t)
       {
         *link = found.Next;
@@ -61,15 +62,15 @@ public:
     }
   }
 
-  /// The hit of a ray that has one alone; else null.
-  const Hit* GetOnly(int ray) const
+  /// A hit of a ray; null without any.
+  const Hit* GetAny(int ray) const
   {
-    if (this->First[ray] == None)
-    {
-      return nullptr;
-    }
-    const FoundHit& found = this->Found[static_cast<std::size_t>(this->First[ray])];
-    return found.Next == None ? &found.TheHit : nullptr;
+    return this->First[ray] != None ? &this->GetFound(this->First[ray]).TheHit : nullptr;
+  }
+
+  bool HasSeveral(int ray) const
+  {
+    return this->First[ray] != None && this->GetFound(this->First[ray]).Next != None;
   }
 
   /// Appends those of a ray.
@@ -77,7 +78,7 @@ public:
   {
     for (int i = this->First[ray]; i != None;)
     {
-      const FoundHit& found = this->Found[static_cast<std::size_t>(i)];
+      const FoundHit& found = this->GetFound(i);
       hits.push_back(found.TheHit);
       i = found.Next;
     }
@@ -93,7 +94,15 @@ private:
     int Next;
   };
 
+  FoundHit& GetFound(int number) { return this->Found[static_cast<std::size_t>(number)]; }
+  const FoundHit& GetFound(int number) const
+  {
+    return this->Found[static_cast<std::size_t>(number)];
+  }
+
+  /// The first ones are in use.
   std::vector<FoundHit> Found;
+  int Count = 0;
   int First[RayPacket::Capacity];
 };
 

@@ -292,8 +292,8 @@ RaySet MeshField::TraceTogether(const RayPacket& packet, ThreadBeam& thread) con
   {
     traced = thread.Tracer.Trace(this->Selection, packet, thread.Pieces, thread.Hits);
   }
-  RaySet others = packet.Exists;
-  ForEachRay(traced, [&others](int ray) { Remove(ray, others); });
+  const RaySet others = { { packet.Exists.Words[0] & ~traced.Words[0],
+    packet.Exists.Words[1] & ~traced.Words[1] } };
   ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
   if (!IsEmpty(others))
   {
@@ -321,46 +321,59 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
   const RaySet traced = thread ? this->TraceTogether(packet, *thread) : RaySet{};
   std::vector<Hit> found;
+  hits.First.resize(static_cast<std::size_t>(packet.Count) + 1);
   for (int i = 0; i < packet.Count; ++i)
   {
-    const Hit* only = caps.empty() && Has(traced, i) ? thread->Hits.GetOnly(i) : nullptr;
-    if (only)
+    const bool isTraced = Has(traced, i);
+    if (isTraced && caps.empty() && !thread->Hits.HasSeveral(i))
     {
-      hits.Hits.push_back(*only);
-      hits.EndRay();
-      continue;
+      if (const Hit* only = thread->Hits.GetAny(i))
+      {
+        hits.Hits.push_back(*only);
+      }
     }
-    found.clear();
-    if (Has(traced, i))
+    else if (isTraced || Has(packet.Exists, i) || !caps.empty())
     {
-      thread->Hits.Get(i, found);
+      found.clear();
+      if (isTraced)
+      {
+        thread->Hits.Get(i, found);
+      }
+      else if (Has(packet.Exists, i))
+      {
+        MeshRay(this->Selection, packet, i).FindHits(inCell, found);
+      }
+      this->AddHits(packet, i, caps, inCell, found, hits.Hits);
     }
-    else if (Has(packet.Exists, i))
-    {
-      MeshRay(this->Selection, packet, i).FindHits(inCell, found);
-    }
-    const std::optional<Hit> first =
-      caps.empty() ? std::nullopt : caps[static_cast<std::size_t>(i)];
-    if (found.size() > 1)
-    {
-      PutInOrder(this->Selection.Request, first ? first->Surface : Hit::NoSurface, found);
-    }
-    HitCollector collector(*this, hits.Hits);
-    const bool isOver = (first && collector.AddVisible(*first)) ||
-      std::any_of(found.begin(), found.end(),
-        [&collector](const Hit& hit) { return collector.AddVisible(hit); });
-    const std::optional<Hit> last = !caps.empty() && !isOver && Has(packet.Exists, i)
-      ? FindCap(this->Selection, packet, i, RayEnd::End, inCell)
-      : std::nullopt;
-    if (last)
-    {
-      collector.AddVisible(*last);
-    }
-    hits.EndRay();
+    hits.First[static_cast<std::size_t>(i) + 1] = hits.Hits.size();
   }
   if (own)
   {
     this->Spare->GiveBack(std::move(own));
+  }
+}
+//------------------------------------------------------------------------------
+/// Adds the hits of a ray, which were found in any order, and its caps.
+void MeshField::AddHits(const RayPacket& packet, int ray,
+  const std::vector<std::optional<Hit>>& firstCaps, CellHits& inCell, std::vector<Hit>& found,
+  std::vector<Hit>& hits) const
+{
+  const std::optional<Hit> first =
+    firstCaps.empty() ? std::nullopt : firstCaps[static_cast<std::size_t>(ray)];
+  if (found.size() > 1)
+  {
+    PutInOrder(this->Selection.Request, first ? first->Surface : Hit::NoSurface, found);
+  }
+  HitCollector collector(*this, hits);
+  const bool isOver = (first && collector.AddVisible(*first)) ||
+    std::any_of(found.begin(), found.end(),
+      [&collector](const Hit& hit) { return collector.AddVisible(hit); });
+  const std::optional<Hit> last = !firstCaps.empty() && !isOver && Has(packet.Exists, ray)
+    ? FindCap(this->Selection, packet, ray, RayEnd::End, inCell)
+    : std::nullopt;
+  if (last)
+  {
+    collector.AddVisible(*last);
   }
 }
 

@@ -73,6 +73,8 @@ private:
   RaySet TraceTogether(const RayPacket& packet, ThreadBeam& thread) const;
 
   std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
+  void AddHits(const RayPacket& packet, int ray, const std::vector<std::optional<Hit>>& firstCaps,
+    CellHits& inCell, std::vector<Hit>& found, std::vector<Hit>& hits) const;
 
   double GetUnitOfGradients() const;
   const PointGradients* GetSmoothGradients(NormalMode mode) const;

@@ -102,6 +102,20 @@ void PairSolver::SolveTetrahedra(const MeshSelection& selection, const int* rays
 }
 
 //------------------------------------------------------------------------------
+/// Field by field: the numbers come from many places.
+inline void PairSolver::MakeHit(int pair, double base, Hit& hit) const
+{
+  const TetrahedronPairs& pairs = this->InTetrahedra;
+  const int cell = this->Tetrahedra.FirstTaken + pairs.Cell[pair];
+  hit.T = base + pairs.T[pair];
+  hit.Cell = this->Tetrahedra.Cells[cell];
+  hit.Surface = this->Tetrahedra.Surfaces[cell];
+  hit.Parametric =
+    this->Orders[cell].GetParametric(&pairs.Weights[0][pair], TetrahedronPairs::Capacity);
+  hit.Entering = (pairs.Entering >> pair & 1) != 0;
+}
+
+//------------------------------------------------------------------------------
 /// Keeps those in tetrahedra.
 void PairSolver::KeepHits(const MeshSelection& selection, HitsOfRays& hits)
 {
@@ -111,19 +125,20 @@ void PairSolver::KeepHits(const MeshSelection& selection, HitsOfRays& hits)
     const int pair = LowestBit(left);
     const int ray = pairs.Ray[pair];
     RayPart part = this->GetPart(ray);
-    if (part.Has(pairs.T[pair]))
+    if (!part.Has(pairs.T[pair]))
     {
-      Hit& hit = hits.Add(ray);
-      this->MakeHit(pair, hit);
-      if (KeepHit(selection, hit, pairs.T[pair], part))
-      {
-        this->Ends[ray] = part.End;
-        hits.RemoveBeyond(ray, part.Base + part.End);
-      }
-      else
-      {
-        hits.Remove(ray);
-      }
+      continue;
+    }
+    Hit& hit = hits.Add(ray);
+    this->MakeHit(pair, part.Base, hit);
+    if (KeepHit(selection, hit, pairs.T[pair], part))
+    {
+      this->Ends[ray] = part.End;
+      hits.RemoveBeyond(ray, part.Base + part.End);
+    }
+    else
+    {
+      hits.Remove(ray);
     }
   }
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
@@ -132,20 +147,6 @@ void PairSolver::KeepHits(const MeshSelection& selection, HitsOfRays& hits)
     this->SolveByItself(selection, this->Tetrahedra, this->Tetrahedra.FirstTaken + pairs.Cell[pair],
       pairs.Ray[pair], hits);
   }
-}
-
-//------------------------------------------------------------------------------
-/// Field by field: the numbers come from many places.
-void PairSolver::MakeHit(int pair, Hit& hit) const
-{
-  const TetrahedronPairs& pairs = this->InTetrahedra;
-  const int cell = this->Tetrahedra.FirstTaken + pairs.Cell[pair];
-  hit.T = this->Packet->Base[pairs.Ray[pair]] + pairs.T[pair];
-  hit.Cell = this->Tetrahedra.Cells[cell];
-  hit.Surface = this->Tetrahedra.Surfaces[cell];
-  hit.Parametric =
-    this->Orders[cell].GetParametric(&pairs.Weights[0][pair], TetrahedronPairs::Capacity);
-  hit.Entering = (pairs.Entering >> pair & 1) != 0;
 }
 
 //------------------------------------------------------------------------------

@@ -79,7 +79,7 @@ private:
     const MeshSelection& selection, const PairedCells& cells, double (*corners)[Corners][4]);
   void SolveTetrahedra(const MeshSelection& selection, const int* rays, HitsOfRays& hits);
   void KeepHits(const MeshSelection& selection, HitsOfRays& hits);
-  void MakeHit(int pair, Hit& hit) const;
+  void MakeHit(int pair, double base, Hit& hit) const;
   void SolveTrilinear(const MeshSelection& selection, const int* rays, HitsOfRays& hits);
   void KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& hits);
   void SolveByItself(const MeshSelection& selection, const PairedCells& cells, int number, int ray,
