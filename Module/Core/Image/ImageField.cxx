@@ -262,10 +262,7 @@ void ImageField::FindTransmittance(
   if (found)
   {
     // Only rays that are still undecided are left.
-    for (int word = 0; word < 2; ++word)
-    {
-      packet.Exists.Words[word] = found->Unsure.Words[word] & ~found->Stopped.Words[word];
-    }
+    packet.Exists = Without(found->Unsure, found->Stopped);
   }
   TracedField::FindTransmittance(packet, departures, transmittance);
   for (int i = 0; found && i < packet.Count; ++i)

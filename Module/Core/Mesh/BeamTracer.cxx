@@ -122,10 +122,8 @@ void BeamTracer::Solve(const MeshSelection& selection, const MeshBeam& beam, Hit
   this->Pairs.UnsureCount = 0;
   const RaySet missed = selection.PacketKernels->EndRays(
     *this->Packet, beam.GetFrame().GetNumbers(), this->Solver.GetEnds(), this->Rays);
-  for (std::size_t word = 0; word < 2; ++word)
-  {
-    this->Solver.GetFramed().InBeam.Words[word] &= ~missed.Words[word];
-  }
+  RaySet& inBeam = this->Solver.GetFramed().InBeam;
+  inBeam = Without(inBeam, missed);
 }
 
 //------------------------------------------------------------------------------

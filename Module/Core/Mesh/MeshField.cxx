@@ -292,8 +292,7 @@ RaySet MeshField::TraceTogether(const RayPacket& packet, ThreadBeam& thread) con
   {
     traced = thread.Tracer.Trace(this->Selection, packet, thread.Pieces, thread.Hits);
   }
-  const RaySet others = { { packet.Exists.Words[0] & ~traced.Words[0],
-    packet.Exists.Words[1] & ~traced.Words[1] } };
+  const RaySet others = Without(packet.Exists, traced);
   ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
   if (!IsEmpty(others))
   {
@@ -332,7 +331,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
         hits.Hits.push_back(*only);
       }
     }
-    else if (isTraced || Has(packet.Exists, i) || !caps.empty())
+    else
     {
       found.clear();
       if (isTraced)
@@ -352,6 +351,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
     this->Spare->GiveBack(std::move(own));
   }
 }
+
 //------------------------------------------------------------------------------
 /// Adds the hits of a ray, which were found in any order, and its caps.
 void MeshField::AddHits(const RayPacket& packet, int ray,

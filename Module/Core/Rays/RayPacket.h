@@ -86,6 +86,12 @@ inline void Remove(int ray, RaySet& set)
   set.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
 }
 
+/// Those of a set that are not in another one.
+inline RaySet Without(const RaySet& set, const RaySet& other)
+{
+  return { { set.Words[0] & ~other.Words[0], set.Words[1] & ~other.Words[1] } };
+}
+
 /// Calls visit(ray) for those in a set.
 template <typename Visit>
 void ForEachRay(const RaySet& set, const Visit& visit)
