@@ -136,20 +136,36 @@ const PackedPieces* SurfacePieces::Make(std::size_t leaf, const Kernels& kernels
 }
 
 //------------------------------------------------------------------------------
-void SurfacePieces::FindPassedCells(
-  std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const
+/// Finds the cells of those blocks of a leaf that have values on both sides, and begins to fetch
+/// all: they are anywhere in memory, and reading them one by one is waiting most of the time.
+void SurfacePieces::FetchCells(
+  std::size_t leaf, std::uint32_t (*cells)[CellTree::Width], int* counts) const
 {
   const CellTreeNode& node = this->Tree->GetNode(0, leaf);
   for (int child = 0; child < CellTree::Width; ++child)
   {
-    if (!CellTree::HasBothSides(node, child, this->Isovalue))
+    const std::size_t block = leaf * CellTree::Width + static_cast<std::size_t>(child);
+    counts[child] = CellTree::HasBothSides(node, child, this->Isovalue)
+      ? this->Tree->GetCells(block, cells[child])
+      : 0;
+    for (int i = 0; i < counts[child]; ++i)
     {
-      continue;
+      this->Cells->Prefetch(cells[child][i]);
     }
-    std::uint32_t numbers[CellTree::Width];
-    const int count =
-      this->Tree->GetCells(leaf * CellTree::Width + static_cast<std::size_t>(child), numbers);
-    for (unsigned int active = this->Cells->FindStraddling(numbers, count, this->Isovalue);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfacePieces::FindPassedCells(
+  std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const
+{
+  std::uint32_t cells[CellTree::Width][CellTree::Width];
+  int counts[CellTree::Width];
+  this->FetchCells(leaf, cells, counts);
+  for (int child = 0; child < CellTree::Width; ++child)
+  {
+    const std::uint32_t* numbers = cells[child];
+    for (unsigned int active = this->Cells->FindStraddling(numbers, counts[child], this->Isovalue);
          active != 0; active &= active - 1)
     {
       const int i = LowestBit(active);

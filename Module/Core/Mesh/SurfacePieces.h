@@ -75,6 +75,7 @@ private:
   };
 
   const PackedPieces* Make(std::size_t leaf, const Kernels& kernels);
+  void FetchCells(std::size_t leaf, std::uint32_t (*cells)[CellTree::Width], int* counts) const;
   void FindPassedCells(std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const;
   void MakeSets(const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const;
   void MakeSets(const PassedCells& others, PackedPieces* sets) const;
