@@ -58,6 +58,7 @@ def make_window(volume, size, view, up, zoom, background):
     renderer.AddVolume(volume)
     renderer.SetActiveCamera(make_camera(volume, size, view, up, zoom))
     window = vtkRenderWindow()
+    window.SetMultiSamples(0)  # The frames that are accumulated smooth edges.
     window.SetWindowName("vtkIsosurfaceRayTracing")
     window.SetSize(size)
     window.AddRenderer(renderer)

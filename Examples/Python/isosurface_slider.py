@@ -18,6 +18,7 @@ volume = isosurface(data, float(sys.argv[2]), color="ivory")
 renderer, window, interactor = vtkRenderer(), vtkRenderWindow(), vtkRenderWindowInteractor()
 renderer.AddVolume(volume)
 window.AddRenderer(renderer)
+window.SetMultiSamples(0)  # Smooths polygons, not isosurfaces, and is slow without a GPU.
 window.SetSize(800, 800)
 interactor.SetRenderWindow(window)
 

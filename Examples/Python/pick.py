@@ -15,6 +15,7 @@ if len(sys.argv) != 3:
 renderer, window, interactor = vtkRenderer(), vtkRenderWindow(), vtkRenderWindowInteractor()
 renderer.AddVolume(isosurface(sys.argv[1], float(sys.argv[2]), color="ivory"))
 window.AddRenderer(renderer)
+window.SetMultiSamples(0)  # Smooths polygons, not isosurfaces, and is slow without a GPU.
 window.SetSize(800, 800)
 interactor.SetRenderWindow(window)
 picker = vtkIsosurfacePicker()

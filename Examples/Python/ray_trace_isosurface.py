@@ -42,6 +42,7 @@ camera.SetViewUp(0.0, 0.0, 1.0)
 renderer.ResetCamera()
 camera.Zoom(1.5)
 window = vtkRenderWindow()
+window.SetMultiSamples(0)  # Smooths polygons, not isosurfaces, and is slow without a GPU.
 window.SetOffScreenRendering(True)
 window.SetSize(800, 800)
 window.AddRenderer(renderer)

@@ -8,8 +8,10 @@
     time_frames.py projection VOLUME               maximum intensity beside the fixed-point mapper
     time_frames.py secondary DATA ISOVALUE...      shadows and ambient occlusion beside neither, on one
                                                    thread; DATA is a VOLUME, or MESH.vtu:ARRAY
+    time_frames.py multisampling VOLUME ISOVALUE   windows with as many samples of a pixel as they have
+                                                   by default, and without
 
-In time of the processors, all threads together."""
+In time of the processors, all threads together; the last one in time that passes."""
 
 import math
 import statistics
@@ -125,12 +127,12 @@ def new_projection(image, mapper):
     return volume
 
 
-def measure(volumes, clock, prepare, look=lambda window: None):
+def measure(volumes, clock, prepare, look=lambda window: None, samples=0):
     """The ms of the first frames after prepare(volume, view), and of the frames that follow, which
-    look(window) is shown."""
+    look(window) is shown. Each pixel of the window has as many samples; 0 for one."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(samples)
     window.SetSize(SIZE, SIZE)
     window.AddRenderer(renderer)
     firsts, frames = ({name: [] for name in volumes} for _ in range(2))
@@ -249,6 +251,16 @@ def time_secondary(data_name, *isovalues):
         print(f"| {name} | {describe(own)} | {describe(of_ray)} |")
 
 
+def time_multisampling(file_name, isovalue):
+    volumes = {"an empty window": vtkVolume(), "the isosurface": new_isosurface(read(file_name), float(isovalue))}
+    samples = vtkRenderWindow().GetMultiSamples()
+    _, without = measure(volumes, time.perf_counter, lambda volume, view: None)
+    _, frames = measure(volumes, time.perf_counter, lambda volume, view: None, samples=samples)
+    print(f"| what | without multisampling, ms | {samples} samples, ms |\n|---|---|---|")
+    for name in volumes:
+        print(f"| {name} | {statistics.median(without[name]):.1f} | {statistics.median(frames[name]):.1f} |")
+
+
 def main():
     if len(sys.argv) == 4 and sys.argv[1] == "kinds":
         time_kinds(*sys.argv[2:])
@@ -258,6 +270,8 @@ def main():
         time_projection(sys.argv[2])
     elif len(sys.argv) >= 4 and sys.argv[1] == "secondary":
         time_secondary(*sys.argv[2:])
+    elif len(sys.argv) == 4 and sys.argv[1] == "multisampling":
+        time_multisampling(*sys.argv[2:])
     else:
         sys.exit(__doc__)
 
