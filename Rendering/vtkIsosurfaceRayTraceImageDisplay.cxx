@@ -36,11 +36,36 @@ in vec2 texCoord;
 uniform sampler2D colors;
 uniform sampler2D depths;
 uniform int drawDepths;
-uniform int interpolateDepth;
 //Geometry::Dec
-// Of the four depths around, those that there are, by the weights of a linear filter.
-float meanOfDepths()
+//Depth::Dec
+void main()
 {
+  vec4 color = texture(colors, texCoord);
+  if (drawDepths == 0 && color.a <= 0.0)
+  {
+    discard;
+  }
+  float depth = readDepth();
+  if (drawDepths != 0 && depth > 1.0)
+  {
+    discard;
+  }
+  gl_FragDepth = min(depth, 1.0);
+  gl_FragData[0] = color;
+  //Geometry::Impl
+}
+)";
+
+// Shaders of their own, not branches of one: Mesa's renderer on the processor goes through both
+// sides of a branch, and the mean takes longer than all the rest.
+const char* const DepthOfPixel = R"(float readDepth()
+{
+  return texture(depths, texCoord).r;
+}
+)";
+const char* const MeanOfDepths = R"(float readDepth()
+{
+  // Of the four depths around, those that there are, by the weights of a linear filter.
   ivec2 last = textureSize(depths, 0) - 1;
   vec2 position = texCoord * vec2(last + 1) - 0.5;
   ivec2 corner = ivec2(floor(position));
@@ -60,22 +85,6 @@ float meanOfDepths()
   }
   return weights > 0.0 ? sum / weights : 1.0;
 }
-void main()
-{
-  vec4 color = texture(colors, texCoord);
-  if (drawDepths == 0 && color.a <= 0.0)
-  {
-    discard;
-  }
-  float depth = interpolateDepth != 0 ? meanOfDepths() : texture(depths, texCoord).r;
-  if (drawDepths != 0 && depth > 1.0)
-  {
-    discard;
-  }
-  gl_FragDepth = min(depth, 1.0);
-  gl_FragData[0] = color;
-  //Geometry::Impl
-}
 )";
 
 // The names that a vtkOpenGLRenderPass looks for in the shaders of polygons.
@@ -88,12 +97,20 @@ const char* const GeometryImplementation = R"(
   //VTK::Light::Impl
 )";
 
+/// The fragment shader, given the function that reads depths.
+std::string MakeShader(const char* readDepth)
+{
+  std::string shader = FragmentShader;
+  vtkShaderProgram::Substitute(shader, "//Depth::Dec", readDepth);
+  return shader;
+}
+
 /// The fragment shader that a render pass makes from ours.
 std::string MakeGeometryShader(const vtkIsosurfaceRayTraceImageDisplay::Geometry& geometry)
 {
   std::string vertexShader;
   std::string geometryShader;
-  std::string fragmentShader = FragmentShader;
+  std::string fragmentShader = MakeShader(DepthOfPixel);
   vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Dec", GeometryDeclaration);
   vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Impl", GeometryImplementation);
   const vtkNew<vtkOpenGLPolyDataMapper> mapper; // Render passes know no others that have geometry.
@@ -125,6 +142,7 @@ void vtkIsosurfaceRayTraceImageDisplay::ReleaseGraphicsResources(vtkWindow* wind
   this->PositionTexture->ReleaseGraphicsResources(window);
   this->NormalTexture->ReleaseGraphicsResources(window);
   this->Quad.reset();
+  this->InterpolatingQuad.reset();
   this->GeometryQuad.reset();
 }
 
@@ -201,13 +219,14 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(
   }
   else if (image.Opaque && !image.Interpolated)
   {
+    state->vtkglDisable(GLBlend);
     this->Draw(window, { true, true, true, false });
   }
   else
   {
     // Translucent pixels write no depth, or they would hide what is drawn behind them later. Where
     // rays have been cut at the depth of the scene, there is nothing to test.
-    this->Draw(window, { true, false, image.Opaque, true });
+    this->Draw(window, { true, false, image.Opaque, image.Opaque });
     this->Draw(window, { false, true, true, false });
   }
 }
@@ -221,9 +240,11 @@ void vtkIsosurfaceRayTraceImageDisplay::Draw(vtkOpenGLRenderWindow* window, cons
   state->vtkglDepthMask(static_cast<unsigned char>(layer.HasDepths));
   layer.TestDepth ? state->vtkglEnable(GLDepthTest) : state->vtkglDisable(GLDepthTest);
 
-  if (vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, FragmentShader, this->Quad))
+  auto& quad = layer.InterpolateDepth ? this->InterpolatingQuad : this->Quad;
+  const char* readDepth = layer.InterpolateDepth ? MeanOfDepths : DepthOfPixel;
+  if (vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, MakeShader(readDepth), quad))
   {
-    this->Render(*this->Quad, layer);
+    this->Render(*quad, layer.HasDepths);
   }
 }
 
@@ -252,7 +273,7 @@ void vtkIsosurfaceRayTraceImageDisplay::DrawGeometry(
   this->NormalTexture->Activate();
   this->GeometryQuad->Program->SetUniformi("positions", this->PositionTexture->GetTextureUnit());
   this->GeometryQuad->Program->SetUniformi("normals", this->NormalTexture->GetTextureUnit());
-  this->Render(*this->GeometryQuad, { true, true, true, false });
+  this->Render(*this->GeometryQuad, true);
   this->NormalTexture->Deactivate();
   this->PositionTexture->Deactivate();
 }
@@ -273,14 +294,13 @@ bool vtkIsosurfaceRayTraceImageDisplay::MakeReady(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceImageDisplay::Render(vtkOpenGLQuadHelper& quad, const Layer& layer)
+void vtkIsosurfaceRayTraceImageDisplay::Render(vtkOpenGLQuadHelper& quad, bool hasDepths)
 {
   this->ColorTexture->Activate();
   this->DepthTexture->Activate();
   quad.Program->SetUniformi("colors", this->ColorTexture->GetTextureUnit());
   quad.Program->SetUniformi("depths", this->DepthTexture->GetTextureUnit());
-  quad.Program->SetUniformi("drawDepths", layer.HasDepths ? 1 : 0);
-  quad.Program->SetUniformi("interpolateDepth", layer.InterpolateDepth ? 1 : 0);
+  quad.Program->SetUniformi("drawDepths", hasDepths ? 1 : 0);
   quad.Render();
   this->DepthTexture->Deactivate();
   this->ColorTexture->Deactivate();

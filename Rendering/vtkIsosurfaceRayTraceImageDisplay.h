@@ -92,13 +92,14 @@ private:
   static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
     std::unique_ptr<vtkOpenGLQuadHelper>& quad);
   /// Draws a quad that is ready, with the textures of colours and depths.
-  void Render(vtkOpenGLQuadHelper& quad, const Layer& layer);
+  void Render(vtkOpenGLQuadHelper& quad, bool hasDepths);
 
   vtkNew<vtkTextureObject> ColorTexture;
   vtkNew<vtkTextureObject> DepthTexture;
   vtkNew<vtkTextureObject> PositionTexture;
   vtkNew<vtkTextureObject> NormalTexture;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> InterpolatingQuad;
   std::unique_ptr<vtkOpenGLQuadHelper> GeometryQuad;
 };
 
