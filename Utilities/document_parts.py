@@ -76,8 +76,8 @@ def format_cell(value):
 
 
 def markdown_table(titles, rows):
-    lines = [titles, ["---"] * len(titles), *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
+    first, *others = [f"| {' | '.join(line)} |\n" for line in (titles, *rows)]
+    return "".join([first, f"|{'---|' * len(titles)}\n", *others]) + "\n"
 
 
 def environment_list(environment):
