@@ -220,14 +220,14 @@ void vtkIsosurfaceRayTraceImageDisplay::Display(
   else if (image.Opaque && !image.Interpolated)
   {
     state->vtkglDisable(GLBlend);
-    this->Draw(window, { true, true, true, false });
+    this->Draw(window, { true, true, true });
   }
   else
   {
     // Translucent pixels write no depth, or they would hide what is drawn behind them later. Where
     // rays have been cut at the depth of the scene, there is nothing to test.
-    this->Draw(window, { true, false, image.Opaque, image.Opaque });
-    this->Draw(window, { false, true, true, false });
+    this->Draw(window, { true, false, image.Opaque });
+    this->Draw(window, { false, true, true });
   }
 }
 
@@ -240,8 +240,10 @@ void vtkIsosurfaceRayTraceImageDisplay::Draw(vtkOpenGLRenderWindow* window, cons
   state->vtkglDepthMask(static_cast<unsigned char>(layer.HasDepths));
   layer.TestDepth ? state->vtkglEnable(GLDepthTest) : state->vtkglDisable(GLDepthTest);
 
-  auto& quad = layer.InterpolateDepth ? this->InterpolatingQuad : this->Quad;
-  const char* readDepth = layer.InterpolateDepth ? MeanOfDepths : DepthOfPixel;
+  // Depths that are tested and not drawn are those of interpolated colours.
+  const bool areInterpolated = layer.TestDepth && !layer.HasDepths;
+  auto& quad = areInterpolated ? this->InterpolatingQuad : this->Quad;
+  const char* readDepth = areInterpolated ? MeanOfDepths : DepthOfPixel;
   if (vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, MakeShader(readDepth), quad))
   {
     this->Render(*quad, layer.HasDepths);

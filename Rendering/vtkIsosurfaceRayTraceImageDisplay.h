@@ -83,7 +83,6 @@ private:
     bool HasColors;
     bool HasDepths;
     bool TestDepth;
-    bool InterpolateDepth;
   };
 
   void Draw(vtkOpenGLRenderWindow* window, const Layer& layer);
