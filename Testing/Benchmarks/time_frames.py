@@ -127,7 +127,7 @@ def new_projection(image, mapper):
     return volume
 
 
-def measure(volumes, clock, prepare, look=lambda window: None, samples=0):
+def measure(volumes, clock, prepare=lambda volume, view: None, look=lambda window: None, samples=0):
     """The ms of the first frames after prepare(volume, view), and of the frames that follow, which
     look(window) is shown. Each pixel of the window has as many samples; 0 for one."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
@@ -180,7 +180,7 @@ def time_kinds(file_name, isovalue):
     crop(volumes["cropped to a fence"])
     for volume in volumes.values():
         volume.GetMapper().SetNumberOfThreads(1)
-    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
+    _, frames = measure(volumes, time.process_time)
     print_table(["processor ms per frame"], [frames])
 
 
@@ -209,7 +209,7 @@ def time_projection(file_name):
     mapper.SetSampleDistance(0.1 * min(image.GetSpacing()))
     for volume in volumes.values():
         volume.GetMapper().SetNumberOfThreads(1)
-    _, frames = measure(volumes, time.process_time, lambda volume, view: None)
+    _, frames = measure(volumes, time.process_time)
     print_table(["processor ms per frame"], [frames])
 
 
@@ -239,8 +239,7 @@ def time_secondary(data_name, *isovalues):
     occluded.AmbientOcclusionOn()
     occluded.SetNumberOfAmbientOcclusionRays(16)
     hits = []
-    _, frames = measure(volumes, time.process_time, lambda volume, view: None,
-                        lambda window: count_hits(window, hits))
+    _, frames = measure(volumes, time.process_time, look=lambda window: count_hits(window, hits))
     if 0 in hits:
         sys.exit("no ray hits any of the isosurfaces")
     print("| picture | processor ms per frame | ns a ray that hits, or starts at a hit |\n|---|---|---|")
@@ -254,8 +253,8 @@ def time_secondary(data_name, *isovalues):
 def time_multisampling(file_name, isovalue):
     volumes = {"an empty window": vtkVolume(), "the isosurface": new_isosurface(read(file_name), float(isovalue))}
     samples = vtkRenderWindow().GetMultiSamples()
-    _, without = measure(volumes, time.perf_counter, lambda volume, view: None)
-    _, frames = measure(volumes, time.perf_counter, lambda volume, view: None, samples=samples)
+    _, without = measure(volumes, time.perf_counter)
+    _, frames = measure(volumes, time.perf_counter, samples=samples)
     print(f"| what | without multisampling, ms | {samples} samples, ms |\n|---|---|---|")
     for name in volumes:
         print(f"| {name} | {statistics.median(without[name]):.1f} | {statistics.median(frames[name]):.1f} |")
