@@ -304,10 +304,16 @@ void ExpectProblem(const TestMesh& mesh, std::int64_t length, const std::string&
   EXPECT_EQ(FindProblem(view, length, 1).substr(0, start.size()), start);
 }
 
-TEST(MeshField, FirstBadCellIsNamed)
+/// Cells of one shape are checked together first.
+class BadCells : public testing::TestWithParam<Cutting>
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, BadCells, testing::ValuesIn(AllCuttings));
+
+TEST_P(BadCells, FirstIsNamed)
 {
   RandomNumbers random(7);
-  const TestMesh good = MakeRoundMesh(random, Cutting::Mixed);
+  const TestMesh good = MakeRoundMesh(random, this->GetParam());
   const auto length = static_cast<std::int64_t>(good.Connectivity.size());
   EXPECT_EQ(FindProblem(good.View(), length, 2), "");
   // A cell further on is always bad.
@@ -338,9 +344,19 @@ TEST(MeshField, FirstBadCellIsNamed)
     mesh.Offsets[8] = end;
     EXPECT_EQ(FindProblem(mesh.View(), length, 1).substr(0, 7), "Cell 7 ");
   }
+  mesh = good;
   // The connectivity is shorter than the offsets say.
-  const auto last = std::to_string(good.Shapes.size() - 1);
-  ExpectProblem(good, length - 1, "Cell " + last + " ");
+  const std::string last = "Cell " + std::to_string(good.Shapes.size() - 1) + " ";
+  ExpectProblem(good, length - 1, last);
+  // The last cell alone is bad.
+  for (const std::int64_t id : { std::int64_t{ -1 }, points, std::int64_t{ INT32_MIN } })
+  {
+    mesh.Connectivity.back() = id;
+    ExpectProblem(mesh, length, last);
+  }
+  mesh = good;
+  ++mesh.Offsets.back();
+  ExpectProblem(mesh, length + 1, last);
   // Cells of other shapes may have any offsets.
   mesh = good;
   mesh.Shapes[7] = 5;

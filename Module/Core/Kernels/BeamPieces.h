@@ -9,6 +9,7 @@
 #include "Rays/RayPacket.h"
 #include "Rays/TrilinearSearch.h"
 
+#include <cstddef>
 #include <cstdint>
 
 // What the rays of a beam may meet in a mesh, in single precision. A beam is a set of rays through
@@ -157,13 +158,23 @@ struct PassedCellRecords
   alignas(64) double Corner[Capacity][Corners][4];
 };
 
+/// The points of a mesh and their values, in the memory of its owner; see MeshView.
+struct PointArrays
+{
+  /// Of floats or doubles: x, y and z of each.
+  const void* Points;
+  bool AreFloats;
+  const void* Values;
+  std::ptrdiff_t ValueStride;
+};
+
 /// The boxes and the ranges of values of some cells: x, y, z and value.
 struct CellExtents
 {
   static constexpr int Capacity = CellTreeNode::Width;
 
-  alignas(64) double Lower[4][Capacity];
-  alignas(64) double Upper[4][Capacity];
+  double Lower[Capacity][4];
+  double Upper[Capacity][4];
   /// The cells without a number that is not finite; a bit for each.
   unsigned int Finite;
   /// Of these: the extent of all, and the sum of half the surfaces of the boxes.

@@ -8,75 +8,98 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The same as a Number for each of x, y, z and value.
-struct ExtentNumbers
+/// x, y, z and a value, in the vectors of the compiler: they are four wide with any instruction
+/// set. (Functions must not take or return them: how they are passed depends on the set.)
+template <typename T>
+using FourNumbers __attribute__((vector_size(4 * sizeof(T)))) = T;
+
+/// Coordinates and values that are both of type float stay what they are until all are compared.
+template <typename Coordinate, typename Value>
+struct CommonTypeOf
 {
-  Doubles Lower[4] = { Infinity, Infinity, Infinity, Infinity };
-  Doubles Upper[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
-
-  SIMD_INLINE void Include(const Doubles (&lower)[4], const Doubles (&upper)[4])
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Lower[i] = Min(this->Lower[i], lower[i]);
-      this->Upper[i] = Max(this->Upper[i], upper[i]);
-    }
-  }
-
-  /// Half of the surface of the box.
-  SIMD_INLINE Doubles GetArea() const
-  {
-    const Doubles x = this->Upper[0] - this->Lower[0];
-    const Doubles y = this->Upper[1] - this->Lower[1];
-    const Doubles z = this->Upper[2] - this->Lower[2];
-    return x * y + y * z + z * x;
-  }
+  using Type = double;
+};
+template <>
+struct CommonTypeOf<float, float>
+{
+  using Type = float;
 };
 
-template <int Corners>
-void FindExtents(const double (*cells)[Corners][4], int count, CellExtents& extents)
+template <int Corners, typename Coordinate, typename Value>
+SIMD_INLINE void FindExtentsOf(
+  const PointArrays& arrays, const std::int64_t* ids, int count, CellExtents& extents)
 {
-  extents.Finite = 0;
-  ExtentNumbers all;
-  Doubles area = 0.0;
-  for (int first = 0; first < count; first += DoubleWidth)
+  using Number = typename CommonTypeOf<Coordinate, Value>::Type;
+  using Numbers = FourNumbers<Number>;
+  using Doubles4 = FourNumbers<double>;
+  const auto* points = static_cast<const Coordinate*>(arrays.Points);
+  const auto* values = static_cast<const Value*>(arrays.Values);
+  const std::ptrdiff_t stride = arrays.ValueStride;
+
+  Doubles4 lowest = { Infinity, Infinity, Infinity, Infinity };
+  Doubles4 highest = -lowest;
+  unsigned int finite = 0;
+  double area = 0.0;
+  for (int i = 0; i < count; ++i, ids += Corners)
   {
-    ExtentNumbers cell;
-    Doubles zeros = 0.0;
+    Numbers lower;
+    Numbers upper;
+    Numbers zeros;
     for (int corner = 0; corner < Corners; ++corner)
     {
-      Doubles numbers[4];
-      LoadCorner(cells, first, count, corner, numbers);
-      cell.Include(numbers, numbers);
+      const Coordinate* point = points + 3 * ids[corner];
+      const Numbers numbers = { static_cast<Number>(point[0]), static_cast<Number>(point[1]),
+        static_cast<Number>(point[2]), static_cast<Number>(values[stride * ids[corner]]) };
       // Zero times a number that is not finite is NaN.
-      zeros = zeros + 0.0 * numbers[0] + 0.0 * numbers[1] + 0.0 * numbers[2] + 0.0 * numbers[3];
+      const Numbers zero = numbers * static_cast<Number>(0);
+      lower = corner == 0 ? numbers : numbers < lower ? numbers : lower;
+      upper = corner == 0 ? numbers : upper < numbers ? numbers : upper;
+      zeros = corner == 0 ? zero : zeros + zero;
     }
-    for (int i = 0; i < 4; ++i)
+    const Doubles4 low = __builtin_convertvector(lower, Doubles4);
+    const Doubles4 high = __builtin_convertvector(upper, Doubles4);
+    std::memcpy(extents.Lower[i], &low, sizeof(low));
+    std::memcpy(extents.Upper[i], &high, sizeof(high));
+    if (zeros[0] + zeros[1] + (zeros[2] + zeros[3]) == 0)
     {
-      Store(cell.Lower[i], &extents.Lower[i][first]);
-      Store(cell.Upper[i], &extents.Upper[i][first]);
+      finite |= 1U << i;
+      lowest = low < lowest ? low : lowest;
+      highest = highest < high ? high : highest;
+      const Doubles4 size = high - low;
+      area += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
     }
-    const Mask isFinite = FirstLanes(count - first) & (zeros == 0.0);
-    extents.Finite |= ToBits(isFinite) << first;
-    area = area + Select(isFinite, cell.GetArea(), 0.0);
-    for (int i = 0; i < 4; ++i)
-    {
-      cell.Lower[i] = Select(isFinite, cell.Lower[i], Infinity);
-      cell.Upper[i] = Select(isFinite, cell.Upper[i], -Infinity);
-    }
-    all.Include(cell.Lower, cell.Upper);
   }
-  for (int i = 0; i < 4; ++i)
+  std::memcpy(extents.LowerOfAll, &lowest, sizeof(lowest));
+  std::memcpy(extents.UpperOfAll, &highest, sizeof(highest));
+  extents.Finite = finite;
+  extents.Area = area;
+}
+
+template <int Corners, typename Value>
+SIMD_INLINE void FindExtentsOf(
+  const PointArrays& arrays, const std::int64_t* ids, int count, CellExtents& extents)
+{
+  if (arrays.AreFloats)
   {
-    extents.LowerOfAll[i] = ReduceMin(all.Lower[i]);
-    extents.UpperOfAll[i] = ReduceMax(all.Upper[i]);
+    FindExtentsOf<Corners, float, Value>(arrays, ids, count, extents);
   }
-  double areas[DoubleWidth];
-  Store(area, areas);
-  extents.Area = 0.0;
-  for (const double one : areas)
+  else
   {
-    extents.Area += one;
+    FindExtentsOf<Corners, double, Value>(arrays, ids, count, extents);
+  }
+}
+
+template <typename Value>
+void FindExtents(
+  const PointArrays& arrays, const std::int64_t* ids, int corners, int count, CellExtents& extents)
+{
+  if (corners == 4)
+  {
+    FindExtentsOf<4, Value>(arrays, ids, count, extents);
+  }
+  else
+  {
+    FindExtentsOf<8, Value>(arrays, ids, count, extents);
   }
 }
 

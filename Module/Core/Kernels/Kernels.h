@@ -324,10 +324,10 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
-  /// Finds the extents of cells, given their corners: coordinates and value. Tetrahedra, or
-  /// trilinear cells.
-  void (*FindTetrahedronExtents)(const double (*corners)[4][4], int count, CellExtents& extents);
-  void (*FindTrilinearExtents)(const double (*corners)[8][4], int count, CellExtents& extents);
+  /// Finds the extents of cells, given the ids of their corners, 4 or 8 of each. One for every
+  /// ScalarType of values.
+  void (*FindExtents[10])(const PointArrays& arrays, const std::int64_t* ids, int corners,
+    int count, CellExtents& extents);
 
   /// Finds the gradients in tetrahedra, given their corners: coordinates and value.
   void (*WeightGradients)(const double (*corners)[4][4], int count, WeightedGradients& gradients);

@@ -128,9 +128,9 @@ SIMD_INLINE void LoadCorner(
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, FindFrames, EndRays, ProjectChildren, FindExtents<4>, FindExtents<8>,               \
-    WeightGradients, PackPolygons, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, \
-    FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,      \
+    FrameRays, FindFrames, EndRays, ProjectChildren, FOR_ALL_TYPES(FindExtents), WeightGradients,  \
+    PackPolygons, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,       \
+    SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,                 \
     ProjectTetrahedra,                                                                             \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \

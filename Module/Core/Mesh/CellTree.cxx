@@ -154,6 +154,8 @@ class CellTree::CellReader
 public:
   explicit CellReader(const MeshCells& cells)
     : Cells(&cells)
+    , Arrays(cells.GetPointArrays())
+    , FindExtents(GetBestKernels().FindExtents[static_cast<int>(cells.GetValueType())])
   {
   }
 
@@ -162,27 +164,27 @@ public:
   {
     this->Tetrahedra.Count = 0;
     this->Others.Count = 0;
-    for (int i = 0; i < count; ++i)
+    if (this->Cells->AreTetrahedra())
     {
-      const int corners = GetTraits(this->Cells->GetShape(numbers[i])).Corners;
-      if (corners != 0)
-      {
-        Group& group = corners == 4 ? this->Tetrahedra : this->Others;
-        group.Numbers[group.Count++] = numbers[i];
-      }
+      std::copy_n(numbers, count, this->Tetrahedra.Numbers);
+      this->Tetrahedra.Count = count;
+    }
+    else
+    {
+      this->Sort(numbers, count);
     }
     if (this->Tetrahedra.Count > 0)
     {
-      double corners[Width][4][4];
-      this->Cells->LoadTetrahedra(this->Tetrahedra.Numbers, this->Tetrahedra.Count, corners);
-      this->Kernel->FindTetrahedronExtents(
-        corners, this->Tetrahedra.Count, this->Tetrahedra.Extents);
+      std::int64_t ids[Width][4];
+      this->Cells->LoadIdsOfTetrahedra(this->Tetrahedra.Numbers, this->Tetrahedra.Count, ids);
+      this->FindExtents(this->Arrays, ids[0], 4, this->Tetrahedra.Count, this->Tetrahedra.Extents);
     }
     if (this->Others.Count > 0)
     {
-      double corners[Width][PassedCellRecords::Corners][4];
-      this->Cells->LoadTrilinear(this->Others.Numbers, this->Others.Count, corners);
-      this->Kernel->FindTrilinearExtents(corners, this->Others.Count, this->Others.Extents);
+      constexpr int corners = PassedCellRecords::Corners;
+      std::int64_t ids[Width][corners];
+      this->Cells->LoadTrilinearIds(this->Others.Numbers, this->Others.Count, ids);
+      this->FindExtents(this->Arrays, ids[0], corners, this->Others.Count, this->Others.Extents);
     }
   }
 
@@ -248,15 +250,31 @@ private:
       Extent extent;
       for (int i = 0; i < 4; ++i)
       {
-        extent.Lower[i] = this->Extents.Lower[i][cell];
-        extent.Upper[i] = this->Extents.Upper[i][cell];
+        extent.Lower[i] = this->Extents.Lower[cell][i];
+        extent.Upper[i] = this->Extents.Upper[cell][i];
       }
       return extent;
     }
   };
 
+  /// Puts cells that are traced into the groups.
+  void Sort(const std::uint32_t* numbers, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const int corners = GetTraits(this->Cells->GetShape(numbers[i])).Corners;
+      if (corners != 0)
+      {
+        Group& group = corners == 4 ? this->Tetrahedra : this->Others;
+        group.Numbers[group.Count++] = numbers[i];
+      }
+    }
+  }
+
   const MeshCells* Cells;
-  const Kernels* Kernel = &GetBestKernels();
+  PointArrays Arrays;
+  void (*FindExtents)(const PointArrays& arrays, const std::int64_t* ids, int corners, int count,
+    CellExtents& extents);
   Group Tetrahedra;
   Group Others;
 };

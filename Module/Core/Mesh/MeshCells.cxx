@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 
@@ -14,15 +15,30 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The ids of the corners of a listed cell.
+/// The ids of the corners of listed cells.
 template <typename Id>
-const Id* GetIds(const MeshView& view, std::int64_t number)
+class IdsOfCells
 {
-  const std::int64_t first = view.CornersOfAll != 0
-    ? number * view.CornersOfAll
-    : std::int64_t{ static_cast<const Id*>(view.Offsets)[number] };
-  return static_cast<const Id*>(view.Connectivity) + first;
-}
+public:
+  explicit IdsOfCells(const MeshView& view)
+    : CornersOfAll(view.CornersOfAll)
+    , Offsets(static_cast<const Id*>(view.Offsets))
+    , Connectivity(static_cast<const Id*>(view.Connectivity))
+  {
+  }
+
+  const Id* Get(std::int64_t number) const
+  {
+    return this->Connectivity +
+      (this->CornersOfAll != 0 ? number * this->CornersOfAll
+                               : std::int64_t{ this->Offsets[number] });
+  }
+
+private:
+  std::int64_t CornersOfAll;
+  const Id* Offsets;
+  const Id* Connectivity;
+};
 
 template <typename Id>
 bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
@@ -33,7 +49,7 @@ bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
   {
     return false; // Its offset may be anything.
   }
-  const Id* ids = GetIds<Id>(view, number);
+  const Id* ids = IdsOfCells<Id>(view).Get(number);
   for (int i = 0; i < cell.Count; ++i)
   {
     cell.Ids[i] = ids[i];
@@ -81,9 +97,10 @@ template <typename Id>
 void ReadListedTetrahedra(
   const MeshView& view, const std::uint32_t* numbers, int count, std::int64_t (*ids)[4])
 {
+  const IdsOfCells<Id> all(view);
   for (int i = 0; i < count; ++i)
   {
-    const Id* listed = GetIds<Id>(view, numbers[i]);
+    const Id* listed = all.Get(numbers[i]);
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
       ids[i][corner] = listed[corner];
@@ -95,9 +112,10 @@ template <typename Id>
 void ReadOrderedListedTetrahedra(const MeshView& view, const std::uint32_t* numbers, int count,
   CornerOrder* orders, std::int64_t (*ids)[4])
 {
+  const IdsOfCells<Id> all(view);
   for (int i = 0; i < count; ++i)
   {
-    const Id* listed = GetIds<Id>(view, numbers[i]);
+    const Id* listed = all.Get(numbers[i]);
     orders[i] = CornerOrder(listed);
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
@@ -152,6 +170,43 @@ std::int64_t FindCornersOfAll(const MeshView& view, int threads)
   return differences == 0 ? static_cast<std::int64_t>(corners) : 0;
 }
 
+/// The shape that all listed cells have; 0 if there are several.
+unsigned char FindShapeOfAll(const MeshView& view)
+{
+  // As each of them has the shape of the next.
+  const auto others = static_cast<std::size_t>(view.NumberOfCells - 1);
+  return std::memcmp(view.Shapes, view.Shapes + 1, others) == 0 ? view.Shapes[0] : 0;
+}
+
+/// Whether ids are those of points.
+template <typename Id>
+bool ArePoints(const MeshView& view, std::int64_t count, int threads)
+{
+  // Negative ids are larger than any other as unsigned numbers.
+  using Unsigned = std::make_unsigned_t<Id>;
+  const auto* ids = static_cast<const Unsigned*>(view.Connectivity);
+  Unsigned largest = 0;
+#pragma omp parallel for simd schedule(static) num_threads(threads) reduction(max : largest)
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, ids[i]);
+  }
+  return largest <= static_cast<Unsigned>(std::numeric_limits<Id>::max()) &&
+    static_cast<std::int64_t>(largest) < view.NumberOfPoints;
+}
+
+/// Whether all listed cells have one shape, lists of as many ids, and corners that are points: as
+/// most meshes are, and much faster to see than which cell is bad.
+template <typename Id>
+bool AreAlikeAndGood(const MeshView& view, std::int64_t lengthOfConnectivity, int threads)
+{
+  const std::int64_t corners = FindCornersOfAll<Id>(view, threads);
+  return corners != 0 &&
+    corners == GetTraits(static_cast<CellShape>(FindShapeOfAll(view))).Corners &&
+    view.NumberOfCells <= lengthOfConnectivity / corners &&
+    ArePoints<Id>(view, view.NumberOfCells * corners, threads);
+}
+
 /// The number of the first listed cell that has too few or too many corners, or a corner that is no
 /// point; that of cells, if there is none.
 template <typename Id>
@@ -200,10 +255,7 @@ MeshCells::MeshCells(const MeshView& view, int threads)
     const bool isShort = view.IdType == ScalarType::Int32;
     this->View.CornersOfAll = isShort ? FindCornersOfAll<std::int32_t>(view, threads)
                                       : FindCornersOfAll<std::int64_t>(view, threads);
-    // As each of them has the shape of the next.
-    const auto others = static_cast<std::size_t>(view.NumberOfCells - 1);
-    this->View.ShapeOfAll =
-      std::memcmp(view.Shapes, view.Shapes + 1, others) == 0 ? view.Shapes[0] : 0;
+    this->View.ShapeOfAll = FindShapeOfAll(view);
     const std::int64_t length = isShort
       ? static_cast<const std::int32_t*>(view.Offsets)[view.NumberOfCells]
       : static_cast<const std::int64_t*>(view.Offsets)[view.NumberOfCells];
@@ -262,7 +314,7 @@ void MeshCells::LoadTetrahedra(
   const std::uint32_t* numbers, int count, double (*corners)[4][4]) const
 {
   std::int64_t ids[MaximumCells][4];
-  this->ReadTetrahedra(this->View, numbers, count, ids);
+  this->LoadIdsOfTetrahedra(numbers, count, ids);
   this->LoadTetrahedra(ids, count, corners);
 }
 
@@ -293,20 +345,26 @@ void MeshCells::ReadCornerIds(
 void MeshCells::LoadTrilinear(
   const std::uint32_t* numbers, int count, double (*corners)[PassedCellRecords::Corners][4]) const
 {
-  constexpr int cornersOfCell = PassedCellRecords::Corners;
-  std::int64_t ids[MaximumCells][cornersOfCell];
+  std::int64_t ids[MaximumCells][PassedCellRecords::Corners];
+  this->LoadTrilinearIds(numbers, count, ids);
+  this->ReadCornerPoints(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
+  this->ReadCornerValues(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadTrilinearIds(
+  const std::uint32_t* numbers, int count, std::int64_t (*ids)[PassedCellRecords::Corners]) const
+{
   for (int i = 0; i < count; ++i)
   {
     MeshCell cell;
     this->LoadIds(numbers[i], cell);
     const ShapeTraits& traits = GetTraits(cell.Shape);
-    for (int corner = 0; corner < cornersOfCell; ++corner)
+    for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
     {
       ids[i][corner] = cell.Ids[traits.Trilinear[corner]];
     }
   }
-  this->ReadCornerPoints(this->View, ids[0], cornersOfCell * count, corners[0]);
-  this->ReadCornerValues(this->View, ids[0], cornersOfCell * count, corners[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -358,12 +416,13 @@ unsigned int MeshCells::FindListedStraddling(
     const auto value = static_cast<const Value*>(view.Values)[id * view.ValueStride];
     return static_cast<double>(value) < isovalue ? 1U : 0U;
   };
+  const IdsOfCells<Id> all(view);
   unsigned int mask = 0;
   for (int i = 0; i < count; ++i)
   {
     const CellShape shape = view.GetShape(numbers[i]);
     const auto corners = static_cast<unsigned int>(GetTraits(shape).Corners);
-    const Id* ids = corners != 0 ? GetIds<Id>(view, numbers[i]) : nullptr;
+    const Id* ids = corners != 0 ? all.Get(numbers[i]) : nullptr;
     unsigned int below = 0;
     if (shape == CellShape::Tetrahedron)
     {
@@ -400,11 +459,14 @@ unsigned int MeshCells::FindLatticeStraddling(
 std::string FindProblem(
   const MeshView& view, std::int64_t lengthOfConnectivity, int threads, CheckedCells checked)
 {
-  if (view.IsLattice())
+  const bool isShort = view.IdType == ScalarType::Int32;
+  if (view.IsLattice() || view.NumberOfCells == 0 ||
+    (isShort ? AreAlikeAndGood<std::int32_t>(view, lengthOfConnectivity, threads)
+             : AreAlikeAndGood<std::int64_t>(view, lengthOfConnectivity, threads)))
   {
     return {};
   }
-  const std::int64_t bad = view.IdType == ScalarType::Int32
+  const std::int64_t bad = isShort
     ? FindBadCell<std::int32_t>(view, lengthOfConnectivity, threads, checked)
     : FindBadCell<std::int64_t>(view, lengthOfConnectivity, threads, checked);
   return bad < view.NumberOfCells ? "Cell " + std::to_string(bad) +

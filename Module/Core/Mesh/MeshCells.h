@@ -55,6 +55,11 @@ public:
   }
 
   CellShape GetShape(std::int64_t number) const { return this->View.GetShape(number); }
+  /// Whether all have this shape.
+  bool AreTetrahedra() const
+  {
+    return static_cast<CellShape>(this->View.ShapeOfAll) == CellShape::Tetrahedron;
+  }
 
   /// Finds which of up to 16 cells have values on both sides of an isovalue, below it and at or
   /// above it; a bit for each. Cells that are not finite may be among them.
@@ -73,6 +78,23 @@ public:
   /// the values.
   void ReadCornerIds(
     const std::uint32_t* numbers, int count, CornerOrder* orders, std::int64_t (*ids)[4]) const;
+
+  /// Reads the ids of the corners of as many tetrahedra as there are pairs, or of as many cells of
+  /// any shape, as corners of trilinear cells.
+  void LoadIdsOfTetrahedra(const std::uint32_t* numbers, int count, std::int64_t (*ids)[4]) const
+  {
+    this->ReadTetrahedra(this->View, numbers, count, ids);
+  }
+  void LoadTrilinearIds(
+    const std::uint32_t* numbers, int count, std::int64_t (*ids)[PassedCellRecords::Corners]) const;
+
+  /// What the ids are of.
+  PointArrays GetPointArrays() const
+  {
+    return { this->View.Points, this->View.PointType == ScalarType::Float32, this->View.Values,
+      this->View.ValueStride };
+  }
+  ScalarType GetValueType() const { return this->View.ValueType; }
 
   /// Reads cells that are traced and finite: their corners, and in place of differences the values.
   /// Tetrahedra, as many as there are pairs...
