@@ -30,13 +30,15 @@ Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
 //------------------------------------------------------------------------------
 struct PointGradients::WeightedSum
 {
-  Vector3 Gradients = {};
-  double Weights = 0.0;
+  /// The gradient, and the weight.
+  double Numbers[4] = {};
 
-  void Add(const Vector3& gradient, double weight)
+  void Add(const double (&numbers)[4])
   {
-    this->Gradients = this->Gradients + gradient;
-    this->Weights += weight;
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Numbers[i] += numbers[i];
+    }
   }
 };
 
@@ -68,23 +70,33 @@ public:
     return this->Sums[this->Places[static_cast<std::size_t>(id - this->Range.First)]];
   }
 
-  void Add(std::uint32_t number)
+  void Add(const CellsAround& around)
   {
-    MeshCell cell;
-    if (!this->All->Cells->LoadIds(number, cell) || !this->HasCorner(cell))
+    if (this->All->Cells->AreTetrahedra())
     {
+      this->AddTetrahedra(around);
       return;
     }
-    if (cell.Shape != CellShape::Tetrahedron)
+    for (const std::uint32_t number : around.Cells)
     {
-      this->AddTetrahedra();
-      this->AddOther(cell);
-      return;
-    }
-    std::copy_n(cell.Ids, 4, this->Ids[this->Count++]);
-    if (this->Count == WeightedGradients::Capacity)
-    {
-      this->AddTetrahedra();
+      MeshCell cell;
+      if (!this->All->Cells->LoadIds(number, cell))
+      {
+        continue;
+      }
+      if (!this->HasCorner(cell.Ids, cell.Count))
+      {
+        continue;
+      }
+      if (cell.Shape == CellShape::Tetrahedron)
+      {
+        this->AddTetrahedron(cell.Ids);
+      }
+      else
+      {
+        this->AddTetrahedra();
+        this->AddOther(cell);
+      }
     }
   }
 
@@ -103,18 +115,17 @@ public:
     constexpr double part = 1.0 / 8.0;
     for (int i = 0; i < this->Count; ++i)
     {
-      const double weight = part * found.Weight[i];
-      if (!(weight < Infinity))
+      const double numbers[4] = { part * found.Gradient[0][i], part * found.Gradient[1][i],
+        part * found.Gradient[2][i], part * found.Weight[i] };
+      if (!(numbers[3] < Infinity))
       {
         continue;
       }
-      const Vector3 gradient = { part * found.Gradient[0][i], part * found.Gradient[1][i],
-        part * found.Gradient[2][i] };
       for (const std::int64_t id : this->Ids[i])
       {
         if (this->Has(id))
         {
-          this->Get(id).Add(gradient, weight);
+          this->Get(id).Add(numbers);
         }
       }
     }
@@ -124,10 +135,39 @@ public:
 private:
   bool Has(std::int64_t id) const { return this->Range.Has(id) && this->All->IsWanted(id); }
 
-  bool HasCorner(const MeshCell& cell) const
+  bool HasCorner(const std::int64_t* ids, int count) const
   {
-    return std::any_of(
-      cell.Ids, cell.Ids + cell.Count, [this](std::int64_t id) { return this->Has(id); });
+    return std::any_of(ids, ids + count, [this](std::int64_t id) { return this->Has(id); });
+  }
+
+  void AddTetrahedra(const CellsAround& around)
+  {
+    constexpr std::size_t most = WeightedGradients::Capacity;
+    const std::vector<std::uint32_t>& numbers = around.Cells;
+    const bool areAllIn =
+      this->Range.First <= around.Points.First && around.Points.Last <= this->Range.Last;
+    for (std::size_t first = 0; first < numbers.size(); first += most)
+    {
+      const int count = static_cast<int>(std::min(numbers.size() - first, most));
+      std::int64_t ids[most][4];
+      this->All->Cells->LoadIdsOfTetrahedra(&numbers[first], count, ids);
+      for (int i = 0; i < count; ++i)
+      {
+        if (areAllIn || this->HasCorner(ids[i], 4))
+        {
+          this->AddTetrahedron(ids[i]);
+        }
+      }
+    }
+  }
+
+  void AddTetrahedron(const std::int64_t* ids)
+  {
+    std::copy_n(ids, 4, this->Ids[this->Count++]);
+    if (this->Count == WeightedGradients::Capacity)
+    {
+      this->AddTetrahedra();
+    }
   }
 
   void AddOther(MeshCell& cell)
@@ -152,8 +192,8 @@ private:
       const Vector3 product = { found.Gradient[0][i], found.Gradient[1][i], found.Gradient[2][i] };
       const Vector3 gradient = product * (1.0 / found.Weight[i]);
       const bool isFound = std::isfinite(gradient[0] + gradient[1] + gradient[2]);
-      this->Get(cell.Ids[wanted[i]])
-        .Add((isFound ? gradient : GetGradientAtCorner(cell, wanted[i])) * volume, volume);
+      const Vector3 sum = (isFound ? gradient : GetGradientAtCorner(cell, wanted[i])) * volume;
+      this->Get(cell.Ids[wanted[i]]).Add({ sum[0], sum[1], sum[2], volume });
     }
   }
 
@@ -326,30 +366,44 @@ std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
 /// Adds the cells of a block that have a corner that is wanted.
 void PointGradients::AddCells(std::uint32_t block, CellsAround& around) const
 {
-  std::uint32_t numbers[CellTree::Width];
+  std::uint32_t numbers[CellTree::Width] = {};
   const int count = this->Tree->GetCells(block, numbers);
+  if (this->Cells->AreTetrahedra())
+  {
+    std::int64_t ids[CellTree::Width][4];
+    this->Cells->LoadIdsOfTetrahedra(numbers, count, ids);
+    for (int i = 0; i < count; ++i)
+    {
+      this->AddIfWanted(numbers[i], ids[i], 4, around);
+    }
+    return;
+  }
   for (int i = 0; i < count; ++i)
   {
     MeshCell cell;
-    if (!this->Cells->LoadIds(numbers[i], cell))
+    if (this->Cells->LoadIds(numbers[i], cell))
     {
-      continue;
+      this->AddIfWanted(numbers[i], cell.Ids, cell.Count, around);
     }
-    bool hasWanted = false;
-    for (int corner = 0; corner < cell.Count; ++corner)
-    {
-      const std::int64_t id = cell.Ids[corner];
-      if (this->IsWanted(id))
-      {
-        hasWanted = true;
-        around.Points.First = std::min(around.Points.First, id);
-        around.Points.Last = std::max(around.Points.Last, id + 1);
-      }
-    }
-    if (hasWanted)
-    {
-      around.Cells.push_back(numbers[i]);
-    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds a cell that has a corner that is wanted, given their ids.
+void PointGradients::AddIfWanted(
+  std::uint32_t number, const std::int64_t* ids, int corners, CellsAround& around) const
+{
+  bool hasWanted = false;
+  PointRange points = around.Points;
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    hasWanted = hasWanted || this->IsWanted(ids[corner]);
+    points = { std::min(points.First, ids[corner]), std::max(points.Last, ids[corner] + 1) };
+  }
+  if (hasWanted)
+  {
+    around.Points = points;
+    around.Cells.push_back(number);
   }
 }
 
@@ -380,10 +434,7 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, const Poi
   {
     if (part.Points.First < range.Last && range.First < part.Points.Last)
     {
-      for (const std::uint32_t cell : part.Cells)
-      {
-        sum.Add(cell);
-      }
+      sum.Add(part);
     }
   }
   sum.AddTetrahedra();
@@ -400,7 +451,8 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, const Poi
 void PointGradients::SetMean(std::size_t point, const WeightedSum& sum)
 {
   constexpr double largest = 1e30;
-  const Vector3 mean = sum.Gradients * (this->Unit / sum.Weights);
+  const double* numbers = sum.Numbers;
+  const Vector3 mean = Vector3{ numbers[0], numbers[1], numbers[2] } * (this->Unit / numbers[3]);
   const bool isFinite = std::abs(mean[0]) + std::abs(mean[1]) + std::abs(mean[2]) < largest;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

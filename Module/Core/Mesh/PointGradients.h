@@ -81,7 +81,7 @@ private:
     bool Has(std::int64_t id) const { return id >= this->First && id < this->Last; }
   };
 
-  /// Cells with corners that are wanted, and the range these are in.
+  /// Cells with corners that are wanted, and the range all their corners are in.
   struct CellsAround
   {
     std::vector<std::uint32_t> Cells;
@@ -96,6 +96,8 @@ private:
   ValueRange MarkAll(int threads);
   std::vector<CellsAround> FindCellsAround(const ValueRange& range, int threads) const;
   void AddCells(std::uint32_t block, CellsAround& around) const;
+  void AddIfWanted(
+    std::uint32_t number, const std::int64_t* ids, int corners, CellsAround& around) const;
   void FindMeans(const std::vector<CellsAround>& around, int threads);
   void FindMeans(const std::vector<CellsAround>& around, const PointRange& range);
   void SetMean(std::size_t point, const WeightedSum& sum);
