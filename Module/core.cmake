@@ -29,6 +29,7 @@ set(core_sources
   Mesh/CellHits.cxx
   Mesh/CellSubdivision.cxx
   Mesh/CellTree.cxx
+  Mesh/CodeOrder.cxx
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
   Mesh/LoneTracer.cxx

@@ -8,6 +8,7 @@
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
 #include "Math/RoundOutward.h"
+#include "Mesh/CodeOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,43 +21,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// Behind all keys.
-constexpr std::uint64_t NoKey = std::numeric_limits<std::uint64_t>::max();
-
-/// Sorts keys by their upper halves, digit by digit. Those with the same one stay in order.
-void SortByCode(std::vector<std::uint64_t>& keys)
-{
-  constexpr unsigned int bits = 11;
-  constexpr std::uint64_t digits = std::uint64_t{ 1 } << bits;
-  std::vector<std::uint64_t> sorted(keys.size());
-  for (unsigned int shift = 32; shift < 64; shift += bits)
-  {
-    const auto getDigit = [shift](std::uint64_t key) { return (key >> shift) % digits; };
-    std::vector<std::size_t> places(digits + 1, 0);
-    for (const std::uint64_t key : keys)
-    {
-      ++places[getDigit(key) + 1];
-    }
-    std::partial_sum(places.begin(), places.end(), places.begin());
-    for (const std::uint64_t key : keys)
-    {
-      sorted[places[getDigit(key)]++] = key;
-    }
-    keys.swap(sorted);
-  }
-}
-
-/// Sorts keys, and returns their lower halves, without those that are none.
-std::vector<std::uint32_t> SortKeys(std::vector<std::uint64_t>& keys)
-{
-  SortByCode(keys);
-  keys.erase(std::lower_bound(keys.begin(), keys.end(), NoKey), keys.end());
-  std::vector<std::uint32_t> order(keys.size());
-  std::transform(keys.begin(), keys.end(), order.begin(),
-    [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-  return order;
-}
 
 /// A box and a range of values: x, y, z and value.
 template <typename T>
@@ -335,16 +299,22 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
   {
     return false;
   }
-  std::vector<std::uint64_t> keys(blocks);
+  CodeOrder order(blocks);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
   {
     const RoundedExtent& extent = extents[static_cast<std::size_t>(i)];
-    keys[static_cast<std::size_t>(i)] = extent.IsEmpty()
-      ? NoKey
-      : this->GetMortonCode(extent.GetMiddle()) << 32U | static_cast<std::uint32_t>(i);
+    const auto number = static_cast<std::uint32_t>(i);
+    if (extent.IsEmpty())
+    {
+      order.LeaveOut(number);
+    }
+    else
+    {
+      order.SetCode(number, this->GetMortonCode(extent.GetMiddle()));
+    }
   }
-  this->Order = SortKeys(keys);
+  this->Order = order.Find(threads);
   this->Blocks = this->Order.size();
   const auto getExtent = [this, &extents](std::size_t block)
   {
@@ -358,7 +328,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
 
 //------------------------------------------------------------------------------
 /// Three times ten bits, for the position in the whole box.
-std::uint64_t CellTree::GetMortonCode(const Vector3& point) const
+std::uint32_t CellTree::GetMortonCode(const Vector3& point) const
 {
   double longest = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -382,20 +352,25 @@ std::uint64_t CellTree::GetMortonCode(const Vector3& point) const
 /// Puts the cells that are traced in Morton order, and makes their blocks.
 void CellTree::SortCells(const MeshCells& cells, int threads)
 {
-  std::vector<std::uint64_t> keys(this->Cells, NoKey);
+  CodeOrder order(this->Cells);
 #pragma omp parallel num_threads(threads)
   {
     CellReader reader(cells);
-    const auto setKey = [this, &keys](std::uint32_t number, const Vector3& middle)
-    { keys[number] = this->GetMortonCode(middle) << 32U | number; };
+    const auto setCode = [this, &order](std::uint32_t number, const Vector3& middle)
+    { order.SetCode(number, this->GetMortonCode(middle)); };
 #pragma omp for schedule(static)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>((this->Cells + Width - 1) / Width); ++i)
     {
+      const std::int64_t last = std::min((i + 1) * Width, static_cast<std::int64_t>(this->Cells));
+      for (std::int64_t number = i * Width; number < last; ++number)
+      {
+        order.LeaveOut(static_cast<std::uint32_t>(number));
+      }
       reader.ReadBlock(i);
-      reader.ForMiddles(setKey);
+      reader.ForMiddles(setCode);
     }
   }
-  this->Order = SortKeys(keys);
+  this->Order = order.Find(threads);
   this->Blocks = (this->Order.size() + Width - 1) / Width;
   const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);
 #pragma omp parallel num_threads(threads)

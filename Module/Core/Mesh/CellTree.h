@@ -128,7 +128,7 @@ private:
 
   bool SortBlocks(const MeshCells& cells, int threads);
   void SortCells(const MeshCells& cells, int threads);
-  std::uint64_t GetMortonCode(const Vector3& point) const;
+  std::uint32_t GetMortonCode(const Vector3& point) const;
   template <typename Function>
   void BuildLevel(std::size_t children, double margin, const Function& getExtent, int threads);
   void BuildLevelAbove(int threads);

@@ -186,11 +186,15 @@ bool ArePoints(const MeshView& view, std::int64_t count, int threads)
   using Unsigned = std::make_unsigned_t<Id>;
   const auto* ids = static_cast<const Unsigned*>(view.Connectivity);
   Unsigned largest = 0;
-#pragma omp parallel for simd schedule(static) num_threads(threads) reduction(max : largest)
-  for (std::int64_t i = 0; i < count; ++i)
+  // Four at once: one comparison waits for another less often.
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : largest)
+  for (std::int64_t i = 0; i < count / 4; ++i)
   {
-    largest = std::max(largest, ids[i]);
+    const Unsigned* four = ids + 4 * i;
+    largest = std::max(largest, std::max(std::max(four[0], four[1]), std::max(four[2], four[3])));
   }
+  largest = std::accumulate(ids + count / 4 * 4, ids + count, largest,
+    [](Unsigned a, Unsigned b) { return std::max(a, b); });
   return largest <= static_cast<Unsigned>(std::numeric_limits<Id>::max()) &&
     static_cast<std::int64_t>(largest) < view.NumberOfPoints;
 }
