@@ -19,6 +19,22 @@
 
 namespace Benchmark
 {
+namespace
+{
+
+/// The widest vectors of the processor, which decide about times; empty if nothing is known.
+std::string GetInstructionSet()
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+  return __builtin_cpu_supports("avx512f") ? ", AVX-512"
+    : __builtin_cpu_supports("avx2")       ? ", AVX2"
+                                           : ", SSE2";
+#else
+  return "";
+#endif
+}
+
+}
 
 //------------------------------------------------------------------------------
 Json::Value DescribeEnvironment(const std::vector<std::string>& command, OffScreenWindow* window)
@@ -37,7 +53,8 @@ Json::Value DescribeEnvironment(const std::vector<std::string>& command, OffScre
   environment["date"] = date;
   environment["command"] = line;
   environment["machine"] = std::string(system.GetModelName()) + ", " +
-    std::to_string(std::thread::hardware_concurrency()) + " logical processors";
+    std::to_string(std::thread::hardware_concurrency()) + " logical processors" +
+    GetInstructionSet();
   environment["load of the machine before"] =
     ToText(system.GetLoadAverage()) + " (read ratios where it is not near 0)";
   environment["compiler"] = __VERSION__;
