@@ -201,16 +201,21 @@ private:
   /// the apex of a pyramid that is flat: it has no gradient.
   WeightedGradients FindAtCorners(const MeshCell& cell, const int* wanted, int count) const
   {
+    double numbers[MaximumCorners][4];
+    for (int i = 0; i < cell.Count; ++i)
+    {
+      std::copy_n(cell.Points[i].begin(), 3, numbers[i]);
+      numbers[i][3] = cell.Values[i];
+    }
     double corners[MaximumCorners][4][4];
     const ShapeTraits& traits = GetTraits(cell.Shape);
     for (int i = 0; i < count; ++i)
     {
       const int* neighbors = traits.Neighbors[wanted[i]];
-      const int ends[4] = { wanted[i], neighbors[0], neighbors[1], neighbors[2] };
-      for (int k = 0; k < 4; ++k)
+      std::copy_n(numbers[wanted[i]], 4, corners[i][0]);
+      for (int k = 0; k < 3; ++k)
       {
-        std::copy_n(cell.Points[ends[k]].begin(), 3, corners[i][k]);
-        corners[i][k][3] = cell.Values[ends[k]];
+        std::copy_n(numbers[neighbors[k]], 4, corners[i][k + 1]);
       }
     }
     WeightedGradients found;
