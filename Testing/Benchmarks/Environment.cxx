@@ -7,6 +7,7 @@
 #include "EmbreeTriangles.h"
 #endif
 #include "Baselines.h"
+#include "Core/Math/Compiler.h"
 #include "OffScreenWindow.h"
 #include "Schedule.h"
 
@@ -25,10 +26,10 @@ namespace
 /// The widest vectors of the processor, which decide about times; empty if nothing is known.
 std::string GetInstructionSet()
 {
-#if defined(__x86_64__) && defined(__GNUC__)
-  return __builtin_cpu_supports("avx512f") ? ", AVX-512"
-    : __builtin_cpu_supports("avx2")       ? ", AVX2"
-                                           : ", SSE2";
+#if defined(__x86_64__)
+  return vtkIsosurfaceRayTracing::HasAvx512() ? ", AVX-512"
+    : vtkIsosurfaceRayTracing::HasAvx2()      ? ", AVX2"
+                                              : ", SSE2";
 #else
   return "";
 #endif

@@ -304,11 +304,17 @@ void ExpectProblem(const TestMesh& mesh, std::int64_t length, const std::string&
   EXPECT_EQ(FindProblem(view, length, 1).substr(0, start.size()), start);
 }
 
+std::string NameOfCutting(const testing::TestParamInfo<Cutting>& cutting)
+{
+  constexpr const char* names[] = { "Tetrahedra", "Hexahedra", "Wedges", "Pyramids", "Mixed" };
+  return names[cutting.index]; // in the order of AllCuttings
+}
+
 /// Cells of one shape are checked together first.
 class BadCells : public testing::TestWithParam<Cutting>
 {
 };
-INSTANTIATE_TEST_SUITE_P(All, BadCells, testing::ValuesIn(AllCuttings));
+INSTANTIATE_TEST_SUITE_P(All, BadCells, testing::ValuesIn(AllCuttings), NameOfCutting);
 
 TEST_P(BadCells, FirstIsNamed)
 {

@@ -8,11 +8,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// x, y, z and a value, in the vectors of the compiler: they are four wide with any instruction
-/// set. (Functions must not take or return them: how they are passed depends on the set.)
-template <typename T>
-using FourNumbers __attribute__((vector_size(4 * sizeof(T)))) = T;
-
 /// Coordinates and values that are both of type float stay what they are until all are compared.
 template <typename Coordinate, typename Value>
 struct CommonTypeOf
@@ -25,13 +20,15 @@ struct CommonTypeOf<float, float>
   using Type = float;
 };
 
+/// In vectors of x, y, z and value, which are four wide with any instruction set. (Functions must
+/// not take or return them: how they are passed depends on the set.)
 template <int Corners, typename Coordinate, typename Value>
 SIMD_INLINE void FindExtentsOf(
   const PointArrays& arrays, const std::int64_t* ids, int count, CellExtents& extents)
 {
   using Number = typename CommonTypeOf<Coordinate, Value>::Type;
-  using Numbers = FourNumbers<Number>;
-  using Doubles4 = FourNumbers<double>;
+  using Numbers = typename ShortVector<Number, 4>::Type;
+  using Doubles4 = ShortVector<double, 4>::Type;
   const auto* points = static_cast<const Coordinate*>(arrays.Points);
   const auto* values = static_cast<const Value*>(arrays.Values);
   const std::ptrdiff_t stride = arrays.ValueStride;
@@ -56,8 +53,10 @@ SIMD_INLINE void FindExtentsOf(
       upper = corner == 0 ? numbers : upper < numbers ? numbers : upper;
       zeros = corner == 0 ? zero : zeros + zero;
     }
-    const Doubles4 low = __builtin_convertvector(lower, Doubles4);
-    const Doubles4 high = __builtin_convertvector(upper, Doubles4);
+    Doubles4 low;
+    Doubles4 high;
+    Convert(lower, low);
+    Convert(upper, high);
     std::memcpy(extents.Lower[i], &low, sizeof(low));
     std::memcpy(extents.Upper[i], &high, sizeof(high));
     if (zeros[0] + zeros[1] + (zeros[2] + zeros[3]) == 0)

@@ -41,7 +41,9 @@ std::vector<std::uint32_t> CodeOrder::Find(int threads)
 void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sorted) const
 {
   // Of each part of the keys, how many have each digit; then where the next of these goes.
-  const auto parts = static_cast<std::size_t>(threads);
+  // Not so many that summing these up takes longer than sorting.
+  const std::size_t parts =
+    std::min(static_cast<std::size_t>(threads), 1 + this->Count / (4 * Digits));
   std::vector<std::size_t> places(parts * Digits);
   const auto forPart = [&](int number, const auto& function)
   {
@@ -54,7 +56,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
     }
   };
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (int part = 0; part < threads; ++part)
+  for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [](std::uint64_t, std::size_t& place) { ++place; });
   }
@@ -67,7 +69,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
     }
   }
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (int part = 0; part < threads; ++part)
+  for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [sorted](std::uint64_t key, std::size_t& next) { sorted[next++] = key; });
   }

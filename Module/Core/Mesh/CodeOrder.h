@@ -24,6 +24,7 @@ public:
   {
   }
 
+  /// Codes are less than 2^32 - 1.
   void SetCode(std::uint32_t number, std::uint32_t code)
   {
     this->Keys[number] = std::uint64_t{ code } << CodeShift | number;

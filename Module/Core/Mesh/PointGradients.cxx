@@ -80,11 +80,7 @@ public:
     for (const std::uint32_t number : around.Cells)
     {
       MeshCell cell;
-      if (!this->All->Cells->LoadIds(number, cell))
-      {
-        continue;
-      }
-      if (!this->HasCorner(cell.Ids, cell.Count))
+      if (!this->All->Cells->LoadIds(number, cell) || !this->HasCorner(cell.Ids, cell.Count))
       {
         continue;
       }
