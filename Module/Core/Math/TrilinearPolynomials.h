@@ -20,10 +20,9 @@ struct TrilinearPolynomial
 {
   Number Coefficients[8];
 
-  TrilinearPolynomial() = default;
-
-  /// Eight times the function with these corners.
-  SIMD_INLINE explicit TrilinearPolynomial(const Number corners[8])
+  /// Makes it eight times the function with these corners. (In place: compilers copy vectors by
+  /// halves, and wait for these when the vectors are loaded.)
+  SIMD_INLINE void Set(const Number corners[8])
   {
     for (int i = 0; i < 8; ++i)
     {
@@ -136,17 +135,22 @@ struct PreconditionedTrilinears
     return isRegular;
   }
 
-  /// The most that the products of a function may be.
-  SIMD_INLINE Number GetSize(int i) const
+  /// The most that the products of a function may be, given that of the coordinates.
+  SIMD_INLINE Number GetSize(int i, const Number most[3]) const
   {
     const Number* p = this->Products[i];
-    return Abs(p[0]) + Abs(p[1]) + Abs(p[2]) + Abs(p[3]);
+    return most[0] * (Abs(p[0]) * most[1] + Abs(p[1]) * most[2]) +
+      (Abs(p[2]) + Abs(p[3]) * most[0]) * (most[1] * most[2]);
   }
 
-  /// The most that their derivatives by the three coordinates may be, together.
-  SIMD_INLINE Number GetSteepness(int i) const
+  /// The most that their derivatives may be.
+  SIMD_INLINE void FindSteepness(int i, const Number most[3], Number steepness[3]) const
   {
-    return 2.0 * this->GetSize(i) + Abs(this->Products[i][3]);
+    const Number* p = this->Products[i];
+    const Number xyz = Abs(p[3]);
+    steepness[0] = Abs(p[0]) * most[1] + (Abs(p[1]) + xyz * most[1]) * most[2];
+    steepness[1] = Abs(p[0]) * most[0] + (Abs(p[2]) + xyz * most[0]) * most[2];
+    steepness[2] = Abs(p[1]) * most[0] + (Abs(p[2]) + xyz * most[0]) * most[1];
   }
 
   SIMD_INLINE void EvaluateProducts(const Number x[3], Number values[3]) const

@@ -18,11 +18,14 @@ namespace vtkIsosurfaceRayTracing
 ///
 /// A hit is where three functions vanish: the coordinates across the ray, and the difference to the
 /// isovalue. Multiplied by the inverse of their Jacobian in the middle of the part, they do where
-/// x = -constant - products(x), in coordinates of the part between -1 and 1. Where the right side
-/// changes by less than x, it is a contraction: there is one solution at most. To be precise, with
-/// products that stay as they are beyond the border there is exactly one solution in space, and it
-/// is in the part or not. (R. Krawczyk: Newton-Algorithmen zur Bestimmung von Nullstellen mit
-/// Fehlerschranken, Computing 4, 1969.)
+/// x = -constant - products(x), in coordinates of the part between -1 and 1. That bounds x, and so
+/// the products and their derivatives. Where the right side then changes by less than x, it is a
+/// contraction: there is one solution at most. To be precise, with products that stay as they are
+/// beyond the bounds there is exactly one solution in space, and it is in the part or not. (R.
+/// Krawczyk: Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4,
+/// 1969. With the steepness of each function along each axis as a matrix S, it is a contraction if
+/// the inverse of 1 - S has no negative number: A. Neumaier: Interval Methods for Systems of
+/// Equations, 1990.)
 ///
 /// Solutions next to a face are left to FaceCrossings: what is certain here, rounding cannot change
 /// there. So signs chain from cell to cell, whoever finds them.
@@ -96,6 +99,12 @@ private:
   /// So no part is made thinner than this, in coordinates of the cell: where a ray goes along the
   /// edges of a box, its solutions are known at once in two of three directions.
   static constexpr double ThinnestHalf = 0x1p-8;
+  /// Beyond, contractions are too slow.
+  static constexpr double LargestErrorFactor = 20.0;
+  /// Of Newton's method, which then makes a last step. Hardly any solution needs more: those that
+  /// do are beyond the border, and looked for in a smaller part.
+  static constexpr int MaximumSteps = 5;
+  static constexpr double Tolerance = 1e-7;
   /// What rounding may move functions by, in units of their coefficients.
   static constexpr double Rounding = 1e-14;
 
@@ -108,7 +117,7 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       TrilinearPolynomial<Number>& polynomial = this->Polynomials[i];
-      polynomial = TrilinearPolynomial<Number>(this->Functions[i]);
+      polynomial.Set(this->Functions[i]);
       const Number size = polynomial.GetVariation() + Abs(polynomial.Coefficients[0]);
       this->Errors[i] = Rounding * size;
       this->Largest = i < 2 ? Max(this->Largest, size) : this->Largest;
@@ -139,51 +148,128 @@ private:
     const Number* x = this->Functions[0];
     const Number* y = this->Functions[1];
     const Number tolerance = 1e-12 * this->Largest * this->Largest;
-    Mask isNear = tolerance < 0.0;
-    for (int bit = 1; bit < 8; bit *= 2)
+    Number distances[12];
+    Number least = Infinity;
+    for (int edge = 0; edge < 12; ++edge)
     {
-      for (int a = 0; a < 8; ++a)
-      {
-        if ((a & bit) == 0)
-        {
-          const int b = a | bit;
-          isNear = isNear |
-            ((Abs(x[a] * y[b] - x[b] * y[a]) < tolerance) &
-              (x[a] * x[b] + y[a] * y[b] < tolerance));
-        }
-      }
+      const int a = GetEnd(edge, 0);
+      const int b = GetEnd(edge, 1);
+      distances[edge] = Abs(x[a] * y[b] - x[b] * y[a]);
+      least = Min(least, distances[edge]);
+    }
+    Mask isNear = least < tolerance;
+    if (!Any(isNear))
+    {
+      return isNear;
+    }
+    // Near to the line through its ends: is it between them?
+    isNear = tolerance < 0.0;
+    for (int edge = 0; edge < 12; ++edge)
+    {
+      const int a = GetEnd(edge, 0);
+      const int b = GetEnd(edge, 1);
+      isNear = isNear | ((distances[edge] < tolerance) & (x[a] * x[b] + y[a] * y[b] < tolerance));
     }
     return isNear;
+  }
+
+  /// The corners at both ends of an edge.
+  SIMD_INLINE static int GetEnd(int edge, int end)
+  {
+    const int axis = edge / 4;
+    const int low = (1 << axis) - 1;
+    const int others = edge % 4;
+    return (others & low) | (others & ~low) << 1 | end << axis;
   }
 
   /// Bounds the solutions, given where the Jacobian is regular.
   SIMD_INLINE void Bound(Mask isRegular)
   {
-    Mask isSafe = this->IsOpen & isRegular;
+    const Mask isSafe = this->IsOpen & isRegular & this->IsPrecise();
+    const Number farthest = this->FindBounds();
+    const Mask isContraction = this->IsContraction();
     Number volume = 1.0;
-    Number steepness = 0.0;
-    Number farthest = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      const Number* row = this->System.Inverse[i];
-      const Number error = Abs(row[0]) * this->Errors[0] + Abs(row[1]) * this->Errors[1] +
-        Abs(row[2]) * this->Errors[2];
-      isSafe = isSafe & (8.0 * error < this->Clearance);
-      const Number size = this->System.GetSize(i);
-      const Number reach = size + 4.0 * this->Clearance * (1.0 + size);
-      const Number constant = this->System.Constant[i];
-      farthest = Max(farthest, Abs(constant) - reach);
-      this->Low[i] = Max(0.0 - constant - reach, Number(-1.0));
-      this->High[i] = Min(reach - constant, Number(1.0));
       this->Widen(i);
       volume = volume * (this->High[i] - this->Low[i]);
-      steepness = Max(steepness, this->System.GetSteepness(i));
     }
-    this->Slack = 1.0 - steepness;
     this->IsSmaller = isSafe & (volume < 4.0);
     this->IsEmpty = this->IsEmpty | (isSafe & (1.0 < farthest));
-    this->HasHit = AndNot(isSafe, this->IsEmpty) & (steepness < 0.95);
+    this->HasHit = AndNot(isSafe, this->IsEmpty) & isContraction;
     this->IsOpen = AndNot(AndNot(this->IsOpen, this->IsEmpty), this->HasHit);
+  }
+
+  /// Where rounding is no matter in what the inverse is multiplied with.
+  SIMD_INLINE Mask IsPrecise() const
+  {
+    Number largest = 0.0;
+    for (const Number(&row)[3] : this->System.Inverse)
+    {
+      largest = Max(largest,
+        Abs(row[0]) * this->Errors[0] + Abs(row[1]) * this->Errors[1] +
+          Abs(row[2]) * this->Errors[2]);
+    }
+    return 8.0 * largest < this->Clearance;
+  }
+
+  /// Finds the bounds, twice: within the first ones products are smaller. Returns how far away
+  /// solutions are at least.
+  SIMD_INLINE Number FindBounds()
+  {
+    Number farthest = 0.0;
+    Number margins[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Most[i] = 1.0;
+    }
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        const Number size = this->System.GetSize(i, this->Most);
+        if (pass == 0)
+        {
+          margins[i] = 4.0 * this->Clearance * (1.0 + size);
+        }
+        const Number reach = size + margins[i];
+        const Number constant = this->System.Constant[i];
+        farthest = Max(farthest, Abs(constant) - reach);
+        this->Low[i] = Max(0.0 - constant - reach, Number(-1.0));
+        this->High[i] = Min(reach - constant, Number(1.0));
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Most[i] = Max(Abs(this->Low[i]), Abs(this->High[i]));
+      }
+    }
+    return farthest;
+  }
+
+  /// Where it is one within the bounds. There the solution is not farther away than ErrorFactor
+  /// times what is left of the functions.
+  SIMD_INLINE Mask IsContraction()
+  {
+    Number rows[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      this->System.FindSteepness(i, this->Most, rows[i]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        rows[i][axis] = (i == axis ? 1.0 : 0.0) - rows[i][axis];
+      }
+    }
+    Number inverse[3][3];
+    InvertRows(rows, inverse);
+    Mask isContraction = this->IsOpen;
+    this->ErrorFactor = 0.0;
+    for (const Number(&row)[3] : inverse)
+    {
+      const Number sum = row[0] + row[1] + row[2];
+      isContraction = isContraction & (0.0 < sum) & (sum < LargestErrorFactor);
+      this->ErrorFactor = Max(this->ErrorFactor, sum);
+    }
+    return isContraction;
   }
 
   /// Widens a part that would be too thin to go on with.
@@ -207,16 +293,16 @@ private:
     }
     Number farthest = 0.0;
     Mask isMoving = this->HasHit;
-    for (int step = 0; step < 10; ++step)
+    for (int step = 0; step < MaximumSteps; ++step)
     {
       Number inside[3];
       Number rest[3];
       const Number size = this->Evaluate(x, inside, rest);
       farthest = Max(Max(Abs(x[0]), Abs(x[1])), Abs(x[2]));
       // The solution is no farther away than this.
-      const Number error = size / this->Slack;
+      const Number error = size * this->ErrorFactor;
       this->IsEmpty = this->IsEmpty | (isMoving & (1.0 + this->Clearance + error < farthest));
-      isMoving = AndNot(AndNot(isMoving, this->IsEmpty), size <= 1e-8);
+      isMoving = AndNot(AndNot(isMoving, this->IsEmpty), size <= Tolerance);
       if (!Any(isMoving))
       {
         break;
@@ -228,6 +314,7 @@ private:
         x[i] = Select(isMoving, x[i] - Dot(inverse[i], rest), x[i]);
       }
     }
+    this->IsOpen = this->IsOpen | isMoving;
     this->HasHit =
       AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving) & (farthest + this->Clearance < 1.0);
     if (Any(this->HasHit))
@@ -242,7 +329,7 @@ private:
   {
     for (int i = 0; i < 3; ++i)
     {
-      inside[i] = Clamp(x[i], Number(-1.0), Number(1.0));
+      inside[i] = Clamp(x[i], 0.0 - this->Most[i], this->Most[i]);
     }
     this->System.EvaluateProducts(inside, rest);
     Number largest = 0.0;
@@ -299,8 +386,9 @@ private:
   Number Errors[3];
   /// In coordinates of the part.
   Number Clearance;
-  /// By how much less than x the right side changes.
-  Number Slack;
+  /// The most that the coordinates of solutions may be.
+  Number Most[3];
+  Number ErrorFactor;
 };
 
 }
