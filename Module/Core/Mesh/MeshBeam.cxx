@@ -136,12 +136,26 @@ void MeshBeam::AddSets(const MeshSelection& selection, std::size_t leaf, int sur
       this->Bounds.emplace_back();
     }
     this->Bounds[group].Copy(bounds, order[i], static_cast<int>(this->Sets.size() % GroupSize));
-    const PackedPieces* set = first + order[i];
-    for (const auto& corners : set->Polygons)
+    this->Sets.push_back({ first + order[i], leaf, surface, NotSeen });
+    Prefetch(selection, this->Sets.back());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Begins to fetch what a set is bounded from.
+void MeshBeam::Prefetch(const MeshSelection& selection, const Set& set)
+{
+  if (set.Packed->AreInTetrahedra)
+  {
+    for (const auto& corners : set.Packed->Polygons)
     {
       PrefetchLine(corners);
     }
-    this->Sets.push_back({ set, leaf, surface, NotSeen });
+    return;
+  }
+  for (int i = 0; i < set.Packed->Count; ++i)
+  {
+    selection.Cells->Prefetch(GetCell(selection, set, i));
   }
 }
 

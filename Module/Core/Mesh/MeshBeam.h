@@ -114,6 +114,7 @@ private:
   void AddLeaf(const MeshSelection& selection, std::size_t leaf);
   void AddSets(const MeshSelection& selection, std::size_t leaf, int surface,
     const PackedPieces* first, int count);
+  static void Prefetch(const MeshSelection& selection, const Set& set);
   void BoundTrilinear(const MeshSelection& selection, const Set& set, BeamPieces& pieces);
 
   bool HasFrame = false;

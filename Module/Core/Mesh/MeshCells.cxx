@@ -124,6 +124,63 @@ void ReadOrderedListedTetrahedra(const MeshView& view, const std::uint32_t* numb
   }
 }
 
+template <typename Id>
+void ReadListedTrilinear(const MeshView& view, const std::uint32_t* numbers, int count,
+  std::int64_t (*ids)[PassedCellRecords::Corners])
+{
+  const IdsOfCells<Id> all(view);
+  for (int i = 0; i < count; ++i)
+  {
+    const Id* listed = all.Get(numbers[i]);
+    const ShapeTraits& traits = GetTraits(view.GetShape(numbers[i]));
+    for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
+    {
+      ids[i][corner] = listed[traits.Trilinear[corner]];
+    }
+  }
+}
+
+/// The ids of the corners of the cells of a lattice.
+class IdsOfLattice
+{
+public:
+  explicit IdsOfLattice(const MeshView& view)
+    : Cells{ view.Dimensions[0] - 1, view.Dimensions[1] - 1 }
+    , Row(view.Dimensions[0])
+    , Slice(this->Row * view.Dimensions[1])
+  {
+  }
+
+  /// Those of a cell, as corners of a trilinear cell.
+  void Get(std::int64_t number, std::int64_t (&ids)[PassedCellRecords::Corners]) const
+  {
+    const std::int64_t x = number % this->Cells[0];
+    const std::int64_t y = number / this->Cells[0] % this->Cells[1];
+    const std::int64_t z = number / this->Cells[0] / this->Cells[1];
+    const std::int64_t first = x + this->Row * y + this->Slice * z;
+    for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
+    {
+      ids[corner] = first + (corner & 1) + ((corner & 2) != 0 ? this->Row : 0) +
+        ((corner & 4) != 0 ? this->Slice : 0);
+    }
+  }
+
+private:
+  std::int64_t Cells[2];
+  std::int64_t Row;
+  std::int64_t Slice;
+};
+
+void ReadLatticeTrilinear(const MeshView& view, const std::uint32_t* numbers, int count,
+  std::int64_t (*ids)[PassedCellRecords::Corners])
+{
+  const IdsOfLattice all(view);
+  for (int i = 0; i < count; ++i)
+  {
+    all.Get(numbers[i], ids[i]);
+  }
+}
+
 template <typename Coordinate>
 void ReadTypedCornerPoints(
   const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4])
@@ -147,6 +204,19 @@ void ReadTypedCornerValues(
     corners[i][3] =
       static_cast<double>(static_cast<const Value*>(view.Values)[ids[i] * view.ValueStride]);
   }
+}
+
+/// Of points with some ids, how many have values below an isovalue.
+template <typename Value, typename Id>
+SIMD_INLINE int CountBelow(const MeshView& view, const Id* ids, int count, double isovalue)
+{
+  int below = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const Value value = static_cast<const Value*>(view.Values)[ids[i] * view.ValueStride];
+    below += static_cast<double>(value) < isovalue ? 1 : 0;
+  }
+  return below;
 }
 
 /// If all listed cells have as many corners, how many; else 0.
@@ -278,6 +348,9 @@ MeshCells::MeshCells(const MeshView& view, int threads)
   this->ReadOrderedTetrahedra = view.IdType == ScalarType::Int32
     ? ReadOrderedListedTetrahedra<std::int32_t>
     : ReadOrderedListedTetrahedra<std::int64_t>;
+  this->ReadTrilinear = view.IsLattice() ? ReadLatticeTrilinear
+    : view.IdType == ScalarType::Int32   ? ReadListedTrilinear<std::int32_t>
+                                         : ReadListedTrilinear<std::int64_t>;
   DispatchScalarType(view.ValueType,
     [this](auto value)
     {
@@ -285,7 +358,7 @@ MeshCells::MeshCells(const MeshView& view, int threads)
       this->ReadValues = ReadTypedValues<decltype(value)>;
       this->ReadComponents = ReadTypedComponents<decltype(value)>;
       this->ReadCornerValues = ReadTypedCornerValues<decltype(value)>;
-      this->ReadStraddling = this->View.IsLattice() ? FindLatticeStraddling
+      this->ReadStraddling = this->View.IsLattice() ? FindLatticeStraddling<decltype(value)>
         : this->View.IdType == ScalarType::Int32
         ? FindListedStraddling<std::int32_t, decltype(value)>
         : FindListedStraddling<std::int64_t, decltype(value)>;
@@ -336,14 +409,7 @@ void MeshCells::ReadCornerIds(
   const std::uint32_t* numbers, int count, CornerOrder* orders, std::int64_t (*ids)[4]) const
 {
   this->ReadOrderedTetrahedra(this->View, numbers, count, orders, ids);
-  for (int i = 0; i < count; ++i)
-  {
-    for (const std::int64_t id : ids[i])
-    {
-      PrefetchLine(static_cast<const char*>(this->View.Points) + id * this->BytesOfPoint);
-      PrefetchLine(static_cast<const char*>(this->View.Values) + id * this->BytesOfValue);
-    }
-  }
+  this->PrefetchPoints(ids[0], 4 * count);
 }
 
 //------------------------------------------------------------------------------
@@ -352,45 +418,32 @@ void MeshCells::LoadTrilinear(
 {
   std::int64_t ids[MaximumCells][PassedCellRecords::Corners];
   this->LoadTrilinearIds(numbers, count, ids);
+  this->PrefetchPoints(ids[0], PassedCellRecords::Corners * count);
   this->ReadCornerPoints(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
   this->ReadCornerValues(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::LoadTrilinearIds(
-  const std::uint32_t* numbers, int count, std::int64_t (*ids)[PassedCellRecords::Corners]) const
+/// Begins to fetch points with some ids, and their values.
+void MeshCells::PrefetchPoints(const std::int64_t* ids, int count) const
 {
   for (int i = 0; i < count; ++i)
   {
-    MeshCell cell;
-    this->LoadIds(numbers[i], cell);
-    const ShapeTraits& traits = GetTraits(cell.Shape);
-    for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
-    {
-      ids[i][corner] = cell.Ids[traits.Trilinear[corner]];
-    }
+    PrefetchLine(static_cast<const char*>(this->View.Points) + ids[i] * this->BytesOfPoint);
+    PrefetchLine(static_cast<const char*>(this->View.Values) + ids[i] * this->BytesOfValue);
   }
 }
 
 //------------------------------------------------------------------------------
 void MeshCells::LoadLatticeIds(std::int64_t number, MeshCell& cell) const
 {
-  const Index3& n = this->View.Dimensions;
-  const std::int64_t x = number % (n[0] - 1);
-  const std::int64_t y = number / (n[0] - 1) % (n[1] - 1);
-  const std::int64_t z = number / (n[0] - 1) / (n[1] - 1);
-  const std::int64_t row = n[0];
-  const std::int64_t slice = row * n[1];
-  const std::int64_t first = x + row * y + slice * z;
+  std::int64_t ids[PassedCellRecords::Corners];
+  IdsOfLattice(this->View).Get(number, ids);
   cell.Shape = CellShape::Hexahedron;
-  cell.Count = 8;
-  for (const int level : { 0, 4 })
+  cell.Count = PassedCellRecords::Corners;
+  for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
   {
-    const std::int64_t id = first + (level == 0 ? 0 : slice);
-    cell.Ids[level] = id;
-    cell.Ids[level + 1] = id + 1;
-    cell.Ids[level + 2] = id + row + 1;
-    cell.Ids[level + 3] = id + row;
+    cell.Ids[GetTraits(cell.Shape).Trilinear[corner]] = ids[corner];
   }
 }
 
@@ -416,46 +469,34 @@ unsigned int MeshCells::FindListedStraddling(
   const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue)
 {
   const MeshView& view = cells.View;
-  const auto isBelow = [&view, isovalue](Id id)
-  {
-    const auto value = static_cast<const Value*>(view.Values)[id * view.ValueStride];
-    return static_cast<double>(value) < isovalue ? 1U : 0U;
-  };
   const IdsOfCells<Id> all(view);
   unsigned int mask = 0;
   for (int i = 0; i < count; ++i)
   {
-    const CellShape shape = view.GetShape(numbers[i]);
-    const auto corners = static_cast<unsigned int>(GetTraits(shape).Corners);
+    const int corners = GetTraits(view.GetShape(numbers[i])).Corners;
     const Id* ids = corners != 0 ? all.Get(numbers[i]) : nullptr;
-    unsigned int below = 0;
-    if (shape == CellShape::Tetrahedron)
-    {
-      below = isBelow(ids[0]) + isBelow(ids[1]) + isBelow(ids[2]) + isBelow(ids[3]);
-    }
-    else
-    {
-      below = std::accumulate(
-        ids, ids + corners, 0U, [&isBelow](unsigned int sum, Id id) { return sum + isBelow(id); });
-    }
+    // Of known numbers loops are unrolled.
+    const int below = corners == 4 ? CountBelow<Value>(view, ids, 4, isovalue)
+      : corners == 8               ? CountBelow<Value>(view, ids, 8, isovalue)
+                                   : CountBelow<Value>(view, ids, corners, isovalue);
     mask |= static_cast<unsigned int>(below > 0 && below < corners) << i;
   }
   return mask;
 }
 
 //------------------------------------------------------------------------------
+template <typename Value>
 unsigned int MeshCells::FindLatticeStraddling(
   const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue)
 {
+  const IdsOfLattice all(cells.View);
   unsigned int mask = 0;
   for (int i = 0; i < count; ++i)
   {
-    MeshCell cell;
-    cells.LoadLatticeIds(numbers[i], cell);
-    cells.ReadValues(cells.View, cell);
-    const auto below = std::count_if(
-      cell.Values, cell.Values + cell.Count, [isovalue](double value) { return value < isovalue; });
-    mask |= static_cast<unsigned int>(below > 0 && below < cell.Count) << i;
+    std::int64_t ids[PassedCellRecords::Corners];
+    all.Get(numbers[i], ids);
+    const int below = CountBelow<Value>(cells.View, ids, PassedCellRecords::Corners, isovalue);
+    mask |= static_cast<unsigned int>(below > 0 && below < PassedCellRecords::Corners) << i;
   }
   return mask;
 }

@@ -86,7 +86,10 @@ public:
     this->ReadTetrahedra(this->View, numbers, count, ids);
   }
   void LoadTrilinearIds(
-    const std::uint32_t* numbers, int count, std::int64_t (*ids)[PassedCellRecords::Corners]) const;
+    const std::uint32_t* numbers, int count, std::int64_t (*ids)[PassedCellRecords::Corners]) const
+  {
+    this->ReadTrilinear(this->View, numbers, count, ids);
+  }
 
   /// What the ids are of.
   PointArrays GetPointArrays() const
@@ -110,9 +113,11 @@ private:
   static constexpr int MaximumCells = TetrahedronPairs::Capacity;
 
   void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
+  void PrefetchPoints(const std::int64_t* ids, int count) const;
   template <typename Id, typename Value>
   static unsigned int FindListedStraddling(
     const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue);
+  template <typename Value>
   static unsigned int FindLatticeStraddling(
     const MeshCells& cells, const std::uint32_t* numbers, int count, double isovalue);
 
@@ -135,6 +140,8 @@ private:
     std::int64_t (*ids)[4]) = nullptr;
   void (*ReadOrderedTetrahedra)(const MeshView& view, const std::uint32_t* numbers, int count,
     CornerOrder* orders, std::int64_t (*ids)[4]) = nullptr;
+  void (*ReadTrilinear)(const MeshView& view, const std::uint32_t* numbers, int count,
+    std::int64_t (*ids)[PassedCellRecords::Corners]) = nullptr;
   void (*ReadCornerPoints)(
     const MeshView& view, const std::int64_t* ids, int count, double (*corners)[4]) = nullptr;
   void (*ReadCornerValues)(
