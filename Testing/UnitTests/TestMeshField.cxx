@@ -512,6 +512,39 @@ TEST(MeshField, CentralDifferencesAreSmooth)
 }
 
 //------------------------------------------------------------------------------
+/// Hexahedra may have corners at one point, as wedges in files of other programs: there they have
+/// no gradient, and the mean is that of other cells.
+TEST(MeshField, SmoothGradientsOfCollapsedHexahedra)
+{
+  RandomNumbers random(33);
+  const Vector3 slope = { 0.5, -2.0, 1.0 };
+  const TestMesh whole = MakeRoundMesh(random, Cutting::Hexahedra);
+  TestMesh mesh;
+  mesh.Points = whole.Points;
+  const MeshCells cells(whole.View());
+  for (std::int64_t number = 0; number < cells.GetNumberOfCells(); ++number)
+  {
+    MeshCell cell;
+    cells.Load(number, cell);
+    const std::int64_t* p = cell.Ids;
+    mesh.AddCell(CellShape::Hexahedron, { p[0], p[1], p[2], p[2], p[4], p[5], p[6], p[6] });
+    mesh.AddCell(CellShape::Hexahedron, { p[0], p[0], p[2], p[3], p[4], p[4], p[6], p[7] });
+  }
+  for (std::size_t id = 0; id < whole.Values.size(); ++id)
+  {
+    mesh.Values.push_back(Dot(mesh.GetPoint(static_cast<std::int64_t>(id)), slope));
+  }
+  MeshField field(mesh.View(), 1);
+  field.Select(TraceRequest({ { 0.0, 1.0 } }), {});
+  const RayHits hits = CastRays(field, MakeRays(random, 100), 1);
+  EXPECT_GT(hits.Hits.size(), 30U);
+  for (const Hit& hit : hits.Hits)
+  {
+    ASSERT_LT(Length(field.GetGradient(hit, NormalMode::CentralDifferences) - slope), 1e-6);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// The mean of the gradients at a point in the cells around it, weighted by their volumes.
 Vector3 FindMeanGradient(const MeshCells& cells, std::int64_t point)
 {

@@ -192,6 +192,17 @@ struct WeightedGradients
   alignas(64) double Weight[Capacity];
 };
 
+/// The gradients at the corners of some hexahedra, each multiplied by the volume, or not finite
+/// where edges are in one plane.
+struct CornerGradients
+{
+  static constexpr int Capacity = CellTreeNode::Width;
+
+  alignas(64) double Gradient[PassedCellRecords::Corners][3][Capacity];
+  /// By the edges in the middle. Not finite where a number of the cell is not.
+  alignas(64) double Volume[Capacity];
+};
+
 /// Bounds of the pieces of surfaces in some cells.
 struct BeamPieces
 {

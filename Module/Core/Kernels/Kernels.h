@@ -332,9 +332,17 @@ struct Kernels
   /// Finds the gradients in tetrahedra, given their corners: coordinates and value.
   void (*WeightGradients)(const double (*corners)[4][4], int count, WeightedGradients& gradients);
 
+  /// Finds the gradients at the corners of hexahedra, given these as those of trilinear cells:
+  /// coordinates and value.
+  void (*FindCornerGradients)(
+    const double (*corners)[PassedCellRecords::Corners][4], int count, CornerGradients& gradients);
+
   /// Makes a set of pieces in tetrahedra, as many as its count, but not its cells. The corners are
-  /// as in TetrahedronPairs.
+  /// as in TetrahedronPairs...
   void (*PackPolygons)(const double (*corners)[4][4], PackedPieces& packed);
+
+  /// ...or one of pieces in other cells, with corners as in PassedCellRecords.
+  void (*PackBoxes)(const double (*corners)[PassedCellRecords::Corners][4], PackedPieces& packed);
 
   /// Finds the packed pieces that a ray may meet between two depths, given its frame as a beam of
   /// one ray; a bit for each.

@@ -93,6 +93,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FindSegments.inl"
 #include "Kernels/FindSegmentsInCells.inl"
 #include "Kernels/FrameRays.inl"
+#include "Kernels/GradientsInCells.inl"
 #include "Kernels/IncludeRow.inl"
 #include "Kernels/IntegrateSegments.inl"
 #include "Kernels/LightSegments.inl"
@@ -104,7 +105,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/MakePixels.inl"
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
-#include "Kernels/PackPolygons.inl"
+#include "Kernels/PackPieces.inl"
 #include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
@@ -113,7 +114,6 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/SolveTetrahedra.inl"
 #include "Kernels/SolveTrilinear.inl"
 #include "Kernels/TricubicCells.inl"
-#include "Kernels/WeightGradients.inl"
 
 // One for every ScalarType.
 #define FOR_ALL_TYPES(function)                                                                    \
@@ -129,9 +129,9 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, FindFrames, EndRays, ProjectChildren, FOR_ALL_TYPES(FindExtents), WeightGradients,  \
-    PackPolygons, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,       \
-    SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,                 \
-    ProjectTetrahedra,                                                                             \
+    FindCornerGradients, PackPolygons, PackBoxes, FindPiecesOnRay, BoundPackedPieces,              \
+    BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren,       \
+    FindMetCells, MakeCloudRays, ProjectTetrahedra,                                                \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -419,6 +419,13 @@ void MeshCells::LoadTrilinear(
   std::int64_t ids[MaximumCells][PassedCellRecords::Corners];
   this->LoadTrilinearIds(numbers, count, ids);
   this->PrefetchPoints(ids[0], PassedCellRecords::Corners * count);
+  this->LoadTrilinear(ids, count, corners);
+}
+
+//------------------------------------------------------------------------------
+void MeshCells::LoadTrilinear(const std::int64_t (*ids)[PassedCellRecords::Corners], int count,
+  double (*corners)[PassedCellRecords::Corners][4]) const
+{
   this->ReadCornerPoints(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
   this->ReadCornerValues(this->View, ids[0], PassedCellRecords::Corners * count, corners[0]);
 }

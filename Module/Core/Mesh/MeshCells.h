@@ -107,6 +107,8 @@ public:
   /// The same of as many cells of any shape, as in PassedCellRecords.
   void LoadTrilinear(const std::uint32_t* numbers, int count,
     double (*corners)[PassedCellRecords::Corners][4]) const;
+  void LoadTrilinear(const std::int64_t (*ids)[PassedCellRecords::Corners], int count,
+    double (*corners)[PassedCellRecords::Corners][4]) const;
 
 private:
   /// The largest number of cells that are read at once.

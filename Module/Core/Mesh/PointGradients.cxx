@@ -72,63 +72,65 @@ public:
 
   void Add(const CellsAround& around)
   {
-    if (this->All->Cells->AreTetrahedra())
+    const std::vector<std::uint32_t>& numbers = around.Cells;
+    const bool areAllIn =
+      this->Range.First <= around.Points.First && around.Points.Last <= this->Range.Last;
+    for (std::size_t first = 0; first < numbers.size();)
     {
-      this->AddTetrahedra(around);
-      return;
-    }
-    for (const std::uint32_t number : around.Cells)
-    {
-      MeshCell cell;
-      if (!this->All->Cells->LoadIds(number, cell) || !this->HasCorner(cell.Ids, cell.Count))
-      {
-        continue;
-      }
-      if (cell.Shape == CellShape::Tetrahedron)
-      {
-        this->AddTetrahedron(cell.Ids);
-      }
-      else
-      {
-        this->AddTetrahedra();
-        this->AddOther(cell);
-      }
+      const int count = this->GetRun(numbers, first);
+      this->AddRun(&numbers[first], count, areAllIn);
+      first += static_cast<std::size_t>(count);
     }
   }
 
-  /// Those that were not added yet, to be added together.
-  void AddTetrahedra()
+  /// Adds those that wait to be added together.
+  void AddWaiting()
   {
-    if (this->Count == 0)
-    {
-      return;
-    }
-    double corners[WeightedGradients::Capacity][4][4];
-    this->All->Cells->LoadTetrahedra(this->Ids, this->Count, corners);
-    WeightedGradients found;
-    this->Kernel->WeightGradients(corners, this->Count, found);
-    // The weight of the other shapes is about their volume.
-    constexpr double part = 1.0 / 8.0;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      const double numbers[4] = { part * found.Gradient[0][i], part * found.Gradient[1][i],
-        part * found.Gradient[2][i], part * found.Weight[i] };
-      if (!(numbers[3] < Infinity))
-      {
-        continue;
-      }
-      for (const std::int64_t id : this->Ids[i])
-      {
-        if (this->Has(id))
-        {
-          this->Get(id).Add(numbers);
-        }
-      }
-    }
-    this->Count = 0;
+    this->AddTetrahedra();
+    this->AddHexahedra();
   }
 
 private:
+  static constexpr int Capacity = WeightedGradients::Capacity;
+  static_assert(Capacity == CornerGradients::Capacity);
+
+  /// How many of the cells from the first on have its shape, and are looked at together.
+  int GetRun(const std::vector<std::uint32_t>& numbers, std::size_t first) const
+  {
+    const int most = static_cast<int>(std::min<std::size_t>(numbers.size() - first, Capacity));
+    const MeshCells& cells = *this->All->Cells;
+    int count = 1;
+    while (count < most &&
+      cells.GetShape(numbers[first + static_cast<std::size_t>(count)]) ==
+        cells.GetShape(numbers[first]))
+    {
+      ++count;
+    }
+    return count;
+  }
+
+  /// Adds cells of one shape. Those of others that wait come before them.
+  void AddRun(const std::uint32_t* numbers, int count, bool areAllIn)
+  {
+    switch (this->All->Cells->GetShape(numbers[0]))
+    {
+      case CellShape::Tetrahedron:
+        this->AddHexahedra();
+        this->AddTetrahedra(numbers, count, areAllIn);
+        return;
+      case CellShape::Hexahedron:
+      case CellShape::Voxel:
+        this->AddTetrahedra();
+        this->AddHexahedra(numbers, count, areAllIn);
+        return;
+      case CellShape::Wedge:
+      case CellShape::Pyramid:
+        this->AddWaiting();
+        std::for_each_n(numbers, count, [this](std::uint32_t number) { this->AddOther(number); });
+        return;
+    }
+  }
+
   bool Has(std::int64_t id) const { return this->Range.Has(id) && this->All->IsWanted(id); }
 
   bool HasCorner(const std::int64_t* ids, int count) const
@@ -136,39 +138,108 @@ private:
     return std::any_of(ids, ids + count, [this](std::int64_t id) { return this->Has(id); });
   }
 
-  void AddTetrahedra(const CellsAround& around)
+  void AddTetrahedra(const std::uint32_t* numbers, int count, bool areAllIn)
   {
-    constexpr std::size_t most = WeightedGradients::Capacity;
-    const std::vector<std::uint32_t>& numbers = around.Cells;
-    const bool areAllIn =
-      this->Range.First <= around.Points.First && around.Points.Last <= this->Range.Last;
-    for (std::size_t first = 0; first < numbers.size(); first += most)
+    std::int64_t ids[Capacity][4];
+    this->All->Cells->LoadIdsOfTetrahedra(numbers, count, ids);
+    for (int i = 0; i < count; ++i)
     {
-      const int count = static_cast<int>(std::min(numbers.size() - first, most));
-      std::int64_t ids[most][4];
-      this->All->Cells->LoadIdsOfTetrahedra(&numbers[first], count, ids);
-      for (int i = 0; i < count; ++i)
+      if (areAllIn || this->HasCorner(ids[i], 4))
       {
-        if (areAllIn || this->HasCorner(ids[i], 4))
+        std::copy_n(ids[i], 4, this->Tetrahedra[this->NumberOfTetrahedra++]);
+        if (this->NumberOfTetrahedra == Capacity)
         {
-          this->AddTetrahedron(ids[i]);
+          this->AddTetrahedra();
         }
       }
     }
   }
 
-  void AddTetrahedron(const std::int64_t* ids)
+  /// Adds those that wait.
+  void AddTetrahedra()
   {
-    std::copy_n(ids, 4, this->Ids[this->Count++]);
-    if (this->Count == WeightedGradients::Capacity)
+    if (this->NumberOfTetrahedra == 0)
     {
-      this->AddTetrahedra();
+      return;
+    }
+    double corners[Capacity][4][4];
+    this->All->Cells->LoadTetrahedra(this->Tetrahedra, this->NumberOfTetrahedra, corners);
+    WeightedGradients found;
+    this->Kernel->WeightGradients(corners, this->NumberOfTetrahedra, found);
+    // The weight of the other shapes is about their volume.
+    constexpr double part = 1.0 / 8.0;
+    for (int i = 0; i < this->NumberOfTetrahedra; ++i)
+    {
+      const double numbers[4] = { part * found.Gradient[0][i], part * found.Gradient[1][i],
+        part * found.Gradient[2][i], part * found.Weight[i] };
+      if (!(numbers[3] < Infinity))
+      {
+        continue;
+      }
+      for (const std::int64_t id : this->Tetrahedra[i])
+      {
+        if (this->Has(id))
+        {
+          this->Get(id).Add(numbers);
+        }
+      }
+    }
+    this->NumberOfTetrahedra = 0;
+  }
+
+  void AddHexahedra(const std::uint32_t* numbers, int count, bool areAllIn)
+  {
+    std::int64_t ids[Capacity][8];
+    this->All->Cells->LoadTrilinearIds(numbers, count, ids);
+    for (int i = 0; i < count; ++i)
+    {
+      if (areAllIn || this->HasCorner(ids[i], 8))
+      {
+        std::copy_n(ids[i], 8, this->Hexahedra[this->NumberOfHexahedra]);
+        this->NumbersOfHexahedra[this->NumberOfHexahedra++] = numbers[i];
+        if (this->NumberOfHexahedra == Capacity)
+        {
+          this->AddHexahedra();
+        }
+      }
     }
   }
 
-  void AddOther(MeshCell& cell)
+  /// Adds those that wait.
+  void AddHexahedra()
   {
-    if (!this->All->Cells->LoadCorners(cell))
+    if (this->NumberOfHexahedra == 0)
+    {
+      return;
+    }
+    double corners[Capacity][8][4];
+    this->All->Cells->LoadTrilinear(this->Hexahedra, this->NumberOfHexahedra, corners);
+    CornerGradients found;
+    this->Kernel->FindCornerGradients(corners, this->NumberOfHexahedra, found);
+    for (int i = 0; i < this->NumberOfHexahedra; ++i)
+    {
+      const std::uint32_t number = this->NumbersOfHexahedra[i];
+      const ShapeTraits& traits = GetTraits(this->All->Cells->GetShape(number));
+      const double volume = found.Volume[i];
+      for (int corner = 0; corner < 8 && volume < Infinity; ++corner)
+      {
+        const std::int64_t id = this->Hexahedra[i][corner];
+        const double(&gradient)[3][Capacity] = found.Gradient[corner];
+        if (this->Has(id))
+        {
+          this->AddCorner(number, traits.Trilinear[corner], id,
+            { gradient[0][i], gradient[1][i], gradient[2][i] }, volume);
+        }
+      }
+    }
+    this->NumberOfHexahedra = 0;
+  }
+
+  void AddOther(std::uint32_t number)
+  {
+    MeshCell cell;
+    if (!this->All->Cells->LoadIds(number, cell) || !this->HasCorner(cell.Ids, cell.Count) ||
+      !this->All->Cells->LoadCorners(cell))
     {
       return;
     }
@@ -186,10 +257,8 @@ private:
     for (int i = 0; i < count; ++i)
     {
       const Vector3 product = { found.Gradient[0][i], found.Gradient[1][i], found.Gradient[2][i] };
-      const Vector3 gradient = product * (1.0 / found.Weight[i]);
-      const bool isFound = std::isfinite(gradient[0] + gradient[1] + gradient[2]);
-      const Vector3 sum = (isFound ? gradient : GetGradientAtCorner(cell, wanted[i])) * volume;
-      this->Get(cell.Ids[wanted[i]]).Add({ sum[0], sum[1], sum[2], volume });
+      this->AddCorner(
+        number, wanted[i], cell.Ids[wanted[i]], product * (volume / found.Weight[i]), volume);
     }
   }
 
@@ -219,15 +288,38 @@ private:
     return found;
   }
 
+  /// Adds the gradient at a corner of a cell, times the volume; given the id of the corner. Where
+  /// the cell is flat it has none.
+  void AddCorner(
+    std::uint32_t number, int corner, std::int64_t id, const Vector3& gradient, double volume)
+  {
+    Vector3 sum = gradient;
+    if (!std::isfinite(sum[0] + sum[1] + sum[2]))
+    {
+      MeshCell cell;
+      this->All->Cells->Load(number, cell);
+      sum = GetGradientAtCorner(cell, corner) * volume;
+      if (sum == Vector3{})
+      {
+        return;
+      }
+    }
+    this->Get(id).Add({ sum[0], sum[1], sum[2], volume });
+  }
+
   const PointGradients* All;
   PointRange Range;
   /// Of the points of the range that are wanted: only there it is set.
   std::unique_ptr<std::uint32_t[]> Places;
   std::vector<WeightedSum> Sums;
   const Kernels* Kernel = &GetBestKernels();
-  /// Tetrahedra that were not added yet.
-  int Count = 0;
-  std::int64_t Ids[WeightedGradients::Capacity][4];
+  /// Cells of one shape that wait to be added together: the corners, those of hexahedra as of
+  /// trilinear cells.
+  int NumberOfTetrahedra = 0;
+  std::int64_t Tetrahedra[Capacity][4];
+  int NumberOfHexahedra = 0;
+  std::int64_t Hexahedra[Capacity][8];
+  std::uint32_t NumbersOfHexahedra[Capacity];
 };
 
 //------------------------------------------------------------------------------
@@ -373,38 +465,38 @@ void PointGradients::AddCells(std::uint32_t block, CellsAround& around) const
   {
     std::int64_t ids[CellTree::Width][4];
     this->Cells->LoadIdsOfTetrahedra(numbers, count, ids);
-    for (int i = 0; i < count; ++i)
-    {
-      this->AddIfWanted(numbers[i], ids[i], 4, around);
-    }
+    this->AddIfWanted(numbers, ids, count, around);
     return;
   }
-  for (int i = 0; i < count; ++i)
-  {
-    MeshCell cell;
-    if (this->Cells->LoadIds(numbers[i], cell))
-    {
-      this->AddIfWanted(numbers[i], cell.Ids, cell.Count, around);
-    }
-  }
+  // Those that are not traced may have any ids.
+  const std::uint32_t* end = std::remove_if(numbers, numbers + count,
+    [this](std::uint32_t number) { return GetTraits(this->Cells->GetShape(number)).Corners == 0; });
+  const int traced = static_cast<int>(end - numbers);
+  std::int64_t ids[CellTree::Width][8];
+  this->Cells->LoadTrilinearIds(numbers, traced, ids);
+  this->AddIfWanted(numbers, ids, traced, around);
 }
 
 //------------------------------------------------------------------------------
-/// Adds a cell that has a corner that is wanted, given their ids.
-void PointGradients::AddIfWanted(
-  std::uint32_t number, const std::int64_t* ids, int corners, CellsAround& around) const
+/// Adds those of some cells that have a corner that is wanted, given their ids.
+template <int Corners>
+void PointGradients::AddIfWanted(const std::uint32_t* numbers, const std::int64_t (*ids)[Corners],
+  int count, CellsAround& around) const
 {
-  bool hasWanted = false;
-  PointRange points = around.Points;
-  for (int corner = 0; corner < corners; ++corner)
+  for (int i = 0; i < count; ++i)
   {
-    hasWanted = hasWanted || this->IsWanted(ids[corner]);
-    points = { std::min(points.First, ids[corner]), std::max(points.Last, ids[corner] + 1) };
-  }
-  if (hasWanted)
-  {
-    around.Points = points;
-    around.Cells.push_back(number);
+    bool hasWanted = false;
+    PointRange points = around.Points;
+    for (const std::int64_t id : ids[i])
+    {
+      hasWanted = hasWanted || this->IsWanted(id);
+      points = { std::min(points.First, id), std::max(points.Last, id + 1) };
+    }
+    if (hasWanted)
+    {
+      around.Points = points;
+      around.Cells.push_back(numbers[i]);
+    }
   }
 }
 
@@ -438,7 +530,7 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, const Poi
       sum.Add(part);
     }
   }
-  sum.AddTetrahedra();
+  sum.AddWaiting();
   for (std::int64_t id = range.First; id < range.Last; ++id)
   {
     if (this->IsWanted(id))

@@ -96,8 +96,9 @@ private:
   ValueRange MarkAll(int threads);
   std::vector<CellsAround> FindCellsAround(const ValueRange& range, int threads) const;
   void AddCells(std::uint32_t block, CellsAround& around) const;
-  void AddIfWanted(
-    std::uint32_t number, const std::int64_t* ids, int corners, CellsAround& around) const;
+  template <int Corners>
+  void AddIfWanted(const std::uint32_t* numbers, const std::int64_t (*ids)[Corners], int count,
+    CellsAround& around) const;
   void FindMeans(const std::vector<CellsAround>& around, int threads);
   void FindMeans(const std::vector<CellsAround>& around, const PointRange& range);
   void SetMean(std::size_t point, const WeightedSum& sum);

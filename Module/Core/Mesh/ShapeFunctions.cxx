@@ -202,6 +202,12 @@ Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
   const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
     Cross(edges[0], edges[1]) };
   const double volume = Dot(edges[0], normals[0]);
+  const double size = std::abs(edges[0][0] * normals[0][0]) +
+    std::abs(edges[0][1] * normals[0][1]) + std::abs(edges[0][2] * normals[0][2]);
+  if (std::abs(volume) <= 1e-13 * size)
+  {
+    return {}; // What is left is rounding.
+  }
   const Vector3 direction =
     (normals[0] * slopes[0] + normals[1] * slopes[1] + normals[2] * slopes[2]) * (1.0 / volume);
   const auto isFinite = [](const Vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };

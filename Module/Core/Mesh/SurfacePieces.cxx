@@ -5,8 +5,6 @@
 
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
-#include "Math/RoundOutward.h"
-#include "Math/TrilinearCell.h"
 
 #include <algorithm>
 
@@ -17,70 +15,6 @@ namespace
 
 /// Of leaves without any.
 constexpr PackedPieces NoPieces = {};
-
-/// The box of the points where segments between corners on both sides meet the surface: all of it
-/// in the cell is in their convex hull.
-Bounds FindHull(const MeshCell& cell, double isovalue, double scale)
-{
-  Bounds box = { { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
-  for (int i = 0; i < cell.Count; ++i)
-  {
-    const double a = Difference(cell.Values[i], isovalue, scale);
-    for (int j = 0; j < cell.Count && a < 0.0; ++j)
-    {
-      const double b = Difference(cell.Values[j], isovalue, scale);
-      if (b < 0.0)
-      {
-        continue;
-      }
-      const double fraction = a / (a - b);
-      const Vector3 point = cell.Points[i] * (1.0 - fraction) + cell.Points[j] * fraction;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        box.Lower[axis] = std::min(box.Lower[axis], point[axis]);
-        box.Upper[axis] = std::max(box.Upper[axis], point[axis]);
-      }
-    }
-  }
-  return box;
-}
-
-/// Makes the box of a set, and its boxes: the nearest step to each side.
-void PackBoxes(const Bounds (&boxes)[PackedPieces::Capacity], PackedPieces& set)
-{
-  for (auto& words : set.Polygons)
-  {
-    std::fill_n(words, PackedPieces::Capacity, 0U);
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    double lower = Infinity;
-    double upper = -Infinity;
-    for (int i = 0; i < set.Count; ++i)
-    {
-      lower = std::min(lower, boxes[i].Lower[axis]);
-      upper = std::max(upper, boxes[i].Upper[axis]);
-    }
-    set.Lower[axis] = RoundDown(lower);
-    set.Upper[axis] = RoundUp(upper);
-    lower = static_cast<double>(set.Lower[axis]);
-    const double size = static_cast<double>(set.Upper[axis]) - lower;
-    if (!(size > 0.0 && size < Infinity))
-    {
-      continue; // Without a size, or so large that it has no labels in single precision.
-    }
-    const auto pack = [&set, axis, lower, size](int corner, int i, double coordinate)
-    {
-      const double steps = (coordinate - lower) * (PackedPieces::Steps / size) + 0.5;
-      set.Polygons[corner][i] |= static_cast<std::uint32_t>(steps) << (PackedPieces::Bits * axis);
-    };
-    for (int i = 0; i < set.Count; ++i)
-    {
-      pack(0, i, boxes[i].Lower[axis]);
-      pack(1, i, boxes[i].Upper[axis]);
-    }
-  }
-}
 
 }
 
@@ -121,7 +55,7 @@ const PackedPieces* SurfacePieces::Make(std::size_t leaf, const Kernels& kernels
   {
     made.reset(new PackedPieces[static_cast<std::size_t>(count)]);
     this->MakeSets(tetrahedra, kernels, made.get());
-    this->MakeSets(others, made.get() + tetrahedra.GetNumberOfSets());
+    this->MakeBoxedSets(others, kernels, made.get() + tetrahedra.GetNumberOfSets());
     made[0].Sets = static_cast<std::uint16_t>(count);
   }
   const PackedPieces* ours = made ? made.get() : &NoPieces;
@@ -190,36 +124,45 @@ void SurfacePieces::MakeSets(
   for (int first = 0; first < tetrahedra.Count; first += PackedPieces::Capacity)
   {
     PackedPieces& set = *sets++;
+    BeginSet(tetrahedra, first, set);
     set.AreInTetrahedra = true;
-    set.Count =
-      static_cast<std::uint8_t>(std::min(tetrahedra.Count - first, PackedPieces::Capacity));
-    std::copy_n(&tetrahedra.Numbers[first], set.Count, set.Cells);
     this->Cells->LoadTetrahedra(&tetrahedra.Cells[first], set.Count, corners);
-    for (int i = 0; i < set.Count; ++i)
-    {
-      SubtractIsovalue(this->Isovalue, this->Scale, corners[i]);
-    }
+    this->FindDifferences(corners, set.Count);
     kernels.PackPolygons(corners, set);
   }
 }
 
 //------------------------------------------------------------------------------
-void SurfacePieces::MakeSets(const PassedCells& others, PackedPieces* sets) const
+void SurfacePieces::MakeBoxedSets(
+  const PassedCells& others, const Kernels& kernels, PackedPieces* sets) const
 {
+  double corners[PackedPieces::Capacity][PassedCellRecords::Corners][4];
   for (int first = 0; first < others.Count; first += PackedPieces::Capacity)
   {
     PackedPieces& set = *sets++;
+    BeginSet(others, first, set);
     set.AreInTetrahedra = false;
-    set.Count = static_cast<std::uint8_t>(std::min(others.Count - first, PackedPieces::Capacity));
-    std::copy_n(&others.Numbers[first], set.Count, set.Cells);
-    Bounds boxes[PackedPieces::Capacity];
-    for (int i = 0; i < set.Count; ++i)
-    {
-      MeshCell cell;
-      this->Cells->Load(others.Cells[first + i], cell);
-      boxes[i] = FindHull(cell, this->Isovalue, this->Scale);
-    }
-    PackBoxes(boxes, set);
+    this->Cells->LoadTrilinear(&others.Cells[first], set.Count, corners);
+    this->FindDifferences(corners, set.Count);
+    kernels.PackBoxes(corners, set);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Sets the cells of a set, of which the first is given.
+void SurfacePieces::BeginSet(const PassedCells& passed, int first, PackedPieces& set)
+{
+  set.Count = static_cast<std::uint8_t>(std::min(passed.Count - first, PackedPieces::Capacity));
+  std::copy_n(&passed.Numbers[first], set.Count, set.Cells);
+}
+
+//------------------------------------------------------------------------------
+template <int Corners>
+void SurfacePieces::FindDifferences(double (*corners)[Corners][4], int count) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    SubtractIsovalue(this->Isovalue, this->Scale, corners[i]);
   }
 }
 

@@ -78,7 +78,10 @@ private:
   void FetchCells(std::size_t leaf, std::uint32_t (*cells)[CellTree::Width], int* counts) const;
   void FindPassedCells(std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const;
   void MakeSets(const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const;
-  void MakeSets(const PassedCells& others, PackedPieces* sets) const;
+  void MakeBoxedSets(const PassedCells& others, const Kernels& kernels, PackedPieces* sets) const;
+  static void BeginSet(const PassedCells& passed, int first, PackedPieces& set);
+  template <int Corners>
+  void FindDifferences(double (*corners)[Corners][4], int count) const;
 
   const MeshCells* Cells;
   const CellTree* Tree;
