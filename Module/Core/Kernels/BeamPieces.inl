@@ -357,34 +357,21 @@ struct PackedProjection
         GetStep(packed, frame.Along))
   {
   }
+
+  /// Whether labels are told in single precision.
+  SIMD_INLINE bool IsBounded() const
+  {
+    const float largest = static_cast<float>(LargestCoordinate) * 0x1p-10F;
+    return this->X.Error < largest && this->Y.Error < largest && this->W.Error < largest;
+  }
 };
 
-/// Bounds boxes, given those of their corners that have the extreme labels.
-SIMD_INLINE void BoundBoxes(
-  const EdgePoints (&points)[4], const Floats (&margins)[2], int first, BeamPieces& pieces)
-{
-  PointBounds bounds;
-  for (const EdgePoints& point : points)
-  {
-    bounds.Include(point);
-  }
-  StoreBounds(bounds, margins, first, pieces);
-  for (int i = 0; i < BeamPieces::Lines; ++i)
-  {
-    StoreLine(0.0F, 0.0F, 0.0F, i, first, pieces);
-  }
-}
-
 /// In a tetrahedron the piece is a triangle or a quadrangle.
-template <bool AreBoxes>
-SIMD_INLINE void BoundPacked(
-  const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
+void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
 {
   constexpr unsigned int mask = PackedPieces::Steps;
   const PackedProjection projection(packed, frame);
   const float errors[2] = { projection.X.Error, projection.Y.Error };
-  const float largest = static_cast<float>(LargestCoordinate) * 0x1p-10F;
-  const bool isBounded = errors[0] < largest && errors[1] < largest && projection.W.Error < largest;
   pieces.Count = packed.Count;
   for (int first = 0; first < packed.Count; first += FloatWidth)
   {
@@ -394,12 +381,10 @@ SIMD_INLINE void BoundPacked(
     Floats far = -static_cast<float>(Infinity);
     for (int i = 0; i < PackedPieces::Corners; ++i)
     {
-      // Labels of boxes are extreme at both ends along the beam, and on both sides across it.
-      const std::uint32_t* across = &packed.Polygons[AreBoxes ? i % 2 : i][first];
-      const std::uint32_t* along = &packed.Polygons[AreBoxes ? i / 2 : i][first];
-      const Floats x = GetBits(across, PackedPieces::Bits * frame.Across[0], mask);
-      const Floats y = GetBits(across, PackedPieces::Bits * frame.Across[1], mask);
-      const Floats z = GetBits(along, PackedPieces::Bits * frame.Along, mask);
+      const std::uint32_t* corners = &packed.Polygons[i][first];
+      const Floats x = GetBits(corners, PackedPieces::Bits * frame.Across[0], mask);
+      const Floats y = GetBits(corners, PackedPieces::Bits * frame.Across[1], mask);
+      const Floats z = GetBits(corners, PackedPieces::Bits * frame.Along, mask);
       const Floats w = projection.W.Get(0.0F, z);
       const Floats inverse = ApproximateReciprocal(w);
       points[i] = { projection.X.Get(x, z) * inverse, projection.Y.Get(y, z) * inverse,
@@ -418,36 +403,55 @@ SIMD_INLINE void BoundPacked(
     const Floats margins[2] = { MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[0]),
                                   inverse, rounding),
       MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[1]), inverse, rounding) };
-    if constexpr (AreBoxes)
-    {
-      BoundBoxes(points, margins, first, pieces);
-    }
-    else
-    {
-      BoundPolygons(points, margins, first, pieces);
-    }
-    const unsigned int bounded = isBounded ? ToBits(hasLabel) : 0;
+    BoundPolygons(points, margins, first, pieces);
+    const unsigned int bounded = projection.IsBounded() ? ToBits(hasLabel) : 0;
     OpenUnbounded(~bounded & ((1U << FloatWidth) - 1U), first, pieces);
   }
 }
 
-void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
+/// The boxes that a ray may meet; a bit for each. It alone has a frame in which W is 1, and its
+/// label is 0.
+SIMD_INLINE unsigned int FindBoxesOnRay(
+  const PackedPieces& packed, const BeamNumbers& frame, float begin, float end)
 {
-  BoundPacked<false>(packed, frame, pieces);
+  constexpr unsigned int mask = PackedPieces::Steps;
+  const PackedProjection projection(packed, frame);
+  const StepFunction& depth = projection.Depth;
+  const float room = depth.Error + static_cast<float>(frame.Length) * 0x1p-18F;
+  unsigned int found = projection.IsBounded() ? 0 : (1U << PackedPieces::Capacity) - 1U;
+  for (int first = 0; first < packed.Count; first += FloatWidth)
+  {
+    const std::uint32_t* corners[2] = { &packed.Polygons[0][first], &packed.Polygons[1][first] };
+    const Floats along[2] = { GetBits(corners[0], PackedPieces::Bits * frame.Along, mask),
+      GetBits(corners[1], PackedPieces::Bits * frame.Along, mask) };
+    const Floats depths[2] = { depth.Get(0.0F, along[0]), depth.Get(0.0F, along[1]) };
+    FloatMask isBeside =
+      (end < Min(depths[0], depths[1]) - depth.Error) | (Max(depths[0], depths[1]) + room < begin);
+    for (int k = 0; k < 2; ++k)
+    {
+      // Labels are extreme at both ends along the ray, and on both sides across it.
+      const StepFunction& label = k == 0 ? projection.X : projection.Y;
+      const Floats lower = GetBits(corners[0], PackedPieces::Bits * frame.Across[k], mask);
+      const Floats upper = GetBits(corners[1], PackedPieces::Bits * frame.Across[k], mask);
+      const Floats least = Min(label.Get(lower, along[0]), label.Get(lower, along[1]));
+      const Floats most = Max(label.Get(upper, along[0]), label.Get(upper, along[1]));
+      const float margin = label.Error + frame.Margin + LabelMargin;
+      isBeside = isBeside | (margin < least) | (most < -margin);
+    }
+    found |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << first;
+  }
+  return found & ((1U << packed.Count) - 1U);
 }
 
 unsigned int FindPiecesOnRay(
   const PackedPieces& packed, const BeamNumbers& frame, float begin, float end)
 {
+  if (!packed.AreInTetrahedra)
+  {
+    return FindBoxesOnRay(packed, frame, begin, end);
+  }
   BeamPieces pieces;
-  if (packed.AreInTetrahedra)
-  {
-    BoundPacked<false>(packed, frame, pieces);
-  }
-  else
-  {
-    BoundPacked<true>(packed, frame, pieces);
-  }
+  BoundPackedPieces(packed, frame, pieces);
   // The label of the ray is 0.
   const Floats zero = 0.0F;
   unsigned int found = 0;

@@ -16,7 +16,7 @@ RaySet LoneTracer::Trace(
 {
   this->Packet = &packet;
   this->Ways.resize(RayPacket::Capacity);
-  this->Solver.Begin(packet);
+  this->Solver.Begin(packet, this->Frames);
   int going[RayPacket::Capacity];
   int count = 0;
   RaySet traced = {};
@@ -66,7 +66,7 @@ bool LoneTracer::BeginWay(const MeshSelection& selection, int ray)
     return false;
   }
   Way& way = this->Ways[static_cast<std::size_t>(ray)];
-  way.Frame = frame.GetNumbers();
+  this->Frames[ray] = frame.GetNumbers();
   way.Begin = frame.FindBegin(*this->Packet, alone);
   BeamProjection projection = frame.GetProjection();
   projection.Begin = way.Begin;
@@ -78,7 +78,7 @@ bool LoneTracer::BeginWay(const MeshSelection& selection, int ray)
 /// The depth that a ray ends at by what it has hit.
 float LoneTracer::FindEnd(int ray) const
 {
-  const BeamNumbers& frame = this->Ways[static_cast<std::size_t>(ray)].Frame;
+  const BeamNumbers& frame = this->Frames[ray];
   return static_cast<float>(GetEndDepth(frame,
     this->Packet->Origin[frame.Along][ray] +
       this->Solver.GetEnds()[ray] * this->Packet->Direction[frame.Along][ray]));
@@ -113,74 +113,26 @@ void LoneTracer::AddPieces(
   {
     const MeshSurface& surface = selection.Surfaces[number];
     const PackedPieces* all = surface.Pieces->Get(leaf, *selection.PacketKernels);
-    for (int first = 0; first < all->Sets; first += CellTree::Width)
+    for (const PackedPieces* set = all; set != all + all->Sets; ++set)
     {
-      LabelBounds bounds;
-      const PackedPieces* sets = all + first;
-      unsigned int met =
-        way.Nodes.FindSets(selection, sets, std::min(all->Sets - first, CellTree::Width), bounds);
-      for (; met != 0; met &= met - 1)
+      unsigned int pieces = way.Nodes.IsOnRay(*set, way.End)
+        ? selection.PacketKernels->FindPiecesOnRay(*set, this->Frames[ray], way.Begin, way.End)
+        : 0;
+      for (; pieces != 0; pieces &= pieces - 1)
       {
-        const PackedPieces& set = sets[LowestBit(met)];
-        unsigned int pieces = bounds.Near[LowestBit(met)] <= way.End
-          ? selection.PacketKernels->FindPiecesOnRay(set, way.Frame, way.Begin, way.End)
-          : 0;
-        if (pieces != 0 && !set.AreInTetrahedra)
+        const auto pair = static_cast<int>(this->Pairs.size());
+        this->Pairs.push_back(ray);
+        this->Solver.Add(selection,
+          { selection.Tree->GetCellOfLeaf(leaf, set->Cells[LowestBit(pieces)]),
+            set->AreInTetrahedra, static_cast<int>(number) },
+          pair, pair + 1);
+        if (this->Solver.IsFull())
         {
-          pieces = this->FindWithinHulls(selection, way, leaf, surface, set, pieces);
-        }
-        for (; pieces != 0; pieces &= pieces - 1)
-        {
-          const auto pair = static_cast<int>(this->Pairs.size());
-          this->Pairs.push_back(ray);
-          this->Solver.Add(selection,
-            { selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]),
-              set.AreInTetrahedra, static_cast<int>(number) },
-            pair, pair + 1);
-          if (this->Solver.IsFull())
-          {
-            this->Solve(selection, hits);
-          }
+          this->Solve(selection, hits);
         }
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-/// Of pieces in trilinear cells whose boxes a ray meets, those whose hulls it may meet. These must
-/// be as narrow as they are in beams: where a ray passes an edge, what rounding decides about may
-/// lie beside the surface, in two cells or in none.
-unsigned int LoneTracer::FindWithinHulls(const MeshSelection& selection, const Way& way,
-  std::size_t leaf, const MeshSurface& surface, const PackedPieces& set, unsigned int pieces)
-{
-  int numbers[PackedPieces::Capacity];
-  std::uint32_t cells[PackedPieces::Capacity] = {};
-  int count = 0;
-  for (unsigned int left = pieces; left != 0; left &= left - 1)
-  {
-    numbers[count] = LowestBit(left);
-    cells[count] = selection.Tree->GetCellOfLeaf(leaf, set.Cells[numbers[count]]);
-    ++count;
-  }
-  this->Hulls.Bound(selection, surface, cells, count, way.Frame, this->InHulls);
-  unsigned int within = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    // The label of the ray is 0.
-    const LabelBounds& bounds = this->InHulls.Bounds;
-    bool isWithin = bounds.Near[i] <= way.End;
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      isWithin = isWithin && bounds.Lower[k][i] <= 0.0F && 0.0F <= bounds.Upper[k][i];
-    }
-    for (const auto& line : this->InHulls.Line)
-    {
-      isWithin = isWithin && line[2][i] >= 0.0F;
-    }
-    within |= static_cast<unsigned int>(isWithin) << numbers[i];
-  }
-  return within;
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include "Mesh/MeshSelection.h"
 #include "Mesh/NearestNodes.h"
 #include "Mesh/PairSolver.h"
-#include "Mesh/TrilinearHulls.h"
 #include "Rays/RayPacket.h"
 
 #include <cstddef>
@@ -32,7 +31,6 @@ private:
   /// How a ray goes through the tree.
   struct Way
   {
-    BeamNumbers Frame;
     /// The depths that it begins and ends at.
     float Begin;
     float End;
@@ -43,18 +41,15 @@ private:
   float FindEnd(int ray) const;
   bool Advance(const MeshSelection& selection, int ray, HitsOfRays& hits);
   void AddPieces(const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits);
-  unsigned int FindWithinHulls(const MeshSelection& selection, const Way& way, std::size_t leaf,
-    const MeshSurface& surface, const PackedPieces& set, unsigned int pieces);
   void Solve(const MeshSelection& selection, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
+  BeamNumbers Frames[RayPacket::Capacity];
   /// Kept for the memory of their nodes.
   std::vector<Way> Ways;
   PairSolver Solver;
   /// The ray of each pair.
   std::vector<int> Pairs;
-  TrilinearHulls Hulls;
-  BeamPieces InHulls;
 };
 
 }

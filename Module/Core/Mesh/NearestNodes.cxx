@@ -101,8 +101,9 @@ unsigned int NearestNodes::FindSets(
 {
   constexpr IsovalueSpan anyValue = { 0.0F, 0.0F };
   CellTreeNode boxes = {};
-  std::fill_n(boxes.Low, CellTreeNode::Width, -FloatInfinity);
-  std::fill_n(boxes.High, CellTreeNode::Width, FloatInfinity);
+  std::fill_n(boxes.Low, CellTreeNode::Width, FloatInfinity);
+  std::fill_n(boxes.Low, count, -FloatInfinity);
+  std::fill_n(boxes.High, count, FloatInfinity);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int i = 0; i < count; ++i)
@@ -111,8 +112,28 @@ unsigned int NearestNodes::FindSets(
       boxes.Upper[axis][i] = sets[i].Upper[axis];
     }
   }
-  return selection.PacketKernels->ProjectChildren(boxes, this->Projection, &anyValue, 1, bounds) &
-    ((1U << count) - 1U);
+  return selection.PacketKernels->ProjectChildren(boxes, this->Projection, &anyValue, 1, bounds);
+}
+//------------------------------------------------------------------------------
+/// As ProjectChildren does it, with a W that is 1.
+bool NearestNodes::IsOnRay(const PackedPieces& set, float end) const
+{
+  const BeamProjection& beam = this->Projection;
+  const float z[2] = { set.Lower[beam.Along] - beam.Plane + beam.PlaneRest,
+    set.Upper[beam.Along] - beam.Plane + beam.PlaneRest };
+  const float near = beam.IsUp ? z[0] : -z[1];
+  const float far = beam.IsUp ? z[1] : -z[0];
+  bool isMet = near - beam.DepthError <= end && beam.Begin <= far + beam.DepthError;
+  for (int k = 0; k < 2; ++k)
+  {
+    const float left = set.Lower[beam.Across[k]] - beam.Center[k] + beam.CenterRest[k];
+    const float right = set.Upper[beam.Across[k]] - beam.Center[k] + beam.CenterRest[k];
+    const float shift[2] = { beam.Slope[k] * z[0], beam.Slope[k] * z[1] };
+    const float room = 1.0F + beam.Error;
+    isMet = isMet && beam.Scale * left - std::max(shift[0], shift[1]) <= room &&
+      -room <= beam.Scale * right - std::min(shift[0], shift[1]);
+  }
+  return isMet;
 }
 
 }

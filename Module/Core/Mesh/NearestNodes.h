@@ -36,6 +36,9 @@ public:
   unsigned int FindSets(
     const MeshSelection& selection, const PackedPieces* sets, int count, LabelBounds& bounds) const;
 
+  /// Whether a beam of one ray may meet the box of a set before a depth: faster, for few sets.
+  bool IsOnRay(const PackedPieces& set, float end) const;
+
 private:
   /// A node of the tree, and a depth that it is behind.
   struct Node

@@ -22,9 +22,10 @@ RayFrame GetFrame(const RayPacket& packet, int ray)
 }
 
 //------------------------------------------------------------------------------
-void PairSolver::Begin(const RayPacket& packet)
+void PairSolver::Begin(const RayPacket& packet, const BeamNumbers* lone)
 {
   this->Packet = &packet;
+  this->Lone = lone;
   std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
 }
 
@@ -175,7 +176,10 @@ void PairSolver::KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& h
     const int ray = pairs.Ray[pair];
     if (!solutions.AreCertain)
     {
-      this->SolveByItself(selection, this->Trilinear, number, ray, hits);
+      if (!this->Lone || this->IsWithinHull(selection, number, ray))
+      {
+        this->SolveByItself(selection, this->Trilinear, number, ray, hits);
+      }
       continue;
     }
     const std::uint32_t cell = this->Trilinear.Cells[number];
@@ -192,6 +196,16 @@ void PairSolver::KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& h
     }
     this->Ends[ray] = part.End;
   }
+}
+
+//------------------------------------------------------------------------------
+/// Whether a lone ray may meet the hull of a piece, as the pairs of beams do: where a ray passes an
+/// edge, what rounding decides about may lie beside the surface, in two cells or in none.
+bool PairSolver::IsWithinHull(const MeshSelection& selection, int number, int ray)
+{
+  const auto surface = static_cast<std::size_t>(this->Trilinear.Surfaces[number]);
+  return this->Hulls.IsMet(
+    selection, selection.Surfaces[surface], this->Trilinear.Cells[number], this->Lone[ray]);
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshSelection.h"
 #include "Mesh/RayHitsInCells.h"
+#include "Mesh/TrilinearHulls.h"
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
 
@@ -24,8 +25,9 @@ namespace vtkIsosurfaceRayTracing
 class PairSolver
 {
 public:
-  /// Begins with the rays of a packet, of which the frames are to be set.
-  void Begin(const RayPacket& packet);
+  /// Begins with the rays of a packet, of which the frames are to be set. Rays that make no beam
+  /// have one each: with these given, trilinear cells need not be within the hulls of their pieces.
+  void Begin(const RayPacket& packet, const BeamNumbers* lone = nullptr);
   FramedRays& GetFramed() { return this->Framed; }
 
   /// Where each ray ends by the hits that were found.
@@ -82,16 +84,19 @@ private:
   void MakeHit(int pair, double base, Hit& hit) const;
   void SolveTrilinear(const MeshSelection& selection, const int* rays, HitsOfRays& hits);
   void KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& hits);
+  bool IsWithinHull(const MeshSelection& selection, int number, int ray);
   void SolveByItself(const MeshSelection& selection, const PairedCells& cells, int number, int ray,
     HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
+  const BeamNumbers* Lone = nullptr;
   FramedRays Framed;
   double Ends[RayPacket::Capacity];
   TetrahedronPairs InTetrahedra;
   PairedCells Tetrahedra;
   TrilinearPairs InTrilinear;
   PairedCells Trilinear;
+  TrilinearHulls Hulls;
   /// Of the corners of tetrahedra.
   CornerOrder Orders[PairedCells::Capacity];
   std::int64_t Ids[PairedCells::Capacity][4];

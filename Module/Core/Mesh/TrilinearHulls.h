@@ -8,6 +8,7 @@
 #include "Mesh/MeshCell.h"
 #include "Mesh/MeshSelection.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace vtkIsosurfaceRayTracing
@@ -32,8 +33,28 @@ public:
     selection.PacketKernels->BoundTrilinear(this->Records, frame, pieces);
   }
 
+  /// Whether a ray may meet the hull of one of them, given the frame of the ray alone.
+  bool IsMet(const MeshSelection& selection, const MeshSurface& surface, std::uint32_t cell,
+    const BeamNumbers& frame)
+  {
+    this->Bound(selection, surface, { cell }, 1, frame, this->OfOne);
+    // The label of the ray is 0.
+    const LabelBounds& bounds = this->OfOne.Bounds;
+    bool isMet = true;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      isMet = isMet && bounds.Lower[k][0] <= 0.0F && 0.0F <= bounds.Upper[k][0];
+    }
+    for (const auto& line : this->OfOne.Line)
+    {
+      isMet = isMet && line[2][0] >= 0.0F;
+    }
+    return isMet;
+  }
+
 private:
   PassedCellRecords Records;
+  BeamPieces OfOne;
 };
 
 }
