@@ -6,7 +6,9 @@
 
 #include "AllKernels.h"
 #include "Math/Arithmetic.h"
+#include "Mesh/BeamFrame.h"
 #include "RandomNumbers.h"
+#include "Rays/AppendBoxedRay.h"
 
 #include <algorithm>
 #include <array>
@@ -39,15 +41,17 @@ struct Hexahedra
     : Count(random.Integer(1, Capacity))
   {
     const double edge = std::pow(10.0, random.Uniform(-6.0, 6.0));
+    const Vector3 middle = random.PointInBox({ -50.0, -50.0, -50.0 }, { 50.0, 50.0, 50.0 });
     for (int cell = 0; cell < this->Count; ++cell)
     {
-      const double place = edge * random.Uniform(-50.0, 50.0);
+      const Vector3 place = middle + random.PointInBox({ -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 });
       for (int corner = 0; corner < 8; ++corner)
       {
         for (int axis = 0; axis < 3; ++axis)
         {
-          this->Corners[cell][corner][axis] =
-            place + edge * ((corner >> axis & 1) + random.Uniform(-0.3, 0.3));
+          this->Corners[cell][corner][axis] = edge *
+            (place[static_cast<std::size_t>(axis)] + (corner >> axis & 1) +
+              random.Uniform(-0.3, 0.3));
         }
         this->Corners[cell][corner][3] =
           random.Integer(0, 8) == 0 ? 0.0 : random.Uniform(-1.0, 1.0);
@@ -182,56 +186,181 @@ struct Unpacked
   }
 };
 
-/// Boxes are those of the points where segments between corners on both sides meet the surface, to
-/// half a step.
-TEST_P(HexahedronKernels, PackTheBoxesOfHulls)
+/// The box of the points where segments between corners on both sides meet the surface.
+struct HullBox
 {
-  RandomNumbers random(3);
-  int packed = 0;
-  for (int i = 0; i < 2000; ++i)
+  long double Lower[3];
+  long double Upper[3];
+
+  explicit HullBox(const double (&corners)[8][4])
   {
-    Hexahedra cells(random);
-    for (int cell = 0; cell < cells.Count; ++cell)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      // All pieces have a corner on each side.
-      cells.Corners[cell][random.Integer(0, 3)][3] = random.Uniform(-1.0, -0.1);
-      cells.Corners[cell][random.Integer(4, 7)][3] = random.Integer(0, 1) * 0.5;
-    }
-    PackedPieces set{};
-    set.Count = static_cast<std::uint8_t>(cells.Count);
-    this->TheKernels.PackBoxes(cells.Corners, set);
-    for (int cell = 0; cell < cells.Count; ++cell)
-    {
-      const auto& corners = cells.Corners[cell];
-      for (int axis = 0; axis < 3; ++axis)
+      this->Lower[axis] = Infinity;
+      this->Upper[axis] = -Infinity;
+      for (const auto& a : corners)
       {
-        long double lower = Infinity;
-        long double upper = -Infinity;
-        for (const auto& a : corners)
+        for (const auto& b : corners)
         {
-          for (const auto& b : corners)
+          if (a[3] < 0.0 && b[3] >= 0.0)
           {
-            if (a[3] < 0.0 && b[3] >= 0.0)
-            {
-              const long double fraction = a[3] / (static_cast<long double>(a[3]) - b[3]);
-              const long double point =
-                a[axis] + fraction * (static_cast<long double>(b[axis]) - a[axis]);
-              lower = std::min(lower, point);
-              upper = std::max(upper, point);
-            }
+            const long double fraction = a[3] / (static_cast<long double>(a[3]) - b[3]);
+            const long double point =
+              a[axis] + fraction * (static_cast<long double>(b[axis]) - a[axis]);
+            this->Lower[axis] = std::min(this->Lower[axis], point);
+            this->Upper[axis] = std::max(this->Upper[axis], point);
           }
         }
-        const Unpacked low(set, 0, cell, axis);
-        const Unpacked high(set, 1, cell, axis);
-        ASSERT_NEAR(low.Coordinate, static_cast<double>(lower), 0.501 * low.Step);
-        ASSERT_NEAR(high.Coordinate, static_cast<double>(upper), 0.501 * high.Step);
-        ASSERT_LE(static_cast<double>(set.Lower[axis]), static_cast<double>(lower));
-        ASSERT_GE(static_cast<double>(set.Upper[axis]), static_cast<double>(upper));
-        ++packed;
       }
     }
   }
-  EXPECT_GT(packed, 10000);
+};
+
+/// Cells that all have a corner on each side, and the set of their pieces.
+struct PassedHexahedra : Hexahedra
+{
+  PackedPieces Set{};
+
+  PassedHexahedra(RandomNumbers& random, const Kernels& kernels)
+    : Hexahedra(random)
+  {
+    for (int cell = 0; cell < this->Count; ++cell)
+    {
+      this->Corners[cell][random.Integer(0, 3)][3] = random.Uniform(-1.0, -0.1);
+      this->Corners[cell][random.Integer(4, 7)][3] = random.Integer(0, 1) * 0.5;
+    }
+    this->Set.Count = static_cast<std::uint8_t>(this->Count);
+    kernels.PackBoxes(this->Corners, this->Set);
+  }
+
+  Bounds GetBounds() const
+  {
+    Bounds bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      bounds.Lower[axis] = static_cast<double>(this->Set.Lower[axis]);
+      bounds.Upper[axis] = static_cast<double>(this->Set.Upper[axis]);
+    }
+    return bounds;
+  }
+};
+
+TEST_P(HexahedronKernels, PackTheBoxesOfHullsToHalfAStep)
+{
+  RandomNumbers random(3);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const PassedHexahedra cells(random, this->TheKernels);
+    for (int cell = 0; cell < cells.Count; ++cell)
+    {
+      const HullBox box(cells.Corners[cell]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const Unpacked low(cells.Set, 0, cell, axis);
+        const Unpacked high(cells.Set, 1, cell, axis);
+        ASSERT_NEAR(low.Coordinate, static_cast<double>(box.Lower[axis]), 0.501 * low.Step);
+        ASSERT_NEAR(high.Coordinate, static_cast<double>(box.Upper[axis]), 0.501 * high.Step);
+        ASSERT_LE(static_cast<double>(cells.Set.Lower[axis]), static_cast<double>(box.Lower[axis]));
+        ASSERT_GE(static_cast<double>(cells.Set.Upper[axis]), static_cast<double>(box.Upper[axis]));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A ray through a box with some cells, which begins and ends anywhere in it.
+struct LoneRay
+{
+  RayPacket Packet;
+  BeamFrame Frame;
+  float Begin;
+  float End;
+  bool HasFrame;
+
+  LoneRay(RandomNumbers& random, const Bounds& box)
+  {
+    this->Packet.Clear();
+    const double begin = random.Uniform(-0.5, 0.5);
+    const double end = begin + random.Uniform(0.1, 2.0);
+    Vector3 direction = random.Direction();
+    if (random.Integer(0, 5) == 0)
+    {
+      direction[static_cast<std::size_t>(random.Integer(0, 2))] = 0.0;
+    }
+    AppendBoxedRay(box, random.PointInBox(box.Lower, box.Upper),
+      Normalized(direction) * Length(box.Upper - box.Lower), begin, end, this->Packet);
+    this->HasFrame = (this->Packet.Exists.Words[0] & 1U) != 0 &&
+      this->Frame.Find(this->Packet, this->Packet.Exists, box);
+    if (this->HasFrame)
+    {
+      const BeamNumbers& numbers = this->Frame.GetNumbers();
+      this->Begin = this->Frame.FindBegin(this->Packet, this->Packet.Exists);
+      this->End = static_cast<float>(GetEndDepth(numbers,
+        this->Packet.Origin[numbers.Along][0] +
+          this->Packet.End[0] * this->Packet.Direction[numbers.Along][0]));
+    }
+  }
+
+  /// Whether it meets a box, made larger or smaller on each side by a part of its size.
+  bool Meets(const HullBox& box, long double part) const
+  {
+    long double begin = this->Packet.Begin[0];
+    long double end = this->Packet.End[0];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const long double room = part * (box.Upper[axis] - box.Lower[axis]);
+      const long double origin = this->Packet.Origin[axis][0];
+      const long double direction = this->Packet.Direction[axis][0];
+      const long double low = box.Lower[axis] - room - origin;
+      const long double high = box.Upper[axis] + room - origin;
+      if (direction == 0.0L)
+      {
+        end = low <= 0.0L && 0.0L <= high ? end : -1.0L / 0.0L;
+        continue;
+      }
+      begin = std::max(begin, std::min(low / direction, high / direction));
+      end = std::min(end, std::max(low / direction, high / direction));
+    }
+    return begin <= end;
+  }
+};
+
+/// No box that is met is left out; few of those are found that are not met.
+TEST_P(HexahedronKernels, FindTheBoxesOnARay)
+{
+  RandomNumbers random(4);
+  int met = 0;
+  int beside = 0;
+  int found = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const PassedHexahedra cells(random, this->TheKernels);
+    const LoneRay ray(random, cells.GetBounds());
+    if (!ray.HasFrame)
+    {
+      continue;
+    }
+    const unsigned int pieces =
+      this->TheKernels.FindPiecesOnRay(cells.Set, ray.Frame.GetNumbers(), ray.Begin, ray.End);
+    ASSERT_EQ(pieces >> cells.Count, 0U);
+    for (int cell = 0; cell < cells.Count; ++cell)
+    {
+      const HullBox box(cells.Corners[cell]);
+      const bool isFound = (pieces >> cell & 1U) != 0;
+      if (ray.Meets(box, 0.0L))
+      {
+        ++met;
+        ASSERT_TRUE(isFound) << i << " " << cell;
+      }
+      else if (!ray.Meets(box, 0.05L))
+      {
+        ++beside;
+        found += isFound ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_LT(found, beside / 5) << met << " " << beside;
 }
 
 }
