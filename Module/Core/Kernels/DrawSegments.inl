@@ -60,15 +60,7 @@ public:
 
   SIMD_INLINE Doubles Make(const double* depths, int place) const
   {
-    std::uint64_t words[DoubleWidth];
-    std::memcpy(words, depths, sizeof(words));
-    for (std::uint64_t& word : words)
-    {
-      word = (word & ~this->Bits) | static_cast<std::uint64_t>(place);
-    }
-    double keys[DoubleWidth];
-    std::memcpy(keys, words, sizeof(keys));
-    return Load(keys);
+    return ReplaceBits(Load(depths), this->Bits, static_cast<std::uint64_t>(place));
   }
 
   /// No segment that begins before a depth has a larger key.

@@ -117,6 +117,14 @@ SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
   const __m256d sign = _mm256_set1_pd(-0.0);
   return { _mm256_or_pd(_mm256_and_pd(sign, b.Value), _mm256_andnot_pd(sign, a.Value)) };
 }
+/// Those of the bits that are in a mask are replaced by others.
+SIMD_INLINE Doubles ReplaceBits(Doubles a, std::uint64_t mask, std::uint64_t bits)
+{
+  const __m256i kept = _mm256_andnot_si256(
+    _mm256_set1_epi64x(static_cast<long long>(mask)), _mm256_castpd_si256(a.Value));
+  return { _mm256_castsi256_pd(
+    _mm256_or_si256(kept, _mm256_set1_epi64x(static_cast<long long>(bits)))) };
+}
 SIMD_INLINE Mask operator<(Doubles a, Doubles b)
 {
   return { _mm256_cmp_pd(a.Value, b.Value, _CMP_LT_OQ) };

@@ -120,6 +120,13 @@ SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
   return { _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
     sign, _mm512_castpd_si512(b.Value), _mm512_castpd_si512(a.Value), 0xCA)) };
 }
+/// Those of the bits that are in a mask are replaced by others.
+SIMD_INLINE Doubles ReplaceBits(Doubles a, std::uint64_t mask, std::uint64_t bits)
+{
+  return { _mm512_castsi512_pd(
+    _mm512_ternarylogic_epi64(_mm512_set1_epi64(static_cast<long long>(mask)),
+      _mm512_set1_epi64(static_cast<long long>(bits)), _mm512_castpd_si512(a.Value), 0xCA)) };
+}
 SIMD_INLINE Mask operator<(Doubles a, Doubles b)
 {
   return { _mm512_cmp_pd_mask(a.Value, b.Value, _CMP_LT_OQ) };

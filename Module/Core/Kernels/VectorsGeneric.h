@@ -120,6 +120,15 @@ SIMD_INLINE Doubles CopySign(Doubles a, Doubles b)
   return { DoubleVector{
     __builtin_copysign(a.Value[0], b.Value[0]), __builtin_copysign(a.Value[1], b.Value[1]) } };
 }
+/// Those of the bits that are in a mask are replaced by others.
+SIMD_INLINE Doubles ReplaceBits(Doubles a, std::uint64_t mask, std::uint64_t bits)
+{
+  const auto replaced = static_cast<long long>(mask);
+  const auto others = static_cast<long long>(bits);
+  return { reinterpret_cast<DoubleVector>(
+    (reinterpret_cast<MaskVector>(a.Value) & ~MaskVector{ replaced, replaced }) |
+    MaskVector{ others, others }) };
+}
 SIMD_INLINE Mask operator<(Doubles a, Doubles b)
 {
   return { a.Value < b.Value };
