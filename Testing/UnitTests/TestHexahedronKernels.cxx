@@ -140,7 +140,7 @@ TEST_P(HexahedronKernels, FindGradientsThatRiseAsTheEdgesDo)
 TEST_P(HexahedronKernels, TellWhatIsNotFiniteAndWhatIsFlat)
 {
   RandomNumbers random(2);
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < 3000; ++i)
   {
     Hexahedra cells(random);
     const int cell = random.Integer(0, cells.Count - 1);
@@ -148,8 +148,14 @@ TEST_P(HexahedronKernels, TellWhatIsNotFiniteAndWhatIsFlat)
     const bool isFlat = i % 2 == 0;
     if (isFlat)
     {
-      // The ends of two edges.
-      std::copy_n(cells.Corners[cell][corner ^ 1], 3, cells.Corners[cell][corner ^ 2]);
+      // Between the other ends of two edges.
+      const int axis = random.Integer(0, 2);
+      const double(&a)[4] = cells.Corners[cell][corner ^ 1 << axis];
+      const double(&b)[4] = cells.Corners[cell][corner ^ 1 << (axis + 1) % 3];
+      for (int k = 0; k < 3; ++k)
+      {
+        cells.Corners[cell][corner][k] = 0.3 * a[k] + 0.7 * b[k];
+      }
     }
     else
     {

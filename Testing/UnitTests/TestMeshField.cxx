@@ -545,6 +545,30 @@ TEST(MeshField, SmoothGradientsOfCollapsedHexahedra)
 }
 
 //------------------------------------------------------------------------------
+/// Cells without a gradient, and those with a gradient of zero, are not the same.
+TEST(MeshField, SmoothGradientsCountPyramidsOfOneValue)
+{
+  RandomNumbers random(34);
+  TestMesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector3 point = { (corner & 1) * 1.0, (corner >> 1 & 1) * 1.0, (corner >> 2) * 1.0 };
+    mesh.AddPoint(point, point[2] - 0.5);
+  }
+  const std::int64_t apex = mesh.AddPoint({ 0.5, 0.5, 0.5 }, -0.5);
+  // The value is that of the apex at all corners of one of them, and half the volume has a slope.
+  mesh.AddCell(CellShape::Pyramid, { 0, 1, 3, 2, apex });
+  mesh.AddCell(CellShape::Pyramid, { 4, 6, 7, 5, apex });
+  MeshField field(mesh.View(), 1);
+  field.Select(TraceRequest({ { 0.0, 1.0 } }), {});
+  const RayHits hits = CastRays(field, { { { 0.5, 0.5, 2.0 }, { 0.0, 0.0, -1.0 }, 0.0, 10.0 } }, 1);
+  ASSERT_EQ(hits.Hits.size(), 1U);
+  // Halfway between a corner of the base, with a slope of 2, and the apex, with half of that.
+  const Vector3 gradient = field.GetGradient(hits.Hits[0], NormalMode::CentralDifferences);
+  EXPECT_LT(Length(gradient - Vector3{ 0.0, 0.0, 1.5 }), 1e-5) << gradient[2];
+}
+
+//------------------------------------------------------------------------------
 /// The mean of the gradients at a point in the cells around it, weighted by their volumes.
 Vector3 FindMeanGradient(const MeshCells& cells, std::int64_t point)
 {

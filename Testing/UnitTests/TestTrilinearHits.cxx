@@ -243,5 +243,54 @@ TEST(TrilinearHits, AreNotCertainNextToEdges)
   EXPECT_GT(tried, 15000);
 }
 
+//------------------------------------------------------------------------------
+/// The only solution is 1.3e-7 beyond a face. The inverse of the Jacobian is large: what is left of
+/// the functions is little long before the solution is reached.
+TEST(TrilinearHits, AreNotBeyondAFaceIfTheyAreCertain)
+{
+  FramedCell cell;
+  cell.System.Functions[0] = { -0x1.001a8d18f3217p+1, 0x1.9154347c0618ap+0, -0x1.baacabbf8add5p-2,
+    -0x1.add62feb97a44p-11, -0x1.00944f16008f3p+1, 0x1.9247b87620f42p+0, -0x1.b6e3a077d8ef7p-2,
+    -0x1.27fd97e9ee6b8p-8 };
+  cell.System.Functions[1] = { -0x1.fa33172a5c4f3p+0, -0x1.cbbbd6e14fb55p+0, 0x1.75424959bc72cp-3,
+    0x1.ebcd5006a9a02p-11, -0x1.ffc4bc9bdc663p+0, -0x1.d155808eeb365p+0, 0x1.a232fb246c306p-3,
+    0x1.72aca3f19d62p-6 };
+  cell.System.Functions[2] = { -0x1.a330778fa2dfp-13, 0x1.c9ba62de87a1fp-3, 0x1.c9b6539860ae5p-3,
+    -0x1.f9b469e30616p-13, 0x1.00536f98bf7edp+1, 0x1.1c400ecf1fp+1, 0x1.1c404fc3816f4p+1,
+    0x1.0054c9a888cc5p+1 };
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    cell.Along[k] = (k & 1U) + 2.0 * (k >> 1 & 1U) + 0.5 * (k >> 2);
+  }
+  const TrilinearSolutions found = cell.Solve();
+  EXPECT_TRUE(!found.AreCertain || found.Count == 0);
+}
+
+//------------------------------------------------------------------------------
+/// In a flat cell the value rises along the ray, and the surface is nearly along it: the side that
+/// it is met from depends on the last step to the solution.
+TEST(TrilinearHits, EnterFlatCellsWhereValuesRise)
+{
+  FramedCell cell;
+  cell.System.Functions[0] = { -0x1.e745c21d4e248p-5, -0x1.00be6264077c2p+0, -0x1.b79d024ffbf76p-2,
+    -0x1.9515e32ba3bb1p-1, 0x1.258df85324601p-1, 0x1.930551b737ddcp-2, 0x1.abad44ed722d9p-1,
+    0x1.e478dcf205767p-3 };
+  cell.System.Functions[1] = { -0x1.d0fe9217870ccp-3, -0x1.5edf57207f608p-4, -0x1.5ae4e5089911dp-1,
+    0x1.68b0bbd50a75p-2, -0x1.302be2bc621ddp-2, 0x1.0d899982fb122p-1, -0x1.bb7e544d04106p-2,
+    0x1.46747b1d99ebp-1 };
+  cell.System.Functions[2] = { 0x1.60971698e6cf4p-2, 0x1.1e4ebbd9ec458p-1, 0x1.0186ff30f23d4p-1,
+    -0x1.b48d60801df56p-1, -0x1.1320d4f8ba4f8p-3, -0x1.1abce01149d4p-5, -0x1.ce5e14aa6fb6cp-2,
+    -0x1.fc41b458d5df4p-2 };
+  cell.Along = { 0x1.68b7bbf9665cdp-2, 0x1.59ac3cc5cbf28p-2, -0x1.1ef1ee086a937p-3,
+    0x1.95ce60e4f41e4p-1, 0x1.8b47c1ec4d41ap-2, 0x1.263e20ef5d884p+0, 0x1.301d96b4393fap-2,
+    0x1.3b322f6d5107cp+0 };
+  const TrilinearSolutions found = cell.Solve();
+  for (int i = 0; i < found.Count && found.AreCertain; ++i)
+  {
+    const bool isFar = GetDistance(GetPoint(found, i), { 0.52046, 0.32400, 0.53669 }) > 1e-3;
+    EXPECT_TRUE(isFar || !found.Entering[i]);
+  }
+}
+
 }
 }

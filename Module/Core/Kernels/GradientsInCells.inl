@@ -42,14 +42,15 @@ void WeightGradients(const double (*corners)[4][4], int count, WeightedGradients
     const Doubles determinant =
       numbers[1][0] * across[0][0] + numbers[1][1] * across[0][1] + numbers[1][2] * across[0][2];
     // The gradient is the sum below, divided by the determinant; flat cells have none.
-    const Doubles sign = Select(determinant == 0.0, 0.0, CopySign(1.0, determinant));
+    const Mask isFlat = AreFlat(numbers[1], numbers[2], numbers[3], determinant);
+    const Doubles sign = Select(isFlat, 0.0, CopySign(1.0, determinant));
     for (int axis = 0; axis < 3; ++axis)
     {
       const Doubles sum = numbers[1][3] * across[0][axis] + numbers[2][3] * across[1][axis] +
         numbers[3][3] * across[2][axis];
       Store(sign * sum, &gradients.Gradient[axis][first]);
     }
-    Store(Abs(determinant), &gradients.Weight[first]);
+    Store(Select(isFlat, 0.0, Abs(determinant)), &gradients.Weight[first]);
   }
 }
 
@@ -91,9 +92,6 @@ struct HexahedronEdges
   }
 };
 
-/// Edges are in one plane if they span no more than this part of what they could: it is rounding.
-constexpr double FlatCorner = 1e-13;
-
 /// At a corner the gradient is that in the tetrahedron between its three edges.
 void FindCornerGradients(
   const double (*corners)[PassedCellRecords::Corners][4], int count, CornerGradients& gradients)
@@ -123,11 +121,8 @@ void FindCornerGradients(
       Cross(y, z, across[0]);
       Cross(z, x, across[1]);
       Cross(x, y, across[2]);
-      const Doubles terms[3] = { x[0] * across[0][0], x[1] * across[0][1], x[2] * across[0][2] };
-      const Doubles determinant = terms[0] + terms[1] + terms[2];
-      const Doubles size = Abs(terms[0]) + Abs(terms[1]) + Abs(terms[2]);
-      const Mask isFlat = Abs(determinant) <= FlatCorner * size;
-      const Doubles factor = Select(isFlat, Infinity, volume / determinant);
+      const Doubles determinant = x[0] * across[0][0] + x[1] * across[0][1] + x[2] * across[0][2];
+      const Doubles factor = Select(AreFlat(x, y, z, determinant), Infinity, volume / determinant);
       for (int axis = 0; axis < 3; ++axis)
       {
         const Doubles sum =

@@ -12,6 +12,7 @@
 #include "Math/BernsteinCubic.h"
 #include "Math/ByteColor.h"
 #include "Math/EmissionAbsorption.h"
+#include "Math/FlatEdges.h"
 #include "Math/MonotonePieces.h"
 #include "Math/PhongReflection.h"
 #include "Math/TrilinearCell.h"

@@ -176,7 +176,7 @@ SIMD_INLINE void Pack(const PiecePoints& pieces, int points, PackedPieces& packe
     packed.Upper[axis] = -MoveDown(-pieces.Upper[axis]);
     const auto lower = static_cast<double>(packed.Lower[axis]);
     const double size = static_cast<double>(packed.Upper[axis]) - lower;
-    if (!(size < Infinity))
+    if (!(size > 0.0 && size < Infinity))
     {
       continue; // What is so large has no labels in single precision.
     }

@@ -18,11 +18,12 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-Vector3 GetGradientAtCorner(const MeshCell& cell, int corner)
+/// Returns false if the cell is flat there.
+bool FindGradientAtCorner(const MeshCell& cell, int corner, Vector3& gradient)
 {
   CornerWeights weights = {};
   weights[corner] = 1.0;
-  return GetGradient(cell, GetParametric(cell.Shape, weights));
+  return FindGradient(cell, GetParametric(cell.Shape, weights), gradient);
 }
 
 }
@@ -298,11 +299,12 @@ private:
     {
       MeshCell cell;
       this->All->Cells->Load(number, cell);
-      sum = GetGradientAtCorner(cell, corner) * volume;
-      if (sum == Vector3{})
+      Vector3 slow;
+      if (!FindGradientAtCorner(cell, corner, slow))
       {
         return;
       }
+      sum = slow * volume;
     }
     this->Get(id).Add({ sum[0], sum[1], sum[2], volume });
   }

@@ -3,6 +3,8 @@
 
 #include "Mesh/ShapeFunctions.h"
 
+#include "Math/FlatEdges.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -190,7 +192,7 @@ CellDerivatives GetDerivatives(const MeshCell& cell, const Vector3& parametric)
 }
 
 //------------------------------------------------------------------------------
-Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+bool FindGradient(const MeshCell& cell, const Vector3& parametric, Vector3& gradient)
 {
   auto [edges, slopes] = GetDerivatives(cell, parametric);
   // With edges about 1 no product overflows or vanishes.
@@ -202,17 +204,21 @@ Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
   const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
     Cross(edges[0], edges[1]) };
   const double volume = Dot(edges[0], normals[0]);
-  const double size = std::abs(edges[0][0] * normals[0][0]) +
-    std::abs(edges[0][1] * normals[0][1]) + std::abs(edges[0][2] * normals[0][2]);
-  if (std::abs(volume) <= 1e-13 * size)
+  gradient = {};
+  if (AreFlat(edges[0].data(), edges[1].data(), edges[2].data(), volume))
   {
-    return {}; // What is left is rounding.
+    return false;
   }
   const Vector3 direction =
     (normals[0] * slopes[0] + normals[1] * slopes[1] + normals[2] * slopes[2]) * (1.0 / volume);
   const auto isFinite = [](const Vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };
-  const Vector3 gradient = { direction[0] / length, direction[1] / length, direction[2] / length };
-  return isFinite(gradient) ? gradient : (isFinite(direction) ? direction : Vector3{});
+  const Vector3 slope = { direction[0] / length, direction[1] / length, direction[2] / length };
+  if (!isFinite(direction))
+  {
+    return false;
+  }
+  gradient = isFinite(slope) ? slope : direction;
+  return true;
 }
 
 //------------------------------------------------------------------------------

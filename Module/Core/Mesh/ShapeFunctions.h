@@ -38,8 +38,17 @@ inline Vector3 GetWeightedPoint(const MeshCell& cell, const CornerWeights& weigh
   return point;
 }
 
-/// The gradient of the interpolant of the values; zero where the cell is flat.
-Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric);
+/// Finds the gradient of the interpolant of the values. Returns false where the cell is flat: there
+/// it is set to zero.
+bool FindGradient(const MeshCell& cell, const Vector3& parametric, Vector3& gradient);
+
+/// The same; zero where the cell is flat.
+inline Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+{
+  Vector3 gradient;
+  FindGradient(cell, parametric, gradient);
+  return gradient;
+}
 
 /// The volume of a cell, about: by its edges in the middle. Never negative.
 double GetVolume(const MeshCell& cell);

@@ -3,7 +3,6 @@
 
 #include "Mesh/SurfacePieces.h"
 
-#include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
 
 #include <algorithm>

@@ -24,8 +24,8 @@ namespace vtkIsosurfaceRayTracing
 /// beyond the bounds there is exactly one solution in space, and it is in the part or not. (R.
 /// Krawczyk: Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4,
 /// 1969. With the steepness of each function along each axis as a matrix S, it is a contraction if
-/// the inverse of 1 - S has no negative number: A. Neumaier: Interval Methods for Systems of
-/// Equations, 1990.)
+/// the inverse of 1 - S has no negative number; it has none if the sums of its rows are positive.
+/// A. Neumaier: Interval Methods for Systems of Equations, 1990, on M-matrices.)
 ///
 /// Solutions next to a face are left to FaceCrossings: what is certain here, rounding cannot change
 /// there. So signs chain from cell to cell, whoever finds them.
@@ -104,7 +104,7 @@ private:
   /// Of Newton's method, which then makes a last step. Hardly any solution needs more: those that
   /// do are beyond the border, and looked for in a smaller part.
   static constexpr int MaximumSteps = 5;
-  static constexpr double Tolerance = 1e-7;
+  static constexpr double Tolerance = 1e-8;
   /// What rounding may move functions by, in units of their coefficients.
   static constexpr double Rounding = 1e-14;
 
@@ -185,7 +185,7 @@ private:
   /// Bounds the solutions, given where the Jacobian is regular.
   SIMD_INLINE void Bound(Mask isRegular)
   {
-    const Mask isSafe = this->IsOpen & isRegular & this->IsPrecise();
+    const Mask isSafe = isRegular & this->IsPrecise();
     const Number farthest = this->FindBounds();
     const Mask isContraction = this->IsContraction();
     Number volume = 1.0;
@@ -203,14 +203,14 @@ private:
   /// Where rounding is no matter in what the inverse is multiplied with.
   SIMD_INLINE Mask IsPrecise() const
   {
-    Number largest = 0.0;
+    Mask isPrecise = this->IsOpen;
     for (const Number(&row)[3] : this->System.Inverse)
     {
-      largest = Max(largest,
-        Abs(row[0]) * this->Errors[0] + Abs(row[1]) * this->Errors[1] +
-          Abs(row[2]) * this->Errors[2]);
+      const Number error = Abs(row[0]) * this->Errors[0] + Abs(row[1]) * this->Errors[1] +
+        Abs(row[2]) * this->Errors[2];
+      isPrecise = isPrecise & (8.0 * error < this->Clearance);
     }
-    return 8.0 * largest < this->Clearance;
+    return isPrecise;
   }
 
   /// Finds the bounds, twice: within the first ones products are smaller. Returns how far away
@@ -292,6 +292,7 @@ private:
       x[i] = 0.0 - this->System.Constant[i];
     }
     Number farthest = 0.0;
+    Number error = 0.0;
     Mask isMoving = this->HasHit;
     for (int step = 0; step < MaximumSteps; ++step)
     {
@@ -300,7 +301,7 @@ private:
       const Number size = this->Evaluate(x, inside, rest);
       farthest = Max(Max(Abs(x[0]), Abs(x[1])), Abs(x[2]));
       // The solution is no farther away than this.
-      const Number error = size * this->ErrorFactor;
+      error = size * this->ErrorFactor;
       this->IsEmpty = this->IsEmpty | (isMoving & (1.0 + this->Clearance + error < farthest));
       isMoving = AndNot(AndNot(isMoving, this->IsEmpty), size <= Tolerance);
       if (!Any(isMoving))
@@ -315,11 +316,11 @@ private:
       }
     }
     this->IsOpen = this->IsOpen | isMoving;
-    this->HasHit =
-      AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving) & (farthest + this->Clearance < 1.0);
+    this->HasHit = AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving) &
+      (farthest + error + this->Clearance < 1.0);
     if (Any(this->HasHit))
     {
-      this->MakeHit(x);
+      this->MakeHit(x, error);
     }
   }
 
@@ -341,8 +342,9 @@ private:
     return largest;
   }
 
-  /// Makes hits of solutions, with a last step of Newton's method for the functions themselves.
-  SIMD_INLINE void MakeHit(const Number x[3])
+  /// Makes hits of solutions that are not farther away than an error, with a last step of Newton's
+  /// method for the functions themselves.
+  SIMD_INLINE void MakeHit(const Number x[3], Number error)
   {
     Number point[3];
     for (int i = 0; i < 3; ++i)
@@ -375,7 +377,9 @@ private:
     const Number size =
       Abs(gradient[0] * rise[0]) + Abs(gradient[1] * rise[1]) + Abs(gradient[2] * rise[2]);
     this->Entering = 0.0 < way;
-    this->HasHit = this->HasHit & (1e-7 * size < Abs(way));
+    // The Jacobian is that before the last step.
+    const Number unsure = 1e-7 + 4.0 * this->ErrorFactor * error;
+    this->HasHit = this->HasHit & (unsure * size < Abs(way));
   }
 
   TrilinearPolynomial<Number> Polynomials[3];
