@@ -158,7 +158,18 @@ public:
     std::uint32_t numbers[Width];
     std::iota(numbers, numbers + Width, static_cast<std::uint32_t>(block * Width));
     const std::int64_t left = this->Cells->GetNumberOfCells() - block * Width;
-    this->Read(numbers, static_cast<int>(std::min<std::int64_t>(left, Width)));
+    const int count = static_cast<int>(std::min<std::int64_t>(left, Width));
+    const std::int64_t* ids = this->Cells->FindIdsInPlace(block * Width);
+    if (!ids)
+    {
+      this->Read(numbers, count);
+      return;
+    }
+    const bool areTetrahedra = this->Cells->AreTetrahedra();
+    Group& group = areTetrahedra ? this->Tetrahedra : this->Others;
+    group.Count = count;
+    std::copy_n(numbers, count, group.Numbers);
+    this->FindExtents(this->Arrays, ids, areTetrahedra ? 4 : 8, count, group.Extents);
   }
 
   /// Whether none of those that are traced was left out.

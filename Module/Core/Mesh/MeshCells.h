@@ -91,6 +91,18 @@ public:
     this->ReadTrilinear(this->View, numbers, count, ids);
   }
 
+  /// The ids of the corners of a cell and those that follow it, where they are in memory as 64-bit
+  /// numbers, 4 or 8 for each; else null.
+  const std::int64_t* FindIdsInPlace(std::int64_t number) const
+  {
+    const std::int64_t corners = this->View.CornersOfAll;
+    const bool areInPlace = this->View.IdType == ScalarType::Int64 &&
+      (corners == 4 || corners == 8) &&
+      corners == GetTraits(static_cast<CellShape>(this->View.ShapeOfAll)).Corners;
+    return areInPlace ? static_cast<const std::int64_t*>(this->View.Connectivity) + corners * number
+                      : nullptr;
+  }
+
   /// What the ids are of.
   PointArrays GetPointArrays() const
   {
