@@ -178,7 +178,7 @@ SIMD_INLINE void Pack(const PiecePoints& pieces, int points, PackedPieces& packe
     const double size = static_cast<double>(packed.Upper[axis]) - lower;
     if (!(size > 0.0 && size < Infinity))
     {
-      continue; // What is so large has no labels in single precision.
+      continue; // Without a size, or so large that it has no labels in single precision.
     }
     for (int k = 0; k < points; ++k)
     {

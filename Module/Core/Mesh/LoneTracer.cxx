@@ -5,8 +5,6 @@
 
 #include "Math/Compiler.h"
 
-#include <algorithm>
-
 namespace vtkIsosurfaceRayTracing
 {
 

@@ -44,6 +44,7 @@ private:
   void Solve(const MeshSelection& selection, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
+  /// Of each ray, as a beam of its own.
   BeamNumbers Frames[RayPacket::Capacity];
   /// Kept for the memory of their nodes.
   std::vector<Way> Ways;

@@ -109,6 +109,16 @@ void SubtractIsovalue(double isovalue, double scale, double (&corners)[Corners][
   }
 }
 
+/// The same for some cells.
+template <int Corners>
+void SubtractIsovalue(double isovalue, double scale, double (*cells)[Corners][4], int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    SubtractIsovalue(isovalue, scale, cells[i]);
+  }
+}
+
 /// The corners of the trilinear cell of any function of the corners of a cell.
 template <typename Function>
 CellCorners MakeTrilinear(const MeshCell& cell, const Function& function)

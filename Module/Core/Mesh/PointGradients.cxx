@@ -87,8 +87,8 @@ public:
   /// Adds those that wait to be added together.
   void AddWaiting()
   {
-    this->AddTetrahedra();
-    this->AddHexahedra();
+    this->Add(this->Tetrahedra);
+    this->Add(this->Hexahedra);
   }
 
 private:
@@ -116,14 +116,22 @@ private:
     switch (this->All->Cells->GetShape(numbers[0]))
     {
       case CellShape::Tetrahedron:
-        this->AddHexahedra();
-        this->AddTetrahedra(numbers, count, areAllIn);
+      {
+        std::int64_t ids[Capacity][4];
+        this->All->Cells->LoadIdsOfTetrahedra(numbers, count, ids);
+        this->Add(this->Hexahedra);
+        this->Wait(numbers, ids, count, areAllIn, this->Tetrahedra);
         return;
+      }
       case CellShape::Hexahedron:
       case CellShape::Voxel:
-        this->AddTetrahedra();
-        this->AddHexahedra(numbers, count, areAllIn);
+      {
+        std::int64_t ids[Capacity][8];
+        this->All->Cells->LoadTrilinearIds(numbers, count, ids);
+        this->Add(this->Tetrahedra);
+        this->Wait(numbers, ids, count, areAllIn, this->Hexahedra);
         return;
+      }
       case CellShape::Wedge:
       case CellShape::Pyramid:
         this->AddWaiting();
@@ -139,37 +147,49 @@ private:
     return std::any_of(ids, ids + count, [this](std::int64_t id) { return this->Has(id); });
   }
 
-  void AddTetrahedra(const std::uint32_t* numbers, int count, bool areAllIn)
+  /// Cells of one shape that wait to be added together: their corners, those of hexahedra as of
+  /// trilinear cells.
+  template <int Corners>
+  struct WaitingCells
   {
-    std::int64_t ids[Capacity][4];
-    this->All->Cells->LoadIdsOfTetrahedra(numbers, count, ids);
+    int Count = 0;
+    std::uint32_t Numbers[Capacity];
+    std::int64_t Ids[Capacity][Corners];
+  };
+
+  /// Lets those wait that have corners here, and adds them when there are enough.
+  template <int Corners>
+  void Wait(const std::uint32_t* numbers, const std::int64_t (*ids)[Corners], int count,
+    bool areAllIn, WaitingCells<Corners>& waiting)
+  {
     for (int i = 0; i < count; ++i)
     {
-      if (areAllIn || this->HasCorner(ids[i], 4))
+      if (areAllIn || this->HasCorner(ids[i], Corners))
       {
-        std::copy_n(ids[i], 4, this->Tetrahedra[this->NumberOfTetrahedra++]);
-        if (this->NumberOfTetrahedra == Capacity)
+        waiting.Numbers[waiting.Count] = numbers[i];
+        std::copy_n(ids[i], Corners, waiting.Ids[waiting.Count++]);
+        if (waiting.Count == Capacity)
         {
-          this->AddTetrahedra();
+          this->Add(waiting);
         }
       }
     }
   }
 
-  /// Adds those that wait.
-  void AddTetrahedra()
+  /// Adds tetrahedra that wait...
+  void Add(WaitingCells<4>& waiting)
   {
-    if (this->NumberOfTetrahedra == 0)
+    if (waiting.Count == 0)
     {
       return;
     }
     double corners[Capacity][4][4];
-    this->All->Cells->LoadTetrahedra(this->Tetrahedra, this->NumberOfTetrahedra, corners);
+    this->All->Cells->LoadTetrahedra(waiting.Ids, waiting.Count, corners);
     WeightedGradients found;
-    this->Kernel->WeightGradients(corners, this->NumberOfTetrahedra, found);
+    this->Kernel->WeightGradients(corners, waiting.Count, found);
     // The weight of the other shapes is about their volume.
     constexpr double part = 1.0 / 8.0;
-    for (int i = 0; i < this->NumberOfTetrahedra; ++i)
+    for (int i = 0; i < waiting.Count; ++i)
     {
       const double numbers[4] = { part * found.Gradient[0][i], part * found.Gradient[1][i],
         part * found.Gradient[2][i], part * found.Weight[i] };
@@ -177,7 +197,7 @@ private:
       {
         continue;
       }
-      for (const std::int64_t id : this->Tetrahedra[i])
+      for (const std::int64_t id : waiting.Ids[i])
       {
         if (this->Has(id))
         {
@@ -185,46 +205,28 @@ private:
         }
       }
     }
-    this->NumberOfTetrahedra = 0;
+    waiting.Count = 0;
   }
 
-  void AddHexahedra(const std::uint32_t* numbers, int count, bool areAllIn)
+  /// ...or hexahedra.
+  void Add(WaitingCells<8>& waiting)
   {
-    std::int64_t ids[Capacity][8];
-    this->All->Cells->LoadTrilinearIds(numbers, count, ids);
-    for (int i = 0; i < count; ++i)
-    {
-      if (areAllIn || this->HasCorner(ids[i], 8))
-      {
-        std::copy_n(ids[i], 8, this->Hexahedra[this->NumberOfHexahedra]);
-        this->NumbersOfHexahedra[this->NumberOfHexahedra++] = numbers[i];
-        if (this->NumberOfHexahedra == Capacity)
-        {
-          this->AddHexahedra();
-        }
-      }
-    }
-  }
-
-  /// Adds those that wait.
-  void AddHexahedra()
-  {
-    if (this->NumberOfHexahedra == 0)
+    if (waiting.Count == 0)
     {
       return;
     }
     double corners[Capacity][8][4];
-    this->All->Cells->LoadTrilinear(this->Hexahedra, this->NumberOfHexahedra, corners);
+    this->All->Cells->LoadTrilinear(waiting.Ids, waiting.Count, corners);
     CornerGradients found;
-    this->Kernel->FindCornerGradients(corners, this->NumberOfHexahedra, found);
-    for (int i = 0; i < this->NumberOfHexahedra; ++i)
+    this->Kernel->FindCornerGradients(corners, waiting.Count, found);
+    for (int i = 0; i < waiting.Count; ++i)
     {
-      const std::uint32_t number = this->NumbersOfHexahedra[i];
+      const std::uint32_t number = waiting.Numbers[i];
       const ShapeTraits& traits = GetTraits(this->All->Cells->GetShape(number));
       const double volume = found.Volume[i];
       for (int corner = 0; corner < 8 && volume < Infinity; ++corner)
       {
-        const std::int64_t id = this->Hexahedra[i][corner];
+        const std::int64_t id = waiting.Ids[i][corner];
         const double(&gradient)[3][Capacity] = found.Gradient[corner];
         if (this->Has(id))
         {
@@ -233,7 +235,7 @@ private:
         }
       }
     }
-    this->NumberOfHexahedra = 0;
+    waiting.Count = 0;
   }
 
   void AddOther(std::uint32_t number)
@@ -315,13 +317,8 @@ private:
   std::unique_ptr<std::uint32_t[]> Places;
   std::vector<WeightedSum> Sums;
   const Kernels* Kernel = &GetBestKernels();
-  /// Cells of one shape that wait to be added together: the corners, those of hexahedra as of
-  /// trilinear cells.
-  int NumberOfTetrahedra = 0;
-  std::int64_t Tetrahedra[Capacity][4];
-  int NumberOfHexahedra = 0;
-  std::int64_t Hexahedra[Capacity][8];
-  std::uint32_t NumbersOfHexahedra[Capacity];
+  WaitingCells<4> Tetrahedra;
+  WaitingCells<8> Hexahedra;
 };
 
 //------------------------------------------------------------------------------

@@ -126,7 +126,7 @@ void SurfacePieces::MakeSets(
     BeginSet(tetrahedra, first, set);
     set.AreInTetrahedra = true;
     this->Cells->LoadTetrahedra(&tetrahedra.Cells[first], set.Count, corners);
-    this->FindDifferences(corners, set.Count);
+    SubtractIsovalue(this->Isovalue, this->Scale, corners, set.Count);
     kernels.PackPolygons(corners, set);
   }
 }
@@ -142,7 +142,7 @@ void SurfacePieces::MakeBoxedSets(
     BeginSet(others, first, set);
     set.AreInTetrahedra = false;
     this->Cells->LoadTrilinear(&others.Cells[first], set.Count, corners);
-    this->FindDifferences(corners, set.Count);
+    SubtractIsovalue(this->Isovalue, this->Scale, corners, set.Count);
     kernels.PackBoxes(corners, set);
   }
 }
@@ -153,16 +153,6 @@ void SurfacePieces::BeginSet(const PassedCells& passed, int first, PackedPieces&
 {
   set.Count = static_cast<std::uint8_t>(std::min(passed.Count - first, PackedPieces::Capacity));
   std::copy_n(&passed.Numbers[first], set.Count, set.Cells);
-}
-
-//------------------------------------------------------------------------------
-template <int Corners>
-void SurfacePieces::FindDifferences(double (*corners)[Corners][4], int count) const
-{
-  for (int i = 0; i < count; ++i)
-  {
-    SubtractIsovalue(this->Isovalue, this->Scale, corners[i]);
-  }
 }
 
 }

@@ -80,8 +80,6 @@ private:
   void MakeSets(const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const;
   void MakeBoxedSets(const PassedCells& others, const Kernels& kernels, PackedPieces* sets) const;
   static void BeginSet(const PassedCells& passed, int first, PackedPieces& set);
-  template <int Corners>
-  void FindDifferences(double (*corners)[Corners][4], int count) const;
 
   const MeshCells* Cells;
   const CellTree* Tree;

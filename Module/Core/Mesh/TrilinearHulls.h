@@ -25,10 +25,7 @@ public:
     BeamPieces& pieces)
   {
     selection.Cells->LoadTrilinear(cells, count, this->Records.Corner);
-    for (int i = 0; i < count; ++i)
-    {
-      SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner[i]);
-    }
+    SubtractIsovalue(surface.Isovalue, surface.Scale, this->Records.Corner, count);
     pieces.Count = count;
     selection.PacketKernels->BoundTrilinear(this->Records, frame, pieces);
   }
