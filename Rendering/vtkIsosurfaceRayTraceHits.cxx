@@ -73,7 +73,8 @@ void vtkIsosurfaceRayTraceHits::Describe(const Batch& batch, Description* descri
   const vtkirt::TracedField& field = volume.GetField();
   alignas(64) double points[3][Batch::Capacity];
   alignas(64) double gradients[3][Batch::Capacity];
-  field.GetPointsAndGradients(batch.Hits, static_cast<int>(batch.Count), points, gradients);
+  field.GetPointsAndGradients(
+    batch.Hits, static_cast<int>(batch.Count), field.GetRequest().Normals, points, gradients);
   for (std::size_t i = 0; i < batch.Count; ++i)
   {
     Description& description = descriptions[i];

@@ -69,7 +69,9 @@ struct OpenScene
 
   double FindAmbientTransmittance(const Hit& hit) const
   {
-    return SecondaryRays(this->TheScene, 0).FindAmbientTransmittance({ hit }).at(0);
+    LightAtHits ambient;
+    SecondaryRays(this->TheScene, 0).FindAmbient(&hit, 1, ambient);
+    return ambient.Parts[0];
   }
 
   TestVolume<double> Volume;
@@ -161,7 +163,7 @@ TEST(AmbientOcclusion, AffectsOnlyTheAmbientTerm)
   const Shader shader(scene.TheScene, 0, scene.TheScene.Request.PacketKernels);
   const Vector3 direction = { 0.0, 0.0, -1.0 };
   const Vector3 open = shader.Shade(hit, direction);
-  const Vector3 closed = shader.Shade(hit, direction, { nullptr, 0.25 });
+  const Vector3 closed = shader.Shade(hit, direction, { 0.25 });
   for (std::size_t i = 0; i < 3; ++i)
   {
     const double ambient = 0.5 * scene.TheScene.Shown.Colors[0][i];
@@ -179,8 +181,8 @@ TEST(AmbientOcclusion, AffectsOnlyTheAmbientTerm)
   Fragments fragments;
   shader.MakeFragments(packet, hits, fragments);
   ASSERT_EQ(fragments.List.size(), 1U);
-  EXPECT_EQ(fragments.List[0].Color,
-    shader.Shade(hit, direction, { nullptr, scene.FindAmbientTransmittance(hit) }));
+  EXPECT_EQ(
+    fragments.List[0].Color, shader.Shade(hit, direction, { scene.FindAmbientTransmittance(hit) }));
 }
 
 //------------------------------------------------------------------------------
@@ -190,24 +192,25 @@ TEST(AmbientOcclusion, IndependentOfTheOtherHits)
   scene.TheScene.OcclusionRays = 41;
   RandomNumbers random(5);
   std::vector<Hit> hits;
-  while (hits.size() < 300)
+  while (hits.size() < RayPacket::Capacity)
   {
     const Vector3 origin = random.PointInBox({ 0.0, 0.0, 0.0 }, { 40.0, 40.0, 40.0 });
     const std::vector<Hit> found = Trace(*scene.Traced, { origin, random.Direction() });
     hits.insert(hits.end(), found.begin(), found.end());
   }
-  const std::vector<double> together =
-    SecondaryRays(scene.TheScene, 0).FindAmbientTransmittance(hits);
+  LightAtHits together;
+  SecondaryRays(scene.TheScene, 0).FindAmbient(hits.data(), RayPacket::Capacity, together);
   double least = 1.0;
   double most = 0.0;
-  for (std::size_t i = 0; i < hits.size(); ++i)
+  for (int i = 0; i < RayPacket::Capacity; ++i)
   {
-    EXPECT_EQ(scene.FindAmbientTransmittance(hits[i]), together[i]);
-    least = std::min(least, together[i]);
-    most = std::max(most, together[i]);
+    const double part = together.Parts[i];
+    EXPECT_EQ(scene.FindAmbientTransmittance(hits[static_cast<std::size_t>(i)]), part);
+    least = std::min(least, part);
+    most = std::max(most, part);
   }
   EXPECT_LT(least, 0.2);
-  EXPECT_GT(most, 0.7);
+  EXPECT_GT(most, 0.6);
 }
 
 //------------------------------------------------------------------------------

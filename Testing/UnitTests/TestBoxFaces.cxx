@@ -240,7 +240,7 @@ void Compare(ImageField& traced, const Line& line, const std::vector<Hit>& hits,
     EXPECT_EQ(traced.GetGradient(hit, NormalMode::CentralDifferences), gradient) << ToText(line);
     double points[3][RayPacket::Capacity];
     double gradients[3][RayPacket::Capacity];
-    traced.GetPointsAndGradients(&hit, 1, points, gradients);
+    traced.GetPointsAndGradients(&hit, 1, traced.GetRequest().Normals, points, gradients);
     EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), gradient);
   }
 }

@@ -153,7 +153,7 @@ TEST(Caps, LieWhereTheFieldReachesTheLargestIsovalue)
       EXPECT_EQ(traced->GetGradient(*cap, NormalMode::CentralDifferences), half.Normal);
       double points[3][RayPacket::Capacity];
       double gradients[3][RayPacket::Capacity];
-      traced->GetPointsAndGradients(&*cap, 1, points, gradients);
+      traced->GetPointsAndGradients(&*cap, 1, traced->GetRequest().Normals, points, gradients);
       EXPECT_EQ((Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }), half.Normal);
     }
   }

@@ -216,7 +216,8 @@ TEST(FieldSet, PointsAndGradientsAreThoseOfTheImage)
       static_cast<int>(std::min<std::size_t>(RayPacket::Capacity, hits.Hits.size() - first));
     alignas(64) double points[3][RayPacket::Capacity];
     alignas(64) double gradients[3][RayPacket::Capacity];
-    blocks.Set->GetPointsAndGradients(&hits.Hits[first], count, points, gradients);
+    blocks.Set->GetPointsAndGradients(
+      &hits.Hits[first], count, blocks.Set->GetRequest().Normals, points, gradients);
     for (int i = 0; i < count; ++i)
     {
       const std::size_t number = first + static_cast<std::size_t>(i);

@@ -197,7 +197,8 @@ void CheckGradients(const Kernels& kernels, RandomNumbers& random)
     Select(*volume, request, 1);
     double points[3][RayPacket::Capacity];
     double gradients[3][RayPacket::Capacity];
-    volume->GetPointsAndGradients(hits.data(), static_cast<int>(hits.size()), points, gradients);
+    volume->GetPointsAndGradients(
+      hits.data(), static_cast<int>(hits.size()), volume->GetRequest().Normals, points, gradients);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
       const Vector3 expected = volume->GetGradient(hits[i], mode);

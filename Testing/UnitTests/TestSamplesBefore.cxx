@@ -116,7 +116,7 @@ TEST_P(SamplesBefore, AreNeighbours)
           EXPECT_LT(Length(gradient - larger->GetGradient(same, mode)), 1e-7);
           alignas(64) double points[3][RayPacket::Capacity];
           alignas(64) double gradients[3][RayPacket::Capacity];
-          rest->GetPointsAndGradients(&hit, 1, points, gradients);
+          rest->GetPointsAndGradients(&hit, 1, rest->GetRequest().Normals, points, gradients);
           EXPECT_EQ(gradient, (Vector3{ gradients[0][0], gradients[1][0], gradients[2][0] }));
         }
       }

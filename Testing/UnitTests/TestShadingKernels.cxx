@@ -106,6 +106,8 @@ OneFieldScene RandomScene(RandomNumbers& random)
     scene.Lights.push_back(RandomLight(random));
   }
   scene.TwoSidedLighting = random.Integer(0, 1) != 0;
+  scene.Shadows = random.Integer(0, 1) != 0;
+  scene.OcclusionRays = random.Integer(0, 3) ? 0 : 3;
   return scene;
 }
 
@@ -143,6 +145,21 @@ struct CountingKernels
   /// Those that the kernels left to others.
   inline static std::vector<bool> AreExtreme;
 };
+
+/// The colour of a hit that is shaded by itself.
+Vector3 ShadeOne(const Shader& shader, const Scene& shown, const Hit& hit, const Vector3& direction)
+{
+  const SecondaryRays secondary(shown, 0);
+  LightAtHits ambient = { { 1.0 } };
+  if (shown.OcclusionRays > 0)
+  {
+    secondary.FindAmbient(&hit, 1, ambient);
+  }
+  std::vector<LightAtHits> lights(shown.Lights.size());
+  secondary.FindLights(&hit, 1, lights.data());
+  return shader.Shade(
+    hit, direction, { ambient.Parts[0], shown.Shadows ? lights.data() : nullptr });
+}
 
 /// Whether the kernels support everything that shades a scene.
 bool IsForKernels(const OneFieldScene& scene)
@@ -205,7 +222,8 @@ TEST_P(ShadingKernels, ShadingMatchesSingleHits)
       const auto number = static_cast<std::size_t>(ray);
       for (std::size_t hit = hits.First[number]; hit < hits.First[number + 1]; ++hit)
       {
-        const Vector3 expected = shader.Shade(hits.Hits[hit], GetRay(packet, ray).Direction);
+        const Vector3 expected =
+          ShadeOne(shader, shown, hits.Hits[hit], GetRay(packet, ray).Direction);
         const double opacity = traced->GetRequest().GetOpacity(hits.Hits[hit]);
         ASSERT_TRUE(!isForKernels || CountingKernels::AreExtreme[hit] ||
           AreSameColors(CountingKernels::Colors[hit], expected))

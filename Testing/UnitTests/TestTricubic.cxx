@@ -239,7 +239,7 @@ void CheckPointsAndGradients(const Reference<T>& reference, const ImageField& tr
     const Vector3 gradient = traced.GetGradient(hit, traced.GetRequest().Normals);
     double points[3][RayPacket::Capacity];
     double gradients[3][RayPacket::Capacity];
-    traced.GetPointsAndGradients(&hit, 1, points, gradients);
+    traced.GetPointsAndGradients(&hit, 1, traced.GetRequest().Normals, points, gradients);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       EXPECT_NEAR(gradient[axis], static_cast<double>(expected[axis]), 1e-5) << ToText(line);

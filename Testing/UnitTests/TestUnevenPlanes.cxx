@@ -380,7 +380,8 @@ TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
   ASSERT_EQ(curved->GetRequest().Normals, NormalMode::CentralDifferences);
   double points[3][RayPacket::Capacity];
   double gradients[3][RayPacket::Capacity];
-  curved->GetPointsAndGradients(hits.data(), RayPacket::Capacity, points, gradients);
+  curved->GetPointsAndGradients(
+    hits.data(), RayPacket::Capacity, curved->GetRequest().Normals, points, gradients);
   for (std::size_t i = 0; i < RayPacket::Capacity; ++i)
   {
     const Vector3 one = curved->GetGradient(hits[i], NormalMode::CentralDifferences);

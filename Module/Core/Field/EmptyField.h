@@ -44,7 +44,7 @@ public:
   Vector3 GetPoint(const Hit& /*hit*/) const override { return {}; }
   Vector3 GetPointInCells(const Hit& /*hit*/) const override { return {}; }
   Vector3 GetGradient(const Hit& /*hit*/, NormalMode /*mode*/) const override { return {}; }
-  void GetPointsAndGradients(const Hit* /*hits*/, int /*count*/,
+  void GetPointsAndGradients(const Hit* /*hits*/, int /*count*/, NormalMode /*mode*/,
     double (* /*points*/)[RayPacket::Capacity],
     double (* /*gradients*/)[RayPacket::Capacity]) const override
   {

@@ -912,7 +912,7 @@ Vector3 FieldSet::GetGradient(const Hit& hit, NormalMode mode) const
 }
 
 //------------------------------------------------------------------------------
-void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
+void FieldSet::GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
   alignas(64) double ownPoints[3][RayPacket::Capacity];
@@ -942,7 +942,7 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count,
     {
       own[k] = member.ToOwn(hits[places[k]]);
     }
-    member.Field->GetPointsAndGradients(own, ownCount, ownPoints, ownGradients);
+    member.Field->GetPointsAndGradients(own, ownCount, mode, ownPoints, ownGradients);
     for (int k = 0; k < ownCount; ++k)
     {
       const Vector3 point =

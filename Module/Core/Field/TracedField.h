@@ -165,9 +165,8 @@ public:
   /// infinite, any multiple of its direction.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
 
-  /// The points of hits, and their gradients in the mode of the request: of up to as many as a
-  /// packet has rays.
-  virtual void GetPointsAndGradients(const Hit* hits, int count,
+  /// The points of hits, and their gradients: of up to as many as a packet has rays.
+  virtual void GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
     double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const = 0;
 
   virtual FieldStatistics GetStatistics() const = 0;

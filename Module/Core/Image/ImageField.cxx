@@ -290,7 +290,7 @@ Vector3 ImageField::GetGradient(const Hit& hit, NormalMode mode) const
 }
 
 //------------------------------------------------------------------------------
-void ImageField::GetPointsAndGradients(const Hit* hits, int count,
+void ImageField::GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
   Index3 cells[RayPacket::Capacity];
@@ -303,7 +303,7 @@ void ImageField::GetPointsAndGradients(const Hit* hits, int count,
       points[axis][i] = point[axis];
     }
   }
-  this->Tracer->GetGradients(hits, cells, count, gradients);
+  this->Tracer->GetGradients(hits, cells, count, mode, gradients);
 }
 
 //------------------------------------------------------------------------------

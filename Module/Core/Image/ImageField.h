@@ -69,8 +69,8 @@ public:
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
-  void GetPointsAndGradients(const Hit* hits, int count, double (*points)[RayPacket::Capacity],
-    double (*gradients)[RayPacket::Capacity]) const override;
+  void GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
+    double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
 
   /// The cells of the image.

@@ -163,6 +163,12 @@ struct InnerCells
   const double* Weights[3][RayPacket::Capacity];
 };
 
+/// What reaches each of some hits of a light: all, 1, where nothing is in its way.
+struct alignas(64) LightAtHits
+{
+  double Parts[RayPacket::Capacity];
+};
+
 /// Hits to be shaded.
 struct ShadedHits
 {
@@ -176,6 +182,18 @@ struct ShadedHits
   RaySet Entering;
   /// Those whose vectors are too short or too long for the arithmetic of the kernel.
   RaySet Extreme;
+  /// Of the ambient light; null if it reaches all hits.
+  const LightAtHits* Ambient;
+  /// One for each light of the scene; null if all of them reach all hits.
+  const LightAtHits* Lights;
+
+  void Clear()
+  {
+    this->Count = 0;
+    this->Entering = {};
+    this->Ambient = nullptr;
+    this->Lights = nullptr;
+  }
 };
 
 /// What opaque hits look like in the picture.

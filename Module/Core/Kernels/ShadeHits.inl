@@ -44,14 +44,20 @@ void Shade(const Phong& phong, ShadedHits& hits)
     {
       const DistantLight& light = phong.Lights[k];
       const Doubles toLight[3] = { light.Direction[0], light.Direction[1], light.Direction[2] };
-      reflection.Add(normal, toViewer, toLight, light.DiffuseColor, light.SpecularColor, 1.0,
+      reflection.Add(normal, toViewer, toLight, light.DiffuseColor, light.SpecularColor,
+        hits.Lights ? Load(&hits.Lights[k].Parts[i]) : Doubles(1.0),
         [&phong](Doubles cosine) { return Power(cosine, phong.SpecularPower); });
+    }
+    Doubles ambient = phong.Ambient;
+    if (hits.Ambient)
+    {
+      ambient = ambient * Load(&hits.Ambient->Parts[i]);
     }
     for (int k = 0; k < 3; ++k)
     {
       const Doubles color = Load(&hits.Color[k][i]);
       const Doubles shaded =
-        reflection.GetChannel(k, color, phong.Ambient, phong.Diffuse, phong.Specular);
+        reflection.GetChannel(k, color, ambient, phong.Diffuse, phong.Specular);
       // An extreme hit keeps the colour of its surface.
       Store(Select(ToMask(extreme), color, shaded), &hits.Color[k][i]);
     }

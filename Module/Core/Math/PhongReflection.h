@@ -58,9 +58,9 @@ struct PhongReflection
   }
 
   /// A channel of the light that a surface of a colour reflects; the coefficients are those of the
-  /// material.
+  /// material, the ambient one times what reaches it of the ambient light.
   SIMD_INLINE Number GetChannel(
-    int i, Number color, double ambient, double diffuse, double specular) const
+    int i, Number color, Number ambient, double diffuse, double specular) const
   {
     return color * ambient + color * this->Diffuse[i] * diffuse + this->Specular[i] * specular;
   }

@@ -460,10 +460,10 @@ Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
 }
 
 //------------------------------------------------------------------------------
-void MeshField::GetPointsAndGradients(const Hit* hits, int count,
+void MeshField::GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
-  const PointGradients* smoothGradients = this->GetSmoothGradients(this->Selection.Request.Normals);
+  const PointGradients* smoothGradients = this->GetSmoothGradients(mode);
   MeshCell cells[RayPacket::Capacity];
   for (int i = 0; i < count; ++i)
   {

@@ -72,82 +72,73 @@ SecondaryRays::SecondaryRays(const Scene& scene, std::size_t field)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> SecondaryRays::FindLightTransmittance(const std::vector<Hit>& hits) const
+void SecondaryRays::FindLights(const Hit* hits, int count, LightAtHits* lights) const
 {
-  const std::size_t lights = this->TheScene.Lights.size();
-  const std::vector<Start> starts = this->FindStarts(hits);
-  std::vector<double> transmittance(hits.size() * lights);
-  for (std::size_t first = 0; first < hits.size(); first += RayPacket::Capacity)
+  Start starts[RayPacket::Capacity];
+  this->FindStarts(hits, count, starts);
+  for (const Light& light : this->TheScene.Lights)
   {
-    const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, hits.size() - first);
-    for (std::size_t light = 0; light < lights; ++light)
+    OutgoingRay rays[RayPacket::Capacity];
+    for (int i = 0; i < count; ++i)
     {
-      OutgoingRay rays[RayPacket::Capacity];
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        rays[i] = this->MakeLightRay(this->TheScene.Lights[light], starts[first + i]);
-      }
-      double some[RayPacket::Capacity];
-      this->FindTransmittance(rays, static_cast<int>(count), some);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        transmittance[(first + i) * lights + light] = some[i];
-      }
+      rays[i] = this->MakeLightRay(light, starts[i]);
     }
+    this->FindTransmittance(rays, count, lights++->Parts);
   }
-  return transmittance;
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> SecondaryRays::FindAmbientTransmittance(const std::vector<Hit>& hits) const
+void SecondaryRays::FindAmbient(const Hit* hits, int count, LightAtHits& ambient) const
 {
-  const int count = this->TheScene.OcclusionRays;
-  const std::vector<Start> starts = this->FindStarts(hits);
+  const int raysOfHit = this->TheScene.OcclusionRays;
+  Start starts[RayPacket::Capacity];
+  this->FindStarts(hits, count, starts);
   std::vector<Hemisphere> hemispheres;
-  for (std::size_t i = 0; i < hits.size(); ++i)
+  for (int i = 0; i < count; ++i)
   {
     const Vector3 normal =
       Normalized(TransformDirection(this->WorldFromGradient, Normalized(starts[i].Gradient)));
-    hemispheres.emplace_back(hits[i].Entering ? normal * -1.0 : normal, count,
+    hemispheres.emplace_back(hits[i].Entering ? normal * -1.0 : normal, raysOfHit,
       HitNumbers(this->Field.GetPointInCells(hits[i]), this->TheScene.OcclusionFrame));
   }
   // Rays of several hits at a time, so that many of them have similar directions.
   constexpr int atOnce = 32;
-  std::vector<double> ambient(hits.size());
+  std::fill_n(ambient.Parts, count, 0.0);
   std::vector<OutgoingRay> rays;
   std::vector<double> transmittance;
-  for (int first = 0; first < count; first += atOnce)
+  for (int first = 0; first < raysOfHit; first += atOnce)
   {
     rays.clear();
-    const int some = std::min(atOnce, count - first);
-    for (std::size_t i = 0; i < hits.size(); ++i)
+    const int some = std::min(atOnce, raysOfHit - first);
+    for (int i = 0; i < count; ++i)
     {
       for (int number = 0; number < some; ++number)
       {
-        rays.push_back(this->MakeOcclusionRay(hemispheres[i].Next(), starts[i]));
+        rays.push_back(
+          this->MakeOcclusionRay(hemispheres[static_cast<std::size_t>(i)].Next(), starts[i]));
       }
     }
     this->FindTransmittanceSorted(rays, transmittance);
     for (std::size_t i = 0; i < transmittance.size(); ++i)
     {
-      ambient[i / static_cast<std::size_t>(some)] += transmittance[i] / count;
+      ambient.Parts[i / static_cast<std::size_t>(some)] += transmittance[i] / raysOfHit;
     }
   }
-  return ambient;
 }
 
 //------------------------------------------------------------------------------
-std::vector<SecondaryRays::Start> SecondaryRays::FindStarts(const std::vector<Hit>& hits) const
+void SecondaryRays::FindStarts(const Hit* hits, int count, Start* starts) const
 {
-  std::vector<Start> starts;
-  starts.reserve(hits.size());
-  for (const Hit& hit : hits)
+  alignas(64) double points[3][RayPacket::Capacity];
+  alignas(64) double gradients[3][RayPacket::Capacity];
+  // The exact normal: with another, rays might enter the surface that they leave.
+  this->Field.GetPointsAndGradients(
+    hits, count, NormalMode::InterpolantGradient, points, gradients);
+  for (int i = 0; i < count; ++i)
   {
-    // The exact normal: with another, rays might enter the surface that they leave.
-    starts.push_back({ this->Field.GetPoint(hit),
-      this->Field.GetGradient(hit, NormalMode::InterpolantGradient), hit.Surface, hit.Member });
+    starts[i] = { { points[0][i], points[1][i], points[2][i] },
+      { gradients[0][i], gradients[1][i], gradients[2][i] }, hits[i].Surface, hits[i].Member };
   }
-  return starts;
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #ifndef SecondaryRays_h
 #define SecondaryRays_h
 
+#include "Kernels/Kernels.h"
 #include "Picture/Scene.h"
 
 #include <cstddef>
@@ -20,11 +21,11 @@ public:
   /// The scene must outlive the object.
   SecondaryRays(const Scene& scene, std::size_t field);
 
-  /// The part of each light that reaches each hit: hit by hit, light by light.
-  std::vector<double> FindLightTransmittance(const std::vector<Hit>& hits) const;
+  /// Finds what reaches hits of each light, for up to as many as a packet has rays.
+  void FindLights(const Hit* hits, int count, LightAtHits* lights) const;
 
-  /// The part of the ambient light that reaches each hit: all, 1, where nothing occludes it.
-  std::vector<double> FindAmbientTransmittance(const std::vector<Hit>& hits) const;
+  /// Finds what reaches them of the ambient light.
+  void FindAmbient(const Hit* hits, int count, LightAtHits& ambient) const;
 
 private:
   /// Where rays leave a hit, in the object space of the field.
@@ -52,7 +53,7 @@ private:
     double NearStart;
   };
 
-  std::vector<Start> FindStarts(const std::vector<Hit>& hits) const;
+  void FindStarts(const Hit* hits, int count, Start* starts) const;
   OutgoingRay MakeLightRay(const Light& light, const Start& start) const;
   OutgoingRay MakeOcclusionRay(const Vector3& direction, const Start& start) const;
   static std::vector<std::size_t> SortByDirection(const std::vector<OutgoingRay>& rays);

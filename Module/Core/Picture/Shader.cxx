@@ -93,10 +93,8 @@ Shader::Shader(const Scene& scene, std::size_t field, const Kernels* kernels)
 //------------------------------------------------------------------------------
 bool Shader::CanUseKernels() const
 {
-  const Scene& scene = this->TheScene;
-  return this->TheKernels && this->Own.Surface.Shade && !scene.Shadows &&
-    scene.OcclusionRays == 0 && this->WholePower >= 0 &&
-    this->DistantLights.size() == scene.Lights.size();
+  return this->TheKernels && this->Own.Surface.Shade && this->WholePower >= 0 &&
+    this->DistantLights.size() == this->TheScene.Lights.size();
 }
 
 //------------------------------------------------------------------------------
@@ -133,14 +131,7 @@ void Shader::MakeFragments(const RayPacket& packet, const RayHits& hits, Fragmen
     return;
   }
   std::vector<Vector3> colors(hits.Hits.size());
-  if (this->CanUseKernels())
-  {
-    this->ShadeByKernels(packet, hits, colors);
-  }
-  else
-  {
-    this->ShadeEach(packet, hits, colors);
-  }
+  this->FindColors(packet, hits, colors);
   for (std::size_t i = 0; i < colors.size(); ++i)
   {
     fragments.List[i] = this->MakeFragment(hits.Hits[i], colors[i]);
@@ -166,37 +157,12 @@ Fragment Shader::MakeFragmentOfValue(const Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
-void Shader::ShadeEach(
-  const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const
-{
-  const std::size_t lights = this->TheScene.Lights.size();
-  std::vector<double> transmittance;
-  if (this->TheScene.Shadows && this->Own.Surface.Shade)
-  {
-    transmittance = this->Secondary.FindLightTransmittance(hits.Hits);
-  }
-  std::vector<double> ambient;
-  if (this->TheScene.OcclusionRays > 0 && this->Own.Surface.Shade)
-  {
-    ambient = this->Secondary.FindAmbientTransmittance(hits.Hits);
-  }
-  ForEachHit(packet, hits,
-    [&](int ray, std::size_t i)
-    {
-      const IncomingLight light = { transmittance.empty() ? nullptr : &transmittance[i * lights],
-        ambient.empty() ? 1.0 : ambient[i] };
-      colors[i] = this->Shade(hits.Hits[i], packet.GetDirection(ray), light);
-    });
-}
-
-//------------------------------------------------------------------------------
-/// The same without shadows and occlusion, in packets of hits.
-void Shader::ShadeByKernels(
+/// The colours of the hits of a packet, in their order.
+void Shader::FindColors(
   const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const
 {
   ShadedHits shaded;
-  shaded.Count = 0;
-  shaded.Entering = {};
+  shaded.Clear();
   alignas(64) double points[3][RayPacket::Capacity];
   std::size_t first = 0;
   ForEachHit(packet, hits,
@@ -212,8 +178,7 @@ void Shader::ShadeByKernels(
       {
         colors[first++] = { shaded.Color[0][k], shaded.Color[1][k], shaded.Color[2][k] };
       }
-      shaded.Count = 0;
-      shaded.Entering = {};
+      shaded.Clear();
     });
 }
 
@@ -221,8 +186,7 @@ void Shader::ShadeByKernels(
 void Shader::MakePixels(const RayPacket& packet, const RayHits& hits, HitPixels& pixels) const
 {
   ShadedHits shaded;
-  shaded.Count = 0;
-  shaded.Entering = {};
+  shaded.Clear();
   alignas(64) double points[3][RayPacket::Capacity];
   ForEachHit(
     packet, hits, [&](int ray, std::size_t i) { this->Append(hits.Hits[i], packet, ray, shaded); });
@@ -248,13 +212,51 @@ void Shader::Append(const Hit& hit, const RayPacket& packet, int ray, ShadedHits
 }
 
 //------------------------------------------------------------------------------
-/// Shades hits that were appended, in their order, and finds their points.
+/// Shades hits that were appended, in their order. If it uses kernels it finds their points.
 void Shader::ShadeSome(
   const Hit* hits, double (*points)[RayPacket::Capacity], ShadedHits& shaded) const
 {
   const Scene& scene = this->TheScene;
+  if (!this->Own.Surface.Shade)
+  {
+    return;
+  }
+  LightAtHits ambient;
+  if (scene.OcclusionRays > 0)
+  {
+    this->Secondary.FindAmbient(hits, shaded.Count, ambient);
+    shaded.Ambient = &ambient;
+  }
+  std::vector<LightAtHits> lights;
+  if (scene.Shadows)
+  {
+    lights.resize(scene.Lights.size());
+    this->Secondary.FindLights(hits, shaded.Count, lights.data());
+    shaded.Lights = lights.data();
+  }
+  if (this->CanUseKernels())
+  {
+    this->ShadeByKernels(hits, points, shaded);
+  }
+  else
+  {
+    for (int i = 0; i < shaded.Count; ++i)
+    {
+      this->ShadeOne(hits[i], i, shaded);
+    }
+  }
+  shaded.Ambient = nullptr;
+  shaded.Lights = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void Shader::ShadeByKernels(
+  const Hit* hits, double (*points)[RayPacket::Capacity], ShadedHits& shaded) const
+{
+  const Scene& scene = this->TheScene;
   const Material& surface = this->Own.Surface;
-  this->Field.GetPointsAndGradients(hits, shaded.Count, points, shaded.Gradient);
+  this->Field.GetPointsAndGradients(
+    hits, shaded.Count, this->Field.GetRequest().Normals, points, shaded.Gradient);
   const Phong phong = { this->Own.View.GetWorldFromObject().data(), this->WorldFromGradient.data(),
     scene.TwoSidedLighting, surface.Ambient, surface.Diffuse, surface.Specular, this->WholePower,
     static_cast<int>(this->DistantLights.size()), this->DistantLights.data() };
@@ -267,13 +269,21 @@ void Shader::ShadeSome(
   {
     if (Has(shaded.Extreme, i))
     {
-      const Vector3 color = this->Shade(
-        hits[i], { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] });
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        shaded.Color[k][i] = color[k];
-      }
+      this->ShadeOne(hits[i], i, shaded);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Shades one of the hits that were appended.
+void Shader::ShadeOne(const Hit& hit, int i, ShadedHits& shaded) const
+{
+  const IncomingLight light = { shaded.Ambient ? shaded.Ambient->Parts[i] : 1.0, shaded.Lights, i };
+  const Vector3 color = this->Shade(
+    hit, { shaded.Direction[0][i], shaded.Direction[1][i], shaded.Direction[2][i] }, light);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    shaded.Color[k][i] = color[k];
   }
 }
 
@@ -314,7 +324,7 @@ Vector3 Shader::Shade(const Hit& hit, const Vector3& direction, const IncomingLi
     const Illumination illumination = Illuminate(source, point);
     reflection.Add(normal.data(), toViewer.data(), illumination.Direction.data(),
       source.DiffuseColor.data(), source.SpecularColor.data(),
-      illumination.Strength * (light.Lights ? light.Lights[i] : 1.0),
+      illumination.Strength * (light.Lights ? light.Lights[i].Parts[light.Place] : 1.0),
       [this](double cosine) { return this->Highlight(cosine); });
   }
   Vector3 shaded;

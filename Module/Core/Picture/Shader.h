@@ -15,12 +15,14 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The part of the light of a scene that reaches a hit.
+/// What reaches a hit of the light of a scene.
 struct IncomingLight
 {
-  /// Of each light; null where there are no shadows.
-  const double* Lights = nullptr;
   double Ambient = 1.0;
+  /// One for each light of the scene; null where there are no shadows.
+  const LightAtHits* Lights = nullptr;
+  /// The place of the hit in them.
+  int Place = 0;
 };
 
 /// Turns the hits with one field of a scene into fragments, lit by the Phong model as VTK lights
@@ -50,11 +52,12 @@ private:
   Vector3 GetColor(const Hit& hit) const;
   Fragment MakeFragment(const Hit& hit, const Vector3& color) const;
   Fragment MakeFragmentOfValue(const Hit& hit) const;
-  void ShadeEach(const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const;
-  void ShadeByKernels(
-    const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const;
+  void FindColors(const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const;
   void Append(const Hit& hit, const RayPacket& packet, int ray, ShadedHits& shaded) const;
   void ShadeSome(const Hit* hits, double (*points)[RayPacket::Capacity], ShadedHits& shaded) const;
+  void ShadeByKernels(
+    const Hit* hits, double (*points)[RayPacket::Capacity], ShadedHits& shaded) const;
+  void ShadeOne(const Hit& hit, int i, ShadedHits& shaded) const;
   double Highlight(double cosine) const;
 
   const Scene& TheScene;

@@ -55,23 +55,23 @@ public:
       : this->GetFieldGradient(hit, mode);
   }
 
-  /// The gradients, in the mode of the request, at up to as many hits as a packet has rays, whose
-  /// cells are given too.
-  virtual void GetGradients(const Hit* hits, const Index3* /*cells*/, int count,
+  /// The gradients at up to as many hits as a packet has rays, whose cells are given too.
+  virtual void GetGradients(const Hit* hits, const Index3* /*cells*/, int count, NormalMode mode,
     double (*gradients)[RayPacket::Capacity]) const
   {
     for (int i = 0; i < count; ++i)
     {
-      this->StoreGradient(hits[i], i, gradients);
+      this->StoreGradient(hits[i], mode, i, gradients);
     }
   }
 
 protected:
   virtual Vector3 GetFieldGradient(const Hit& hit, NormalMode mode) const = 0;
 
-  void StoreGradient(const Hit& hit, int i, double (*gradients)[RayPacket::Capacity]) const
+  void StoreGradient(
+    const Hit& hit, NormalMode mode, int i, double (*gradients)[RayPacket::Capacity]) const
   {
-    const Vector3 gradient = this->GetGradient(hit, this->Selection.Request.Normals);
+    const Vector3 gradient = this->GetGradient(hit, mode);
     gradients[0][i] = gradient[0];
     gradients[1][i] = gradient[1];
     gradients[2][i] = gradient[2];

@@ -169,7 +169,7 @@ protected:
   }
 
   /// Hits that follow each other are often in one cell.
-  void GetGradients(const Hit* hits, const Index3* cells, int count,
+  void GetGradients(const Hit* hits, const Index3* cells, int count, NormalMode mode,
     double (*gradients)[RayPacket::Capacity]) const override
   {
     const Kernels& kernels = this->Selection.GetAnyKernels();
@@ -179,7 +179,7 @@ protected:
     {
       if (hits[i].Plane != Hit::NoPlane)
       {
-        this->StoreGradient(hits[i], i, gradients);
+        this->StoreGradient(hits[i], mode, i, gradients);
         continue;
       }
       if (!loaded || cells[i] != *loaded)

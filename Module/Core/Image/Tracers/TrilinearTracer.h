@@ -37,13 +37,13 @@ public:
     return this->Hierarchy.FindActive(isovalues, threads);
   }
 
-  void GetGradients(const Hit* hits, const Index3* cells, int count,
+  void GetGradients(const Hit* hits, const Index3* cells, int count, NormalMode mode,
     double (*gradients)[RayPacket::Capacity]) const override
   {
     const Kernels* kernels = this->Selection.PacketKernels;
-    if (!kernels || this->Selection.Request.Normals != NormalMode::CentralDifferences)
+    if (!kernels || mode != NormalMode::CentralDifferences)
     {
-      SurfaceTracer::GetGradients(hits, cells, count, gradients);
+      SurfaceTracer::GetGradients(hits, cells, count, mode, gradients);
       return;
     }
     const RaySet others = this->Gradients.InterpolateDifferences(
@@ -56,7 +56,7 @@ public:
     {
       if (Has(others, i))
       {
-        this->StoreGradient(hits[i], i, gradients);
+        this->StoreGradient(hits[i], mode, i, gradients);
       }
     }
   }
