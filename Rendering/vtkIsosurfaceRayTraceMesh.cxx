@@ -27,7 +27,6 @@
 #include "Mesh/ShapeFunctions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -544,10 +543,7 @@ vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
 //------------------------------------------------------------------------------
 double vtkIsosurfaceRayTraceMesh::FindCellSize() const
 {
-  using vtkirt::operator-;
-  const vtkirt::Bounds box = this->Field->GetBounds();
-  return vtkirt::Length(box.Upper - box.Lower) /
-    std::cbrt(static_cast<double>(this->Cells->GetNumberOfCells()));
+  return this->Field->GetCellSize();
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,10 @@
 // hits in order: the method of TracedField.
 
 #include "AllKernels.h"
+#include "Mesh/MeshField.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
+#include "TestMesh.h"
 #include "TestRequest.h"
 #include "TestVolume.h"
 #include "TraceLine.h"
@@ -38,7 +40,7 @@ struct OutgoingRays
 };
 
 OutgoingRays MakeOutgoingRays(
-  RandomNumbers& random, ImageField& field, const Index3& size, bool areCoherent)
+  RandomNumbers& random, TracedField& field, const Index3& size, bool areCoherent)
 {
   OutgoingRays rays;
   rays.Packet.Count = 0;
@@ -68,7 +70,7 @@ class Transmittance : public WithKernels
 {
 protected:
   /// Compares both methods for some packets of rays.
-  void Check(ImageField& field, std::uint64_t seed, const Index3& size = Size)
+  void Check(TracedField& field, std::uint64_t seed, const Index3& size = Size)
   {
     RandomNumbers random(seed);
     int dark = 0;
@@ -192,6 +194,36 @@ TEST_P(Transmittance, OfUnevenSpacing)
   TestRequest request = this->NewRequest({ { 0.3, 1.0 } });
   request.Planes = &planes;
   this->Check(*NewTraced(volume, request), 18);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(Transmittance, OfSurfacesInMeshes)
+{
+  constexpr Index3 cubes = { 9, 8, 7 };
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(19);
+    const TestMesh mesh = MakeMesh(random, cubes, cutting, 0.2,
+      [&random](const Index3& p)
+      {
+        return std::sin(1.3 * p[0]) + std::cos(1.1 * p[1]) * std::sin(0.9 * p[2]) +
+          random.Uniform(-0.3, 0.3);
+      });
+    MeshField field(mesh.View(), 2);
+    const auto check = [&](const TraceRequest& request)
+    {
+      field.Select(request, { 1, &this->TheKernels });
+      this->Check(field, 20, { 10, 9, 8 });
+    };
+    TraceRequest request({ { 0.2, 1.0 } });
+    check(request);
+    request.Visible.HalfSpaces = { { { 1.0, 0.2, 0.1 }, -2.0 } };
+    check(request);
+    request.Surfaces = { { -0.4, 1.0 }, { 0.5, 1.0 } };
+    check(request);
+    request.Surfaces = { { -0.4, 0.5 }, { 0.5, 1.0 } };
+    check(request);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Transmittance, AllKernels(), NameOfKernels);

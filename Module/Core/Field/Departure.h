@@ -39,10 +39,11 @@ struct StoppedRays
   /// In cells, or other units that objects have a size of about one in.
   static constexpr double NearStart = 1e-4;
 
-  /// Adds a crossing at t, counted from the start of the ray, that is not the one it starts on.
-  void AddCrossing(int ray, double t, const Vector3& direction)
+  /// Adds a crossing at a distance from the start of the ray, in the same unit, that is not the one
+  /// it starts on.
+  void AddCrossing(int ray, double distance)
   {
-    Add(ray, t * Length(direction) < NearStart ? this->Unsure : this->Stopped);
+    Add(ray, distance < NearStart ? this->Unsure : this->Stopped);
   }
 };
 

@@ -254,7 +254,7 @@ void ImageField::FindTransmittance(
   RayPacket& packet, const Departure* departures, double* transmittance)
 {
   std::optional<StoppedRays> found;
-  if (this->Selection.EndsRaysAtAnyHit())
+  if (this->Selection.Request.EndsRaysAtAnyHit())
   {
     this->CutToHalfSpaces(packet);
     found = this->Tracer->FindStopped(packet, departures);

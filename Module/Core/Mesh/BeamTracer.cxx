@@ -18,10 +18,11 @@ constexpr int GroupSize = BeamRays::GroupSize;
 }
 
 //------------------------------------------------------------------------------
-RaySet BeamTracer::Trace(
-  const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits)
+RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet,
+  const Departure* departures, MeshBeam& beam, HitsOfRays& hits)
 {
   this->Packet = &packet;
+  this->Solver.Begin(packet, departures);
   this->Enter(selection, beam.GetFrame());
   for (std::size_t next = 0;
        next < beam.GetNumberOfSets() || this->FindMore(selection, beam, hits);)
@@ -54,7 +55,6 @@ void BeamTracer::Enter(const MeshSelection& selection, const BeamFrame& frame)
 {
   const RayPacket& packet = *this->Packet;
   this->PlaceRays();
-  this->Solver.Begin(packet);
   selection.PacketKernels->FrameRays(
     packet, frame.GetNumbers(), this->Solver.GetFramed(), this->Rays);
   this->Pairs.Count = 0;

@@ -21,10 +21,11 @@ namespace vtkIsosurfaceRayTracing
 class BeamTracer
 {
 public:
-  /// Adds the hits of the rays that are in the beam, and are not given up. Returns which these are:
-  /// those of others are not all there.
-  RaySet Trace(
-    const MeshSelection& selection, const RayPacket& packet, MeshBeam& beam, HitsOfRays& hits);
+  /// Adds the hits of the rays that are in the beam, and are not given up; of secondary rays, with
+  /// a departure for each ray of the packet, any that stops them. Returns which these are: those of
+  /// others are not all there.
+  RaySet Trace(const MeshSelection& selection, const RayPacket& packet, const Departure* departures,
+    MeshBeam& beam, HitsOfRays& hits);
 
 private:
   void Enter(const MeshSelection& selection, const BeamFrame& frame);

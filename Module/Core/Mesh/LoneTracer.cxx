@@ -9,12 +9,12 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-RaySet LoneTracer::Trace(
-  const MeshSelection& selection, const RayPacket& packet, const RaySet& rays, HitsOfRays& hits)
+RaySet LoneTracer::Trace(const MeshSelection& selection, const RayPacket& packet,
+  const RaySet& rays, const Departure* departures, HitsOfRays& hits)
 {
   this->Packet = &packet;
   this->Ways.resize(RayPacket::Capacity);
-  this->Solver.Begin(packet, this->Frames);
+  this->Solver.Begin(packet, departures, this->Frames);
   int going[RayPacket::Capacity];
   int count = 0;
   RaySet traced = {};

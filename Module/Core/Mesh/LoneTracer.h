@@ -23,9 +23,10 @@ namespace vtkIsosurfaceRayTracing
 class LoneTracer
 {
 public:
-  /// Adds the hits of some rays. Returns those that were traced: all that have a frame.
-  RaySet Trace(
-    const MeshSelection& selection, const RayPacket& packet, const RaySet& rays, HitsOfRays& hits);
+  /// Adds the hits of some rays; of secondary rays, with a departure for each ray of the packet,
+  /// any that stops them. Returns those that were traced: all that have a frame.
+  RaySet Trace(const MeshSelection& selection, const RayPacket& packet, const RaySet& rays,
+    const Departure* departures, HitsOfRays& hits);
 
 private:
   /// How a ray goes through the tree.

@@ -283,20 +283,23 @@ std::unique_ptr<MeshField::ThreadBeam> MeshField::TakeBeamOf(const RayPacket& pa
 }
 
 //------------------------------------------------------------------------------
-/// Finds the hits of the rays of a packet together. Returns those that were traced.
-RaySet MeshField::TraceTogether(const RayPacket& packet, ThreadBeam& thread) const
+/// Finds the hits of the rays of a packet together; given departures, any that stop them. Returns
+/// those that were traced.
+RaySet MeshField::TraceTogether(
+  const RayPacket& packet, const Departure* departures, ThreadBeam& thread) const
 {
   thread.Hits.Clear();
   RaySet traced = {};
   if (thread.Pieces.IsBeam())
   {
-    traced = thread.Tracer.Trace(this->Selection, packet, thread.Pieces, thread.Hits);
+    traced = thread.Tracer.Trace(this->Selection, packet, departures, thread.Pieces, thread.Hits);
   }
   const RaySet others = Without(packet.Exists, traced);
   ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
   if (!IsEmpty(others))
   {
-    const RaySet lone = thread.OfOthers.Trace(this->Selection, packet, others, thread.Hits);
+    const RaySet lone =
+      thread.OfOthers.Trace(this->Selection, packet, others, departures, thread.Hits);
     for (std::size_t word = 0; word < 2; ++word)
     {
       traced.Words[word] |= lone.Words[word];
@@ -318,7 +321,7 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   std::unique_ptr<ThreadBeam> own =
     beam || !this->Selection.PacketKernels ? nullptr : this->TakeBeamOf(packet);
   auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
-  const RaySet traced = thread ? this->TraceTogether(packet, *thread) : RaySet{};
+  const RaySet traced = thread ? this->TraceTogether(packet, nullptr, *thread) : RaySet{};
   std::vector<Hit> found;
   hits.First.resize(static_cast<std::size_t>(packet.Count) + 1);
   for (int i = 0; i < packet.Count; ++i)
@@ -350,6 +353,55 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
   {
     this->Spare->GiveBack(std::move(own));
   }
+}
+
+//------------------------------------------------------------------------------
+double MeshField::GetCellSize() const
+{
+  const Bounds& box = this->Tree.GetBounds();
+  return Length(box.Upper - box.Lower) /
+    std::cbrt(static_cast<double>(this->Cells.GetNumberOfCells()));
+}
+
+//------------------------------------------------------------------------------
+/// Finds those of the rays of a packet that surfaces stop. Leaves the rays that only the order of
+/// all crossings decides about, or that were not traced.
+StoppedRays MeshField::FindStopped(RayPacket& packet, const Departure* departures) const
+{
+  for (const HalfSpace& half : this->Selection.HalfSpaces)
+  {
+    CutRays(half, packet);
+  }
+  const double size = this->GetCellSize();
+  StoppedRays found;
+  std::unique_ptr<ThreadBeam> own = this->TakeBeamOf(packet);
+  const RaySet traced = this->TraceTogether(packet, departures, *own);
+  ForEachRay(traced,
+    [&](int ray)
+    {
+      if (const Hit* hit = own->Hits.GetAny(ray))
+      {
+        found.AddCrossing(ray, hit->T * Length(packet.GetDirection(ray)) / size);
+      }
+    });
+  this->Spare->GiveBack(std::move(own));
+  const RaySet decided = Without(traced, Without(found.Unsure, found.Stopped));
+  packet.Exists = Without(packet.Exists, decided);
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// Where all surfaces are opaque, any crossing decides, not only the first.
+void MeshField::FindTransmittance(
+  RayPacket& packet, const Departure* departures, double* transmittance)
+{
+  StoppedRays found;
+  if (this->Selection.PacketKernels && this->Selection.Request.EndsRaysAtAnyHit())
+  {
+    found = this->FindStopped(packet, departures);
+  }
+  TracedField::FindTransmittance(packet, departures, transmittance);
+  ForEachRay(found.Stopped, [transmittance](int ray) { transmittance[ray] = 0.0; });
 }
 
 //------------------------------------------------------------------------------

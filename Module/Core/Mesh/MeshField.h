@@ -40,6 +40,8 @@ public:
   bool MayHit() const override;
 
   Bounds GetBounds() const override { return this->Tree.GetBounds(); }
+  /// What a cell of average size is long, about.
+  double GetCellSize() const;
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
@@ -50,13 +52,15 @@ public:
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
+  void FindTransmittance(
+    RayPacket& packet, const Departure* departures, double* transmittance) override;
   void AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
     const Kernels* kernels, std::vector<ViewedCloud>& clouds) const override;
   Vector3 GetPoint(const Hit& hit) const override;
   Vector3 GetPointInCells(const Hit& hit) const override;
   Vector3 GetGradient(const Hit& hit, NormalMode mode) const override;
-  void GetPointsAndGradients(const Hit* hits, int count, NormalMode mode, double (*points)[RayPacket::Capacity],
-    double (*gradients)[RayPacket::Capacity]) const override;
+  void GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
+    double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
   double GetGradientSeconds() const override { return this->GradientSeconds; }
 
@@ -70,7 +74,9 @@ private:
   std::vector<const PointGradients*> FindGradientsOfCloud(int components, int threads);
   MeshSurface SelectSurface(double isovalue) const;
   std::unique_ptr<ThreadBeam> TakeBeamOf(const RayPacket& packet) const;
-  RaySet TraceTogether(const RayPacket& packet, ThreadBeam& thread) const;
+  RaySet TraceTogether(
+    const RayPacket& packet, const Departure* departures, ThreadBeam& thread) const;
+  StoppedRays FindStopped(RayPacket& packet, const Departure* departures) const;
 
   std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
   void AddHits(const RayPacket& packet, int ray, const std::vector<std::optional<Hit>>& firstCaps,

@@ -22,9 +22,11 @@ RayFrame GetFrame(const RayPacket& packet, int ray)
 }
 
 //------------------------------------------------------------------------------
-void PairSolver::Begin(const RayPacket& packet, const BeamNumbers* lone)
+void PairSolver::Begin(
+  const RayPacket& packet, const Departure* departures, const BeamNumbers* lone)
 {
   this->Packet = &packet;
+  this->Departures = departures;
   this->Lone = lone;
   std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
 }

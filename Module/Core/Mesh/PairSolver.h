@@ -25,9 +25,11 @@ namespace vtkIsosurfaceRayTracing
 class PairSolver
 {
 public:
-  /// Begins with the rays of a packet, of which the frames are to be set. Rays that make no beam
-  /// have one each: with these given, trilinear cells need not be within the hulls of their pieces.
-  void Begin(const RayPacket& packet, const BeamNumbers* lone = nullptr);
+  /// Begins with the rays of a packet, of which the frames are to be set. Secondary rays have a
+  /// departure each, or null. Rays that make no beam have a frame each: with these given, trilinear
+  /// cells need not be within the hulls of their pieces.
+  void Begin(
+    const RayPacket& packet, const Departure* departures, const BeamNumbers* lone = nullptr);
   FramedRays& GetFramed() { return this->Framed; }
 
   /// Where each ray ends by the hits that were found.
@@ -72,7 +74,8 @@ private:
 
   RayPart GetPart(int ray) const
   {
-    return { this->Packet->Begin[ray], this->Ends[ray], this->Packet->Base[ray] };
+    return { this->Packet->Begin[ray], this->Ends[ray], this->Packet->Base[ray],
+      this->Departures ? &this->Departures[ray] : nullptr };
   }
   template <typename CellPairs>
   static void Take(PairedCells& cells, const int* rays, CellPairs& pairs);
@@ -89,6 +92,7 @@ private:
     HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
+  const Departure* Departures = nullptr;
   const BeamNumbers* Lone = nullptr;
   FramedRays Framed;
   double Ends[RayPacket::Capacity];

@@ -4,6 +4,7 @@
 #ifndef RayHitsInCells_h
 #define RayHitsInCells_h
 
+#include "Field/Departure.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
 #include "Mesh/MeshSelection.h"
@@ -24,6 +25,8 @@ struct RayPart
   double Begin;
   double End;
   double Base;
+  /// Of a secondary ray, which ends at any hit but the one that it starts on; else null.
+  const Departure* From = nullptr;
 
   bool Has(double t) const { return t >= this->Begin && t <= this->End; }
 };
@@ -32,9 +35,15 @@ struct RayPart
 bool IsVisible(const MeshSelection& selection, const Hit& hit);
 
 /// Whether a hit at t in a part of a ray is kept: if it is visible. The part ends at the place of
-/// an opaque one.
+/// an opaque one; that of a secondary ray no longer has anything but its begin.
 inline bool KeepHit(const MeshSelection& selection, const Hit& hit, double t, RayPart& part)
 {
+  if (part.From)
+  {
+    const bool isOwn = part.From->Is(hit.Surface, hit.Entering);
+    part.End = isOwn ? part.End : part.Begin;
+    return !isOwn;
+  }
   if (!selection.Request.Visible.IsConvex() && !IsVisible(selection, hit))
   {
     return false;

@@ -126,6 +126,12 @@ struct TraceRequest
           { return opacity ? *opacity >= 1.0 : areOpaque; });
     return !this->Projection && areOpaqueOfMembers;
   }
+
+  /// Whether any crossing of a surface stops the light.
+  bool EndsRaysAtAnyHit() const
+  {
+    return this->HasOnlyOpaqueSurfaces() && this->Visible.IsConvex() && !this->Visible.HasCaps();
+  }
 };
 
 }

@@ -92,12 +92,6 @@ struct ImageSelection
   bool EndsRays(std::size_t surface) const { return this->IsOpaque(surface) && !this->Cropped; }
 
   /// Whether any hit of a ray ends it, wherever it is.
-  bool EndsRaysAtAnyHit() const
-  {
-    return this->Request.HasOnlyOpaqueSurfaces() && this->Request.Visible.IsConvex() &&
-      !this->Request.Visible.HasCaps();
-  }
-
   /// Those of packets, or others for rays that are traced one by one.
   const Kernels& GetAnyKernels() const
   {

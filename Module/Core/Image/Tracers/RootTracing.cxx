@@ -248,7 +248,7 @@ void FindStopsInCell(int number, const Ray& ray, const Index3& cell, const Depar
     if (!departure.Is(root.Surface, root.Entering))
     {
       const double t = ray.Base + GetTAt(segment.Begin, segment.End, root.Fraction);
-      stopped.AddCrossing(number, t, ray.Direction);
+      stopped.AddCrossing(number, t * Length(ray.Direction));
     }
   }
 }

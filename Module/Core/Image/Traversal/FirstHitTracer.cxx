@@ -286,7 +286,7 @@ void FirstHitTracer::StopAtCandidate(int candidate)
   {
     const Vector3 direction = { this->Packet->Direction[0][ray], this->Packet->Direction[1][ray],
       this->Packet->Direction[2][ray] };
-    this->Stopped.AddCrossing(ray, this->Solved.T[candidate], direction);
+    this->Stopped.AddCrossing(ray, this->Solved.T[candidate] * Length(direction));
   }
 }
 
