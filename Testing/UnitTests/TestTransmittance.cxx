@@ -226,6 +226,84 @@ TEST_P(Transmittance, OfSurfacesInMeshes)
   }
 }
 
+//------------------------------------------------------------------------------
+/// What is left of the light along a ray that leaves the top of a layer, whose height is given.
+double FindLightAbove(TracedField& field, double height)
+{
+  RayPacket packet;
+  packet.Clear();
+  field.AddRay({ 1.2, 1.7, height }, { 0.1, 0.05, 1.0 }, 0.0, Infinity, packet);
+  const Departure top = { 0, false };
+  double transmittance = 0.0;
+  field.FindTransmittance(packet, &top, &transmittance);
+  return transmittance;
+}
+
+/// Two layers, whose tops are at heights of 1.5 and 5.5.
+double Layers(double z)
+{
+  return std::abs(z - 1.0) < 1.0 || std::abs(z - 5.0) < 1.0 ? 1.0 : 0.0;
+}
+
+//------------------------------------------------------------------------------
+// Of a layer only the top is visible: light from above does not get through its inside.
+TEST_P(Transmittance, OfLayersThatAreCutOpen)
+{
+  const auto volume =
+    TestVolume<float>::Of({ 4, 4, 9 }, [](const AnalyticFields::Point& p) { return Layers(p[2]); });
+  TestRequest request = this->NewRequest({ { 0.5, 1.0 } });
+  for (const double opacity : { 1.0, 0.25 })
+  {
+    request.Surfaces[0].Opacity = opacity;
+    request.Visible = {};
+    EXPECT_DOUBLE_EQ(
+      FindLightAbove(*NewTraced(volume, request), 1.5), (1.0 - opacity) * (1.0 - opacity));
+    // The bottom of the upper layer is cropped, or its cells are hidden.
+    request.Visible.Regions = { { { { -1.0, 9.0 }, { -1.0, 9.0 }, { 3.0, 5.0 } } }, ~0x3fe00U };
+    EXPECT_DOUBLE_EQ(FindLightAbove(*NewTraced(volume, request), 1.5), 1.0 - opacity);
+    request.Visible = {};
+    std::vector<unsigned char> hidden(3 * 3 * 8, 0);
+    std::fill_n(hidden.begin() + 9 * 4, 9, 1);
+    request.Visible.HiddenCells = hidden.data();
+    EXPECT_DOUBLE_EQ(FindLightAbove(*NewTraced(volume, request), 1.5), 1.0 - opacity);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Removes the cells of one of eight layers of a mesh.
+void RemoveEighth(int layer, TestMesh& mesh)
+{
+  const auto cells = static_cast<std::ptrdiff_t>(mesh.Shapes.size() / 8);
+  const auto ids = static_cast<std::ptrdiff_t>(mesh.Connectivity.size() / 8);
+  const auto remove = [layer](auto& numbers, std::ptrdiff_t count)
+  { numbers.erase(numbers.begin() + layer * count, numbers.begin() + (layer + 1) * count); };
+  remove(mesh.Shapes, cells);
+  remove(mesh.Connectivity, ids);
+  mesh.Offsets.resize(mesh.Shapes.size() + 1);
+}
+
+// The same where the mesh has no cells with the bottom of the upper layer.
+TEST_P(Transmittance, OfLayersInMeshesWithGaps)
+{
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Hexahedra })
+  {
+    RandomNumbers random(23);
+    TestMesh mesh =
+      MakeMesh(random, { 3, 3, 8 }, cutting, 0.0, [](const Index3& p) { return Layers(p[2]); });
+    RemoveEighth(4, mesh);
+    for (const double opacity : { 1.0, 0.25 })
+    {
+      const TraceRequest request({ { 0.5, opacity } });
+      MeshField field(mesh.View(), 1);
+      for (const Kernels* kernels : { &this->TheKernels, static_cast<const Kernels*>(nullptr) })
+      {
+        field.Select(request, { 1, kernels });
+        EXPECT_DOUBLE_EQ(FindLightAbove(field, 1.5), 1.0 - opacity);
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Transmittance, AllKernels(), NameOfKernels);
 
 }

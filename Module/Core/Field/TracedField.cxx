@@ -85,8 +85,10 @@ void TracedField::FindTransmittance(
     return; // There are no surfaces.
   }
   // A ray that starts on a surface may meet it right there, by rounding. The side that it leaves to
-  // decides: a first crossing to the side that the ray is on already does not count. Where the
-  // surface is opaque, the ray is continued from there.
+  // decides: a first crossing to the side that the ray is on already does not count. (Farther away
+  // it does: on the way there, another may not have been visible, or in no cell.) Where the surface
+  // is opaque, the ray is continued from there.
+  const double nearStart = StoppedRays::NearStart * this->GetCellSize();
   double step = 1e-13;
   RayHits found;
   for (int attempt = 0; attempt < 8 && !IsEmpty(packet.Exists); ++attempt, step *= 16.0)
@@ -97,12 +99,13 @@ void TracedField::FindTransmittance(
     {
       std::size_t first = found.First[static_cast<std::size_t>(i)];
       const std::size_t last = found.First[static_cast<std::size_t>(i) + 1];
-      const bool isOwn =
-        first < last && departures[i].Is(found.Hits[first].Surface, found.Hits[first].Entering);
+      const double length = Length(packet.GetDirection(i));
+      const bool isOwn = first < last &&
+        departures[i].Is(found.Hits[first].Surface, found.Hits[first].Entering) &&
+        found.Hits[first].T * length < nearStart;
       if (isOwn && request.GetOpacity(found.Hits[first]) >= 1.0)
       {
-        packet.Begin[i] =
-          found.Hits[first].T - packet.Base[i] + step / Length(packet.GetDirection(i));
+        packet.Begin[i] = found.Hits[first].T - packet.Base[i] + step / length;
         if (packet.Begin[i] < packet.End[i])
         {
           Add(i, again);

@@ -154,6 +154,9 @@ public:
   {
   }
 
+  /// What a cell of average size is long, about, in object space.
+  virtual double GetCellSize() const { return 1.0; }
+
   /// The point of a hit.
   virtual Vector3 GetPoint(const Hit& hit) const = 0;
 

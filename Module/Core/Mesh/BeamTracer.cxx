@@ -22,7 +22,7 @@ RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet
   const Departure* departures, MeshBeam& beam, HitsOfRays& hits)
 {
   this->Packet = &packet;
-  this->Solver.Begin(packet, departures);
+  this->Solver.Begin(selection, packet, departures);
   this->Enter(selection, beam.GetFrame());
   for (std::size_t next = 0;
        next < beam.GetNumberOfSets() || this->FindMore(selection, beam, hits);)

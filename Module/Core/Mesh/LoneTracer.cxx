@@ -14,7 +14,7 @@ RaySet LoneTracer::Trace(const MeshSelection& selection, const RayPacket& packet
 {
   this->Packet = &packet;
   this->Ways.resize(RayPacket::Capacity);
-  this->Solver.Begin(packet, departures, this->Frames);
+  this->Solver.Begin(selection, packet, departures, this->Frames);
   int going[RayPacket::Capacity];
   int count = 0;
   RaySet traced = {};

@@ -117,7 +117,7 @@ void MeshField::Select(
     this->Boxes = std::make_unique<CellBoxes>(this->Cells, this->Tree, execution.Threads);
   }
   this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), std::move(ofCloud), request,
-    std::move(halves), std::move(surfaces), execution.PacketKernels };
+    std::move(halves), std::move(surfaces), this->GetCellSize(), execution.PacketKernels };
 }
 
 //------------------------------------------------------------------------------
@@ -372,7 +372,6 @@ StoppedRays MeshField::FindStopped(RayPacket& packet, const Departure* departure
   {
     CutRays(half, packet);
   }
-  const double size = this->GetCellSize();
   StoppedRays found;
   std::unique_ptr<ThreadBeam> own = this->TakeBeamOf(packet);
   const RaySet traced = this->TraceTogether(packet, departures, *own);
@@ -381,7 +380,8 @@ StoppedRays MeshField::FindStopped(RayPacket& packet, const Departure* departure
     {
       if (const Hit* hit = own->Hits.GetAny(ray))
       {
-        found.AddCrossing(ray, hit->T * Length(packet.GetDirection(ray)) / size);
+        found.AddCrossing(
+          ray, hit->T * Length(packet.GetDirection(ray)) / this->Selection.CellSize);
       }
     });
   this->Spare->GiveBack(std::move(own));

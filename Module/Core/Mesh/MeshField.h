@@ -40,8 +40,7 @@ public:
   bool MayHit() const override;
 
   Bounds GetBounds() const override { return this->Tree.GetBounds(); }
-  /// What a cell of average size is long, about.
-  double GetCellSize() const;
+  double GetCellSize() const override;
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,

@@ -40,6 +40,8 @@ struct MeshSelection
   /// Those of the request, as rays are cut to them: see MeshCaps.h.
   std::vector<HalfSpace> HalfSpaces;
   std::vector<MeshSurface> Surfaces;
+  /// What a cell of average size is long, about.
+  double CellSize = 1.0;
   /// With null each ray is traced by itself.
   const Kernels* PacketKernels = nullptr;
 };

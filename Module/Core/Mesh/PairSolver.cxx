@@ -22,13 +22,19 @@ RayFrame GetFrame(const RayPacket& packet, int ray)
 }
 
 //------------------------------------------------------------------------------
-void PairSolver::Begin(
-  const RayPacket& packet, const Departure* departures, const BeamNumbers* lone)
+void PairSolver::Begin(const MeshSelection& selection, const RayPacket& packet,
+  const Departure* departures, const BeamNumbers* lone)
 {
   this->Packet = &packet;
   this->Departures = departures;
   this->Lone = lone;
   std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
+  if (departures)
+  {
+    const double nearStart = StoppedRays::NearStart * selection.CellSize;
+    ForEachRay(packet.Exists,
+      [&](int ray) { this->EndsOfStarts[ray] = nearStart / Length(packet.GetDirection(ray)); });
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -28,8 +28,8 @@ public:
   /// Begins with the rays of a packet, of which the frames are to be set. Secondary rays have a
   /// departure each, or null. Rays that make no beam have a frame each: with these given, trilinear
   /// cells need not be within the hulls of their pieces.
-  void Begin(
-    const RayPacket& packet, const Departure* departures, const BeamNumbers* lone = nullptr);
+  void Begin(const MeshSelection& selection, const RayPacket& packet, const Departure* departures,
+    const BeamNumbers* lone = nullptr);
   FramedRays& GetFramed() { return this->Framed; }
 
   /// Where each ray ends by the hits that were found.
@@ -75,7 +75,7 @@ private:
   RayPart GetPart(int ray) const
   {
     return { this->Packet->Begin[ray], this->Ends[ray], this->Packet->Base[ray],
-      this->Departures ? &this->Departures[ray] : nullptr };
+      this->Departures ? &this->Departures[ray] : nullptr, this->EndsOfStarts[ray] };
   }
   template <typename CellPairs>
   static void Take(PairedCells& cells, const int* rays, CellPairs& pairs);
@@ -96,6 +96,8 @@ private:
   const BeamNumbers* Lone = nullptr;
   FramedRays Framed;
   double Ends[RayPacket::Capacity];
+  /// Of secondary rays.
+  double EndsOfStarts[RayPacket::Capacity] = {};
   TetrahedronPairs InTetrahedra;
   PairedCells Tetrahedra;
   TrilinearPairs InTrilinear;

@@ -25,8 +25,10 @@ struct RayPart
   double Begin;
   double End;
   double Base;
-  /// Of a secondary ray, which ends at any hit but the one that it starts on; else null.
+  /// Of a secondary ray, which ends at any hit but the one that it starts on, and the t that this
+  /// one is before; else null.
   const Departure* From = nullptr;
+  double EndOfStart = 0.0;
 
   bool Has(double t) const { return t >= this->Begin && t <= this->End; }
 };
@@ -40,7 +42,7 @@ inline bool KeepHit(const MeshSelection& selection, const Hit& hit, double t, Ra
 {
   if (part.From)
   {
-    const bool isOwn = part.From->Is(hit.Surface, hit.Entering);
+    const bool isOwn = hit.T < part.EndOfStart && part.From->Is(hit.Surface, hit.Entering);
     part.End = isOwn ? part.End : part.Begin;
     return !isOwn;
   }
