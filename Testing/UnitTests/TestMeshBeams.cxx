@@ -373,6 +373,32 @@ TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
 }
 
 //------------------------------------------------------------------------------
+/// As those to a light in the mesh or just above it.
+TEST_P(MeshBeams, HitWhatTheirRaysHitThatGoToAPoint)
+{
+  std::size_t count = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    RandomNumbers random(static_cast<std::uint64_t>(i));
+    const TestMesh mesh = MakeNoisyMesh(random, AllCuttings[i % 5]);
+    MeshField field(mesh.View(), 1);
+    const Vector3 inside = random.PointInBox({ 1.0, 1.0, 1.0 }, { 6.0, 5.0, 4.0 });
+    const Vector3 light = i % 2 != 0 ? inside : Vector3{ inside[0], inside[1], 5.5 };
+    const Vector3 corner = random.PointInBox({ 0.0, 0.0, 0.0 }, { 5.0, 4.0, 3.0 });
+    RayPacket packet;
+    packet.Clear();
+    while (packet.Count < RayPacket::Capacity)
+    {
+      const Vector3 origin = corner + random.PointInBox({ 0.0, 0.0, 0.0 }, { 0.7, 0.7, 0.7 });
+      field.AddRay(origin, light - origin, 0.0, i % 4 < 2 ? 1.0 : Infinity, packet);
+    }
+    count += this->CompareRays(field, TraceRequest({ { 0.2, 1.0 } }), packet);
+  }
+  std::cout << "[ tried    ] " << count << " hits\n";
+  EXPECT_GT(count, 3000U);
+}
+
+//------------------------------------------------------------------------------
 /// More pieces than a beam keeps.
 TEST_P(MeshBeams, HitWhatTheirRaysHitAmongManyCells)
 {

@@ -188,6 +188,12 @@ float BeamFrame::FindBegin(const RayPacket& rays, const RaySet& some) const
 }
 
 //------------------------------------------------------------------------------
+bool BeamFrame::HasLabelsFrom(float depth) const
+{
+  return 1.0 + this->Numbers.Spread * this->Numbers.Sign * static_cast<double>(depth) > SmallestW;
+}
+
+//------------------------------------------------------------------------------
 void BeamFrame::FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const
 {
   constexpr float margin = 0x1p-12F;

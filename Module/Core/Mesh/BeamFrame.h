@@ -37,6 +37,9 @@ public:
   /// The depth where the first of some rays begins, and a margin.
   float FindBegin(const RayPacket& rays, const RaySet& some) const;
 
+  /// Whether points in the beam have labels, from a depth to the plane of the frame.
+  bool HasLabelsFrom(float depth) const;
+
   /// The bounds of the labels between lines, and a margin.
   void FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const;
 

@@ -40,10 +40,16 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& lines)
 //------------------------------------------------------------------------------
 void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some)
 {
-  if (this->FindFrame(selection, rays, some))
+  if (!this->FindFrame(selection, rays, some))
   {
-    BeamProjection projection = this->Frame.GetProjection();
-    projection.Begin = this->Frame.FindBegin(rays, some);
+    return;
+  }
+  BeamProjection projection = this->Frame.GetProjection();
+  projection.Begin = this->Frame.FindBegin(rays, some);
+  // Rays to a point within the mesh would have no labels there.
+  this->HasFrame = this->Frame.HasLabelsFrom(projection.Begin);
+  if (this->HasFrame)
+  {
     this->Nodes.Begin(selection, projection);
   }
 }

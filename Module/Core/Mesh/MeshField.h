@@ -46,7 +46,7 @@ public:
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
   std::unique_ptr<Beam> MakeBeam() const override;
-  bool UsesBeams() const override { return true; }
+  bool UsesBeams() const override { return this->Selection.PacketKernels != nullptr; }
   void Begin(const RayPacket& lines, Beam* beam) const override;
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;

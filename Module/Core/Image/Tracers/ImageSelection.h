@@ -91,7 +91,6 @@ struct ImageSelection
   /// those that masks lead rays to, but cropping may hide one root and not the next.
   bool EndsRays(std::size_t surface) const { return this->IsOpaque(surface) && !this->Cropped; }
 
-  /// Whether any hit of a ray ends it, wherever it is.
   /// Those of packets, or others for rays that are traced one by one.
   const Kernels& GetAnyKernels() const
   {
