@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "AllKernels.h"
+#include "Field/FieldSet.h"
 #include "Matrices.h"
 #include "Mesh/BeamFrame.h"
 #include "Mesh/MeshField.h"
@@ -370,6 +371,48 @@ TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
     }
   }
   EXPECT_GT(count, 5000U);
+}
+
+//------------------------------------------------------------------------------
+/// A mesh in a set.
+class MeshSource final : public FieldSource
+{
+public:
+  explicit MeshSource(MeshField& field)
+    : Field(field)
+  {
+  }
+
+  TracedField& GetField() override { return this->Field; }
+  Visibility FindVisible() const override { return {}; }
+
+private:
+  MeshField& Field;
+};
+
+TEST(MeshesInSets, HaveNoBeamsWithoutKernels)
+{
+  RandomNumbers random(25);
+  const TestMesh mesh = MakeNoisyMesh(random, Cutting::Mixed);
+  MeshField field(mesh.View(), 1);
+  MeshSource source(field);
+  PlacedField placed{};
+  placed.Source = &source;
+  placed.SetFromOwn = Translation({ 0.0, 0.0, 0.0 });
+  placed.Box = field.GetBounds();
+  FieldSet set({ placed });
+  set.Select(TraceRequest({ { 0.2, 1.0 } }), { 1, nullptr });
+  const Camera camera = MakeCamera(Perspective(1.0, 100.0, 0.3), 20.0, random);
+  const PixelRectangle block = { Edge / 2, Edge / 2, 16, 8 };
+  const auto beam = set.MakeBeam();
+  set.Begin(FindCorners(camera, block), beam.get());
+  RayPacket corners = FindCorners(camera, block);
+  EXPECT_TRUE(set.MayHitBetween(corners, beam.get()));
+  RayPacket packet;
+  RayHits hits;
+  set.MakeRays(camera, block, {}, packet);
+  set.Trace(packet, hits, beam.get());
+  EXPECT_FALSE(hits.Hits.empty());
 }
 
 //------------------------------------------------------------------------------

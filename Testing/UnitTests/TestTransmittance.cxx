@@ -227,15 +227,16 @@ TEST_P(Transmittance, OfSurfacesInMeshes)
 }
 
 //------------------------------------------------------------------------------
-/// What is left of the light along a ray that leaves the top of a layer, whose height is given.
-double FindLightAbove(TracedField& field, double height)
+/// What is left of the light along a ray upwards from a surface at a height: into a layer, or out
+/// of it.
+double FindLightAbove(TracedField& field, double height, bool isEntering = false)
 {
   RayPacket packet;
   packet.Clear();
   field.AddRay({ 1.2, 1.7, height }, { 0.1, 0.05, 1.0 }, 0.0, Infinity, packet);
-  const Departure top = { 0, false };
+  const Departure departure = { 0, isEntering };
   double transmittance = 0.0;
-  field.FindTransmittance(packet, &top, &transmittance);
+  field.FindTransmittance(packet, &departure, &transmittance);
   return transmittance;
 }
 
@@ -300,6 +301,33 @@ TEST_P(Transmittance, OfLayersInMeshesWithGaps)
         field.Select(request, { 1, kernels });
         EXPECT_DOUBLE_EQ(FindLightAbove(field, 1.5), 1.0 - opacity);
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The other side of a layer may be so near that only the order of crossings tells it from the side
+// that the ray starts on.
+TEST_P(Transmittance, OfThinLayersInMeshes)
+{
+  constexpr double heights[] = { 0.0, 1.0, 1.0 + 1e-6, 1.0 + 2e-6, 2.0 };
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Hexahedra })
+  {
+    RandomNumbers random(24);
+    TestMesh mesh = MakeMesh(
+      random, { 3, 3, 4 }, cutting, 0.0, [](const Index3& p) { return p[2] == 2 ? 1.0 : 0.0; });
+    for (std::size_t z = 2; z < mesh.Points.size(); z += 3)
+    {
+      mesh.Points[z] = heights[static_cast<int>(mesh.Points[z])];
+    }
+    MeshField field(mesh.View(), 1);
+    for (const Kernels* kernels : { &this->TheKernels, static_cast<const Kernels*>(nullptr) })
+    {
+      field.Select(TraceRequest({ { 0.5, 1.0 } }), { 1, kernels });
+      const double bottom = 1.0 + 0.5e-6;
+      const double top = 1.0 + 1.5e-6;
+      EXPECT_EQ(FindLightAbove(field, bottom, true), 0.0);
+      EXPECT_EQ(FindLightAbove(field, top, false), 1.0);
     }
   }
 }

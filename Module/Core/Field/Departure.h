@@ -39,8 +39,8 @@ struct StoppedRays
   /// In cells, or other units that objects have a size of about one in.
   static constexpr double NearStart = 1e-4;
 
-  /// Adds a crossing at a distance from the start of the ray, in the same unit, that is not the one
-  /// it starts on.
+  /// Adds a crossing that is not the one the ray starts on, at a distance from the start in the
+  /// unit of NearStart.
   void AddCrossing(int ray, double distance)
   {
     Add(ray, distance < NearStart ? this->Unsure : this->Stopped);

@@ -235,17 +235,8 @@ void ImageField::Prefetch() const
 void ImageField::Trace(RayPacket& packet, RayHits& hits, Beam* /*beam*/)
 {
   hits.Clear();
-  this->CutToHalfSpaces(packet);
+  CutRays(this->Selection.Request.Visible.HalfSpaces, packet);
   this->Tracer->Trace(packet, hits);
-}
-
-//------------------------------------------------------------------------------
-void ImageField::CutToHalfSpaces(RayPacket& packet) const
-{
-  for (const HalfSpace& half : this->Selection.Request.Visible.HalfSpaces)
-  {
-    CutRays(half, packet);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -256,7 +247,7 @@ void ImageField::FindTransmittance(
   std::optional<StoppedRays> found;
   if (this->Selection.Request.EndsRaysAtAnyHit())
   {
-    this->CutToHalfSpaces(packet);
+    CutRays(this->Selection.Request.Visible.HalfSpaces, packet);
     found = this->Tracer->FindStopped(packet, departures);
   }
   if (found)

@@ -77,8 +77,6 @@ public:
   const CellLattice& GetLattice() const { return this->Selection.Lattice; }
 
 private:
-  void CutToHalfSpaces(RayPacket& packet) const;
-
   explicit ImageField(std::unique_ptr<ImageStructures> structures);
 
   std::unique_ptr<ImageStructures> Structures;

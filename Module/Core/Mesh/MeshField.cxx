@@ -312,10 +312,7 @@ RaySet MeshField::TraceTogether(
 void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 {
   hits.Clear();
-  for (const HalfSpace& half : this->Selection.HalfSpaces)
-  {
-    CutRays(half, packet);
-  }
+  CutRays(this->Selection.HalfSpaces, packet);
   CellHits inCell;
   const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
   std::unique_ptr<ThreadBeam> own =
@@ -368,10 +365,7 @@ double MeshField::GetCellSize() const
 /// all crossings decides about, or that were not traced.
 StoppedRays MeshField::FindStopped(RayPacket& packet, const Departure* departures) const
 {
-  for (const HalfSpace& half : this->Selection.HalfSpaces)
-  {
-    CutRays(half, packet);
-  }
+  CutRays(this->Selection.HalfSpaces, packet);
   StoppedRays found;
   std::unique_ptr<ThreadBeam> own = this->TakeBeamOf(packet);
   const RaySet traced = this->TraceTogether(packet, departures, *own);

@@ -76,14 +76,14 @@ void SecondaryRays::FindLights(const Hit* hits, int count, LightAtHits* lights) 
 {
   Start starts[RayPacket::Capacity];
   this->FindStarts(hits, count, starts);
-  for (const Light& light : this->TheScene.Lights)
+  for (std::size_t light = 0; light < this->TheScene.Lights.size(); ++light)
   {
     OutgoingRay rays[RayPacket::Capacity];
     for (int i = 0; i < count; ++i)
     {
-      rays[i] = this->MakeLightRay(light, starts[i]);
+      rays[i] = this->MakeLightRay(this->TheScene.Lights[light], starts[i]);
     }
-    this->FindTransmittance(rays, count, lights++->Parts);
+    this->FindTransmittance(rays, count, lights[light].Parts);
   }
 }
 

@@ -150,6 +150,15 @@ inline void CutRays(const HalfSpace& half, RayPacket& rays)
   }
 }
 
+/// Cuts them to the intersection of half-spaces.
+inline void CutRays(const std::vector<HalfSpace>& halves, RayPacket& rays)
+{
+  for (const HalfSpace& half : halves)
+  {
+    CutRays(half, rays);
+  }
+}
+
 }
 
 #endif

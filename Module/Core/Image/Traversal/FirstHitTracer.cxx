@@ -284,9 +284,8 @@ void FirstHitTracer::StopAtCandidate(int candidate)
   }
   else
   {
-    const Vector3 direction = { this->Packet->Direction[0][ray], this->Packet->Direction[1][ray],
-      this->Packet->Direction[2][ray] };
-    this->Stopped.AddCrossing(ray, this->Solved.T[candidate] * Length(direction));
+    this->Stopped.AddCrossing(
+      ray, this->Solved.T[candidate] * Length(this->Packet->GetDirection(ray)));
   }
 }
 
