@@ -40,6 +40,7 @@ set(core_sources
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
   Mesh/NearestNodes.cxx
+  Mesh/NodesOnRay.cxx
   Mesh/PairSolver.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx

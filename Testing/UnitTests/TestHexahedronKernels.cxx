@@ -5,10 +5,9 @@
 // instruction set.
 
 #include "AllKernels.h"
+#include "LoneRay.h"
 #include "Math/Arithmetic.h"
-#include "Mesh/BeamFrame.h"
 #include "RandomNumbers.h"
-#include "Rays/AppendBoxedRay.h"
 
 #include <algorithm>
 #include <array>
@@ -274,63 +273,6 @@ TEST_P(HexahedronKernels, PackTheBoxesOfHullsToHalfAStep)
 }
 
 //------------------------------------------------------------------------------
-/// A ray through a box with some cells, which begins and ends anywhere in it.
-struct LoneRay
-{
-  RayPacket Packet;
-  BeamFrame Frame;
-  float Begin;
-  float End;
-  bool HasFrame;
-
-  LoneRay(RandomNumbers& random, const Bounds& box)
-  {
-    this->Packet.Clear();
-    const double begin = random.Uniform(-0.5, 0.5);
-    const double end = begin + random.Uniform(0.1, 2.0);
-    Vector3 direction = random.Direction();
-    if (random.Integer(0, 5) == 0)
-    {
-      direction[static_cast<std::size_t>(random.Integer(0, 2))] = 0.0;
-    }
-    AppendBoxedRay(box, random.PointInBox(box.Lower, box.Upper),
-      Normalized(direction) * Length(box.Upper - box.Lower), begin, end, this->Packet);
-    this->HasFrame = (this->Packet.Exists.Words[0] & 1U) != 0 &&
-      this->Frame.Find(this->Packet, this->Packet.Exists, box);
-    if (this->HasFrame)
-    {
-      const BeamNumbers& numbers = this->Frame.GetNumbers();
-      this->Begin = this->Frame.FindBegin(this->Packet, this->Packet.Exists);
-      this->End = static_cast<float>(GetEndDepth(numbers,
-        this->Packet.Origin[numbers.Along][0] +
-          this->Packet.End[0] * this->Packet.Direction[numbers.Along][0]));
-    }
-  }
-
-  /// Whether it meets a box, made larger or smaller on each side by a part of its size.
-  bool Meets(const HullBox& box, long double part) const
-  {
-    long double begin = this->Packet.Begin[0];
-    long double end = this->Packet.End[0];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const long double room = part * (box.Upper[axis] - box.Lower[axis]);
-      const long double origin = this->Packet.Origin[axis][0];
-      const long double direction = this->Packet.Direction[axis][0];
-      const long double low = box.Lower[axis] - room - origin;
-      const long double high = box.Upper[axis] + room - origin;
-      if (direction == 0.0L)
-      {
-        end = low <= 0.0L && 0.0L <= high ? end : -1.0L / 0.0L;
-        continue;
-      }
-      begin = std::max(begin, std::min(low / direction, high / direction));
-      end = std::min(end, std::max(low / direction, high / direction));
-    }
-    return begin <= end;
-  }
-};
-
 /// No box that is met is left out; few of those are found that are not met.
 TEST_P(HexahedronKernels, FindTheBoxesOnARay)
 {
@@ -346,8 +288,8 @@ TEST_P(HexahedronKernels, FindTheBoxesOnARay)
     {
       continue;
     }
-    const unsigned int pieces =
-      this->TheKernels.FindPiecesOnRay(cells.Set, ray.Frame.GetNumbers(), ray.Begin, ray.End);
+    const unsigned int pieces = this->TheKernels.FindPiecesOnRay(
+      cells.Set, ray.Frame.GetNumbers(), ray.Frame.GetRay(ray.Begin), ray.End);
     ASSERT_EQ(pieces >> cells.Count, 0U);
     for (int cell = 0; cell < cells.Count; ++cell)
     {

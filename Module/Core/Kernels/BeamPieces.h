@@ -49,6 +49,20 @@ struct BeamProjection
   float Begin;
 };
 
+/// A ray as it comes to boxes: on each axis the depth where it has a coordinate is, about, a linear
+/// function of that; see BeamFrame.
+struct RayThroughBoxes
+{
+  bool IsUp[3];
+  /// The depth at a coordinate, for each step of it, and at 0: earlier and later than it is by more
+  /// than all rounding.
+  float Rate[3];
+  float Earlier[3];
+  float Later[3];
+  /// The depth that the ray begins at.
+  float Begin;
+};
+
 /// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.
 struct LabelBounds
 {

@@ -342,6 +342,15 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
+  /// Finds the children of a node that a ray may meet before a depth and one of the isovalues is
+  /// in, and the depths that it comes to them at; a bit for each.
+  unsigned int (*FindChildrenOnRay)(const CellTreeNode& node, const RayThroughBoxes& ray, float end,
+    const IsovalueSpan* isovalues, int count, float* near);
+
+  /// Finds the sets of pieces that a ray may meet before a depth, of up to 32; a bit for each.
+  unsigned int (*FindSetsOnRay)(
+    const PackedPieces* sets, int count, const RayThroughBoxes& ray, float end);
+
   /// Finds the extents of cells, given the ids of their corners, 4 or 8 of each. One for every
   /// ScalarType of values.
   void (*FindExtents[10])(const PointArrays& arrays, const std::int64_t* ids, int corners,
@@ -362,10 +371,10 @@ struct Kernels
   /// ...or one of pieces in other cells, with corners as in PassedCellRecords.
   void (*PackBoxes)(const double (*corners)[PassedCellRecords::Corners][4], PackedPieces& packed);
 
-  /// Finds the packed pieces that a ray may meet between two depths, given its frame as a beam of
-  /// one ray; a bit for each.
+  /// Finds the packed pieces that a ray may meet before a depth, given its frame as a beam of one
+  /// ray; a bit for each.
   unsigned int (*FindPiecesOnRay)(
-    const PackedPieces& packed, const BeamNumbers& frame, float begin, float end);
+    const PackedPieces& packed, const BeamNumbers& frame, const RayThroughBoxes& ray, float end);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -107,6 +107,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
 #include "Kernels/PackPieces.inl"
+#include "Kernels/PiecesOnRay.inl"
 #include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
@@ -129,10 +130,10 @@ SIMD_INLINE void LoadCorner(
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, FindFrames, EndRays, ProjectChildren, FOR_ALL_TYPES(FindExtents), WeightGradients,  \
-    FindCornerGradients, PackPolygons, PackBoxes, FindPiecesOnRay, BoundPackedPieces,              \
-    BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren,       \
-    FindMetCells, MakeCloudRays, ProjectTetrahedra,                                                \
+    FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, FindSetsOnRay,             \
+    FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, PackPolygons, PackBoxes,     \
+    FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra,    \
+    SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,               \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -173,6 +173,31 @@ BeamProjection BeamFrame::GetProjection() const
 }
 
 //------------------------------------------------------------------------------
+/// At the depth d the coordinates are those of the plane and the centre, and d times the rates: 1
+/// or -1 along the axis, and the slopes that go with it.
+RayThroughBoxes BeamFrame::GetRay(float begin) const
+{
+  const BeamNumbers& frame = this->Numbers;
+  const int axes[3] = { frame.Along, frame.Across[0], frame.Across[1] };
+  const double places[3] = { frame.Plane, frame.Center[0], frame.Center[1] };
+  const double rates[3] = { frame.Sign, frame.Sign * frame.Slope[0], frame.Sign * frame.Slope[1] };
+  // A smaller rate would move the ray by less than the room that there is for rounding.
+  constexpr double least = 0x1p-22;
+  RayThroughBoxes ray{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double inverse = 1.0 / std::copysign(std::max(std::abs(rates[k]), least), rates[k]);
+    const double room = 0x1p-19 * (this->Reach + frame.Length) + 0x1p-20 * std::abs(places[k]);
+    ray.IsUp[axes[k]] = inverse > 0.0;
+    ray.Rate[axes[k]] = static_cast<float>(inverse);
+    ray.Earlier[axes[k]] = static_cast<float>(-places[k] * inverse - room * std::abs(inverse));
+    ray.Later[axes[k]] = static_cast<float>(-places[k] * inverse + room * std::abs(inverse));
+  }
+  ray.Begin = begin;
+  return ray;
+}
+
+//------------------------------------------------------------------------------
 float BeamFrame::FindBegin(const RayPacket& rays, const RaySet& some) const
 {
   const int along = this->Numbers.Along;

@@ -32,6 +32,9 @@ public:
   /// How the boxes of a tree are projected, in single precision.
   BeamProjection GetProjection() const;
 
+  /// How the ray of a frame that has one alone comes to boxes.
+  RayThroughBoxes GetRay(float begin) const;
+
   const BeamNumbers& GetNumbers() const { return this->Numbers; }
 
   /// The depth where the first of some rays begins, and a margin.

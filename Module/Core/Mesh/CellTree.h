@@ -31,6 +31,8 @@ class CellTree
 public:
   /// The number of children of a node, and of cells in a block.
   static constexpr int Width = CellTreeNode::Width;
+  /// That of the nodes whose children are blocks of cells.
+  static constexpr int LowestLevel = 0;
 
   /// Builds the tree of all cells that are traced and finite. There may be up to 2^32 - 1 cells.
   CellTree(const MeshCells& cells, int threads);
@@ -45,7 +47,7 @@ public:
   /// many times over.
   double GetMargin() const;
 
-  /// The levels of nodes, the root last. The children of the nodes of level 0 are blocks of cells.
+  /// The levels of nodes, the root last.
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
   const CellTreeNode& GetNode(int level, std::size_t node) const
   {

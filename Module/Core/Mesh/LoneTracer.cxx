@@ -65,10 +65,7 @@ bool LoneTracer::BeginWay(const MeshSelection& selection, int ray)
   }
   Way& way = this->Ways[static_cast<std::size_t>(ray)];
   this->Frames[ray] = frame.GetNumbers();
-  way.Begin = frame.FindBegin(*this->Packet, alone);
-  BeamProjection projection = frame.GetProjection();
-  projection.Begin = way.Begin;
-  way.Nodes.Begin(selection, projection);
+  way.Nodes.Begin(selection, frame.GetRay(frame.FindBegin(*this->Packet, alone)));
   return true;
 }
 
@@ -110,19 +107,21 @@ void LoneTracer::AddPieces(
   for (std::size_t number = 0; number < selection.Surfaces.size(); ++number)
   {
     const MeshSurface& surface = selection.Surfaces[number];
-    const PackedPieces* all = surface.Pieces->Get(leaf, *selection.PacketKernels);
-    for (const PackedPieces* set = all; set != all + all->Sets; ++set)
+    const PackedPieces* sets = surface.Pieces->Get(leaf, *selection.PacketKernels);
+    for (unsigned int found =
+           selection.PacketKernels->FindSetsOnRay(sets, sets->Sets, way.Nodes.GetRay(), way.End);
+         found != 0; found &= found - 1)
     {
-      unsigned int pieces = way.Nodes.IsOnRay(*set, way.End)
-        ? selection.PacketKernels->FindPiecesOnRay(*set, this->Frames[ray], way.Begin, way.End)
-        : 0;
-      for (; pieces != 0; pieces &= pieces - 1)
+      const PackedPieces& set = sets[LowestBit(found)];
+      for (unsigned int pieces = selection.PacketKernels->FindPiecesOnRay(
+             set, this->Frames[ray], way.Nodes.GetRay(), way.End);
+           pieces != 0; pieces &= pieces - 1)
       {
         const auto pair = static_cast<int>(this->Pairs.size());
         this->Pairs.push_back(ray);
         this->Solver.Add(selection,
-          { selection.Tree->GetCellOfLeaf(leaf, set->Cells[LowestBit(pieces)]),
-            set->AreInTetrahedra, static_cast<int>(number) },
+          { selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]), set.AreInTetrahedra,
+            static_cast<int>(number) },
           pair, pair + 1);
         if (this->Solver.IsFull())
         {

@@ -7,7 +7,7 @@
 #include "Mesh/BeamFrame.h"
 #include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshSelection.h"
-#include "Mesh/NearestNodes.h"
+#include "Mesh/NodesOnRay.h"
 #include "Mesh/PairSolver.h"
 #include "Rays/RayPacket.h"
 
@@ -32,10 +32,9 @@ private:
   /// How a ray goes through the tree.
   struct Way
   {
-    /// The depths that it begins and ends at.
-    float Begin;
+    /// The depth that it ends at.
     float End;
-    NearestNodes Nodes;
+    NodesOnRay Nodes;
   };
 
   bool BeginWay(const MeshSelection& selection, int ray);

@@ -26,6 +26,19 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+namespace
+{
+
+IsovalueSpan FindSpan(double isovalue)
+{
+  const auto rounded = static_cast<float>(isovalue);
+  const float from =
+    static_cast<double>(rounded) < isovalue ? std::nextafterf(rounded, HUGE_VALF) : rounded;
+  return { std::nextafterf(from, -HUGE_VALF), from };
+}
+
+}
+
 /// What a thread traces packets with.
 class MeshField::ThreadBeam final : public Beam
 {
@@ -106,9 +119,11 @@ void MeshField::Select(
     ofCloud = this->FindGradientsOfCloud(request.LitComponents, execution.Threads);
   }
   std::vector<MeshSurface> surfaces;
+  std::vector<IsovalueSpan> spans;
   for (const Isosurface& surface : request.Surfaces)
   {
     surfaces.push_back(this->SelectSurface(surface.Isovalue));
+    spans.push_back(FindSpan(surface.Isovalue));
   }
   std::vector<HalfSpace> halves =
     MovePlanesIntoCells(request.Visible.HalfSpaces, this->Tree, this->Cells.GetPointType());
@@ -117,7 +132,8 @@ void MeshField::Select(
     this->Boxes = std::make_unique<CellBoxes>(this->Cells, this->Tree, execution.Threads);
   }
   this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), std::move(ofCloud), request,
-    std::move(halves), std::move(surfaces), this->GetCellSize(), execution.PacketKernels };
+    std::move(halves), std::move(surfaces), std::move(spans), this->GetCellSize(),
+    execution.PacketKernels };
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "Mesh/SurfacePieces.h"
 #include "Rays/TraceRequest.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -40,10 +41,32 @@ struct MeshSelection
   /// Those of the request, as rays are cut to them: see MeshCaps.h.
   std::vector<HalfSpace> HalfSpaces;
   std::vector<MeshSurface> Surfaces;
+  /// The floats that their isovalues are between.
+  std::vector<IsovalueSpan> Spans;
   /// What a cell of average size is long, about.
   double CellSize = 1.0;
   /// With null each ray is traced by itself.
   const Kernels* PacketKernels = nullptr;
+
+  /// Begins to fetch what is read when rays come to a node of the tree.
+  void Prefetch(int level, std::size_t node) const
+  {
+    if (level > CellTree::LowestLevel)
+    {
+      this->Tree->Prefetch(level, node);
+    }
+    for (const MeshSurface& surface : this->Surfaces)
+    {
+      if (level == CellTree::LowestLevel)
+      {
+        surface.Pieces->PrefetchBoxes(node);
+      }
+      else if (level == CellTree::LowestLevel + 1)
+      {
+        surface.Pieces->Prefetch(node * CellTree::Width, CellTree::Width);
+      }
+    }
+  }
 };
 
 }

@@ -36,9 +36,6 @@ public:
   unsigned int FindSets(
     const MeshSelection& selection, const PackedPieces* sets, int count, LabelBounds& bounds) const;
 
-  /// Whether a beam of one ray may meet the box of a set before a depth: faster, for few sets.
-  bool IsOnRay(const PackedPieces& set, float end) const;
-
 private:
   /// A node of the tree, and a depth that it is behind.
   struct Node
@@ -52,10 +49,8 @@ private:
   };
 
   void Expand(const MeshSelection& selection, const Node& node);
-  static void Prefetch(const MeshSelection& selection, int level, std::size_t number);
 
   BeamProjection Projection;
-  std::vector<IsovalueSpan> Spans;
   std::vector<Node> Heap;
 };
 

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef NodesOnRay_h
+#define NodesOnRay_h
+
+#include "Kernels/BeamPieces.h"
+#include "Mesh/MeshSelection.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+/// The leaves of the tree that a single ray may meet: those of nearer children of a node first.
+/// (Unlike those of a beam, not front to back: less is done for each.)
+class NodesOnRay
+{
+public:
+  /// Begins at the root. The selection must have a tree with nodes, and kernels.
+  void Begin(const MeshSelection& selection, const RayThroughBoxes& ray);
+
+  /// Finds the next leaf before a depth. Returns false if there is none.
+  bool FindLeaf(const MeshSelection& selection, float end, std::size_t& leaf);
+
+  const RayThroughBoxes& GetRay() const { return this->Ray; }
+
+private:
+  /// A node of the tree, and a depth that it is behind.
+  struct Node
+  {
+    float Near;
+    int Level;
+    std::size_t Number;
+  };
+
+  void Expand(const MeshSelection& selection, const Node& node, float end);
+
+  RayThroughBoxes Ray;
+  /// The next one last.
+  std::vector<Node> Nodes;
+};
+
+}
+
+#endif

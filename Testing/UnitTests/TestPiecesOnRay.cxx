@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What kernels find on a single ray in a mesh, against more precise arithmetic, with any
+// instruction set: all that is met, and little beside it.
+
+#include "AllKernels.h"
+#include "LoneRay.h"
+#include "RandomNumbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace vtkIsosurfaceRayTracing
+{
+namespace
+{
+
+class PiecesOnRay : public WithKernels
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, PiecesOnRay, AllKernels(), NameOfKernels);
+
+/// What is found must not be many of those that are not met.
+struct Count
+{
+  int Met = 0;
+  int Beside = 0;
+  int Superfluous = 0;
+
+  void Add(bool isMet, bool isNearlyMet, bool isFound)
+  {
+    this->Met += isMet ? 1 : 0;
+    this->Beside += isNearlyMet ? 0 : 1;
+    this->Superfluous += !isNearlyMet && isFound ? 1 : 0;
+  }
+};
+
+/// A mesh of any size and place: up to a hundred times as far from the origin as it is large.
+Bounds MakeMesh(RandomNumbers& random)
+{
+  const double size = std::pow(10.0, random.Uniform(-6.0, 6.0));
+  const double distance = size * std::pow(10.0, random.Uniform(-2.0, 2.0));
+  Bounds mesh;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    mesh.Lower[axis] = distance * random.Uniform(-1.0, 1.0);
+    mesh.Upper[axis] = mesh.Lower[axis] + size * random.Uniform(0.2, 1.0);
+  }
+  return mesh;
+}
+
+/// A box in a mesh, some of them flat. Half of them have a corner on the ray, but for rounding.
+struct FloatBox
+{
+  std::array<float, 3> Lower;
+  std::array<float, 3> Upper;
+
+  FloatBox(RandomNumbers& random, const Bounds& mesh, const LoneRay& ray)
+  {
+    const bool isOnRay = random.Integer(0, 1) == 0;
+    const double t = random.Uniform(ray.Packet.Begin[0], ray.Packet.End[0]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double a = isOnRay ? ray.Packet.Origin[axis][0] + t * ray.Packet.Direction[axis][0]
+                               : random.Uniform(mesh.Lower[axis], mesh.Upper[axis]);
+      const double extent = random.Integer(0, 5) == 0 ? 0.0 : random.Uniform(-0.3, 0.3);
+      const double b = a + extent * (mesh.Upper[axis] - mesh.Lower[axis]);
+      this->Lower[axis] = Clamp(std::min(a, b), mesh, axis);
+      this->Upper[axis] = Clamp(std::max(a, b), mesh, axis);
+    }
+  }
+
+  /// Larger on each side by a part of the mesh: more than what rounding takes.
+  FloatBox GetWider(const Bounds& mesh) const
+  {
+    FloatBox wider = *this;
+    const auto room = static_cast<float>(1e-3 * Length(mesh.Upper - mesh.Lower));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      wider.Lower[axis] -= room;
+      wider.Upper[axis] += room;
+    }
+    return wider;
+  }
+
+  static float Clamp(double coordinate, const Bounds& mesh, std::size_t axis)
+  {
+    return static_cast<float>(std::clamp(coordinate, mesh.Lower[axis], mesh.Upper[axis]));
+  }
+};
+
+TEST_P(PiecesOnRay, FindsChildren)
+{
+  RandomNumbers random(1);
+  Count count;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Bounds mesh = MakeMesh(random);
+    const LoneRay ray(random, mesh);
+    if (!ray.HasFrame)
+    {
+      continue;
+    }
+    CellTreeNode node{};
+    bool isMet[CellTreeNode::Width];
+    bool isNearlyMet[CellTreeNode::Width];
+    for (int child = 0; child < CellTreeNode::Width; ++child)
+    {
+      const FloatBox box(random, mesh, ray);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        node.Lower[axis][child] = box.Lower[axis];
+        node.Upper[axis][child] = box.Upper[axis];
+      }
+      node.Low[child] = random.Integer(0, 3) == 0 ? 2.0F : 0.0F;
+      node.High[child] = 3.0F;
+      isMet[child] = node.Low[child] < 2.0F && ray.Meets(box, 0.0L);
+      isNearlyMet[child] = node.Low[child] < 2.0F && ray.Meets(box.GetWider(mesh), 0.0L);
+    }
+    const IsovalueSpan isovalue = { 0.5F, 1.0F };
+    float near[CellTreeNode::Width];
+    const unsigned int found = this->TheKernels.FindChildrenOnRay(
+      node, ray.Frame.GetRay(ray.Begin), ray.End, &isovalue, 1, near);
+    ASSERT_EQ(found >> CellTreeNode::Width, 0U);
+    for (int child = 0; child < CellTreeNode::Width; ++child)
+    {
+      const bool isFound = (found >> child & 1U) != 0;
+      ASSERT_TRUE(isFound || !isMet[child]) << i << " " << child;
+      ASSERT_TRUE(!isFound || (ray.Begin <= near[child] && near[child] <= ray.End));
+      count.Add(isMet[child], isNearlyMet[child], isFound);
+    }
+  }
+  EXPECT_GT(count.Met, 10000);
+  EXPECT_LT(count.Superfluous, count.Beside / 50);
+}
+
+TEST_P(PiecesOnRay, FindsSets)
+{
+  RandomNumbers random(2);
+  Count count;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Bounds mesh = MakeMesh(random);
+    const LoneRay ray(random, mesh);
+    if (!ray.HasFrame)
+    {
+      continue;
+    }
+    constexpr int most = 32;
+    PackedPieces sets[most] = {};
+    bool isMet[most];
+    bool isNearlyMet[most];
+    const int number = random.Integer(1, most);
+    for (int set = 0; set < number; ++set)
+    {
+      const FloatBox box(random, mesh, ray);
+      std::copy(box.Lower.begin(), box.Lower.end(), sets[set].Lower);
+      std::copy(box.Upper.begin(), box.Upper.end(), sets[set].Upper);
+      isMet[set] = ray.Meets(box, 0.0L);
+      isNearlyMet[set] = ray.Meets(box.GetWider(mesh), 0.0L);
+    }
+    const unsigned int found =
+      this->TheKernels.FindSetsOnRay(sets, number, ray.Frame.GetRay(ray.Begin), ray.End);
+    ASSERT_EQ(static_cast<std::uint64_t>(found) >> number, 0U);
+    for (int set = 0; set < number; ++set)
+    {
+      const bool isFound = (found >> set & 1U) != 0;
+      ASSERT_TRUE(isFound || !isMet[set]) << i << " " << set;
+      count.Add(isMet[set], isNearlyMet[set], isFound);
+    }
+  }
+  EXPECT_GT(count.Met, 10000);
+  EXPECT_LT(count.Superfluous, count.Beside / 50);
+}
+
+//------------------------------------------------------------------------------
+/// Tetrahedra that a surface passes. The piece in the first has a corner on the ray, but for
+/// rounding.
+struct PassedTetrahedra
+{
+  int Count;
+  double Corners[PackedPieces::Capacity][4][4];
+  PackedPieces Set{};
+
+  PassedTetrahedra(
+    RandomNumbers& random, const Bounds& mesh, const LoneRay& ray, const Kernels& kernels)
+    : Count(random.Integer(1, PackedPieces::Capacity))
+  {
+    const double t = random.Uniform(ray.Packet.Begin[0], ray.Packet.End[0]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double lower = mesh.Lower[axis];
+      const double upper = mesh.Upper[axis];
+      const double place =
+        std::clamp(ray.Packet.Origin[axis][0] + t * ray.Packet.Direction[axis][0], lower, upper);
+      const double edge = 0.1 * (upper - lower);
+      for (int cell = 0; cell < this->Count; ++cell)
+      {
+        const double shift = cell == 0 ? 0.0 : random.Uniform(-edge, edge);
+        for (auto& corner : this->Corners[cell])
+        {
+          corner[axis] = std::clamp(place + shift + random.Uniform(-edge, edge), lower, upper);
+        }
+      }
+      const double room = std::min({ edge, place - lower, upper - place });
+      const double step = random.Uniform(-room, room);
+      this->Corners[0][0][axis] = place - step;
+      this->Corners[0][3][axis] = place + step;
+    }
+    for (int cell = 0; cell < this->Count; ++cell)
+    {
+      const double values[] = { -0.5, random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), 0.5 };
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        this->Corners[cell][corner][3] = values[corner];
+      }
+    }
+    this->Set.Count = static_cast<std::uint8_t>(this->Count);
+    this->Set.AreInTetrahedra = true;
+    kernels.PackPolygons(this->Corners, this->Set);
+  }
+};
+
+/// Where the surface meets the edges of a tetrahedron.
+struct Piece
+{
+  int Count = 0;
+  long double Points[6][3];
+  std::array<long double, 3> Lower;
+  std::array<long double, 3> Upper;
+
+  explicit Piece(const double (&corners)[4][4])
+  {
+    this->Lower.fill(std::numeric_limits<long double>::infinity());
+    this->Upper.fill(-std::numeric_limits<long double>::infinity());
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = i + 1; j < 4; ++j)
+      {
+        if ((corners[i][3] < 0.0) != (corners[j][3] < 0.0))
+        {
+          this->Add(corners[i], corners[j]);
+        }
+      }
+    }
+  }
+
+  void Add(const double (&a)[4], const double (&b)[4])
+  {
+    const long double fraction = a[3] / (static_cast<long double>(a[3]) - b[3]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const long double point = a[axis] + fraction * (static_cast<long double>(b[axis]) - a[axis]);
+      this->Points[this->Count][axis] = point;
+      this->Lower[axis] = std::min(this->Lower[axis], point);
+      this->Upper[axis] = std::max(this->Upper[axis], point);
+    }
+    ++this->Count;
+  }
+
+  /// Whether a part of a ray meets the convex hull of the points, which are in one plane: some of
+  /// the triangles between them.
+  bool IsMetBy(const RayPacket& packet) const
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      for (int j = i + 1; j < this->Count; ++j)
+      {
+        for (int k = j + 1; k < this->Count; ++k)
+        {
+          if (this->IsMetBy(packet, i, j, k))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  /// (T. Moeller, B. Trumbore: Fast, Minimum Storage Ray-Triangle Intersection, 1997.)
+  bool IsMetBy(const RayPacket& packet, int i, int j, int k) const
+  {
+    long double e[3];
+    long double f[3];
+    long double s[3];
+    long double d[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      e[axis] = this->Points[j][axis] - this->Points[i][axis];
+      f[axis] = this->Points[k][axis] - this->Points[i][axis];
+      s[axis] = packet.Origin[axis][0] - this->Points[i][axis];
+      d[axis] = packet.Direction[axis][0];
+    }
+    const auto triple = [](const long double* a, const long double* b, const long double* c)
+    {
+      return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+        a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    const long double determinant = triple(d, f, e);
+    const long double u = triple(d, f, s) / determinant;
+    const long double v = triple(d, s, e) / determinant;
+    const long double t = triple(f, s, e) / determinant;
+    return u >= 0.0L && v >= 0.0L && u + v <= 1.0L && t >= packet.Begin[0] && t <= packet.End[0];
+  }
+};
+
+TEST_P(PiecesOnRay, FindsPolygons)
+{
+  RandomNumbers random(3);
+  Count count;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Bounds mesh = MakeMesh(random);
+    const LoneRay ray(random, mesh);
+    if (!ray.HasFrame)
+    {
+      continue;
+    }
+    const PassedTetrahedra cells(random, mesh, ray, this->TheKernels);
+    const unsigned int found = this->TheKernels.FindPiecesOnRay(
+      cells.Set, ray.Frame.GetNumbers(), ray.Frame.GetRay(ray.Begin), ray.End);
+    ASSERT_EQ(found >> cells.Count, 0U);
+    for (int cell = 0; cell < cells.Count; ++cell)
+    {
+      const Piece piece(cells.Corners[cell]);
+      const bool isMet = piece.IsMetBy(ray.Packet);
+      const bool isFound = (found >> cell & 1U) != 0;
+      ASSERT_TRUE(isFound || !isMet) << i << " " << cell;
+      count.Add(isMet, isMet || ray.Meets(piece, 0.05L), isFound);
+    }
+  }
+  EXPECT_GT(count.Met, 1000);
+  EXPECT_LT(count.Superfluous, count.Beside / 50) << count.Met << " " << count.Beside;
+}
+
+}
+}
