@@ -114,30 +114,46 @@ SIMD_INLINE unsigned int FindBoxedPiecesOnRay(
   return found & ((1U << packed.Count) - 1U);
 }
 
-/// The polygons of a set that a ray may meet, whose label is 0.
+/// Those of some polygons of a set that a ray may meet, whose label is 0; a bit for each. A polygon
+/// that it meets has all edges on one side of it, wherever the corners are within the margin.
 SIMD_INLINE unsigned int FindPolygonsOnRay(
-  const PackedPieces& packed, const BeamNumbers& frame, float begin, float end)
+  const PackedPieces& packed, const BeamNumbers& frame, unsigned int among)
 {
-  BeamPieces pieces;
-  BoundPackedPieces(packed, frame, pieces);
-  const Floats zero = 0.0F;
-  unsigned int found = 0;
-  for (int i = 0; i < packed.Count; i += FloatWidth)
+  constexpr int corners = PackedPieces::Corners;
+  constexpr unsigned int mask = PackedPieces::Steps;
+  constexpr unsigned int lanes = (1U << FloatWidth) - 1U;
+  const PackedProjection projection(packed, frame);
+  const float errors[2] = { projection.X.Error, projection.Y.Error };
+  const float margin = (errors[0] < errors[1] ? errors[1] : errors[0]) + frame.Margin + LabelMargin;
+  unsigned int beside = 0;
+  for (int first = 0; first < packed.Count && projection.IsBounded(); first += FloatWidth)
   {
-    FloatMask isBeside =
-      (end < LoadFloats(&pieces.Bounds.Near[i])) | (LoadFloats(&pieces.Far[i]) < begin);
-    for (int k = 0; k < 2; ++k)
+    if ((among >> first & lanes) == 0)
     {
-      isBeside = isBeside | (zero < LoadFloats(&pieces.Bounds.Lower[k][i])) |
-        (LoadFloats(&pieces.Bounds.Upper[k][i]) < zero);
+      continue;
     }
-    for (const auto& line : pieces.Line)
+    Floats x[corners];
+    Floats y[corners];
+    for (int i = 0; i < corners; ++i)
     {
-      isBeside = isBeside | (LoadFloats(&line[2][i]) < zero);
+      const std::uint32_t* words = &packed.Polygons[i][first];
+      const Floats z = GetBits(words, PackedPieces::Bits * frame.Along, mask);
+      x[i] = projection.X.Get(GetBits(words, PackedPieces::Bits * frame.Across[0], mask), z);
+      y[i] = projection.Y.Get(GetBits(words, PackedPieces::Bits * frame.Across[1], mask), z);
     }
-    found |= (~ToBits(isBeside) & ((1U << FloatWidth) - 1U)) << i;
+    Floats leftmost = -static_cast<float>(Infinity);
+    Floats rightmost = -static_cast<float>(Infinity);
+    for (int i = 0; i < corners; ++i)
+    {
+      const int j = (i + 1) % corners;
+      const Floats area = MultiplyAdd(x[i], y[j], 0.0F - x[j] * y[i]);
+      const Floats room = margin * (Abs(x[i]) + Abs(y[i]) + Abs(x[j]) + Abs(y[j]) + 2.0F * margin);
+      leftmost = Max(leftmost, area - room);
+      rightmost = Max(rightmost, 0.0F - area - room);
+    }
+    beside |= ToBits((0.0F < leftmost) & (0.0F < rightmost)) << first;
   }
-  return found;
+  return among & ~beside;
 }
 
 /// Boxes come first: of most sets none is met.
@@ -149,7 +165,7 @@ unsigned int FindPiecesOnRay(
     return FindBoxedPiecesOnRay<2>(packed, ray, end);
   }
   const unsigned int found = FindBoxedPiecesOnRay<PackedPieces::Corners>(packed, ray, end);
-  return found == 0 ? 0 : found & FindPolygonsOnRay(packed, frame, ray.Begin, end);
+  return found == 0 ? 0 : FindPolygonsOnRay(packed, frame, found);
 }
 
 }

@@ -8,7 +8,6 @@
 #include "Mesh/MeshSelection.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -35,11 +34,15 @@ private:
     std::size_t Number;
   };
 
-  void Expand(const MeshSelection& selection, const Node& node, float end);
+  void Expand(const MeshSelection& selection, int level, std::size_t number, float end);
+
+  /// More than any tree has: 16^8 nodes hold 2^40 cells.
+  static constexpr std::size_t MaximumLevels = 8;
 
   RayThroughBoxes Ray;
   /// The next one last.
-  std::vector<Node> Nodes;
+  Node Nodes[MaximumLevels * CellTreeNode::Width];
+  std::size_t Count = 0;
 };
 
 }
