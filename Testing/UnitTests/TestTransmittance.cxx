@@ -13,6 +13,7 @@
 #include "TestVolume.h"
 #include "TraceLine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -223,6 +224,52 @@ TEST_P(Transmittance, OfSurfacesInMeshes)
     check(request);
     request.Surfaces = { { -0.4, 0.5 }, { 0.5, 1.0 } };
     check(request);
+  }
+}
+
+// A mesh that is smaller by a power of two has the same bits: nothing is added that has a size.
+TEST_P(Transmittance, OfSurfacesInMeshesOfAnySize)
+{
+  RandomNumbers random(25);
+  const Index3 size = { 6, 5, 4 };
+  TestMesh mesh = MakeMesh(random, size, Cutting::Tetrahedra, 0.3,
+    [&random](const Index3&) { return random.Uniform(-1.0, 1.0); });
+  MeshField field(mesh.View(), 1);
+  TestMesh smallMesh = mesh;
+  constexpr double scale = 0x1p-44;
+  std::transform(mesh.Points.begin(), mesh.Points.end(), smallMesh.Points.begin(),
+    [](double coordinate) { return scale * coordinate; });
+  MeshField small(smallMesh.View(), 1);
+  for (const Kernels* kernels : { &this->TheKernels, static_cast<const Kernels*>(nullptr) })
+  {
+    field.Select(TraceRequest({ { 0.1, 1.0 } }), { 1, kernels });
+    small.Select(TraceRequest({ { 0.1, 1.0 } }), { 1, kernels });
+    int dark = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const Vector3 way = random.Direction();
+      const std::vector<Hit> hits = Trace(field, { random.PointInVolume(size) - way * 60.0, way });
+      if (hits.empty())
+      {
+        continue;
+      }
+      const Hit& hit = hits.front();
+      const Vector3 start = field.GetPoint(hit);
+      const Vector3 direction = random.Direction();
+      const Vector3 gradient = field.GetGradient(hit, NormalMode::InterpolantGradient);
+      const Departure departure = { hit.Surface, Dot(gradient, direction) > 0.0 };
+      RayPacket packets[2];
+      double transmittance[2];
+      packets[0].Clear();
+      packets[1].Clear();
+      field.AddRay(start, direction, 0.0, Infinity, packets[0]);
+      small.AddRay(start * scale, direction * scale, 0.0, Infinity, packets[1]);
+      field.FindTransmittance(packets[0], &departure, &transmittance[0]);
+      small.FindTransmittance(packets[1], &departure, &transmittance[1]);
+      ASSERT_EQ(transmittance[0], transmittance[1]) << i;
+      dark += transmittance[0] == 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(dark, 100);
   }
 }
 

@@ -88,8 +88,9 @@ void TracedField::FindTransmittance(
   // decides: a first crossing to the side that the ray is on already does not count. (Farther away
   // it does: on the way there, another may not have been visible, or in no cell.) Where the surface
   // is opaque, the ray is continued from there.
-  const double nearStart = StoppedRays::NearStart * this->GetCellSize();
-  double step = 1e-13;
+  const double cell = this->GetCellSize();
+  const double nearStart = StoppedRays::NearStart * cell;
+  double step = 1e-13 * cell;
   RayHits found;
   for (int attempt = 0; attempt < 8 && !IsEmpty(packet.Exists); ++attempt, step *= 16.0)
   {
