@@ -112,6 +112,42 @@ struct alignas(32) CellTree::RoundedExtent : ExtentOf<float>
 };
 
 //------------------------------------------------------------------------------
+/// Finds three times ten bits for the position in a box.
+class CellTree::MortonCoder
+{
+public:
+  explicit MortonCoder(const Bounds& box)
+    : Lower(box.Lower)
+  {
+    double longest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      // Half of each: the whole extent may overflow.
+      longest = std::max(longest, 0.5 * box.Upper[axis] - 0.5 * box.Lower[axis]);
+    }
+    this->Scale = longest > 0.0 ? 1.0 / longest : 0.0;
+  }
+
+  std::uint32_t GetCode(const Vector3& point) const
+  {
+    std::uint32_t code = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double part = (0.5 * point[axis] - 0.5 * this->Lower[axis]) * this->Scale;
+      // NaN is the middle of what is too large for a float on both sides.
+      const double inBox = part > 0.0 ? std::min(part, 1.0) : 0.0;
+      code |= Spread(static_cast<std::uint32_t>(inBox * 1023.0)) << axis;
+    }
+    return code;
+  }
+
+private:
+  Vector3 Lower;
+  /// Of half a way.
+  double Scale;
+};
+
+//------------------------------------------------------------------------------
 /// Reads cells, up to 16 together, and finds their extents.
 class CellTree::CellReader
 {
@@ -311,6 +347,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
     return false;
   }
   CodeOrder order(blocks);
+  const MortonCoder coder(this->Box);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
   {
@@ -322,7 +359,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
     }
     else
     {
-      order.SetCode(number, this->GetMortonCode(extent.GetMiddle()));
+      order.SetCode(number, coder.GetCode(extent.GetMiddle()));
     }
   }
   this->Order = order.Find(threads);
@@ -338,37 +375,16 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Three times ten bits, for the position in the whole box.
-std::uint32_t CellTree::GetMortonCode(const Vector3& point) const
-{
-  double longest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    // Half of each: the whole extent may overflow.
-    longest = std::max(longest, 0.5 * this->Box.Upper[axis] - 0.5 * this->Box.Lower[axis]);
-  }
-  std::uint32_t code = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double way = 0.5 * point[axis] - 0.5 * this->Box.Lower[axis];
-    const double part = longest > 0.0 ? way / longest : 0.0;
-    // NaN is the middle of what is too large for a float on both sides.
-    const double inBox = part > 0.0 ? std::min(part, 1.0) : 0.0;
-    code |= Spread(static_cast<std::uint32_t>(inBox * 1023.0)) << axis;
-  }
-  return code;
-}
-
-//------------------------------------------------------------------------------
 /// Puts the cells that are traced in Morton order, and makes their blocks.
 void CellTree::SortCells(const MeshCells& cells, int threads)
 {
   CodeOrder order(this->Cells);
+  const MortonCoder coder(this->Box);
 #pragma omp parallel num_threads(threads)
   {
     CellReader reader(cells);
-    const auto setCode = [this, &order](std::uint32_t number, const Vector3& middle)
-    { order.SetCode(number, this->GetMortonCode(middle)); };
+    const auto setCode = [&order, &coder](std::uint32_t number, const Vector3& middle)
+    { order.SetCode(number, coder.GetCode(middle)); };
 #pragma omp for schedule(static)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>((this->Cells + Width - 1) / Width); ++i)
     {
@@ -386,12 +402,17 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
   const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);
 #pragma omp parallel num_threads(threads)
   {
+    // Cells are anywhere in memory now.
+    constexpr std::size_t ahead = 3;
     CellReader reader(cells);
 #pragma omp for schedule(static)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks); ++i)
     {
       const auto block = static_cast<std::size_t>(i);
       std::uint32_t numbers[Width];
+      const int ofLater = this->GetCells(std::min(block + ahead, this->Blocks - 1), numbers);
+      std::for_each(
+        numbers, numbers + ofLater, [&cells](std::uint32_t cell) { cells.Prefetch(cell); });
       reader.Read(numbers, this->GetCells(block, numbers));
       extents[block] = RoundedExtent(reader.GetExtent());
     }

@@ -113,6 +113,7 @@ public:
 private:
   struct Extent;
   struct RoundedExtent;
+  class MortonCoder;
   class CellReader;
 
   /// Nodes that are not initialized: the threads that fill them are the first to touch them.
@@ -130,7 +131,6 @@ private:
 
   bool SortBlocks(const MeshCells& cells, int threads);
   void SortCells(const MeshCells& cells, int threads);
-  std::uint32_t GetMortonCode(const Vector3& point) const;
   template <typename Function>
   void BuildLevel(std::size_t children, double margin, const Function& getExtent, int threads);
   void BuildLevelAbove(int threads);

@@ -71,7 +71,10 @@ public:
   /// Begins to fetch the ids of a cell's corners, if they are where they should be.
   void Prefetch(std::int64_t number) const
   {
-    PrefetchLine(static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell);
+    const char* ids =
+      static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell;
+    PrefetchLine(ids);
+    PrefetchLine(ids + this->BytesOfCell - 1);
   }
 
   /// Reads the ids of the corners of tetrahedra, in their order, and begins to fetch the points and
