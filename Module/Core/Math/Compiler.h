@@ -22,6 +22,9 @@ namespace vtkIsosurfaceRayTracing
 SIMD_INLINE void PrefetchLine(const void* address)
 {
   __builtin_prefetch(address);
+  // Else GCC takes functions that do nothing besides for ones without an effect, and removes calls
+  // of them.
+  __asm__ volatile("");
 }
 
 /// The number of the lowest bit that is set. One must be.
