@@ -402,17 +402,14 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
   const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);
 #pragma omp parallel num_threads(threads)
   {
-    // Cells are anywhere in memory now.
     constexpr std::size_t ahead = 3;
     CellReader reader(cells);
 #pragma omp for schedule(static)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks); ++i)
     {
       const auto block = static_cast<std::size_t>(i);
+      this->PrefetchCells(cells, std::min(block + ahead, this->Blocks - 1));
       std::uint32_t numbers[Width];
-      const int ofLater = this->GetCells(std::min(block + ahead, this->Blocks - 1), numbers);
-      std::for_each(
-        numbers, numbers + ofLater, [&cells](std::uint32_t cell) { cells.Prefetch(cell); });
       reader.Read(numbers, this->GetCells(block, numbers));
       extents[block] = RoundedExtent(reader.GetExtent());
     }

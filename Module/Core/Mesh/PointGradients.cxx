@@ -78,6 +78,10 @@ public:
       this->Range.First <= around.Points.First && around.Points.Last <= this->Range.Last;
     for (std::size_t first = 0; first < numbers.size();)
     {
+      const std::size_t later = std::min(first + 2 * Capacity, numbers.size());
+      std::for_each(numbers.data() + later,
+        numbers.data() + std::min(later + Capacity, numbers.size()),
+        [this](std::uint32_t number) { this->All->Cells->Prefetch(number); });
       const int count = this->GetRun(numbers, first);
       this->AddRun(&numbers[first], count, areAllIn);
       first += static_cast<std::size_t>(count);
@@ -391,6 +395,7 @@ PointGradients::ValueRange PointGradients::MarkAll(int threads)
 /// values.
 PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int threads)
 {
+  constexpr std::size_t ahead = 2;
   double low = Infinity;
   double high = -Infinity;
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(isovalue, isovalue, threads);
@@ -399,8 +404,10 @@ PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int thre
                                                                                           : high)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks.size()); ++i)
   {
+    const auto number = static_cast<std::size_t>(i);
+    this->Tree->PrefetchCells(*this->Cells, blocks[std::min(number + ahead, blocks.size() - 1)]);
     std::uint32_t numbers[CellTree::Width];
-    const int count = this->Tree->GetCells(blocks[static_cast<std::size_t>(i)], numbers);
+    const int count = this->Tree->GetCells(blocks[number], numbers);
     for (unsigned int active = this->Cells->FindStraddling(numbers, count, isovalue); active != 0;
          active &= active - 1)
     {
@@ -432,6 +439,7 @@ std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
   const ValueRange& range, int threads) const
 {
   constexpr std::size_t blocksOfPart = 256;
+  constexpr std::size_t ahead = 2;
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(range.Low, range.High, threads);
   std::vector<CellsAround> around((blocks.size() + blocksOfPart - 1) / blocksOfPart);
   FirstException exception;
@@ -446,6 +454,7 @@ std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
         const std::size_t last = std::min((part + 1) * blocksOfPart, blocks.size());
         for (std::size_t block = part * blocksOfPart; block < last; ++block)
         {
+          this->Tree->PrefetchCells(*this->Cells, blocks[std::min(block + ahead, last - 1)]);
           this->AddCells(blocks[block], around[part]);
         }
       });
