@@ -10,6 +10,7 @@
 #include "Mesh/MeshCell.h"
 #include "Mesh/MeshView.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -74,7 +75,8 @@ public:
     const char* ids =
       static_cast<const char*>(this->View.Connectivity) + number * this->BytesOfCell;
     PrefetchLine(ids);
-    PrefetchLine(ids + this->BytesOfCell - 1);
+    // Those of lattices are nowhere, and have no size.
+    PrefetchLine(ids + std::max<std::int64_t>(this->BytesOfCell - 1, 0));
   }
 
   /// Reads the ids of the corners of tetrahedra, in their order, and begins to fetch the points and
