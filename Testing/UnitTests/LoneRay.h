@@ -11,6 +11,7 @@
 #include "Rays/AppendBoxedRay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
@@ -31,12 +32,17 @@ struct LoneRay
     const double begin = random.Uniform(-0.5, 0.5);
     const double end = begin + random.Uniform(0.1, 2.0);
     Vector3 direction = random.Direction();
-    if (random.Integer(0, 5) == 0)
+    const int kind = random.Integer(0, 5);
+    if (kind < 2)
     {
-      direction[static_cast<std::size_t>(random.Integer(0, 2))] = 0.0;
+      // Along the plane of two axes, or nearly so.
+      direction[static_cast<std::size_t>(random.Integer(0, 2))] *=
+        kind == 0 ? 0.0 : std::pow(10.0, random.Uniform(-12.0, 0.0));
     }
-    AppendBoxedRay(box, random.PointInBox(box.Lower, box.Upper),
-      Normalized(direction) * Length(box.Upper - box.Lower), begin, end, this->Packet);
+    direction = Normalized(direction) * Length(box.Upper - box.Lower);
+    const double before = random.Integer(0, 2) == 0 ? random.Uniform(0.0, 100.0) : 0.0;
+    AppendBoxedRay(box, random.PointInBox(box.Lower, box.Upper) - direction * before, direction,
+      before + begin, before + end, this->Packet);
     this->HasFrame = (this->Packet.Exists.Words[0] & 1U) != 0 &&
       this->Frame.Find(this->Packet, this->Packet.Exists, box);
     if (this->HasFrame)

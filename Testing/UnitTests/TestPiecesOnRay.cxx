@@ -42,16 +42,18 @@ struct Count
   }
 };
 
-/// A mesh of any size and place: up to a hundred times as far from the origin as it is large.
+/// A mesh of any size and place: up to a hundred times as far from the origin as it is large. Some
+/// are long or flat.
 Bounds MakeMesh(RandomNumbers& random)
 {
   const double size = std::pow(10.0, random.Uniform(-6.0, 6.0));
   const double distance = size * std::pow(10.0, random.Uniform(-2.0, 2.0));
+  const double flattest = random.Integer(0, 2) == 0 ? -5.0 : -0.5;
   Bounds mesh;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     mesh.Lower[axis] = distance * random.Uniform(-1.0, 1.0);
-    mesh.Upper[axis] = mesh.Lower[axis] + size * random.Uniform(0.2, 1.0);
+    mesh.Upper[axis] = mesh.Lower[axis] + size * std::pow(10.0, random.Uniform(flattest, 0.0));
   }
   return mesh;
 }

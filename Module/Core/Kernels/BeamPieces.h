@@ -59,6 +59,10 @@ struct RayThroughBoxes
   float Rate[3];
   float Earlier[3];
   float Later[3];
+  /// The same, more precisely where coordinates are large: the coordinate where the depth is 0, and
+  /// what is less than rounding there.
+  double Place[3];
+  float Room[3];
   /// The depth that the ray begins at.
   float Begin;
 };

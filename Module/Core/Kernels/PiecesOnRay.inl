@@ -54,7 +54,7 @@ unsigned int FindSetsOnRay(
       entry = entry < first ? first : entry;
       exit = last < exit ? last : exit;
     }
-    found |= static_cast<unsigned int>(entry <= exit) << i;
+    found |= static_cast<unsigned int>(!(exit < entry)) << i;
   }
   return found;
 }
@@ -74,9 +74,11 @@ struct RayThroughSteps
     {
       const float lower = packed.Lower[axis];
       this->Rate[axis] = ray.Rate[axis] * ((packed.Upper[axis] - lower) * perStep);
-      const float room = 0.51F * std::fabs(this->Rate[axis]);
-      this->Earlier[axis] = ray.Rate[axis] * lower + (ray.Earlier[axis] - room);
-      this->Later[axis] = ray.Rate[axis] * lower + (ray.Later[axis] + room);
+      const float first =
+        ray.Rate[axis] * static_cast<float>(static_cast<double>(lower) - ray.Place[axis]);
+      const float room = ray.Room[axis] + 0.51F * std::fabs(this->Rate[axis]);
+      this->Earlier[axis] = first - room;
+      this->Later[axis] = first + room;
     }
   }
 };
@@ -114,8 +116,10 @@ SIMD_INLINE unsigned int FindBoxedPiecesOnRay(
   return found & ((1U << packed.Count) - 1U);
 }
 
-/// Those of some polygons of a set that a ray may meet, whose label is 0; a bit for each. A polygon
-/// that it meets has all edges on one side of it, wherever the corners are within the margin.
+/// Those of some polygons of a set that a ray may meet, given its frame, in which it has the label
+/// 0; a bit for each. A polygon that it meets has all edges on one side of it, so it does not have
+/// two on different sides by more than the margin moves them. (What rounding does to areas is a
+/// part of the margin, in which there is an error of 2^-21 of the largest labels.)
 SIMD_INLINE unsigned int FindPolygonsOnRay(
   const PackedPieces& packed, const BeamNumbers& frame, unsigned int among)
 {

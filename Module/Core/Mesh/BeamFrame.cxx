@@ -123,7 +123,8 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
       std::abs(box.Upper[across[k]] - this->Numbers.Center[k]) });
   }
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
-  // Rays need not be between the lines to the last bit. One line alone has room for rounding.
+  // Rays need not be between the lines to the last bit. One line alone has no size: any unit will
+  // do that keeps rounding below it.
   const double least = count == 1 ? 0x1p-20 : 0x1p-40;
   this->Numbers.InverseSize =
     1.0 / (size * (1.0 + 0x1p-12) + least * (this->Reach + this->Numbers.Length));
@@ -187,11 +188,14 @@ RayThroughBoxes BeamFrame::GetRay(float begin) const
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double inverse = 1.0 / std::copysign(std::max(std::abs(rates[k]), least), rates[k]);
-    const double room = 0x1p-19 * (this->Reach + frame.Length) + 0x1p-20 * std::abs(places[k]);
+    const double room = 0x1p-19 * (this->Reach + frame.Length) * std::abs(inverse);
+    const double roomInFloats = room + 0x1p-21 * std::abs(places[k] * inverse);
     ray.IsUp[axes[k]] = inverse > 0.0;
     ray.Rate[axes[k]] = static_cast<float>(inverse);
-    ray.Earlier[axes[k]] = static_cast<float>(-places[k] * inverse - room * std::abs(inverse));
-    ray.Later[axes[k]] = static_cast<float>(-places[k] * inverse + room * std::abs(inverse));
+    ray.Earlier[axes[k]] = static_cast<float>(-places[k] * inverse - roomInFloats);
+    ray.Later[axes[k]] = static_cast<float>(-places[k] * inverse + roomInFloats);
+    ray.Place[axes[k]] = places[k];
+    ray.Room[axes[k]] = static_cast<float>(room);
   }
   ray.Begin = begin;
   return ray;

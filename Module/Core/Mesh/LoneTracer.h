@@ -17,7 +17,7 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Traces rays of a packet that make no beam, each as a beam of its own: in rounds, in each of
+/// Traces rays of a packet that make no beam, each in a frame of its own: in rounds, in each of
 /// which every ray comes to a leaf of the tree with pieces that it may hit. The pairs of a round
 /// are solved together.
 class LoneTracer
@@ -46,7 +46,7 @@ private:
   const RayPacket* Packet = nullptr;
   /// Of each ray, as a beam of its own.
   BeamNumbers Frames[RayPacket::Capacity];
-  /// Kept for the memory of their nodes.
+  /// Some 2 kB for each ray.
   std::vector<Way> Ways;
   PairSolver Solver;
   /// The ray of each pair.

@@ -12,8 +12,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The leaves of the tree that a single ray may meet: those of nearer children of a node first.
-/// (Unlike those of a beam, not front to back: less is done for each.)
+/// The leaves of the tree that a single ray may meet, depth first: those of nearer children of a
+/// node come first. (Those of a beam come front to back, which takes more for each.)
 class NodesOnRay
 {
 public:
@@ -36,8 +36,8 @@ private:
 
   void Expand(const MeshSelection& selection, int level, std::size_t number, float end);
 
-  /// More than any tree has: 16^8 nodes hold 2^40 cells.
-  static constexpr std::size_t MaximumLevels = 8;
+  /// Nodes of the lowest of so many levels would hold 2^32 cells.
+  static constexpr std::size_t MaximumLevels = 7;
 
   RayThroughBoxes Ray;
   /// The next one last.
