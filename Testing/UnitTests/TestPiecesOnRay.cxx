@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,18 +28,38 @@ class PiecesOnRay : public WithKernels
 };
 INSTANTIATE_TEST_SUITE_P(All, PiecesOnRay, AllKernels(), NameOfKernels);
 
-/// What is found must not be many of those that are not met.
+/// What a ray meets of some things.
+struct Expected
+{
+  std::vector<bool> IsMet;
+  std::vector<bool> IsNearlyMet;
+
+  void Add(bool isMet, bool isNearlyMet)
+  {
+    this->IsMet.push_back(isMet);
+    this->IsNearlyMet.push_back(isNearlyMet);
+  }
+};
+
+/// What is found must be all that is met, and not much of what is not.
 struct Count
 {
   int Met = 0;
   int Beside = 0;
   int Superfluous = 0;
 
-  void Add(bool isMet, bool isNearlyMet, bool isFound)
+  void Add(unsigned int found, const Expected& expected)
   {
-    this->Met += isMet ? 1 : 0;
-    this->Beside += isNearlyMet ? 0 : 1;
-    this->Superfluous += !isNearlyMet && isFound ? 1 : 0;
+    const std::size_t number = expected.IsMet.size();
+    ASSERT_EQ(static_cast<std::uint64_t>(found) >> number, 0U);
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      const bool isFound = (found >> i & 1U) != 0;
+      ASSERT_TRUE(isFound || !expected.IsMet[i]) << i;
+      this->Met += expected.IsMet[i] ? 1 : 0;
+      this->Beside += expected.IsNearlyMet[i] ? 0 : 1;
+      this->Superfluous += !expected.IsNearlyMet[i] && isFound ? 1 : 0;
+    }
   }
 };
 
@@ -111,8 +132,7 @@ TEST_P(PiecesOnRay, FindsChildren)
       continue;
     }
     CellTreeNode node{};
-    bool isMet[CellTreeNode::Width];
-    bool isNearlyMet[CellTreeNode::Width];
+    Expected expected;
     for (int child = 0; child < CellTreeNode::Width; ++child)
     {
       const FloatBox box(random, mesh, ray);
@@ -123,20 +143,19 @@ TEST_P(PiecesOnRay, FindsChildren)
       }
       node.Low[child] = random.Integer(0, 3) == 0 ? 2.0F : 0.0F;
       node.High[child] = 3.0F;
-      isMet[child] = node.Low[child] < 2.0F && ray.Meets(box, 0.0L);
-      isNearlyMet[child] = node.Low[child] < 2.0F && ray.Meets(box.GetWider(mesh), 0.0L);
+      const bool isActive = node.Low[child] < 2.0F;
+      expected.Add(
+        isActive && ray.Meets(box, 0.0L), isActive && ray.Meets(box.GetWider(mesh), 0.0L));
     }
     const IsovalueSpan isovalue = { 0.5F, 1.0F };
     float near[CellTreeNode::Width];
     const unsigned int found = this->TheKernels.FindChildrenOnRay(
       node, ray.Frame.GetRay(ray.Begin), ray.End, &isovalue, 1, near);
-    ASSERT_EQ(found >> CellTreeNode::Width, 0U);
+    ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
     for (int child = 0; child < CellTreeNode::Width; ++child)
     {
       const bool isFound = (found >> child & 1U) != 0;
-      ASSERT_TRUE(isFound || !isMet[child]) << i << " " << child;
       ASSERT_TRUE(!isFound || (ray.Begin <= near[child] && near[child] <= ray.End));
-      count.Add(isMet[child], isNearlyMet[child], isFound);
     }
   }
   EXPECT_GT(count.Met, 10000);
@@ -157,26 +176,18 @@ TEST_P(PiecesOnRay, FindsSets)
     }
     constexpr int most = 32;
     PackedPieces sets[most] = {};
-    bool isMet[most];
-    bool isNearlyMet[most];
+    Expected expected;
     const int number = random.Integer(1, most);
     for (int set = 0; set < number; ++set)
     {
       const FloatBox box(random, mesh, ray);
       std::copy(box.Lower.begin(), box.Lower.end(), sets[set].Lower);
       std::copy(box.Upper.begin(), box.Upper.end(), sets[set].Upper);
-      isMet[set] = ray.Meets(box, 0.0L);
-      isNearlyMet[set] = ray.Meets(box.GetWider(mesh), 0.0L);
+      expected.Add(ray.Meets(box, 0.0L), ray.Meets(box.GetWider(mesh), 0.0L));
     }
     const unsigned int found =
       this->TheKernels.FindSetsOnRay(sets, number, ray.Frame.GetRay(ray.Begin), ray.End);
-    ASSERT_EQ(static_cast<std::uint64_t>(found) >> number, 0U);
-    for (int set = 0; set < number; ++set)
-    {
-      const bool isFound = (found >> set & 1U) != 0;
-      ASSERT_TRUE(isFound || !isMet[set]) << i << " " << set;
-      count.Add(isMet[set], isNearlyMet[set], isFound);
-    }
+    ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
   }
   EXPECT_GT(count.Met, 10000);
   EXPECT_LT(count.Superfluous, count.Beside / 50);
@@ -329,15 +340,14 @@ TEST_P(PiecesOnRay, FindsPolygons)
     const PassedTetrahedra cells(random, mesh, ray, this->TheKernels);
     const unsigned int found = this->TheKernels.FindPiecesOnRay(
       cells.Set, ray.Frame.GetNumbers(), ray.Frame.GetRay(ray.Begin), ray.End);
-    ASSERT_EQ(found >> cells.Count, 0U);
+    Expected expected;
     for (int cell = 0; cell < cells.Count; ++cell)
     {
       const Piece piece(cells.Corners[cell]);
       const bool isMet = piece.IsMetBy(ray.Packet);
-      const bool isFound = (found >> cell & 1U) != 0;
-      ASSERT_TRUE(isFound || !isMet) << i << " " << cell;
-      count.Add(isMet, isMet || ray.Meets(piece, 0.05L), isFound);
+      expected.Add(isMet, isMet || ray.Meets(piece, 0.05L));
     }
+    ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
   }
   EXPECT_GT(count.Met, 1000);
   EXPECT_LT(count.Superfluous, count.Beside / 50) << count.Met << " " << count.Beside;

@@ -60,7 +60,7 @@ struct RayThroughBoxes
   float Earlier[3];
   float Later[3];
   /// The same, more precisely where coordinates are large: the coordinate where the depth is 0, and
-  /// what is less than rounding there.
+  /// a depth that is more than rounding of what is measured from there.
   double Place[3];
   float Room[3];
   /// The depth that the ray begins at.
