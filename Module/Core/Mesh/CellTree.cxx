@@ -43,6 +43,17 @@ struct ExtentOf
   }
 };
 
+/// Half of the longest extent, which itself may overflow.
+double GetLongestHalf(const Bounds& box)
+{
+  double longest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    longest = std::max(longest, 0.5 * box.Upper[axis] - 0.5 * box.Lower[axis]);
+  }
+  return longest;
+}
+
 /// Two zeros before each of the lower ten bits.
 std::uint32_t Spread(std::uint32_t bits)
 {
@@ -72,6 +83,14 @@ struct CellTree::Extent : ExtentOf<double>
       this->Lower[i] = std::min(this->Lower[i], lower[i]);
       this->Upper[i] = std::max(this->Upper[i], upper[i]);
     }
+  }
+
+  Bounds GetBox() const
+  {
+    Bounds box;
+    std::copy_n(this->Lower, 3, box.Lower.begin());
+    std::copy_n(this->Upper, 3, box.Upper.begin());
+    return box;
   }
 
   /// Half of the surface of the box.
@@ -119,12 +138,7 @@ public:
   explicit MortonCoder(const Bounds& box)
     : Lower(box.Lower)
   {
-    double longest = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      // Half of each: the whole extent may overflow.
-      longest = std::max(longest, 0.5 * box.Upper[axis] - 0.5 * box.Lower[axis]);
-    }
+    const double longest = GetLongestHalf(box);
     this->Scale = longest > 0.0 ? 1.0 / longest : 0.0;
   }
 
@@ -294,7 +308,8 @@ private:
 CellTree::CellTree(const MeshCells& cells, int threads)
   : Cells(static_cast<std::size_t>(cells.GetNumberOfCells()))
 {
-  if (!this->SortBlocks(cells, threads))
+  this->IsSorted = this->AreScattered(cells);
+  if (this->IsSorted || !this->SortBlocks(cells, threads))
   {
     this->SortCells(cells, threads);
   }
@@ -305,14 +320,38 @@ CellTree::CellTree(const MeshCells& cells, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Makes blocks of consecutive cells, and puts these in Morton order. Returns false if their boxes
-/// are so large, compared with those of all cells, that the cells must be sorted.
-bool CellTree::SortBlocks(const MeshCells& cells, int threads)
+/// Whether most consecutive cells of a large mesh are far apart, by a sample of their blocks: then
+/// no time is spent on blocks in vain. The box becomes that of the sample.
+bool CellTree::AreScattered(const MeshCells& cells)
+{
+  constexpr std::int64_t samples = 64;
+  constexpr std::int64_t leastBlocks = 64 * samples;
+  constexpr double share = 4.0;
+  const std::int64_t blocks = cells.GetNumberOfCells() / Width;
+  CellReader reader(cells);
+  Extent whole = Extent::MakeEmpty();
+  std::int64_t scattered = 0;
+  for (std::int64_t i = 0; blocks >= leastBlocks && i < samples; ++i)
+  {
+    reader.ReadBlock(blocks * i / samples);
+    const Extent block = reader.GetExtent();
+    whole.Include(block.Lower, block.Upper);
+    scattered += block.GetArea() > share * reader.GetArea() ? 1 : 0;
+  }
+  this->Box = whole.GetBox();
+  return scattered > samples / 2;
+}
+
+//------------------------------------------------------------------------------
+/// Reads all cells, block by block, and finds their extent, and whether they are finite. Calls a
+/// function with the number of each block and the reader. Returns whether the boxes of blocks are
+/// not so large, compared with those of all cells, that the cells must be sorted.
+template <typename Function>
+bool CellTree::ReadBlocks(const MeshCells& cells, int threads, const Function& function)
 {
   /// Sixteen cubes in a row have 0.7 of the surface of all of them; in a cluster, 0.4.
   constexpr double largestShare = 0.75;
-  const std::size_t blocks = (this->Cells + Width - 1) / Width;
-  const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[blocks]);
+  const auto blocks = static_cast<std::int64_t>((this->Cells + Width - 1) / Width);
   Extent whole = Extent::MakeEmpty();
   bool areFinite = true;
   double areaOfCells = 0.0;
@@ -325,23 +364,34 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
   {
     CellReader reader(cells);
 #pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
+    for (std::int64_t i = 0; i < blocks; ++i)
     {
       reader.ReadBlock(i);
       const Extent block = reader.GetExtent();
-      extents[static_cast<std::size_t>(i)] = RoundedExtent(block);
       whole.Include(block.Lower, block.Upper);
       areaOfCells += reader.GetArea();
       areaOfBlocks += block.GetArea();
       areFinite = areFinite && reader.AreAllFinite();
+      function(static_cast<std::size_t>(i), reader);
     }
   }
-  std::copy_n(whole.Lower, 3, this->Box.Lower.begin());
-  std::copy_n(whole.Upper, 3, this->Box.Upper.begin());
+  this->Box = whole.GetBox();
   this->Low = whole.Lower[3];
   this->High = whole.Upper[3];
   this->AreFinite = areFinite;
-  this->IsSorted = !(areaOfBlocks <= largestShare * areaOfCells);
+  return areaOfBlocks <= largestShare * areaOfCells;
+}
+
+//------------------------------------------------------------------------------
+/// Makes blocks of consecutive cells, and puts these in Morton order. Returns false if the cells
+/// must be sorted.
+bool CellTree::SortBlocks(const MeshCells& cells, int threads)
+{
+  const std::size_t blocks = (this->Cells + Width - 1) / Width;
+  const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[blocks]);
+  this->IsSorted = !this->ReadBlocks(cells, threads,
+    [&extents](std::size_t block, const CellReader& reader)
+    { extents[block] = RoundedExtent(reader.GetExtent()); });
   if (this->IsSorted)
   {
     return false;
@@ -375,28 +425,38 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
 }
 
 //------------------------------------------------------------------------------
+/// Codes the cells that are traced, by their place in a box. Those outside are coded as if they
+/// were on its border.
+void CellTree::CodeCells(const MeshCells& cells, const Bounds& box, int threads, CodeOrder& order)
+{
+  const MortonCoder coder(box);
+  const auto setCode = [&order, &coder](std::uint32_t number, const Vector3& middle)
+  { order.SetCode(number, coder.GetCode(middle)); };
+  this->ReadBlocks(cells, threads,
+    [this, &order, &setCode](std::size_t block, const CellReader& reader)
+    {
+      const std::size_t last = std::min((block + 1) * Width, this->Cells);
+      for (std::size_t number = block * Width; number < last; ++number)
+      {
+        order.LeaveOut(static_cast<std::uint32_t>(number));
+      }
+      reader.ForMiddles(setCode);
+    });
+}
+
+//------------------------------------------------------------------------------
 /// Puts the cells that are traced in Morton order, and makes their blocks.
 void CellTree::SortCells(const MeshCells& cells, int threads)
 {
   CodeOrder order(this->Cells);
-  const MortonCoder coder(this->Box);
-#pragma omp parallel num_threads(threads)
+  // The box of a sample is that of all, but for a few cells, if these are in random order.
+  constexpr double largest = 1.25;
+  Bounds coded;
+  do
   {
-    CellReader reader(cells);
-    const auto setCode = [&order, &coder](std::uint32_t number, const Vector3& middle)
-    { order.SetCode(number, coder.GetCode(middle)); };
-#pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < static_cast<std::int64_t>((this->Cells + Width - 1) / Width); ++i)
-    {
-      const std::int64_t last = std::min((i + 1) * Width, static_cast<std::int64_t>(this->Cells));
-      for (std::int64_t number = i * Width; number < last; ++number)
-      {
-        order.LeaveOut(static_cast<std::uint32_t>(number));
-      }
-      reader.ReadBlock(i);
-      reader.ForMiddles(setCode);
-    }
-  }
+    coded = this->Box;
+    this->CodeCells(cells, coded, threads, order);
+  } while (GetLongestHalf(this->Box) > largest * GetLongestHalf(coded));
   this->Order = order.Find(threads);
   this->Blocks = (this->Order.size() + Width - 1) / Width;
   const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);

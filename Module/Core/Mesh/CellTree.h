@@ -18,6 +18,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+class CodeOrder;
+
 /// A tree over the cells of a mesh: in each node the boxes and the ranges of values of 16 children.
 ///
 /// The leaves are blocks of 16 cells in Morton order, and no node needs a pointer (16 children
@@ -140,7 +142,11 @@ private:
     std::unique_ptr<CellTreeNode[]> Nodes;
   };
 
+  bool AreScattered(const MeshCells& cells);
+  template <typename Function>
+  bool ReadBlocks(const MeshCells& cells, int threads, const Function& function);
   bool SortBlocks(const MeshCells& cells, int threads);
+  void CodeCells(const MeshCells& cells, const Bounds& box, int threads, CodeOrder& order);
   void SortCells(const MeshCells& cells, int threads);
   template <typename Function>
   void BuildLevel(std::size_t children, double margin, const Function& getExtent, int threads);
