@@ -8,6 +8,7 @@
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
 #include "Math/RoundOutward.h"
+#include "Math/ThreadsOfLoop.h"
 #include "Mesh/CodeOrder.h"
 
 #include <algorithm>
@@ -398,7 +399,7 @@ bool CellTree::SortBlocks(const MeshCells& cells, int threads)
   }
   CodeOrder order(blocks);
   const MortonCoder coder(this->Box);
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(GetThreadsOfLoop(blocks, 10.0, threads))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks); ++i)
   {
     const RoundedExtent& extent = extents[static_cast<std::size_t>(i)];
@@ -503,7 +504,7 @@ void CellTree::BuildLevel(
     return;
   }
   Level level((children + Width - 1) / Width);
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(GetThreadsOfLoop(level.Count, 200.0, threads))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(level.Count); ++i)
   {
     const auto node = static_cast<std::size_t>(i);
@@ -543,7 +544,7 @@ std::vector<std::uint32_t> CellTree::FindBlocks(double low, double high, int thr
 {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> blocks((this->Cells + Width - 1) / Width, none);
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(GetThreadsOfLoop(this->Blocks, 2.0, threads))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks); ++i)
   {
     const auto block = static_cast<std::size_t>(i);

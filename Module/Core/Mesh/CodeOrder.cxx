@@ -3,6 +3,8 @@
 
 #include "Mesh/CodeOrder.h"
 
+#include "Math/ThreadsOfLoop.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -28,7 +30,7 @@ std::vector<std::uint32_t> CodeOrder::Find(int threads)
   const std::uint64_t* keys = this->Keys.get();
   const auto count = std::lower_bound(keys, keys + this->Count, None) - keys;
   std::vector<std::uint32_t> order(static_cast<std::size_t>(count));
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(GetThreadsOfLoop(order.size(), 1.0, threads))
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
     order[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(keys[i]);
@@ -55,7 +57,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
       function(*key, ofPart[(*key >> shift) % Digits]);
     }
   };
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(parts))
   for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [](std::uint64_t, std::size_t& place) { ++place; });
@@ -68,7 +70,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
       place += std::exchange(places[i], place);
     }
   }
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(parts))
   for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [sorted](std::uint64_t key, std::size_t& next) { sorted[next++] = key; });

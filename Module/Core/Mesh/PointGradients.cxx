@@ -8,6 +8,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
+#include "Math/ThreadsOfLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -378,7 +379,8 @@ bool PointGradients::FindAll(int threads)
 //------------------------------------------------------------------------------
 PointGradients::ValueRange PointGradients::MarkAll(int threads)
 {
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static)                                                          \
+  num_threads(GetThreadsOfLoop(this->NumberOfPoints, 1.0, threads))
   for (std::int64_t id = 0; id < static_cast<std::int64_t>(this->NumberOfPoints); ++id)
   {
     std::atomic<State>& state = this->States[static_cast<std::size_t>(id)];

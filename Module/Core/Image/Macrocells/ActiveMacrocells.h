@@ -4,6 +4,7 @@
 #ifndef ActiveMacrocells_h
 #define ActiveMacrocells_h
 
+#include "Math/ThreadsOfLoop.h"
 #include "Math/Vector.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ public:
     std::vector<std::uint64_t>& bits = this->Bits[level];
     const auto words = static_cast<std::int64_t>(bits.size());
     const std::size_t count = Count(this->Lattice.Levels[level].Size);
-#pragma omp parallel for num_threads(threads)
+#pragma omp parallel for num_threads(GetThreadsOfLoop(bits.size(), 100.0, threads))
     for (std::int64_t i = 0; i < words; ++i)
     {
       const auto word = static_cast<std::size_t>(i);

@@ -6,6 +6,7 @@
 
 #include "Image/Macrocells/ActiveMacrocells.h"
 #include "Image/Macrocells/BlockMask.h"
+#include "Math/ThreadsOfLoop.h"
 
 #include <cstdint>
 #include <vector>
@@ -81,7 +82,8 @@ void BlockTree::AddLevel(const Index3& memberCount, int threads, const GetRow& g
     this->Levels.empty() ? BlockMask::Edge : this->Levels.back().MemberEdge * BlockMask::Edge;
   level.Masks.resize(Count(level.Size));
   const auto count = static_cast<std::int64_t>(level.Masks.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
+  const int worth = GetThreadsOfLoop(level.Masks.size(), 200.0, threads);
+#pragma omp parallel for schedule(static) num_threads(worth)
   for (std::int64_t i = 0; i < count; ++i)
   {
     const auto block = static_cast<int>(i);

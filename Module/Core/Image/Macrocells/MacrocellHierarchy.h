@@ -10,6 +10,7 @@
 #include "Image/Samples/VolumeView.h"
 #include "Kernels/InstructionSets.h"
 #include "Kernels/Kernels.h"
+#include "Math/ThreadsOfLoop.h"
 #include "Math/ValueRange.h"
 
 #include <algorithm>
@@ -281,10 +282,9 @@ typename MacrocellHierarchy<T>::Rows MacrocellHierarchy<T>::AddToNextLevel(
   const int branching = this->Lattice.Levels[level].Branching;
   const auto layerOf = [&childSize, branching](int row) { return row / childSize[1] / branching; };
   const Rows changed = { layerOf(rows.Begin) * size[1], (layerOf(rows.End - 1) + 1) * size[1] };
-  // What follows from a slab is less work than to have threads wait for each other.
-  constexpr int many = 1 << 16;
-  const bool isWorthThreads = std::int64_t{ rows.End - rows.Begin } * childSize[0] > many;
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (isWorthThreads)
+  const auto below =
+    static_cast<std::size_t>(std::int64_t{ rows.End - rows.Begin } * childSize[0]);
+#pragma omp parallel for schedule(dynamic) num_threads(GetThreadsOfLoop(below, 1.0, threads))
   for (int row = changed.Begin; row < changed.End; ++row)
   {
     const int y = row % size[1];
