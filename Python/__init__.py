@@ -12,10 +12,21 @@ need.
 """
 
 import importlib
+import os
 import typing
+
+# Threads of GNU's OpenMP that wait spin for some milliseconds before they sleep, unless they are told not to when it is
+# loaded, which is now: between pictures that takes processors from Mesa, which draws them with threads of its own, and
+# if other programs run, it keeps the thread that is waited for from running. Nobody else is to inherit the variable.
+_has_policy = "OMP_WAIT_POLICY" in os.environ or "GOMP_SPINCOUNT" in os.environ
+if not _has_policy:
+    os.environ["OMP_WAIT_POLICY"] = "passive"
 
 from ._version import __version__
 from .vtkIsosurfaceRayTracing import *
+
+if not _has_policy:
+    del os.environ["OMP_WAIT_POLICY"]
 
 if typing.TYPE_CHECKING:
     from ._files import read
@@ -49,4 +60,4 @@ def __dir__():
     return sorted({*globals(), *_MODULES})
 
 
-__all__ = [name for name in __dir__() if not name.startswith("_") and name not in ("importlib", "typing")]
+__all__ = [name for name in __dir__() if not name.startswith("_") and name not in ("importlib", "os", "typing")]

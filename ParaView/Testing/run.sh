@@ -54,4 +54,5 @@ cmake -S ParaView -B build/paraview -G Ninja -DParaView_DIR="${config[0]}" -DBUI
   -DvtkIsosurfaceRayTracing_WARNINGS_AS_ERRORS=ON -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build build/paraview
 cd build/paraview
-../../Utilities/with-display.sh ctest --output-on-failure "$@"
+# Threads that wait sleep, as in our other tests.
+OMP_WAIT_POLICY=passive ../../Utilities/with-display.sh ctest --output-on-failure "$@"

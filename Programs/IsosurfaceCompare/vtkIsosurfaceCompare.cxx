@@ -10,6 +10,7 @@
 #include "Support/OutputFile.h"
 #include "Support/ReadDataObject.h"
 #include "Support/ReadVolume.h"
+#include "Support/ThreadsAtRest.h"
 #include "TableFiles.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
@@ -313,6 +314,7 @@ void Print(vtkTable* table)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
+  Programs::LetThreadsRest(argv);
   std::string command = "vtkIsosurfaceCompare";
   for (int i = 1; i < argc; ++i)
   {

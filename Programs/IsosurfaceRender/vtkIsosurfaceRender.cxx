@@ -7,6 +7,7 @@
 #include "Support/CommandLine.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadVolume.h"
+#include "Support/ThreadsAtRest.h"
 #include "vtkIsosurfacePicture.h"
 #include "vtkIsosurfaceRayTraceCompositor.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
@@ -360,6 +361,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
+  Programs::LetThreadsRest(argv);
   vtkNew<vtkMPIController> controller;
   controller->Initialize(&argc, &argv);
   const bool isFirst = controller->GetLocalProcessId() == 0;

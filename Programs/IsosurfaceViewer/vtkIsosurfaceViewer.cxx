@@ -8,6 +8,7 @@
 #include "Support/OutputFile.h"
 #include "Support/ReadDataObject.h"
 #include "Support/ReadVolume.h"
+#include "Support/ThreadsAtRest.h"
 #include "Window.h"
 #include "vtkIsosurfaceComparisonFilter.h"
 
@@ -156,6 +157,7 @@ void Show(const Arguments& arguments)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
+  Programs::LetThreadsRest(argv);
   try
   {
     const Arguments arguments = ParseArguments(argc, argv);

@@ -5,6 +5,7 @@
 #define RunProgram_h
 
 #include "Support/OutputFile.h"
+#include "Support/ThreadsAtRest.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +20,7 @@ namespace Benchmark
 template <typename Arguments, typename Parse, typename Run>
 int RunProgram(int argc, char* argv[], const Parse& parse, const Run& run)
 {
+  Programs::LetThreadsRest(argv);
   Arguments arguments;
   try
   {
