@@ -33,8 +33,22 @@ std::string FindInIsovalues(const Request::Volume& volume)
     return "";
   }
   std::ostringstream hint;
-  hint << "There is no surface: the scalars of the input are from " << range[0] << " to "
-       << range[1] << ". Set an isovalue between them (vtkVolumeProperty::GetIsoSurfaceValues()).";
+  hint << "There is no surface: ";
+  if (range[0] < range[1])
+  {
+    hint << "the scalars of the input are from " << range[0] << " to " << range[1]
+         << ". Set an isovalue between them (vtkVolumeProperty::GetIsoSurfaceValues()).";
+  }
+  else if (range[0] == range[1])
+  {
+    // Not -0.
+    hint << "all scalars of the input are " << range[0] + 0.0
+         << ". Show data, or a component, that vary.";
+  }
+  else
+  {
+    hint << "no scalar of the input is a number (all are NaN).";
+  }
   return hint.str();
 }
 

@@ -575,7 +575,7 @@ bool vtkIsosurfaceRayTraceInput::FindScalarRange(double range[2]) const
     range[0] = std::min(range[0], own[0]);
     range[1] = std::max(range[1], own[1]);
   }
-  return range[0] <= range[1];
+  return !this->Leaves.Get().empty();
 }
 
 //------------------------------------------------------------------------------

@@ -138,8 +138,8 @@ public:
   /// Gives surfaces the opacities of the blocks that have their own.
   void SetOpacities(vtkIsosurfaceRayTracing::TraceRequest& request) const;
 
-  /// The range of the scalars. Returns whether it is that of all: false if the input is a piece of
-  /// others, or has no finite scalars.
+  /// The range of the scalars, from high to low if none is a number. Returns whether it is that of
+  /// all: false if the input is a piece of others, or has no scalars.
   bool FindScalarRange(double range[2]) const;
 
   int GetNumberOfParts() const { return static_cast<int>(this->Parts.size()); }

@@ -7,6 +7,7 @@
 #include "ReadMesh.h"
 #include "Report.h"
 #include "Support/CommandLine.h"
+#include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadDataObject.h"
 #include "Support/ReadVolume.h"
@@ -47,24 +48,32 @@ using namespace Compare;
 using Filter = vtkIsosurfaceComparisonFilter;
 
 //------------------------------------------------------------------------------
+enum class Kind
+{
+  Images,
+  Meshes,
+  Both
+};
+
 struct MethodSwitch
 {
   const char* Name;
+  Kind Data;
   void (Filter::*Set)(bool);
   /// Whether it is measured unless others are chosen.
   bool IsEssential;
 };
 
 const MethodSwitch Methods[] = {
-  { "flying-edges", &Filter::SetFlyingEdges, true },
-  { "marching-cubes", &Filter::SetMarchingCubes, true },
-  { "synchronized-templates", &Filter::SetSynchronizedTemplates, false },
-  { "contour-filter", &Filter::SetContourFilter, false },
-  { "span-space", &Filter::SetSpanSpace, false },
-  { "contour-grid", &Filter::SetContourGrid, true },
-  { "contour-3d-linear-grid", &Filter::SetContour3DLinearGrid, true },
-  { "gpu-ray-cast", &Filter::SetGPUVolumeRayCast, true },
-  { "ray-tracing", &Filter::SetRayTracing, true },
+  { "flying-edges", Kind::Images, &Filter::SetFlyingEdges, true },
+  { "marching-cubes", Kind::Images, &Filter::SetMarchingCubes, true },
+  { "synchronized-templates", Kind::Images, &Filter::SetSynchronizedTemplates, false },
+  { "contour-filter", Kind::Images, &Filter::SetContourFilter, false },
+  { "span-space", Kind::Images, &Filter::SetSpanSpace, false },
+  { "contour-grid", Kind::Meshes, &Filter::SetContourGrid, true },
+  { "contour-3d-linear-grid", Kind::Meshes, &Filter::SetContour3DLinearGrid, true },
+  { "gpu-ray-cast", Kind::Images, &Filter::SetGPUVolumeRayCast, true },
+  { "ray-tracing", Kind::Both, &Filter::SetRayTracing, true },
 };
 
 //------------------------------------------------------------------------------
@@ -156,13 +165,14 @@ void PrepareOutputs(Arguments& arguments)
   {
     if (!fileName.empty())
     {
+      Programs::CheckIsNoInput(fileName, arguments.Input);
       Programs::CheckOutput(fileName);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void ChooseMethods(const Arguments& arguments, Filter* filter)
+void ChooseMethods(const Arguments& arguments, bool isImage, Filter* filter)
 {
   const std::vector<std::string>& names = arguments.Methods;
   for (const MethodSwitch& method : Methods)
@@ -173,11 +183,16 @@ void ChooseMethods(const Arguments& arguments, Filter* filter)
   }
   for (const std::string& name : names)
   {
-    const bool isKnown = std::any_of(std::begin(Methods), std::end(Methods),
+    const MethodSwitch* found = std::find_if(std::begin(Methods), std::end(Methods),
       [&name](const MethodSwitch& method) { return name == method.Name; });
-    if (!isKnown)
+    if (found == std::end(Methods))
     {
       throw std::runtime_error("there is no method " + name + "; see --help");
+    }
+    if (found->Data == (isImage ? Kind::Meshes : Kind::Images))
+    {
+      throw std::runtime_error("--methods: " + name + " is not for " +
+        (isImage ? "images" : "meshes") + ", and " + arguments.Input + " is one; see --help");
     }
   }
 }
@@ -258,8 +273,9 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   comparison.Camera = vtkSmartPointer<vtkCamera>::New();
   Filter::LookAt(comparison.Data, comparison.Camera);
 
+  auto* image = vtkImageData::SafeDownCast(comparison.Data);
   vtkNew<Filter> filter;
-  ChooseMethods(arguments, filter);
+  ChooseMethods(arguments, image != nullptr, filter);
   filter->SetInputData(comparison.Data);
   filter->SetCamera(comparison.Camera);
   filter->SetNumberOfRepeats(arguments.Repeats);
@@ -267,7 +283,6 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   {
     filter->SetValue(static_cast<int>(i), arguments.Isovalues[i]);
   }
-  auto* image = vtkImageData::SafeDownCast(comparison.Data);
   const bool hasSizes =
     arguments.Thorough && !arguments.Report.empty() && image && Filter::WhyNoPictures().empty();
   ProgressDisplay display(hasSizes ? FindPartOfMethods(image) : 1.0);
@@ -275,8 +290,19 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   progress->SetCallback(ProgressDisplay::OnProgress);
   progress->SetClientData(&display);
   filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  bool hasFailed = false;
+  vtkNew<vtkCallbackCommand> failure;
+  failure->SetCallback(
+    [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
+  failure->SetClientData(&hasFailed);
+  filter->AddObserver(vtkCommand::ErrorEvent, failure);
   filter->Update();
   comparison.Table = filter->GetOutput();
+  if (hasFailed)
+  {
+    throw std::runtime_error(
+      arguments.Input + ": " + comparison.Table->GetValueByName(0, "Note").ToString());
+  }
   comparison.Mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
   comparison.Difference = vtkImageData::SafeDownCast(filter->GetOutputDataObject(2));
 

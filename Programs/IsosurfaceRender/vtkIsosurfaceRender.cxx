@@ -5,6 +5,7 @@
 
 #include "Slab.h"
 #include "Support/CommandLine.h"
+#include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadVolume.h"
 #include "Support/ThreadsAtRest.h"
@@ -28,6 +29,8 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,6 +38,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -95,6 +99,11 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   if (arguments.Input.empty() || arguments.Isovalues.empty() || arguments.Output.empty())
   {
     throw std::runtime_error("--input, --isovalue and --output are needed; see --help");
+  }
+  const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(arguments.Output);
+  if (vtksys::SystemTools::LowerCase(suffix) != ".png")
+  {
+    throw std::runtime_error("--output " + arguments.Output + ": the name must end in .png");
   }
   if (arguments.Width < 1 || arguments.Height < 1 || arguments.Width > 65536 ||
     arguments.Height > 65536)
@@ -267,8 +276,36 @@ bool IsEmpty(vtkImageData* picture, vtkMultiProcessController* controller)
 }
 
 //------------------------------------------------------------------------------
+/// Why there may be no surface, given the range of the scalars.
+std::string FindRemedy(const Arguments& arguments, double lowest, double highest)
+{
+  std::ostringstream remedy;
+  if (lowest > highest)
+  {
+    remedy << "No sample of the volume is a number (all are NaN).";
+  }
+  else if (std::none_of(arguments.Isovalues.begin(), arguments.Isovalues.end(),
+             [&](double isovalue) { return lowest < isovalue && isovalue <= highest; }))
+  {
+    remedy << "The scalars of the volume are from " << lowest << " to " << highest
+           << ": give isovalues between them.";
+  }
+  else if (std::any_of(arguments.Opacities.begin(), arguments.Opacities.end(),
+             [](double opacity) { return opacity == 0.0; }))
+  {
+    remedy << "Surfaces whose --opacity is 0 cannot be seen.";
+  }
+  else
+  {
+    remedy << "Scalars are on both sides of an isovalue, but in no cell.";
+  }
+  return remedy.str();
+}
+
+//------------------------------------------------------------------------------
 /// Says why there may be no surface. To be called by all.
-void WarnOfNothing(vtkImageData* image, vtkMultiProcessController* controller)
+void WarnOfNothing(
+  const Arguments& arguments, vtkImageData* image, vtkMultiProcessController* controller)
 {
   double own[2] = { std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity() };
@@ -282,10 +319,8 @@ void WarnOfNothing(vtkImageData* image, vtkMultiProcessController* controller)
   controller->AllReduce(&own[1], &highest, 1, vtkCommunicator::MAX_OP);
   if (controller->GetLocalProcessId() == 0)
   {
-    std::fprintf(stderr,
-      "warning: the picture is empty. The scalars of the volume are from %g to %g: give isovalues "
-      "between them.\n",
-      lowest, highest);
+    std::fprintf(stderr, "warning: the picture is empty. %s\n",
+      FindRemedy(arguments, lowest, highest).c_str());
   }
 }
 
@@ -318,6 +353,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
     {
       if (isFirst)
       {
+        Programs::CheckIsNoInput(arguments.Output, arguments.Input);
         Programs::CheckOutput(arguments.Output);
       }
       piece = ReadSlab(arguments, controller);
@@ -349,7 +385,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
   }
   if (IsEmpty(picture, controller))
   {
-    WarnOfNothing(piece.Image, controller);
+    WarnOfNothing(arguments, piece.Image, controller);
   }
   PrintTimes(readTime, compositor, controller);
   return AreAllFine(

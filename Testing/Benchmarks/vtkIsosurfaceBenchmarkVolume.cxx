@@ -6,6 +6,7 @@
 #include "AnalyticFieldSource.h"
 #include "ReadImage.h"
 #include "RunProgram.h"
+#include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadVolume.h"
 
@@ -229,11 +230,17 @@ std::array<double, 2> WriteSamples(vtkImageAlgorithm* source, const Dimensions& 
 }
 
 //------------------------------------------------------------------------------
+std::string GetRawName(const std::string& headerName)
+{
+  return headerName.substr(0, headerName.size() - 3) + "raw";
+}
+
+//------------------------------------------------------------------------------
 // Both files take their names when both are whole.
 void WriteVolume(
   vtkImageAlgorithm* source, const Dimensions& dimensions, const std::string& headerName)
 {
-  const std::string rawName = headerName.substr(0, headerName.size() - 3) + "raw";
+  const std::string rawName = GetRawName(headerName);
   Programs::OutputFile header(headerName);
   Programs::OutputFile raw(rawName);
   const std::array<double, 2> range = WriteSamples(source, dimensions, rawName, raw);
@@ -253,9 +260,10 @@ void Run(const Arguments& arguments)
   {
     throw std::runtime_error("--output " + arguments.Output + ": the name must end in .mhd");
   }
-  if (vtksys::SystemTools::SameFile(arguments.Input, arguments.Output))
+  if (!arguments.Input.empty())
   {
-    throw std::runtime_error("--output " + arguments.Output + " is the input: give another name");
+    Programs::CheckIsNoInput(arguments.Output, arguments.Input);
+    Programs::CheckIsNoInput(GetRawName(arguments.Output), arguments.Input);
   }
   WriteVolume(NewSource(arguments, dimensions), dimensions, arguments.Output);
 }

@@ -6,6 +6,7 @@
 Arguments: the program, mpiexec, its option for the number of processes."""
 
 import array
+import math
 import struct
 import subprocess
 import sys
@@ -187,6 +188,20 @@ class TestIsosurfaceRender(unittest.TestCase):
                 self.assertEqual(result.stderr.count("warning: the picture is empty. The scalars of the volume are "
                                                      "from "), int(is_empty))  # fmt: skip
 
+    def test_why_nothing_is_seen(self):
+        volume, nothing = self.folder / "volume.vti", self.folder / "nothing.vti"
+        write(make_image(), volume)
+        image = make_image()
+        image.GetPointData().GetScalars().Fill(math.nan)
+        write(image, nothing)
+        for arguments, reason in (
+            ((volume, "--isovalue", "157", "--opacity", "0"), "whose --opacity is 0 cannot be seen"),
+            ((nothing, "--isovalue", "157"), r"No sample of the volume is a number \(all are NaN\)"),
+        ):
+            result = run("--input", *map(str, arguments), "--output", str(self.picture), *SIZE)
+            self.assertEqual(result.returncode, 0)
+            self.assertRegex(result.stderr, "warning: the picture is empty. .*" + reason)
+
     def test_view(self):
         volume = self.folder / "volume.vti"
         write(make_image(), volume)
@@ -213,6 +228,11 @@ class TestIsosurfaceRender(unittest.TestCase):
         unwritable = [*arguments[:-1], str(self.folder / "no" / "picture.png")]
         self.check_failure(run(*unwritable, processes=2), "error: process 0: .*picture.png cannot be written")
         self.check_failure(run(*arguments[:4]), "--output are needed")
+        self.check_failure(run(*arguments[:-1], "a.jpg"), "--output a.jpg: the name must end in .png")
+        image = self.folder / "image.png"
+        image.write_text("not looked at")
+        self.check_failure(run("--input", str(image), *arguments[2:-1], str(image)), "image.png is the input")
+        self.assertEqual(image.read_text(), "not looked at")
         flat = self.folder / "flat.vti"
         write(make_image(last=-20), flat)
         self.check_failure(run("--input", str(flat), *arguments[2:]), "a single layer of samples")

@@ -317,18 +317,23 @@ class TestIsosurfaceCompare(unittest.TestCase):
         page = Page(self.folder / "nothing" / "report.html")
         self.assertTrue(any("No surface" in text for text in page.texts))
 
-    def test_no_scalars(self):
-        path = self.write(new_ball(scalars=False), "empty.vti")
-        result = self.run_program(
-            "--input", path, "--isovalue", 1, "--thorough", "--report", self.folder / "none",
-            "--json", self.folder / "none.json",
-        )  # fmt: skip
-        self.assertEqual(result.returncode, 0, result.stderr)
-        rows = json.loads((self.folder / "none.json").read_text())["rows"]
-        self.assertEqual([row["Method"] for row in rows], ALL_METHODS)
-        self.assertIn("no point scalars", rows[0]["Note"])
-        page = Page(self.folder / "none" / "report.html")
-        self.assertTrue(any("no point scalars" in text for text in page.texts))
+    def test_scalars_that_cannot_be_contoured(self):
+        """Nothing is measured, and no report says that nothing was."""
+        none, vectors = new_ball(scalars=False), new_ball(scalars=False)
+        array = vtkFloatArray()
+        array.SetNumberOfComponents(2)
+        array.SetNumberOfTuples(vectors.GetNumberOfPoints())
+        array.Fill(1.0)
+        vectors.GetPointData().SetScalars(array)
+        for image, reason in ((none, "no point scalars to contour"), (vectors, "have several components")):
+            result = self.run_program(
+                "--input", self.write(image, "bad.vti"), "--isovalue", 1, "--thorough",
+                "--report", self.folder / "none", "--json", self.folder / "none.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr, f"error: .*bad.vti: The .*{reason}")
+            self.assertFalse((self.folder / "none.json").exists())
+            self.assertFalse((self.folder / "none" / "report.html").exists())
 
     def test_formats(self):
         for writer, name in ((vtkMetaImageWriter(), "ball.mha"), (vtkNIFTIImageWriter(), "ball.nii")):
@@ -438,6 +443,8 @@ class TestIsosurfaceCompare(unittest.TestCase):
             (("--input", whole, "--array", "x", "--isovalue", 1), 'no array "x"; it has: radius'),
             (("--input", whole, "--isovalue", 1, "--max-memory", "1e-3"), "--max-memory"),
             (("--input", self.ball, "--array", "x", "--isovalue", 1), "--array is for meshes"),
+            (("--input", whole, "--isovalue", 1, "--methods", "ray-tracing", "flying-edges"),
+             "flying-edges is not for meshes, and"),  # fmt: skip
         ):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)
@@ -455,6 +462,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
             (("--inptu", self.ball, "--isovalue", 60), "unknown option --inptu"),
             (("--input", self.ball, "--isovalue", 60, "--repeats", 0), "from 1 to 1000"),
             (("--input", self.ball, "--isovalue", 1, "--methods", "magic"), "no method magic"),
+            (("--input", self.ball, "--isovalue", 1, "--methods", "contour-grid"), "contour-grid is not for images"),
             (
                 ("--input", self.ball, "--isovalue", 60, "--methods", "flying-edges",
                  "--csv", self.folder / "no" / "folder.csv"),

@@ -123,6 +123,32 @@ class TestOutputs(unittest.TestCase):
             self.assert_fails(command, link, "Permission denied")
             self.assertEqual(table.read_text(), "old")
 
+    def test_inputs_stay(self):
+        """Not even what a header refers to, through a link or in a folder of slices, is replaced."""
+        detached, link = self.folder / "detached.mhd", self.folder / "link.json"
+        detached.write_text(self.sphere.read_text().replace("sphere.raw", "other.raw"))
+        samples = self.folder / "other.raw"
+        (self.folder / "sphere.raw").rename(samples)
+        link.symlink_to(samples)
+        slices = self.folder / "slices"
+        slices.mkdir()
+        (slices / "a.json").write_text("a slice")
+        compare = [COMPARE, "--isovalue", "0", "--input"]
+        before = samples.read_bytes()
+        for command, path in (
+            ([*compare, detached, "--csv", detached], detached),
+            ([*compare, detached, "--json", link], link),
+            ([*compare, slices, "--json", slices / "a.json"], slices / "a.json"),
+            ([VOLUME, "--input", detached, "--dimensions", "4", "--output", self.folder / "other.mhd"], samples),
+        ):
+            with self.subTest(command):
+                result = run(*command, stdout=subprocess.DEVNULL)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertRegex(result.stderr, f"error: {path} (is|belongs to) the input: give another name")
+        self.assertEqual(samples.read_bytes(), before)
+        self.assertIn("other.raw", detached.read_text())
+        self.assertEqual((slices / "a.json").read_text(), "a slice")
+
     def test_signals_leave_nothing(self):
         """Neither of a new volume nor of one that replaces another."""
         old = {path.name: path.read_bytes() for path in self.folder.iterdir()}

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture that does not show what was meant comes with one warning that says why; others with none."""
 
+import math
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkCommand
@@ -56,6 +57,15 @@ class TestHints(unittest.TestCase):
                 self.check(make_scene(data, isovalue), NO_SURFACE)
         mesh = make_grid(VTK_TETRA, ball)
         self.check(make_scene(mesh, 100.0, vtkIsosurfaceRayTraceMeshMapper), "There is no surface")
+
+    def test_scalars_without_a_range(self):
+        for value, expected in ((0.5, "all scalars of the input are 0.5"), (-0.0, r"all scalars of the input are 0\."),
+                                (math.nan, "no scalar of the input is a number")):  # fmt: skip
+            image = make_waves()
+            image.GetPointData().GetScalars().Fill(value)
+            self.check(make_scene(image, 0.5), expected)
+            mesh = make_grid(VTK_TETRA, lambda point, value=value: value)
+            self.check(make_scene(mesh, 0.5, vtkIsosurfaceRayTraceMeshMapper), expected)
 
     def test_it_is_said_again_after_a_surface(self):
         mapper, volume, renderer = make_scene(make_waves(), 300.0)

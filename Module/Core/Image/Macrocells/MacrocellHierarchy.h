@@ -282,8 +282,7 @@ typename MacrocellHierarchy<T>::Rows MacrocellHierarchy<T>::AddToNextLevel(
   const int branching = this->Lattice.Levels[level].Branching;
   const auto layerOf = [&childSize, branching](int row) { return row / childSize[1] / branching; };
   const Rows changed = { layerOf(rows.Begin) * size[1], (layerOf(rows.End - 1) + 1) * size[1] };
-  const auto below =
-    static_cast<std::size_t>(std::int64_t{ rows.End - rows.Begin } * childSize[0]);
+  const auto below = static_cast<std::size_t>(std::int64_t{ rows.End - rows.Begin } * childSize[0]);
 #pragma omp parallel for schedule(dynamic) num_threads(GetThreadsOfLoop(below, 1.0, threads))
   for (int row = changed.Begin; row < changed.End; ++row)
   {

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef InputFiles_h
+#define InputFiles_h
+
+#include <string>
+
+namespace Programs
+{
+
+/// Throws std::runtime_error if writing a file would replace the input of a program: the file or
+/// the folder of that name, or the samples that a header refers to.
+void CheckIsNoInput(const std::string& output, const std::string& input);
+
+}
+
+#endif
