@@ -23,7 +23,8 @@ namespace
 
 /// Whatever the unit distance is, numbers stay finite.
 constexpr double LargestAttenuation = 1e30;
-/// How far a function may be from the line between two nodes.
+/// How far a function may be from the line between two nodes, or as a part of it where it is more
+/// than 1.
 constexpr double Tolerance = 1e-4;
 /// How often the interval between two nodes is halved at most, next to jumps.
 constexpr int MaximumHalvings = 16;
@@ -44,21 +45,21 @@ public:
     const std::vector<double> values = this->Colors.FindNodes();
     if (values.empty())
     {
-      this->Add(0.0, this->Colors.Get(0.0));
+      this->Add(0.0, this->Get(0.0));
       return this->Nodes;
     }
     // Where functions are not clamped, they jump to zero.
-    this->Add(values.front(), this->Colors.Get(std::nextafter(values.front(), -HUGE_VAL)));
-    Rgba last = this->Colors.Get(values.front());
+    this->Add(values.front(), this->Get(std::nextafter(values.front(), -HUGE_VAL)));
+    Rgba last = this->Get(values.front());
     this->Add(values.front(), last);
     for (std::size_t i = 1; i < values.size(); ++i)
     {
-      const Rgba next = this->Colors.Get(values[i]);
+      const Rgba next = this->Get(values[i]);
       this->AddBetween(values[i - 1], last, values[i], next, MaximumHalvings);
       this->Add(values[i], next);
       last = next;
     }
-    this->Add(values.back(), this->Colors.Get(std::nextafter(values.back(), HUGE_VAL)));
+    this->Add(values.back(), this->Get(std::nextafter(values.back(), HUGE_VAL)));
     return this->Nodes;
   }
 
@@ -70,6 +71,13 @@ private:
       { value, rgba[3] > 0.0 ? attenuation : 0.0, { rgba[0], rgba[1], rgba[2] } });
   }
 
+  /// The opacity is an attenuation, which may be more than 1.
+  Rgba Get(double value) const
+  {
+    const vtkirt::Vector3 color = this->Colors.GetColor(value);
+    return { color[0], color[1], color[2], std::max(0.0, this->Colors.GetOpacity(value)) };
+  }
+
   /// Adds nodes between two.
   void AddBetween(double low, const Rgba& atLow, double high, const Rgba& atHigh, int halvings)
   {
@@ -78,7 +86,7 @@ private:
       return;
     }
     const double middle = low + 0.5 * (high - low);
-    const Rgba there = this->Colors.Get(middle);
+    const Rgba there = this->Get(middle);
     this->AddBetween(low, atLow, middle, there, halvings - 1);
     this->Add(middle, there);
     this->AddBetween(middle, there, high, atHigh, halvings - 1);
@@ -89,11 +97,11 @@ private:
     // Functions that are symmetric about the middle must not pass for linear.
     for (const double fraction : { 0.125, 0.3, 0.5, 0.7, 0.875 })
     {
-      const Rgba there = this->Colors.Get(low + fraction * (high - low));
+      const Rgba there = this->Get(low + fraction * (high - low));
       for (std::size_t i = 0; i < 4; ++i)
       {
         const double linear = atLow[i] + fraction * (atHigh[i] - atLow[i]);
-        if (std::abs(there[i] - linear) > Tolerance)
+        if (std::abs(there[i] - linear) > Tolerance * std::max(1.0, std::abs(linear)))
         {
           return false;
         }

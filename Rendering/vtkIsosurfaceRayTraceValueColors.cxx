@@ -107,8 +107,13 @@ int vtkIsosurfaceRayTraceValueColors::GetVectorComponent() const
 std::array<double, 4> vtkIsosurfaceRayTraceValueColors::Get(double value) const
 {
   const vtkirt::Vector3 color = this->GetColor(value);
-  const double opacity = this->Opacity->GetValue(value);
-  return { color[0], color[1], color[2], std::clamp(opacity, 0.0, 1.0) };
+  return { color[0], color[1], color[2], std::clamp(this->GetOpacity(value), 0.0, 1.0) };
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceValueColors::GetOpacity(double value) const
+{
+  return this->Opacity->GetValue(value);
 }
 
 //------------------------------------------------------------------------------

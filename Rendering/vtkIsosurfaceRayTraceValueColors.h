@@ -32,8 +32,13 @@ public:
   /// time, and need not be made for every frame.)
   bool AreOf(vtkVolumeProperty* property, int component) const;
 
-  /// The colour of a value, without its opacity.
+  ///@{
+  /// The colour of a value, without its opacity; and the opacity, as the function says: it may be
+  /// negative, or more than 1.
   vtkIsosurfaceRayTracing::Vector3 GetColor(double value) const;
+  double GetOpacity(double value) const;
+  ///@}
+  /// Both; the opacity from 0 to 1.
   std::array<double, 4> Get(double value) const override;
 
   ///@{

@@ -420,6 +420,19 @@ class TestScenes(unittest.TestCase):
         expected = 1.0 - 0.75 * math.exp(-0.25 * SIZE / 8.0)
         self.assertLess(np.abs(opacity - expected).max(), 0.51 / 255)
 
+    def test_opacities_beyond_one(self):
+        """They attenuate: a thickness d transmits exp(-a d / unit)."""
+        mapper, volume = make_cloud(make_grid(VTK_TETRA, lambda p: 0.5), unit=2.0 * SIZE)
+        volume.GetProperty().ShadeOff()
+        camera = make_camera_along_y()
+        for attenuation in (1.0, 2.5, 7.0, 1000.0):
+            opacities = vtkPiecewiseFunction()
+            opacities.AddPoint(0.0, attenuation)
+            opacities.AddPoint(1.0, attenuation)
+            volume.GetProperty().SetScalarOpacity(opacities)
+            opacity = render_to_image(mapper, volume, camera)[..., 3]
+            self.assertLess(np.abs(opacity - (1.0 - math.exp(-0.5 * attenuation))).max(), 0.51 / 255)
+
     def test_maximum_intensity(self):
         """Of a linear field: the value where the ray leaves the box, or enters it."""
         mapper, volume = make_cloud(make_grid(VTK_WEDGE, lambda p: p[2]))
