@@ -4,10 +4,11 @@
 """Caps on the clipping planes of meshes: where VTK's own cells say that the inside of a surface is, with the
 colours of the values there. The picture that was made is left in ./mesh-caps.png."""
 
+import itertools
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkPoints
+from vtkmodules.vtkCommonCore import mutable, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_PYRAMID,
@@ -18,6 +19,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPlane,
     vtkPolyData,
+    vtkRectilinearGrid,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkProbeFilter
@@ -245,6 +247,54 @@ class TestMeshCaps(PictureTestCase):
                 self.assertEqual([i for i, _ in one], [i for i, _ in other])
                 for (_, color), (_, expected) in zip(one, other):
                     self.assertLessEqual(max(abs(a - b) for a, b in zip(color, expected)), 1)
+
+    def test_the_first_of_coinciding_caps_is_seen(self):
+        """By the picture and by its single rays, whatever the kinds of blocks and the precision of points."""
+
+        def make_block(kind, size):
+            if kind == "image":
+                image = vtkImageData()
+                image.SetDimensions(SIZE + 1, SIZE + 1, SIZE + 1)
+                return set_values(image, lambda _: 1.0)
+            if kind == "planes":
+                grid, planes = vtkRectilinearGrid(), vtkFloatArray()
+                for i in range(SIZE + 1):
+                    planes.InsertNextValue(i**1.1 * SIZE / SIZE**1.1)
+                grid.SetDimensions(SIZE + 1, SIZE + 1, SIZE + 1)
+                grid.SetXCoordinates(planes)
+                grid.SetYCoordinates(planes)
+                grid.SetZCoordinates(planes)
+                return set_values(grid, lambda _: 1.0)
+            mesh = make_grid(kind, lambda _: 1.0)
+            moved = vtkPoints()  # of floats
+            for i in range(mesh.GetNumberOfPoints()):
+                moved.InsertNextPoint([size * (c - 3.0) + 3.0 + 0.1 * math.sin(7.0 * i + k)
+                                       for k, c in enumerate(mesh.GetPoint(i))])  # fmt: skip
+            mesh.SetPoints(moved)
+            return mesh
+
+        kinds = (VTK_TETRA, VTK_HEXAHEDRON, "image", "planes")
+        for first, second in itertools.product(kinds, kinds):
+            with self.subTest(first=first, second=second):
+                blocks = vtkMultiBlockDataSet()
+                # Rays come to the second first, if it is larger.
+                for i, kind in enumerate((first, second)):
+                    blocks.SetBlock(i, make_block(kind, 1.0 + 0.3 * i))
+                scene = Scene(blocks, 0.5)
+                plane = add_plane(scene.mapper, (2.9, 3.1, 3.05), (-0.48, -0.6, -0.64))
+                caps = [pixel for pixel in scene.take_pixels()
+                        if is_on(plane, pixel[2]) and all(0.5 < c < SIZE - 0.5 for c in pixel[2])]  # fmt: skip
+                self.assertGreater(len(caps), 500)
+                cells = blocks.GetBlock(0).GetNumberOfCells()
+                self.assertEqual(sum(cell >= cells for *_, cell in caps), 0)
+                for _, _, position, _, cell in caps[::97]:
+                    eye = scene.camera.GetPosition()
+                    behind = [2.0 * p - e for p, e in zip(position, eye)]
+                    t, isovalue, found = mutable(0.0), mutable(0.0), mutable(0)
+                    outputs = [[0.0] * 3 for _ in range(3)]
+                    self.assertEqual(scene.mapper.IntersectWithLine(
+                        scene.volume, eye, behind, t, outputs[0], outputs[1], found, isovalue, outputs[2]), 1)  # fmt: skip
+                    self.assertLess(found.get(), cells)
 
     def test_caps_have_the_colours_of_an_array(self):
         grid = make_grid(VTK_WEDGE, ball)

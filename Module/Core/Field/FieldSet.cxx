@@ -347,11 +347,42 @@ void FieldSet::Select(
   this->PacketKernels = execution.PacketKernels;
   this->Budget = budget;
   this->Selection += isSame ? 0 : 1;
+  if (!isSame)
+  {
+    this->DepthsOfCaps.clear();
+    for (const HalfSpace& half : request.Visible.HalfSpaces)
+    {
+      this->DepthsOfCaps.push_back(half.IsCapped ? this->FindDepthOfCaps(half) : 0.0);
+    }
+  }
   for (const std::size_t number : this->Eager)
   {
     this->SelectMember(number, execution);
   }
   this->IsSelectionKnown = true;
+}
+
+//------------------------------------------------------------------------------
+/// Meshes move planes into their cells, by what rounding to single precision takes from points: see
+/// MovePlanesIntoCells.
+double FieldSet::FindDepthOfCaps(const HalfSpace& half) const
+{
+  constexpr double rounding = 0x1p-23;
+  double deepest = 0.0;
+  for (std::size_t number = 0; number < this->NumberOfMembers; ++number)
+  {
+    const Member& member = this->Members[number];
+    const HalfSpace own = Transform(half, member.SetFromOwn);
+    const Bounds box = TransformBounds(member.OwnFromSet, member.Box);
+    double depth = rounding * std::abs(own.Offset);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      depth += rounding * std::abs(own.Normal[axis]) *
+        std::max(std::abs(box.Lower[axis]), std::abs(box.Upper[axis]));
+    }
+    deepest = std::max(deepest, depth);
+  }
+  return deepest;
 }
 
 //------------------------------------------------------------------------------
@@ -735,13 +766,16 @@ bool FieldSet::TakeHit(
   RayPacket& rays = *packet.Rays;
   Hit& hit = packet.Found[ray].emplace_back(hitOfMember);
   hit.Member = static_cast<int>(number);
+  double depthOfCaps = 0.0;
   if (hit.Plane != Hit::NoPlane)
   {
     hit.Plane -= this->Members[number].OwnHalfSpaces;
+    const auto plane = static_cast<std::size_t>(hit.Plane);
     // The same for all members with a cap there, whatever their arithmetic.
-    hit.T = FindCrossing(this->Request.Visible.HalfSpaces[static_cast<std::size_t>(hit.Plane)],
-      rays.GetOrigin(ray), rays.GetDirection(ray))
-              .T;
+    const PlaneCrossing crossing = FindCrossing(
+      this->Request.Visible.HalfSpaces[plane], rays.GetOrigin(ray), rays.GetDirection(ray));
+    hit.T = crossing.T;
+    depthOfCaps = this->DepthsOfCaps[plane] / std::abs(crossing.Slope);
   }
   const bool isOpaque = !this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0;
   if (isOpaque)
@@ -750,7 +784,7 @@ bool FieldSet::TakeHit(
     const Vector3 direction = rays.GetDirection(ray);
     const double beyond = this->Reach /
       std::max(std::max(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
-    rays.End[ray] = std::min(rays.End[ray], hit.T + beyond);
+    rays.End[ray] = std::min(rays.End[ray], hit.T + std::max(beyond, depthOfCaps));
     packet.Ends[ray] = rays.Base[ray] + rays.End[ray];
   }
   hit.T += rays.Base[ray];

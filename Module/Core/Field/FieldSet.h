@@ -118,6 +118,7 @@ private:
   struct PacketOfSet;
 
   TraceRequest MakeRequest(std::size_t number) const;
+  double FindDepthOfCaps(const HalfSpace& half) const;
   void SelectMember(std::size_t number, const Execution& execution) const;
   bool SelectField(std::size_t number, const Execution& execution) const;
   bool IsSelected(std::size_t number) const;
@@ -147,6 +148,9 @@ private:
   Bounds Box;
   /// How far, in the object space of the set, rays go on behind an opaque hit.
   double Reach;
+  /// Of each half-space, by how much caps of members may be behind its plane, in units of its
+  /// offset.
+  std::vector<double> DepthsOfCaps;
   TraceRequest Request;
   const Kernels* PacketKernels = nullptr;
   MemoryBudget Budget;
