@@ -208,7 +208,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   this->NumberOfAccumulatedFrames = 0;
   if (!settings.ProgressiveAccumulation)
   {
-    this->Accumulations = {}; // and their memory
+    this->Accumulations.clear(); // and their memory
   }
 
   const Drawing drawing(settings, target);
@@ -322,8 +322,7 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   }
   const vtkIsosurfaceRayTraceAccumulation::Key key = { objects,
     static_cast<double>(settings.ImageSampleDistance), scene };
-  vtkIsosurfaceRayTraceAccumulation& accumulation =
-    this->Accumulations[target.Renderer->GetActiveCamera()->GetLeftEye() != 0 ? 0 : 1];
+  vtkIsosurfaceRayTraceAccumulation& accumulation = this->FindAccumulation(target.Renderer);
   this->NumberOfAccumulatedFrames = accumulation.GetNumberOfFrames(key);
   if (this->NumberOfAccumulatedFrames < settings.MaximumNumberOfAccumulatedFrames)
   {
@@ -337,6 +336,27 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   }
   accumulation.GetMean(this->Picture.Frame);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// That of the eye for which a renderer draws. Those of renderers that are gone are forgotten.
+vtkIsosurfaceRayTraceAccumulation& vtkIsosurfaceRayTraceFrame::FindAccumulation(
+  vtkRenderer* renderer)
+{
+  std::vector<AccumulationOfEye>& all = this->Accumulations;
+  all.erase(std::remove_if(all.begin(), all.end(),
+              [](const AccumulationOfEye& each) { return each.Renderer == nullptr; }),
+    all.end());
+  const bool isLeft = renderer->GetActiveCamera()->GetLeftEye() != 0;
+  const auto found = std::find_if(all.begin(), all.end(),
+    [renderer, isLeft](const AccumulationOfEye& each)
+    { return each.Renderer == renderer && each.IsLeft == isLeft; });
+  if (found != all.end())
+  {
+    return found->Accumulation;
+  }
+  all.push_back({ renderer, isLeft, {} });
+  return all.back().Accumulation;
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,10 @@
 #include "vtkIsosurfaceRayTraceLevel.h"        // for return values
 #include "vtkIsosurfaceRayTracePicture.h"      // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h"     // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkWeakPointer.h"                    // for ivars
 
 #include "Picture/PixelSampling.h"
 
-#include <array>      // for std::array
 #include <functional> // for std::function
 #include <string>     // for std::string
 #include <vector>     // for std::vector
@@ -93,12 +93,21 @@ private:
     vtkIsosurfaceRayTracing::PixelSampling Sampling;
   };
 
+  /// Of a renderer, whose windows and cameras differ from those of others.
+  struct AccumulationOfEye
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    bool IsLeft;
+    vtkIsosurfaceRayTraceAccumulation Accumulation;
+  };
+
   void SetScene(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);
   void ReadDepths(const Drawing& drawing);
   bool Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
+  vtkIsosurfaceRayTraceAccumulation& FindAccumulation(vtkRenderer* renderer);
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
   void DisplayColors(const Drawing& drawing);
@@ -110,8 +119,7 @@ private:
 
   vtkIsosurfaceRayTracePicture Picture;
   std::vector<float> SceneDepths;
-  /// For each eye.
-  std::array<vtkIsosurfaceRayTraceAccumulation, 2> Accumulations;
+  std::vector<AccumulationOfEye> Accumulations;
   int NumberOfAccumulatedFrames = 0;
   double DisplayTime = 0.0;
   /// What the last frame would have taken with a ray for every pixel; and the last one of a coarse

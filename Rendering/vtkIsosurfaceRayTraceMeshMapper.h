@@ -340,7 +340,8 @@ public:
    * Edges become smooth, noise vanishes. The first frame is the same picture as without
    * accumulation; its depth is kept. Whatever changes the picture (camera, lights, property,
    * settings, inputs, size, the depth of what is in front) restarts it; a frame that is aborted
-   * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. In stereo each eye has its own mean.
+   * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. Each renderer has its own mean,
+   * and in stereo each eye.
    *
    * The application must call Render(), for example from a timer of the interactor, as long as
    * GetNumberOfAccumulatedFrames() is more than 0 and less than MaximumNumberOfAccumulatedFrames.

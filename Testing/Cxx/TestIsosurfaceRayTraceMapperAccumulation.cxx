@@ -450,6 +450,37 @@ void CheckStereo(Checks& check, vtkImageData* image)
   check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 4, "the number of frames in stereo");
 }
 
+/// So has each renderer: a volume that is seen by two comes to rest in both, as it would in one.
+void CheckRenderers(Checks& check, vtkImageData* image)
+{
+  Scene alone(image, 80, 80);
+  alone.LookFrom(0.3, -1.0, 2.0);
+  alone.Mapper->ProgressiveAccumulationOn();
+  RenderTimes(alone.Window, 4);
+  const Picture expected = RenderAndCapture(alone.Window);
+
+  Scene scene(image, 160, 80);
+  scene.Mapper->ProgressiveAccumulationOn();
+  scene.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  {
+    Scene other(image, 80, 80);
+    other.Renderer->RemoveAllViewProps();
+    other.Renderer->AddVolume(scene.Volume);
+    other.LookFrom(0.3, -1.0, 2.0);
+    for (int i = 1; i <= 4; ++i)
+    {
+      scene.Window->Render();
+      check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), i, "the number of frames");
+      other.Window->Render();
+      check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), i, "that of another window");
+    }
+    check.Equal(GetDifference(RenderAndCapture(other.Window), expected, 0), 0.0,
+      "the difference of the other window");
+  }
+  scene.Window->Render();
+  check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 5, "the number without the other");
+}
+
 /// The picture is the same for any number of threads.
 void CheckThreads(Checks& check, vtkImageData* image)
 {
@@ -518,6 +549,7 @@ int TestIsosurfaceRayTraceMapperAccumulation(int argc, char* argv[])
   CheckScreenshot(check, image);
   CheckWithoutWindow(check, image);
   CheckStereo(check, image);
+  CheckRenderers(check, image);
   CheckThreads(check, image);
   CheckGrain(check, argc, argv);
   return check.Result();
