@@ -3,6 +3,8 @@
 
 #include "Mesh/CellBoxes.h"
 
+#include "Math/ThreadsOfLoop.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -34,7 +36,8 @@ Bounds FindBox(const MeshCell& cell)
 CellBoxes::CellBoxes(const MeshCells& cells, const CellTree& tree, int threads)
   : Blocks(tree.GetNumberOfBlocks())
 {
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static)                                                          \
+  num_threads(GetThreadsOfLoop(this->Blocks.size(), 300.0, threads))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(this->Blocks.size()); ++i)
   {
     const auto number = static_cast<std::size_t>(i);

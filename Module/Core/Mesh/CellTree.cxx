@@ -360,7 +360,8 @@ bool CellTree::ReadBlocks(const MeshCells& cells, int threads, const Function& f
 #pragma omp declare reduction(unite:Extent                                                         \
                               : omp_out.Include(omp_in.Lower, omp_in.Upper))                       \
   initializer(omp_priv = Extent::MakeEmpty())
-#pragma omp parallel num_threads(threads) reduction(unite : whole)                                 \
+  const int worth = GetThreadsOfLoop(this->Cells, 20.0, threads);
+#pragma omp parallel num_threads(worth) reduction(unite : whole)                                   \
   reduction(+ : areaOfCells, areaOfBlocks) reduction(&& : areFinite)
   {
     CellReader reader(cells);
@@ -461,7 +462,7 @@ void CellTree::SortCells(const MeshCells& cells, int threads)
   this->Order = order.Find(threads);
   this->Blocks = (this->Order.size() + Width - 1) / Width;
   const std::unique_ptr<RoundedExtent[]> extents(new RoundedExtent[this->Blocks]);
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(GetThreadsOfLoop(this->Cells, 20.0, threads))
   {
     constexpr std::size_t ahead = 3;
     CellReader reader(cells);

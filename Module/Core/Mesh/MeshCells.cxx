@@ -295,7 +295,8 @@ std::int64_t FindBadCell(
   const auto* offsets = static_cast<const Id*>(view.Offsets);
   const auto* ids = static_cast<const Id*>(view.Connectivity);
   std::int64_t bad = view.NumberOfCells;
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(min : bad)
+  const int worth = GetThreadsOfLoop(static_cast<std::size_t>(view.NumberOfCells), 10.0, threads);
+#pragma omp parallel for schedule(static) num_threads(worth) reduction(min : bad)
   for (std::int64_t cell = 0; cell < view.NumberOfCells; ++cell)
   {
     const int corners = GetTraits(static_cast<CellShape>(view.Shapes[cell])).Corners;

@@ -401,9 +401,10 @@ PointGradients::ValueRange PointGradients::MarkCorners(double isovalue, int thre
   double low = Infinity;
   double high = -Infinity;
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(isovalue, isovalue, threads);
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(min                       \
-                                                                         : low) reduction(max      \
-                                                                                          : high)
+  const int worth = GetThreadsOfLoop(blocks.size(), 300.0, threads);
+#pragma omp parallel for schedule(static) num_threads(worth) reduction(min                         \
+                                                                       : low) reduction(max        \
+                                                                                        : high)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(blocks.size()); ++i)
   {
     const auto number = static_cast<std::size_t>(i);
@@ -445,7 +446,8 @@ std::vector<PointGradients::CellsAround> PointGradients::FindCellsAround(
   const std::vector<std::uint32_t> blocks = this->Tree->FindBlocks(range.Low, range.High, threads);
   std::vector<CellsAround> around((blocks.size() + blocksOfPart - 1) / blocksOfPart);
   FirstException exception;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic)                                                         \
+  num_threads(GetThreadsOfLoop(blocks.size(), 200.0, threads))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(around.size()); ++i)
   {
     exception.Guard(
@@ -518,13 +520,12 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, int threa
   // Each thread sums at points of its own, and asks for the states of these alone: the order is
   // always the same.
   FirstException exception;
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int part = 0; part < threads; ++part)
+  const int parts = GetThreadsOfLoop(this->NumberOfPoints, 20.0, threads);
+#pragma omp parallel for schedule(static) num_threads(parts)
+  for (int part = 0; part < parts; ++part)
   {
     exception.Guard(
-      [&]() {
-        this->FindMeans(around, { points * part / threads, points * (part + 1) / threads });
-      });
+      [&]() { this->FindMeans(around, { points * part / parts, points * (part + 1) / parts }); });
   }
   exception.Rethrow();
 }
