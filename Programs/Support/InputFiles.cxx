@@ -44,6 +44,10 @@ bool IsInFolder(const std::string& fileName, const std::string& folder)
 void CheckIsNoInput(const std::string& output, const std::string& input)
 {
   using vtksys::SystemTools;
+  if (!SystemTools::FileExists(input))
+  {
+    return; // Who reads it says so.
+  }
   if (SystemTools::SameFile(output, input))
   {
     throw std::runtime_error(output + " is the input: give another name");
