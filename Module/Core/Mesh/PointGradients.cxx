@@ -525,7 +525,9 @@ void PointGradients::FindMeans(const std::vector<CellsAround>& around, int threa
   for (int part = 0; part < parts; ++part)
   {
     exception.Guard(
-      [&]() { this->FindMeans(around, { points * part / parts, points * (part + 1) / parts }); });
+      [&]() {
+        this->FindMeans(around, { points * part / parts, points * (part + 1) / parts });
+      });
   }
   exception.Rethrow();
 }

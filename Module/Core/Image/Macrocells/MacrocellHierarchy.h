@@ -222,7 +222,9 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
   std::vector<std::vector<T>> lows(static_cast<std::size_t>(threads), std::vector<T>(length));
   std::vector<std::vector<T>> highs = lows;
 
-#pragma omp parallel num_threads(threads)
+  const double samplesOfRow = static_cast<double>(edge) * edge * static_cast<double>(length);
+  const auto count = static_cast<std::size_t>(rows.End - rows.Begin);
+#pragma omp parallel num_threads(GetThreadsOfLoop(count, 0.2 * samplesOfRow, threads))
   {
     std::vector<T>& low = lows[static_cast<std::size_t>(omp_get_thread_num())];
     std::vector<T>& high = highs[static_cast<std::size_t>(omp_get_thread_num())];
