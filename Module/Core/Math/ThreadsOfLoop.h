@@ -4,19 +4,18 @@
 #ifndef ThreadsOfLoop_h
 #define ThreadsOfLoop_h
 
-#include <algorithm>
 #include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// How many threads of those that there are a loop is worth, given the number of its turns and
-/// about how many nanoseconds each takes. To wake a thread that sleeps takes up to 0.1 ms.
+/// Whether a loop is worth all threads, or one, given the number of its turns and about how many
+/// nanoseconds each takes: to wake threads that sleep takes 0.1 ms. (With some of the threads GNU's
+/// OpenMP ends the others, and creates them again for the next loop.)
 inline int GetThreadsOfLoop(std::size_t turns, double nanoseconds, int threads)
 {
-  constexpr double leastOfThread = 5e4;
-  const double worth = static_cast<double>(turns) * nanoseconds / leastOfThread;
-  return worth < static_cast<double>(threads) ? std::max(1, static_cast<int>(worth)) : threads;
+  constexpr double least = 1e5;
+  return static_cast<double>(turns) * nanoseconds < least ? 1 : threads;
 }
 
 }

@@ -46,6 +46,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
   // Not so many that summing these up takes longer than sorting.
   const std::size_t parts =
     std::min(static_cast<std::size_t>(threads), 1 + this->Count / (4 * Digits));
+  const int worth = parts > 1 ? threads : 1;
   std::vector<std::size_t> places(parts * Digits);
   const auto forPart = [&](int number, const auto& function)
   {
@@ -57,7 +58,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
       function(*key, ofPart[(*key >> shift) % Digits]);
     }
   };
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(parts))
+#pragma omp parallel for schedule(static) num_threads(worth)
   for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [](std::uint64_t, std::size_t& place) { ++place; });
@@ -70,7 +71,7 @@ void CodeOrder::SortByDigit(unsigned int shift, int threads, std::uint64_t* sort
       place += std::exchange(places[i], place);
     }
   }
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(parts))
+#pragma omp parallel for schedule(static) num_threads(worth)
   for (int part = 0; part < static_cast<int>(parts); ++part)
   {
     forPart(part, [sorted](std::uint64_t key, std::size_t& next) { sorted[next++] = key; });
