@@ -267,6 +267,17 @@ bool IsMetaImage(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> FindDataFiles(const std::string& fileName)
+{
+  std::vector<std::string> files = FindDataFiles(ReadHeader(fileName));
+  for (std::string& file : files)
+  {
+    file = (fs::path(fileName).parent_path() / file).string();
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
 double GetCapacityOfMetaImage(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);

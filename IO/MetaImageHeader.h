@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ImageFiles
 {
@@ -20,6 +21,10 @@ namespace ImageFiles
 constexpr double MostInflated = 1032.0;
 
 bool IsMetaImage(const std::string& fileName);
+
+/// The files of samples that a header refers to; none if they are in its own file. Throws
+/// std::runtime_error if it cannot be read.
+std::vector<std::string> FindDataFiles(const std::string& fileName);
 
 /// The most bytes of samples that can be in the file, or in the file its header names; infinite
 /// where that is not known (text, a list of files). Throws std::runtime_error if the header is

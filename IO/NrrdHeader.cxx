@@ -114,6 +114,20 @@ double GetCount(const Header& header)
 }
 
 //------------------------------------------------------------------------------
+/// Empty if the samples are in the file of the header.
+std::string GetDataFile(const Header& header)
+{
+  return header.Get("data file", "datafile");
+}
+
+/// Whether a data file is a pattern with numbers, or a list.
+bool IsSeveralFiles(const std::string& dataFile)
+{
+  return SystemTools::SplitString(dataFile, ' ').size() >= 4 ||
+    SystemTools::StringStartsWith(dataFile, "LIST");
+}
+
+//------------------------------------------------------------------------------
 bool IsZero(const std::string& number)
 {
   return number.empty() || number == "0";
@@ -158,6 +172,15 @@ bool IsNrrd(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+std::string FindDataFileOfNrrd(const std::string& fileName)
+{
+  const std::string name = GetDataFile(ReadHeader(fileName));
+  return name.empty() || IsSeveralFiles(name)
+    ? ""
+    : (std::filesystem::path(fileName).parent_path() / name).string();
+}
+
+//------------------------------------------------------------------------------
 void CheckNrrd(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);
@@ -180,10 +203,8 @@ void CheckNrrd(const std::string& fileName)
 std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);
-  const std::string dataFile = header.Get("data file", "datafile");
-  const bool isOneFile = SystemTools::SplitString(dataFile, ' ').size() < 4 &&
-    !SystemTools::StringStartsWith(dataFile, "LIST");
-  if (SystemTools::LowerCase(header.Get("encoding")) != "raw" || !isOneFile ||
+  const std::string dataFile = GetDataFile(header);
+  if (SystemTools::LowerCase(header.Get("encoding")) != "raw" || IsSeveralFiles(dataFile) ||
     !IsZero(header.Get("byte skip", "byteskip")) || !IsZero(header.Get("line skip", "lineskip")))
   {
     return {};

@@ -18,6 +18,10 @@ namespace ImageFiles
 
 bool IsNrrd(const std::string& fileName);
 
+/// The file of samples that a header refers to; empty if they are in its own file, or in several.
+/// Throws std::runtime_error if it cannot be read.
+std::string FindDataFileOfNrrd(const std::string& fileName);
+
 /// Throws std::runtime_error if the header is damaged, or if VTK's reader would give other samples
 /// than there are: of text, and where components or volumes are the last axis.
 void CheckNrrd(const std::string& fileName);

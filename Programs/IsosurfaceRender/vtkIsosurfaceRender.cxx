@@ -101,7 +101,7 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
     throw std::runtime_error("--input, --isovalue and --output are needed; see --help");
   }
   const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(arguments.Output);
-  if (vtksys::SystemTools::LowerCase(suffix) != ".png")
+  if (vtksys::SystemTools::LowerCase(suffix) != ".png" && !Programs::IsDevice(arguments.Output))
   {
     throw std::runtime_error("--output " + arguments.Output + ": the name must end in .png");
   }
@@ -279,25 +279,35 @@ bool IsEmpty(vtkImageData* picture, vtkMultiProcessController* controller)
 /// Why there may be no surface, given the range of the scalars.
 std::string FindRemedy(const Arguments& arguments, double lowest, double highest)
 {
+  // Of opacities that are larger.
+  const auto hasIsovalue = [&](double opacity)
+  {
+    bool has = false;
+    for (std::size_t i = 0; i < arguments.Isovalues.size(); ++i)
+    {
+      has = has ||
+        (lowest < arguments.Isovalues[i] && arguments.Isovalues[i] <= highest &&
+          arguments.Opacities[i] > opacity);
+    }
+    return has;
+  };
   std::ostringstream remedy;
   if (lowest > highest)
   {
     remedy << "No sample of the volume is a number (all are NaN).";
   }
-  else if (std::none_of(arguments.Isovalues.begin(), arguments.Isovalues.end(),
-             [&](double isovalue) { return lowest < isovalue && isovalue <= highest; }))
+  else if (!hasIsovalue(-1.0))
   {
     remedy << "The scalars of the volume are from " << lowest << " to " << highest
            << ": give isovalues between them.";
   }
-  else if (std::any_of(arguments.Opacities.begin(), arguments.Opacities.end(),
-             [](double opacity) { return opacity == 0.0; }))
+  else if (!hasIsovalue(0.0))
   {
     remedy << "Surfaces whose --opacity is 0 cannot be seen.";
   }
   else
   {
-    remedy << "Scalars are on both sides of an isovalue, but in no cell.";
+    remedy << "No ray meets a surface: try a larger picture.";
   }
   return remedy.str();
 }

@@ -9,34 +9,22 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace Programs
 {
 namespace
 {
 
-/// The file of raw samples that a file refers to; empty if it refers to none.
-std::string FindFileOfSamples(const std::string& input)
+/// The files of samples that a file refers to, but for what several files of NRRD are.
+std::vector<std::string> FindFilesOfSamples(const std::string& input)
 {
   if (ImageFiles::IsMetaImage(input))
   {
-    const auto samples = ImageFiles::FindRawSamples(input);
-    return samples ? samples->FileName : "";
+    return ImageFiles::FindDataFiles(input);
   }
-  if (ImageFiles::IsNrrd(input))
-  {
-    const auto samples = ImageFiles::FindRawSamplesOfNrrd(input);
-    return samples ? samples->FileName : "";
-  }
-  return "";
-}
-
-bool IsInFolder(const std::string& fileName, const std::string& folder)
-{
-  using vtksys::SystemTools;
-  return SystemTools::FileIsDirectory(folder) && SystemTools::FileExists(fileName, true) &&
-    SystemTools::SameFile(
-      SystemTools::GetParentDirectory(SystemTools::GetRealPath(fileName)), folder);
+  return { ImageFiles::IsNrrd(input) ? ImageFiles::FindDataFileOfNrrd(input) : "" };
 }
 
 }
@@ -44,17 +32,20 @@ bool IsInFolder(const std::string& fileName, const std::string& folder)
 void CheckIsNoInput(const std::string& output, const std::string& input)
 {
   using vtksys::SystemTools;
-  if (!SystemTools::FileExists(input))
+  if (!SystemTools::FileExists(input, true))
   {
-    return; // Who reads it says so.
+    return; // It is a folder, or nothing: who reads it says so.
   }
   if (SystemTools::SameFile(output, input))
   {
     throw std::runtime_error(output + " is the input: give another name");
   }
-  if (IsInFolder(output, input) || SystemTools::SameFile(output, FindFileOfSamples(input)))
+  for (const std::string& file : FindFilesOfSamples(input))
   {
-    throw std::runtime_error(output + " belongs to the input: give another name");
+    if (SystemTools::SameFile(output, file))
+    {
+      throw std::runtime_error(output + " belongs to the input: give another name");
+    }
   }
 }
 

@@ -9,8 +9,8 @@
 namespace Programs
 {
 
-/// Throws std::runtime_error if writing a file would replace the input of a program: the file or
-/// the folder of that name, or the samples that a header refers to.
+/// Throws std::runtime_error if writing a file would replace the input of a program: the file of
+/// that name, or samples that a header refers to; or if the header of the input cannot be read.
 void CheckIsNoInput(const std::string& output, const std::string& input);
 
 }

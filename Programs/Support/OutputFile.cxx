@@ -85,14 +85,13 @@ std::string FindTarget(const std::string& name)
   const fs::path target = fs::canonical(name, error);
   return error ? name : target.string();
 }
-
-//------------------------------------------------------------------------------
-bool IsDevice(const std::string& name)
-{
-  std::error_code error;
-  return fs::is_other(name, error);
 }
 
+//------------------------------------------------------------------------------
+bool IsDevice(const std::string& fileName)
+{
+  std::error_code error;
+  return fs::is_other(fileName, error);
 }
 
 //------------------------------------------------------------------------------

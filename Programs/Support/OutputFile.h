@@ -44,6 +44,9 @@ void WriteFile(const std::string& text, const std::string& fileName);
 /// Tells before long work whether a file can be written; an existing one stays as it is.
 void CheckOutput(const std::string& fileName);
 
+/// Whether a name is that of a device, a pipe or the like, which is written to but not replaced.
+bool IsDevice(const std::string& fileName);
+
 /// What is printed may be lost in a buffer: call this at the end of a program.
 void FlushStandardOutput();
 

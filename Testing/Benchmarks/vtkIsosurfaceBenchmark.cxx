@@ -15,6 +15,7 @@
 #include "Report.h"
 #include "RunProgram.h"
 #include "Schedule.h"
+#include "Support/InputFiles.h"
 #include "Support/ReadVolume.h"
 
 #include <vtkSMPTools.h>
@@ -187,6 +188,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
     DescribeVolume(setup, arguments.Input, report);
   }
   const auto write = [&arguments, &report]() { WriteJson(report.GetJson(), arguments.Json); };
+  Programs::CheckIsNoInput(arguments.Json, arguments.Input);
   write(); // What cannot be written is known now.
   MeasureAll(arguments, setup, report, write);
 }

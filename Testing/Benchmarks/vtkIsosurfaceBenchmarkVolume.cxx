@@ -260,11 +260,8 @@ void Run(const Arguments& arguments)
   {
     throw std::runtime_error("--output " + arguments.Output + ": the name must end in .mhd");
   }
-  if (!arguments.Input.empty())
-  {
-    Programs::CheckIsNoInput(arguments.Output, arguments.Input);
-    Programs::CheckIsNoInput(GetRawName(arguments.Output), arguments.Input);
-  }
+  Programs::CheckIsNoInput(arguments.Output, arguments.Input);
+  Programs::CheckIsNoInput(GetRawName(arguments.Output), arguments.Input);
   WriteVolume(NewSource(arguments, dimensions), dimensions, arguments.Output);
 }
 

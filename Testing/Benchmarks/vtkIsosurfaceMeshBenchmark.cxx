@@ -14,6 +14,7 @@
 #include "Report.h"
 #include "RunProgram.h"
 #include "Schedule.h"
+#include "Support/InputFiles.h"
 #include "Support/ReadVolume.h"
 
 #include <vtkSMPTools.h>
@@ -205,6 +206,7 @@ void Run(const Arguments& arguments, const std::vector<std::string>& command)
   Report report;
   report.Environment = DescribeEnvironment(command, window.get());
   const auto write = [&]() { WriteJson(report.GetJson(), arguments.Json); };
+  Programs::CheckIsNoInput(arguments.Json, arguments.Input);
   write(); // What cannot be written is known now.
   const OnCase measure = [&](const MeshCase& mesh)
   {

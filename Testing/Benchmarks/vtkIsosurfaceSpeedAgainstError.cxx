@@ -14,6 +14,7 @@
 #include "RunProgram.h"
 #include "Samples.h"
 #include "Schedule.h"
+#include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
 #include "Support/ReadVolume.h"
 
@@ -276,6 +277,7 @@ bool Run(const Arguments& arguments, const std::vector<std::string>& command)
     throw std::runtime_error("the folder " + arguments.Output + " cannot be created");
   }
   const std::string results = arguments.Output + "/results.json";
+  Programs::CheckIsNoInput(results, arguments.Input);
   Programs::CheckOutput(results); // What cannot be written is known now.
   // A display may close itself when it has no window: this one stays.
   const auto window =

@@ -189,16 +189,21 @@ class TestIsosurfaceRender(unittest.TestCase):
                                                      "from "), int(is_empty))  # fmt: skip
 
     def test_why_nothing_is_seen(self):
-        volume, nothing = self.folder / "volume.vti", self.folder / "nothing.vti"
+        volume, nothing, small = (self.folder / f"{name}.vti" for name in ("volume", "nothing", "small"))
         write(make_image(), volume)
         image = make_image()
         image.GetPointData().GetScalars().Fill(math.nan)
         write(image, nothing)
+        image.GetPointData().GetScalars().Fill(0.0)
+        image.GetPointData().GetScalars().SetTuple1(image.GetNumberOfPoints() // 2, 1.0)
+        write(image, small)
         for arguments, reason in (
             ((volume, "--isovalue", "157", "--opacity", "0"), "whose --opacity is 0 cannot be seen"),
             ((nothing, "--isovalue", "157"), r"No sample of the volume is a number \(all are NaN\)"),
+            ((volume, "--isovalue", "1e4", "157", "--opacity", "1", "0"), "whose --opacity is 0 cannot be seen"),
+            ((small, "--isovalue", "0.99", "7", "--opacity", "1", "0"), "No ray meets a surface"),
         ):
-            result = run("--input", *map(str, arguments), "--output", str(self.picture), *SIZE)
+            result = run("--input", *map(str, arguments), "--output", "/dev/null", "--width", "16", "--height", "12")
             self.assertEqual(result.returncode, 0)
             self.assertRegex(result.stderr, "warning: the picture is empty. .*" + reason)
 

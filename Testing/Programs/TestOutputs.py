@@ -124,21 +124,24 @@ class TestOutputs(unittest.TestCase):
             self.assertEqual(table.read_text(), "old")
 
     def test_inputs_stay(self):
-        """Not even what a header refers to, through a link or in a folder of slices, is replaced."""
+        """Not even what a header refers to, or what a link leads to, is replaced."""
         detached, link = self.folder / "detached.mhd", self.folder / "link.json"
         detached.write_text(self.sphere.read_text().replace("sphere.raw", "other.raw"))
-        samples = self.folder / "other.raw"
+        samples, compressed = self.folder / "other.raw", self.folder / "compressed.mhd"
         (self.folder / "sphere.raw").rename(samples)
+        compressed.write_text(
+            detached.read_text().replace("ElementDataFile", "CompressedData = True\nElementDataFile"))
+        nrrd = self.folder / "other.nhdr"
+        nrrd.write_text("NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 12\nencoding: gzip\ndata file: other.raw\n")
         link.symlink_to(samples)
-        slices = self.folder / "slices"
-        slices.mkdir()
-        (slices / "a.json").write_text("a slice")
         compare = [COMPARE, "--isovalue", "0", "--input"]
         before = samples.read_bytes()
         for command, path in (
             ([*compare, detached, "--csv", detached], detached),
             ([*compare, detached, "--json", link], link),
-            ([*compare, slices, "--json", slices / "a.json"], slices / "a.json"),
+            ([*compare, compressed, "--json", samples], samples),
+            ([*compare, nrrd, "--json", samples], samples),
+            ([BENCHMARKS / "vtkIsosurfaceBenchmark", *compare[1:], detached, "--json", samples], samples),
             ([VOLUME, "--input", detached, "--dimensions", "4", "--output", self.folder / "other.mhd"], samples),
         ):
             with self.subTest(command):
@@ -147,7 +150,11 @@ class TestOutputs(unittest.TestCase):
                 self.assertRegex(result.stderr, f"error: {path} (is|belongs to) the input: give another name")
         self.assertEqual(samples.read_bytes(), before)
         self.assertIn("other.raw", detached.read_text())
-        self.assertEqual((slices / "a.json").read_text(), "a slice")
+        # A folder that is named like a header is none.
+        slices = self.folder / "slices.mhd"
+        slices.mkdir()
+        result = run(*compare, slices, "--json", slices / "a.json", stdout=subprocess.DEVNULL)
+        self.assertNotIn("ElementDataFile", result.stderr)
 
     def test_signals_leave_nothing(self):
         """Neither of a new volume nor of one that replaces another."""
