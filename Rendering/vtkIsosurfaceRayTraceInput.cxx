@@ -28,7 +28,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -64,22 +63,6 @@ bool IsPiece(vtkDataObject* data)
     : 1;
   auto* grid = vtkDataSet::SafeDownCast(data);
   return pieces > 1 || (grid && grid->HasAnyGhostCells());
-}
-
-/// Puts parts in the order of their first blocks: where hits coincide, the first counts.
-void SortParts(const std::vector<unsigned int>& firstBlocks,
-  std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>>& parts)
-{
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::stable_sort(order.begin(), order.end(),
-    [&firstBlocks](std::size_t a, std::size_t b) { return firstBlocks[a] < firstBlocks[b]; });
-  std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> sorted;
-  for (const std::size_t number : order)
-  {
-    sorted.push_back(std::move(parts[number]));
-  }
-  parts.swap(sorted);
 }
 
 bool AreSame(const vtkirt::PlacedField& a, const vtkirt::PlacedField& b)
@@ -303,8 +286,6 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     partsBefore.push_back(part.get());
   }
   std::vector<Leaf> grids;
-  // The numbers of the first blocks of parts.
-  std::vector<unsigned int> blocks;
   std::string first;
   this->LeftOut = this->Leaves.GetLeftOut();
   for (const Leaf& leaf : this->Leaves.Get())
@@ -312,7 +293,6 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     const std::string problem = IsGrid(leaf)
       ? vtkIsosurfaceRayTraceSource::FindProblem(leaf.Data, ScalarsOf(leaf, scalars))
       : this->AddMesh(leaf, settings, ScalarsOf(leaf, scalars), before);
-    blocks.resize(this->Parts.size(), leaf.FlatIndex);
     if (!problem.empty())
     {
       first = first.empty() ? problem : first;
@@ -331,14 +311,11 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts(
       { grids.begin(), rectilinear }, scalars, settings.Image, settings.Cropping, this->LeftOut);
     grids.erase(grids.begin(), rectilinear);
-    blocks.resize(this->Parts.size(), 0);
   }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))
   {
     this->AddGrid(leaves, settings, scalars, before);
-    blocks.resize(this->Parts.size(), leaves.front().FlatIndex);
   }
-  SortParts(blocks, this->Parts);
   if (!std::equal(this->Parts.begin(), this->Parts.end(), partsBefore.begin(), partsBefore.end(),
         [](const std::unique_ptr<Part>& part, const Part* other) { return part.get() == other; }))
   {

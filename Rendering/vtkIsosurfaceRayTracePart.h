@@ -7,6 +7,7 @@
 #ifndef vtkIsosurfaceRayTracePart_h
 #define vtkIsosurfaceRayTracePart_h
 
+#include "vtkIsosurfaceRayTraceLeaves.h"   // for FlatIndex
 #include "vtkIsosurfaceRayTraceLevel.h"    // for arguments
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
@@ -20,7 +21,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkObject;
-struct vtkIsosurfaceRayTraceLeaf;
 
 class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
 {
@@ -68,6 +68,10 @@ public:
   /// The leaf that has the cell of a hit.
   virtual const vtkIsosurfaceRayTraceLeaf& FindLeaf(
     const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
+  unsigned int GetBlock(const vtkIsosurfaceRayTracing::Hit& hit) const final
+  {
+    return this->FindLeaf(hit).FlatIndex;
+  }
 
   /// Finds the first components of the array to colour by at a hit. Called by many threads at once.
   virtual void SampleColors(

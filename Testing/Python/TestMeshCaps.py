@@ -296,6 +296,29 @@ class TestMeshCaps(PictureTestCase):
                         scene.volume, eye, behind, t, outputs[0], outputs[1], found, isovalue, outputs[2]), 1)  # fmt: skip
                     self.assertLess(found.get(), cells)
 
+    def test_a_block_before_others_on_a_lattice_that_it_cuts(self):
+        """The images on both sides of it in the list are traced as one, and are seen before and behind it."""
+        images = []
+        for x in (-SIZE, 0):
+            image = vtkImageData()
+            image.SetDimensions(SIZE + 1, SIZE + 1, SIZE + 1)
+            image.SetOrigin(x, 0.0, 0.0)
+            images.append(set_values(image, lambda _: 1.0))
+        mesh = make_grid(VTK_TETRA, lambda _: 1.0)
+        for order in ((images[0], mesh, images[1]), (images[1], mesh, images[0])):
+            blocks = vtkMultiBlockDataSet()
+            for i, block in enumerate(order):
+                blocks.SetBlock(i, block)
+            scene = Scene(blocks, 0.5)
+            plane = add_plane(scene.mapper, (2.9, 3.1, 3.05), (-0.48, -0.6, -0.64))
+            caps = [pixel for pixel in scene.take_pixels()
+                    if is_on(plane, pixel[2]) and all(0.01 < c < SIZE - 0.01 for c in pixel[2])]  # fmt: skip
+            self.assertGreater(len(caps), 500)
+            first = images[1] if order[0] is images[1] else mesh
+            begin = 0 if first is images[1] else images[0].GetNumberOfCells()
+            ends = range(begin, begin + first.GetNumberOfCells())
+            self.assertEqual(sum(cell not in ends for *_, cell in caps), 0)
+
     def test_caps_have_the_colours_of_an_array(self):
         grid = make_grid(VTK_WEDGE, ball)
         heights = make_grid(VTK_WEDGE, lambda point: point[2] / SIZE * HIGH).GetPointData().GetScalars()

@@ -372,6 +372,10 @@ double FieldSet::FindDepthOfCaps(const HalfSpace& half) const
   for (std::size_t number = 0; number < this->NumberOfMembers; ++number)
   {
     const Member& member = this->Members[number];
+    if (member.Box.Lower[0] > member.Box.Upper[0])
+    {
+      continue; // It has no cells.
+    }
     const HalfSpace own = Transform(half, member.SetFromOwn);
     const Bounds box = TransformBounds(member.OwnFromSet, member.Box);
     double depth = rounding * std::abs(own.Offset);
@@ -792,6 +796,18 @@ bool FieldSet::TakeHit(
 }
 
 //------------------------------------------------------------------------------
+bool FieldSet::IsOfEarlierBlock(const Hit& a, const Hit& b) const
+{
+  if (a.Member == b.Member)
+  {
+    return false;
+  }
+  const unsigned int blockOfA = this->GetMember(a).Source->GetBlock(a);
+  const unsigned int blockOfB = this->GetMember(b).Source->GetBlock(b);
+  return blockOfA < blockOfB || (blockOfA == blockOfB && a.Member < b.Member);
+}
+
+//------------------------------------------------------------------------------
 /// Puts the hits of each ray in order.
 void FieldSet::JoinHits(PacketOfSet& packet) const
 {
@@ -803,8 +819,8 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
     if (found.size() > 1)
     {
       std::stable_sort(found.begin(), found.end(),
-        [](const Hit& a, const Hit& b)
-        { return a.T < b.T || (a.T == b.T && a.Member < b.Member); });
+        [this](const Hit& a, const Hit& b)
+        { return a.T < b.T || (a.T == b.T && this->IsOfEarlierBlock(a, b)); });
       this->DropTwins(packet.Rays->GetDirection(i), found);
     }
     if (found.size() == 1)

@@ -35,6 +35,10 @@ public:
   /// What of the field is visible, in its object space. It must be there.
   virtual Visibility FindVisible() const = 0;
 
+  /// The number of the block that a hit is of: of hits of several fields in one place, that of the
+  /// first block counts.
+  virtual unsigned int GetBlock(const Hit& /*hit*/) const { return 0; }
+
   /// What is kept for the field besides what it tells itself, in bytes.
   virtual std::size_t GetMemory() const { return 0; }
 };
@@ -134,6 +138,7 @@ private:
   template <typename Find>
   void TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const;
   bool TakeHit(const Hit& hitOfMember, std::size_t number, int ray, PacketOfSet& packet) const;
+  bool IsOfEarlierBlock(const Hit& a, const Hit& b) const;
   void JoinHits(PacketOfSet& packet) const;
   void DropTwins(const Vector3& direction, std::vector<Hit>& found) const;
 
