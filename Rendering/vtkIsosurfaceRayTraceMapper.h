@@ -662,7 +662,8 @@ public:
    * Coarse pictures (ImageSampleDistance of 2 and more, as while interacting), those of
    * vtkSSAOPass, hardware selections and PickPixel do not use the mean, and leave it as it is.
    * RenderToImage makes all frames of a mean of its own at once. It takes 12 bytes for every pixel
-   * that the volume covers, and 4 more where depth is read. Default: off, which costs nothing.
+   * that the volume covers, and 4 more where depth is read, for each renderer. Default: off, which
+   * costs nothing.
    */
   vtkSetMacro(ProgressiveAccumulation, bool);
   vtkGetMacro(ProgressiveAccumulation, bool);
@@ -680,7 +681,8 @@ public:
 
   /**
    * Get the number of frames whose mean the last Render() showed; 0 if its picture is not
-   * accumulated. After a frame that was aborted: the number before it.
+   * accumulated. After a frame that was aborted: the number before it. Where several renderers show
+   * the volume, it is that of the last one: ask after each, for example at its EndEvent.
    */
   int GetNumberOfAccumulatedFrames();
 
