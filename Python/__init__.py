@@ -15,20 +15,20 @@ import importlib
 import os
 import typing
 
-# Threads of GNU's OpenMP that wait spin for some milliseconds before they sleep, unless they are told not to when it is
-# loaded, which is now: between pictures that takes processors from Mesa, which draws them with threads of its own, and
-# if other programs run, it keeps the thread that is waited for from running. Others in this process that use the same
-# OpenMP have it, too; programs that are started do not inherit it.
+# Threads of GNU's OpenMP that wait spin for some 8 ms before they sleep, unless they are told not to when it is loaded,
+# which is now: between pictures that takes processors from Mesa, which draws them with threads of its own, and if other
+# programs run, it may keep the thread that is waited for from running. 0.3 ms suffice. Others in this process that use
+# the same OpenMP have it, too; programs that are started do not inherit it.
 _has_policy = "OMP_WAIT_POLICY" in os.environ or "GOMP_SPINCOUNT" in os.environ
 if not _has_policy:
-    os.environ["OMP_WAIT_POLICY"] = "passive"
+    os.environ["GOMP_SPINCOUNT"] = "10000"
 
 try:
     from ._version import __version__
     from .vtkIsosurfaceRayTracing import *
 finally:
     if not _has_policy:
-        os.environ.pop("OMP_WAIT_POLICY", None)
+        os.environ.pop("GOMP_SPINCOUNT", None)
 
 if typing.TYPE_CHECKING:
     from ._files import read

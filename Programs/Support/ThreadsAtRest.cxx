@@ -36,7 +36,7 @@ void LetThreadsRest([[maybe_unused]] char* argv[])
 #ifdef __linux__
   if (!std::getenv("OMP_WAIT_POLICY") && !std::getenv("GOMP_SPINCOUNT") && IsProgramAlone())
   {
-    setenv("OMP_WAIT_POLICY", "passive", 1);
+    setenv("GOMP_SPINCOUNT", "10000", 1);
     // By its own name, or processes would be listed as "exe".
     std::error_code error;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
