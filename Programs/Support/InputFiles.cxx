@@ -17,7 +17,7 @@ namespace Programs
 namespace
 {
 
-/// The files of samples that a file refers to, but for what several files of NRRD are.
+/// The files of samples that a file refers to. Those of a header of NRRD with several are left out.
 std::vector<std::string> FindFilesOfSamples(const std::string& input)
 {
   if (ImageFiles::IsMetaImage(input))
