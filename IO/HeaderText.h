@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -36,6 +37,12 @@ inline std::string Trim(const std::string& text)
   const std::size_t first = text.find_first_not_of(spaces);
   return first == std::string::npos ? ""
                                     : text.substr(first, text.find_last_not_of(spaces) + 1 - first);
+}
+
+/// A file that a header names is in its folder, unless the name has another.
+inline std::string FindNamedFile(const std::string& header, const std::string& name)
+{
+  return (std::filesystem::path(header).parent_path() / name).string();
 }
 
 /// Numbers that are separated by spaces; none if there is anything else.

@@ -252,7 +252,7 @@ double GetSizeOfSamples(const Header& header)
   double smallest = std::numeric_limits<double>::infinity();
   for (const std::string& file : files)
   {
-    smallest = std::min(smallest, GetSize(header, fs::path(header.FileName).parent_path() / file));
+    smallest = std::min(smallest, GetSize(header, FindNamedFile(header.FileName, file)));
   }
   return smallest * static_cast<double>(files.size());
 }
@@ -272,7 +272,7 @@ std::vector<std::string> FindDataFiles(const std::string& fileName)
   std::vector<std::string> files = FindDataFiles(ReadHeader(fileName));
   for (std::string& file : files)
   {
-    file = (fs::path(fileName).parent_path() / file).string();
+    file = FindNamedFile(fileName, file);
   }
   return files;
 }
@@ -314,8 +314,7 @@ std::optional<RawSamples> FindRawSamples(const std::string& fileName)
     return {};
   }
   RawSamples samples;
-  samples.FileName =
-    files.empty() ? fileName : (fs::path(fileName).parent_path() / files.front()).string();
+  samples.FileName = files.empty() ? fileName : FindNamedFile(fileName, files.front());
   samples.Offset = files.empty() ? static_cast<std::int64_t>(GetSizeOfText(header)) : 0;
   // As VTK's reader: 0 stands for no header but that with the text.
   const int skipped = header.Get("HeaderSize").empty() ? 0 : GetNumbers(header, "HeaderSize")[0];

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -175,9 +174,7 @@ bool IsNrrd(const std::string& fileName)
 std::string FindDataFileOfNrrd(const std::string& fileName)
 {
   const std::string name = GetDataFile(ReadHeader(fileName));
-  return name.empty() || IsSeveralFiles(name)
-    ? ""
-    : (std::filesystem::path(fileName).parent_path() / name).string();
+  return name.empty() || IsSeveralFiles(name) ? "" : FindNamedFile(fileName, name);
 }
 
 //------------------------------------------------------------------------------
@@ -216,8 +213,7 @@ std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
   samples.Offset = header.Size;
   if (!dataFile.empty())
   {
-    namespace fs = std::filesystem;
-    samples.FileName = (fs::path(fileName).parent_path() / dataFile).string();
+    samples.FileName = FindNamedFile(fileName, dataFile);
     // As VTK's reader, which takes what there is before them for a header.
     samples.Offset = -1;
   }
