@@ -13,6 +13,7 @@
 #include "Math/PrefetchLines.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/LineFrustum.h"
+#include "Rays/PlaneRounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -346,9 +347,9 @@ void FieldSet::Select(
   this->Request = request;
   this->PacketKernels = execution.PacketKernels;
   this->Budget = budget;
-  this->Selection += isSame ? 0 : 1;
   if (!isSame)
   {
+    ++this->Selection;
     this->DepthsOfCaps.clear();
     for (const HalfSpace& half : request.Visible.HalfSpaces)
     {
@@ -378,13 +379,7 @@ double FieldSet::FindDepthOfCaps(const HalfSpace& half) const
     }
     const HalfSpace own = Transform(half, member.SetFromOwn);
     const Bounds box = TransformBounds(member.OwnFromSet, member.Box);
-    double depth = rounding * std::abs(own.Offset);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      depth += rounding * std::abs(own.Normal[axis]) *
-        std::max(std::abs(box.Lower[axis]), std::abs(box.Upper[axis]));
-    }
-    deepest = std::max(deepest, depth);
+    deepest = std::max(deepest, FindRounding(own, box, rounding, rounding));
   }
   return deepest;
 }

@@ -4,6 +4,7 @@
 #include "Mesh/MeshCaps.h"
 
 #include "Mesh/ShapeFunctions.h"
+#include "Rays/PlaneRounding.h"
 #include "Rays/RayFrame.h"
 
 #include <algorithm>
@@ -268,13 +269,7 @@ std::vector<HalfSpace> MovePlanesIntoCells(
   std::vector<HalfSpace> moved = halves;
   for (HalfSpace& half : moved)
   {
-    double way = rounding * std::abs(half.Offset);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      way += std::abs(half.Normal[axis]) * ofPoints *
-        std::max(std::abs(box.Lower[axis]), std::abs(box.Upper[axis]));
-    }
-    half.Offset -= half.IsCapped ? way : 0.0;
+    half.Offset -= half.IsCapped ? FindRounding(half, box, rounding, ofPoints) : 0.0;
   }
   return moved;
 }
