@@ -24,7 +24,8 @@ struct CloudTile
 {
   /// The number of pixels along an edge, at most. (In larger tiles cells are read less often, and
   /// the segments of a tile do not fit into the cache.)
-  static constexpr int Edge = 16;
+  static constexpr int EdgeBits = 4;
+  static constexpr int Edge = 1 << EdgeBits;
   static constexpr int Capacity = Edge * Edge;
   /// The pixel that labels are counted from.
   static constexpr int Middle = Edge / 2;
@@ -78,11 +79,12 @@ struct ProjectedTetrahedra
   /// The largest of those of a tetrahedron.
   double LargestRounding[Capacity];
 
-  /// Half planes of labels outside of which tetrahedra are not, in single precision: the ray (i, j)
-  /// may pass one if A i + B j + C is nowhere negative.
-  float OutlineA[Edges][Capacity];
-  float OutlineB[Edges][Capacity];
-  float OutlineC[Edges][Capacity];
+  /// The line where the area of an edge is zero, in single precision: on a row of the tile it is at
+  /// the column Slope row + Start. The signs of areas are sure for pixels that are farther from
+  /// there than the margin.
+  float LineSlope[Edges][Capacity];
+  float LineStart[Edges][Capacity];
+  float LineMargin[Edges][Capacity];
 
   /// The pixels that may be covered, from first to last; none if the last comes before the first.
   int FirstColumn[Capacity];

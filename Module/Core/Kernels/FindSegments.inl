@@ -8,78 +8,28 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The pixels whose rays may pass a tetrahedron; a bit for each lane.
-SIMD_INLINE unsigned int FindInOutline(
-  const ProjectedTetrahedra& projected, int number, Floats columns, Floats rows)
+/// The depths of the corners of a face, and the numbers there.
+template <int Components, int Gradients>
+struct FaceCorners
 {
-  Floats least = 0.0F;
-  for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
-  {
-    const Floats a = projected.OutlineA[i][number];
-    const Floats b = projected.OutlineB[i][number];
-    const Floats c = projected.OutlineC[i][number];
-    least = Min(least, MultiplyAdd(columns, a, MultiplyAdd(rows, b, c)));
-  }
-  return ((1U << FloatWidth) - 1U) & ~ToBits(least < 0.0F);
-}
+  Doubles Depth[3];
+  Doubles Number[Components + 3 * Gradients][3];
 
-/// The labels of the first pixels of a tile, a vector of them in one row or in several.
-struct PixelLabels
-{
-  alignas(64) float Column[FloatWidth];
-  alignas(64) float Row[FloatWidth];
-
-  constexpr explicit PixelLabels(int columns)
-    : Column{}
-    , Row{}
+  /// Given what takes the numbers of three corners.
+  template <typename Take>
+  SIMD_INLINE FaceCorners(const Take& take, const ProjectedTetrahedra& projected)
   {
-    for (int i = 0; i < FloatWidth; ++i)
+    take(projected.Depth, this->Depth);
+    for (int i = 0; i < Components; ++i)
     {
-      this->Column[i] = static_cast<float>(i % columns - CloudTile::Middle);
-      this->Row[i] = static_cast<float>(i / columns - CloudTile::Middle);
+      take(projected.Value[i], this->Number[i]);
+    }
+    for (int i = 0; i < 3 * Gradients; ++i)
+    {
+      take(projected.Gradient[i], this->Number[Components + i]);
     }
   }
 };
-
-/// Finds the pixels whose rays may pass a tetrahedron, of those that are open.
-SIMD_INLINE int FindCovered(
-  const CloudTile& tile, const ProjectedTetrahedra& projected, int number, int* pixels)
-{
-  const int firstColumn = projected.FirstColumn[number];
-  const int lastColumn = projected.LastColumn[number];
-  const int lastRow = projected.LastRow[number];
-  const std::uint32_t inRange = (~0U << firstColumn) & (~0U >> (31 - lastColumn));
-  // A vector of floats is two of doubles: next to each other in a row, or one in each of two rows.
-  const bool isNarrow = lastColumn - firstColumn < DoubleWidth;
-  const int columnsAtOnce = isNarrow ? DoubleWidth : FloatWidth;
-  const int rowsAtOnce = isNarrow ? 2 : 1;
-  static constexpr PixelLabels ofRow(FloatWidth);
-  static constexpr PixelLabels ofTwoRows(DoubleWidth);
-  const Floats columns = LoadFloats(isNarrow ? ofTwoRows.Column : ofRow.Column);
-  const Floats rows = LoadFloats(isNarrow ? ofTwoRows.Row : ofRow.Row);
-  constexpr std::uint32_t half = (1U << DoubleWidth) - 1U;
-  int count = 0;
-  for (int row = projected.FirstRow[number]; row <= lastRow; row += rowsAtOnce)
-  {
-    const std::uint32_t open = tile.Open[row] & inRange;
-    const std::uint32_t openNext = isNarrow && row < lastRow ? tile.Open[row + 1] & inRange : 0;
-    for (int first = firstColumn; (open | openNext) != 0 && first <= lastColumn;
-         first += columnsAtOnce)
-    {
-      const std::uint32_t lanes = isNarrow
-        ? (open >> first & half) | (openNext >> first & half) << DoubleWidth
-        : open >> first;
-      const std::uint32_t covered = lanes &
-        FindInOutline(
-          projected, number, columns + static_cast<float>(first), rows + static_cast<float>(row));
-      const int pixel = row * CloudTile::Edge + first;
-      count += AppendLanes(pixel, covered & half, pixels + count);
-      count += AppendLanes(
-        pixel + (isNarrow ? CloudTile::Edge : DoubleWidth), covered >> DoubleWidth, pixels + count);
-    }
-  }
-  return count;
-}
 
 /// The crossings of a face by a vector of rays: depths, and some numbers that are linear in
 /// tetrahedra.
@@ -89,27 +39,18 @@ struct FaceCrossings
   Doubles Depth;
   Doubles Number[Numbers];
 
-  /// Given the corners and the areas opposite to them: a function of face and ray alone, which does
-  /// not depend on the side that the face is seen from. All are between those of the corners.
-  SIMD_INLINE FaceCrossings(
-    const Doubles areas[3], const Doubles depths[3], const Doubles (&numbers)[Numbers][3])
+  /// Given the corners and the weights of the second and the third, none of which is negative: a
+  /// function of face and ray alone, which does not depend on the side that the face is seen from.
+  /// All are between those of the corners.
+  template <typename Corners>
+  SIMD_INLINE FaceCrossings(Doubles second, Doubles third, const Corners& corners)
   {
-    const Doubles sum = areas[0] + areas[1] + areas[2];
-    // All have one sign, but for rounding.
-    const Doubles sign = CopySign(Doubles(1.0), sum);
-    const Doubles weights[3] = { Max(areas[0] * sign, Doubles(0.0)),
-      Max(areas[1] * sign, Doubles(0.0)), Max(areas[2] * sign, Doubles(0.0)) };
-    const Doubles total = weights[0] + weights[1] + weights[2];
-    const Mask hasArea = 0x1p-900 < total;
-    const Doubles inverse = 1.0 / total;
-    const Doubles second = Select(hasArea, weights[1] * inverse, Doubles(1.0 / 3.0));
-    const Doubles third = Select(hasArea, weights[2] * inverse, Doubles(1.0 / 3.0));
     const auto interpolate = [&](const Doubles at[3])
     { return at[0] + (second * (at[1] - at[0]) + third * (at[2] - at[0])); };
-    this->Depth = interpolate(depths);
+    this->Depth = interpolate(corners.Depth);
     for (int i = 0; i < Numbers; ++i)
     {
-      this->Number[i] = interpolate(numbers[i]);
+      this->Number[i] = interpolate(corners.Number[i]);
     }
   }
 };
@@ -123,6 +64,21 @@ struct RayParts
 
   Doubles Depth[2];
   Doubles Number[Numbers][2];
+
+  /// Sets them to those between two faces. Returns which have a length.
+  SIMD_INLINE Mask SetBetween(
+    const FaceCrossings<Numbers>& one, const FaceCrossings<Numbers>& other)
+  {
+    const Mask isOneFirst = one.Depth < other.Depth;
+    this->Depth[0] = Select(isOneFirst, one.Depth, other.Depth);
+    this->Depth[1] = Select(isOneFirst, other.Depth, one.Depth);
+    for (int i = 0; i < Numbers; ++i)
+    {
+      this->Number[i][0] = Select(isOneFirst, one.Number[i], other.Number[i]);
+      this->Number[i][1] = Select(isOneFirst, other.Number[i], one.Number[i]);
+    }
+    return this->Depth[0] < this->Depth[1];
+  }
 
   /// Cuts them to where the rays are. Returns which are left.
   SIMD_INLINE Mask CutToRays(const CloudTile& tile, const int* pixels)
@@ -144,18 +100,36 @@ struct RayParts
   /// Puts some of them behind segments.
   SIMD_INLINE void Append(const int* pixels, unsigned int lanes, CloudSegments& segments) const
   {
-    const int count = CopyLanes(pixels, lanes, &segments.Pixel[segments.Count]);
+    // Most often none of the first is left out.
+    if ((lanes & (lanes + 1)) == 0)
+    {
+      std::memcpy(&segments.Pixel[segments.Count], pixels, DoubleWidth * sizeof(int));
+      this->AppendWith(
+        CountBits(lanes), segments, [](Doubles some, double* to) { Store(some, to); });
+    }
+    else
+    {
+      this->AppendWith(CopyLanes(pixels, lanes, &segments.Pixel[segments.Count]), segments,
+        [lanes](Doubles some, double* to) { StoreLanes(some, lanes, to); });
+    }
+  }
+
+private:
+  /// Puts so many of them behind segments, given what stores a vector.
+  template <typename StoreVector>
+  SIMD_INLINE void AppendWith(int count, CloudSegments& segments, const StoreVector& store) const
+  {
     for (int end = 0; end < 2; ++end)
     {
-      StoreLanes(this->Depth[end], lanes, &segments.Depth[end][segments.Count]);
+      store(this->Depth[end], &segments.Depth[end][segments.Count]);
       for (int i = 0; i < Components; ++i)
       {
-        StoreLanes(this->Number[i][end], lanes, &segments.Value[i][end][segments.Count]);
+        store(this->Number[i][end], &segments.Value[i][end][segments.Count]);
       }
       for (int i = Components; i < Numbers; ++i)
       {
         double wide[DoubleWidth];
-        StoreLanes(this->Number[i][end], lanes, wide);
+        store(this->Number[i][end], wide);
         for (int k = 0; k < count; ++k)
         {
           segments.Gradient[i - Components][end][segments.Count + k] = static_cast<float>(wide[k]);
@@ -165,7 +139,6 @@ struct RayParts
     segments.Count += count;
   }
 
-private:
   /// Moves an end of other parts to a depth, where that is inside.
   SIMD_INLINE void Cut(const RayParts& whole, int end, Mask isCut, Doubles at)
   {
@@ -179,7 +152,75 @@ private:
   }
 };
 
-/// A vector of rays and one tetrahedron.
+/// A face of a tetrahedron, and rays that surely cross it.
+template <int Components, int Gradients, int Number>
+class SureFace
+{
+public:
+  SIMD_INLINE SureFace(const ProjectedTetrahedra& projected, int tetrahedron)
+    : Corners(
+        [tetrahedron](const double (*of)[ProjectedTetrahedra::Capacity], Doubles numbers[3])
+        {
+          for (int i = 0; i < 3; ++i)
+          {
+            numbers[i] = of[Faces[Number].Corners[i]][tetrahedron];
+          }
+        },
+        projected)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int edge = Faces[Number].Edges[i];
+      this->A[i] = projected.A[edge][tetrahedron];
+      this->B[i] = projected.B[edge][tetrahedron];
+      this->C[i] = projected.C[edge][tetrahedron];
+    }
+  }
+
+  SIMD_INLINE FaceCrossings<Components + 3 * Gradients> Find(Doubles column, Doubles row) const
+  {
+    Doubles areas[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      areas[i] = Abs(column * this->A[i] + (row * this->B[i] + this->C[i]));
+    }
+    const Doubles inverse = 1.0 / (areas[0] + areas[1] + areas[2]);
+    return { areas[1] * inverse, areas[2] * inverse, this->Corners };
+  }
+
+private:
+  Doubles A[3];
+  Doubles B[3];
+  Doubles C[3];
+  FaceCorners<Components, Gradients> Corners;
+};
+
+/// Rays that surely cross the faces of a pair.
+template <int Components, int Gradients, int Pair>
+class RaysBetweenFaces
+{
+public:
+  SIMD_INLINE RaysBetweenFaces(const ProjectedTetrahedra& projected, int tetrahedron)
+    : One(projected, tetrahedron)
+    , Other(projected, tetrahedron)
+  {
+  }
+
+  /// Finds their parts between the faces. Returns which have a length.
+  SIMD_INLINE Mask Find(Doubles column, Doubles row, RayParts<Components, Gradients>& parts) const
+  {
+    return parts.SetBetween(this->One.Find(column, row), this->Other.Find(column, row));
+  }
+
+private:
+  SureFace<Components, Gradients, FacePairs[Pair][0]> One;
+  SureFace<Components, Gradients, FacePairs[Pair][1]> Other;
+};
+
+/// Smaller areas of faces tell no weights of their corners.
+constexpr double LeastFaceArea = 0x1p-900;
+
+/// A vector of rays and one tetrahedron that they may pass.
 template <int Components, int Gradients>
 class RaysInTetrahedron
 {
@@ -216,15 +257,7 @@ public:
     const Mask is013 = AndNot(AndNot(crosses013, crosses023), crosses123);
     const Crossings one = this->MakeOne(projected, number, crosses012, is023);
     const Crossings other = this->MakeOther(projected, number, is013, crosses123);
-    const Mask isOneFirst = one.Depth < other.Depth;
-    parts.Depth[0] = Select(isOneFirst, one.Depth, other.Depth);
-    parts.Depth[1] = Select(isOneFirst, other.Depth, one.Depth);
-    for (int i = 0; i < Parts::Numbers; ++i)
-    {
-      parts.Number[i][0] = Select(isOneFirst, one.Number[i], other.Number[i]);
-      parts.Number[i][1] = Select(isOneFirst, other.Number[i], one.Number[i]);
-    }
-    return (crosses012 | crosses013 | crosses023) & (parts.Depth[0] < parts.Depth[1]);
+    return (crosses012 | crosses013 | crosses023) & parts.SetBetween(one, other);
   }
 
 private:
@@ -267,9 +300,9 @@ private:
     return AndNot(this->IsLeft[ab] ^ this->IsLeft[ac], this->IsLeft[ab] ^ this->IsLeft[bc]);
   }
 
-  /// The areas of a face, given what takes those of its edges. They are exact if one of its edges
-  /// is unsure: so the crossings of faces that are seen edge-on are in order, and both cells that
-  /// have the face agree.
+  /// The areas of a face, given what takes those of its edges: none is negative. They are exact if
+  /// one of its edges is unsure: so the crossings of faces that are seen edge-on are in order, and
+  /// both cells that have the face agree.
   template <typename Take>
   SIMD_INLINE void FindAreas(const Take& take, Doubles areas[3]) const
   {
@@ -285,6 +318,12 @@ private:
       {
         areas[i] = Select(isExact, exact[i], areas[i]);
       }
+    }
+    // All have one sign, but for rounding.
+    const Doubles sign = CopySign(Doubles(1.0), areas[0] + areas[1] + areas[2]);
+    for (int i = 0; i < 3; ++i)
+    {
+      areas[i] = Max(areas[i] * sign, Doubles(0.0));
     }
   }
 
@@ -337,18 +376,13 @@ private:
   SIMD_INLINE static Crossings TakeCorners(
     const Doubles areas[3], const Take& take, const ProjectedTetrahedra& projected)
   {
-    Doubles depths[3];
-    Doubles numbers[Parts::Numbers][3];
-    take(projected.Depth, depths);
-    for (int i = 0; i < Components; ++i)
-    {
-      take(projected.Value[i], numbers[i]);
-    }
-    for (int i = 0; i < 3 * Gradients; ++i)
-    {
-      take(projected.Gradient[i], numbers[Components + i]);
-    }
-    return { areas, depths, numbers };
+    const Doubles total = areas[0] + areas[1] + areas[2];
+    // Without an area, in the middle.
+    const Mask hasArea = LeastFaceArea < total;
+    const Doubles inverse = 1.0 / total;
+    const Doubles second = Select(hasArea, areas[1] * inverse, Doubles(1.0 / 3.0));
+    const Doubles third = Select(hasArea, areas[2] * inverse, Doubles(1.0 / 3.0));
+    return { second, third, FaceCorners<Components, Gradients>(take, projected) };
   }
 
   Doubles Area[ProjectedTetrahedra::Edges];
@@ -389,16 +423,92 @@ struct CommonDepths
   }
 };
 
+/// Rays that may pass a tetrahedron near its edges.
+template <int Components, int Gradients>
+struct RaysNearEdges
+{
+  const ProjectedTetrahedra& Projected;
+  int Number;
+
+  SIMD_INLINE Mask Find(Doubles column, Doubles row, RayParts<Components, Gradients>& parts) const
+  {
+    const RaysInTetrahedron<Components, Gradients> rays(this->Projected, this->Number, column, row);
+    return rays.Find(this->Projected, this->Number, parts);
+  }
+};
+
+/// What adds the segments that rays have in a tetrahedron.
+template <int Components, int Gradients>
+struct SegmentAdder
+{
+  const CloudTile& Tile;
+  const ProjectedTetrahedra& Projected;
+  int Number;
+  const CoveredPixels& Covered;
+  /// Whether nothing is cut off from the parts of rays.
+  bool AreWhole;
+  CloudSegments& Segments;
+
+  /// Adds those of rays between pairs of faces...
+  template <int... Pairs>
+  SIMD_INLINE void AddSure(std::integer_sequence<int, Pairs...>) const
+  {
+    (this->AddBetween<Pairs>(), ...);
+  }
+  /// ...and near edges.
+  SIMD_INLINE void AddUnsure() const
+  {
+    if (this->Covered.GetCount(CoveredPixels::Unsure) > 0)
+    {
+      this->Add(CoveredPixels::Unsure,
+        RaysNearEdges<Components, Gradients>{ this->Projected, this->Number });
+    }
+  }
+
+private:
+  template <int Pair>
+  SIMD_INLINE void AddBetween() const
+  {
+    if (this->Covered.GetCount(Pair) > 0)
+    {
+      this->Add(Pair, RaysBetweenFaces<Components, Gradients, Pair>(this->Projected, this->Number));
+    }
+  }
+
+  /// Adds those of a list of pixels, given what finds their parts.
+  template <typename Rays>
+  SIMD_INLINE void Add(int list, const Rays& rays) const
+  {
+    const int* pixels = this->Covered.GetPixels(list);
+    const int count = this->Covered.GetCount(list);
+    for (int first = 0; first < count; first += DoubleWidth)
+    {
+      ShortVector<std::int32_t, DoubleWidth>::Type pixel;
+      std::memcpy(&pixel, pixels + first, sizeof(pixel));
+      Doubles column;
+      Doubles row;
+      Convert((pixel & (CloudTile::Edge - 1)) - CloudTile::Middle, column.Value);
+      Convert((pixel >> CloudTile::EdgeBits) - CloudTile::Middle, row.Value);
+      RayParts<Components, Gradients> parts;
+      Mask isPassed = rays.Find(column, row, parts);
+      if (!this->AreWhole)
+      {
+        isPassed = isPassed & parts.CutToRays(this->Tile, pixels + first);
+      }
+      const unsigned int lanes =
+        ToBits(isPassed) & ((1U << SmallerOf(count - first, DoubleWidth)) - 1U);
+      parts.Append(pixels + first, lanes, this->Segments);
+    }
+  }
+};
+
 template <int Components, int Gradients>
 int FindSegments(
   const CloudTile& tile, const ProjectedTetrahedra& projected, int number, CloudSegments& segments)
 {
-  using Rays = RaysInTetrahedron<Components, Gradients>;
-  using Parts = typename Rays::Parts;
   segments.Components = Components;
   segments.Gradients = Gradients;
   const CommonDepths common(tile);
-  int pixels[CloudTile::Capacity + DoubleWidth];
   for (; number < projected.Count && segments.Count < segments.Enough; ++number)
   {
     if (projected.LastColumn[number] < projected.FirstColumn[number] ||
@@ -406,29 +516,11 @@ int FindSegments(
     {
       continue;
     }
-    const int count = FindCovered(tile, projected, number, pixels);
-    for (int i = count; i < count + DoubleWidth; ++i)
-    {
-      pixels[i] = 0;
-    }
-    const bool isWhole = common.Hold(projected, number);
-    for (int first = 0; first < count; first += DoubleWidth)
-    {
-      const Doubles pixel = LoadIntegers(pixels + first);
-      const Doubles row = Floor(pixel * (1.0 / CloudTile::Edge));
-      const Doubles column = pixel - row * CloudTile::Edge;
-      const Doubles middle = CloudTile::Middle;
-      const Rays rays(projected, number, column - middle, row - middle);
-      Parts parts;
-      Mask isPassed = rays.Find(projected, number, parts);
-      if (!isWhole)
-      {
-        isPassed = isPassed & parts.CutToRays(tile, pixels + first);
-      }
-      const unsigned int lanes =
-        ToBits(isPassed) & ((1U << SmallerOf(count - first, DoubleWidth)) - 1U);
-      parts.Append(pixels + first, lanes, segments);
-    }
+    const CoveredPixels covered(tile, projected, number);
+    const SegmentAdder<Components, Gradients> adder{ tile, projected, number, covered,
+      common.Hold(projected, number), segments };
+    adder.AddSure(std::make_integer_sequence<int, PairsOfFaces>{});
+    adder.AddUnsure();
   }
   return number;
 }

@@ -91,6 +91,8 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindMetCells.inl"
 #include "Kernels/FindPassages.inl"
+#include "Kernels/ScanTetrahedra.inl"
+
 #include "Kernels/FindSegments.inl"
 #include "Kernels/FindSegmentsInCells.inl"
 #include "Kernels/FrameRays.inl"

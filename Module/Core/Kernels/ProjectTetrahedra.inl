@@ -62,6 +62,12 @@ struct TileCorners
   }
 };
 
+/// Edges that are smaller or larger have sides that nothing is sure of, and so has a margin that is
+/// larger.
+constexpr double LeastEdgeSize = 0x1p-800;
+constexpr double LargestEdgeSize = 0x1p800;
+constexpr double LargestMargin = 0x1p20;
+
 /// Which pixels the points of corners are between, along an axis.
 SIMD_INLINE void FindPixels(const Doubles labels[4], int count, int* first, int* last)
 {
@@ -75,40 +81,24 @@ SIMD_INLINE void FindPixels(const Doubles labels[4], int count, int* first, int*
   StoreTruncated(Max(Doubles(-1.0), Min(end - 1.0, Floor(high + middle + margin))), last);
 }
 
-/// Whether faces are seen from one side or the other, where that is sure.
-SIMD_INLINE Doubles FindSide(const TileCorners& corners, const Doubles edge[3], int corner)
+/// Finds where rows of pixels meet the line of an edge of a vector of tetrahedra, from the first
+/// on.
+SIMD_INLINE void FindLine(
+  const Doubles (&area)[3], Doubles rounding, int edge, int first, ProjectedTetrahedra& projected)
 {
-  const Doubles x = edge[0] * corners.X[corner];
-  const Doubles y = edge[1] * corners.Y[corner];
-  const Doubles w = edge[2] * corners.W[corner];
-  const Doubles volume = x + y + w;
-  const Mask isSure = 0x1p-30 * (Abs(x) + Abs(y) + Abs(w)) < Abs(volume);
-  return Select(isSure, CopySign(Doubles(1.0), volume), Doubles(0.0));
-}
-
-/// Finds the outlines of a vector of tetrahedra, from the first on, given which side the faces 012,
-/// 013, 023 and 123 are seen from: both faces of an edge of the outline are on one side of it. They
-/// are moved out by what rounding may be.
-SIMD_INLINE void FindOutlines(const Doubles (&edges)[ProjectedTetrahedra::Edges][3],
-  const Doubles (&sides)[4], int first, ProjectedTetrahedra& projected)
-{
-  const Doubles faces[ProjectedTetrahedra::Edges][2] = { { sides[0], sides[1] },
-    { 0.0 - sides[0], sides[2] }, { 0.0 - sides[1], 0.0 - sides[2] }, { sides[0], sides[3] },
-    { sides[1], 0.0 - sides[3] }, { sides[2], sides[3] } };
-  for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
-  {
-    const Doubles a = faces[i][0] * edges[i][0];
-    const Doubles b = faces[i][0] * edges[i][1];
-    const Doubles c = faces[i][0] * edges[i][2];
-    const Doubles across = Abs(a) + Abs(b);
-    const Doubles margin = 0x1p-20 * (Abs(c) + Doubles(CloudTile::Middle) * across);
-    // Single precision has no room for every scale.
-    const Doubles scale = 1.0 / (margin + 0x1p-1000);
-    const Mask isBounding = 0.0 < faces[i][0] * faces[i][1];
-    StoreRounded(Select(isBounding, a * scale, Doubles(0.0)), &projected.OutlineA[i][first]);
-    StoreRounded(Select(isBounding, b * scale, Doubles(0.0)), &projected.OutlineB[i][first]);
-    StoreRounded(Select(isBounding, c * scale + 1.0, Doubles(1.0)), &projected.OutlineC[i][first]);
-  }
+  const Doubles middle = CloudTile::Middle;
+  const Doubles size = Abs(area[2]) + middle * (Abs(area[0]) + Abs(area[1]));
+  // A line along rows is turned by less than the margin.
+  const Doubles across = CopySign(Max(Abs(area[0]), 0x1p-24 * size), area[0] + 0.0);
+  const Doubles inverse = 1.0 / across;
+  const Doubles slope = 0.0 - area[1] * inverse;
+  const Doubles start = middle - (area[2] * inverse + slope * middle);
+  // What single precision takes off.
+  const Doubles margin = (0x1p-18 * size + rounding) * Abs(inverse);
+  const Mask isKnown = (LeastEdgeSize < size) & (size < LargestEdgeSize) & (margin < LargestMargin);
+  StoreRounded(Select(isKnown, slope, Doubles(0.0)), &projected.LineSlope[edge][first]);
+  StoreRounded(Select(isKnown, start, Doubles(0.0)), &projected.LineStart[edge][first]);
+  StoreRounded(Select(isKnown, margin, Doubles(LargestMargin)), &projected.LineMargin[edge][first]);
 }
 
 void ProjectTetrahedra(
@@ -162,29 +152,26 @@ void ProjectTetrahedra(
 
     constexpr int ends[ProjectedTetrahedra::Edges][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
       { 1, 3 }, { 2, 3 } };
-    Doubles edges[ProjectedTetrahedra::Edges][3];
     Doubles largest = 0.0;
     for (int i = 0; i < ProjectedTetrahedra::Edges; ++i)
     {
+      Doubles area[3];
       Doubles rounding;
-      seen.FindEdge(ends[i][0], ends[i][1], edges[i][0], edges[i][1], edges[i][2], rounding);
-      Store(edges[i][0], &projected.A[i][first]);
-      Store(edges[i][1], &projected.B[i][first]);
-      Store(edges[i][2], &projected.C[i][first]);
+      seen.FindEdge(ends[i][0], ends[i][1], area[0], area[1], area[2], rounding);
+      Store(area[0], &projected.A[i][first]);
+      Store(area[1], &projected.B[i][first]);
+      Store(area[2], &projected.C[i][first]);
+      FindLine(area, rounding, i, first, projected);
       Store(rounding, &projected.Rounding[i][first]);
       largest = Max(largest, rounding);
     }
     Store(largest, &projected.LargestRounding[first]);
-    // Behind the eye sides are turned, and labels are anywhere: all pixels may be covered.
-    Doubles sides[4] = { FindSide(seen, edges[0], 2), FindSide(seen, edges[0], 3),
-      FindSide(seen, edges[1], 3), FindSide(seen, edges[3], 3) };
+    // Behind the eye labels are anywhere: all pixels may be covered.
     for (int i = 0; i < 4; ++i)
     {
-      sides[i] = Select(isInFront, sides[i], Doubles(0.0));
       columns[i] = Select(isInFront, columns[i], Doubles(i == 0 ? -Infinity : Infinity));
       rows[i] = Select(isInFront, rows[i], Doubles(i == 0 ? -Infinity : Infinity));
     }
-    FindOutlines(edges, sides, first, projected);
     const Doubles margin = 1e-12 * (Abs(nearest) + Abs(farthest));
     Store(nearest - margin, &projected.Nearest[first]);
     Store(farthest + margin, &projected.Farthest[first]);
