@@ -75,7 +75,7 @@
  * repeat: where they repeat and the values differ, the surface is a wall, as in
  * vtkRectilinearSynchronizedTemplates. Everything else is as for images. Where their planes are
  * evenly spaced to within the rounding of double precision, they are traced as images are;
- * otherwise cell by cell, in ten times the time. Smooth normals are interpolated from the slopes of
+ * otherwise cell by cell, in 1.2 times the time. Smooth normals are interpolated from the slopes of
  * parabolas through neighbouring samples, which is exact for quadrics, however uneven the spacing.
  *
  * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
@@ -750,7 +750,8 @@ public:
    * towards smaller values.
    *
    * For a projection (maximum or minimum intensity) the one hit is the point of the extreme value,
-   * whatever its opacity; isovalue is that value, and normal that of its isosurface.
+   * whatever its opacity; isovalue is that value, and normal that of its isosurface. Of several
+   * connections each has one; the nearest of them counts.
    */
   int IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double x[3], double pcoords[3], vtkIdType& cellId, double& isovalue, double normal[3]);

@@ -14,6 +14,7 @@
 #include "vtkIsosurfacePicker.h"
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkFloatArray.h>
 #include <vtkGPUVolumeRayCastMapper.h>
@@ -23,6 +24,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkTrivialProducer.h>
 
 #include <functional>
 #include <limits>
@@ -423,6 +425,41 @@ void CheckCasting(Checks& check)
 }
 
 //------------------------------------------------------------------------------
+/// Each of several connections has a value on a ray; the nearest is met.
+void CheckConnections(Checks& check)
+{
+  ProjectedScene scene(NewCube(17, Fog));
+  const auto moved = NewCube(17, Fog);
+  moved->SetOrigin(moved->GetOrigin()[0], moved->GetOrigin()[1], moved->GetOrigin()[2] + 3.0);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(moved);
+  scene.Mapper->AddInputConnection(0, producer->GetOutputPort());
+  const double from[3] = { 0.1, 0.1, 9.0 };
+  const double to[3] = { 0.1, 0.1, -9.0 };
+  double t = 0.0;
+  double x[3] = { 0.0, 0.0, 0.0 };
+  double parametric[3];
+  double value = 0.0;
+  double normal[3];
+  vtkIdType cell = -1;
+  check.Equal(
+    scene.Mapper->IntersectWithLine(scene.Volume, from, to, t, x, parametric, cell, value, normal),
+    1, "there is a value");
+  check.Near(x[2], 3.0, 0.2, "the value is that of the nearest connection");
+  vtkNew<vtkPoints> origins;
+  origins->InsertNextPoint(from);
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetNumberOfComponents(3);
+  directions->InsertNextTuple3(0.0, 0.0, -1.0);
+  vtkNew<vtkPolyData> hits;
+  check.That(scene.Mapper->CastRays(scene.Volume, origins, directions, hits), "a ray is cast");
+  check.Equal(hits->GetNumberOfPoints(), vtkIdType{ 2 }, "the number of values of a ray");
+  double bounds[6];
+  check.That(scene.Mapper->FindSurfaceBounds(scene.Volume, bounds), "there are bounds");
+  check.That(bounds[4] < 0.2 && bounds[5] > 2.8, "the bounds are those of all connections");
+}
+
+//------------------------------------------------------------------------------
 /// A window shows no depth of values: what is drawn behind them is not hidden.
 void CheckDepth(Checks& check)
 {
@@ -451,6 +488,7 @@ int TestIsosurfaceRayTraceMapperProjection(int argc, char* argv[])
   CheckAbort(check);
   CheckCells(check);
   CheckCasting(check);
+  CheckConnections(check);
   CheckDepth(check);
 
   ProjectedScene scene(NewCube(65, Head));

@@ -29,7 +29,8 @@ void TraceField(TracedField& field, const CastRay* rays, std::size_t count, cons
   field.Trace(packet, hits);
 }
 
-/// Drops the hits of a ray behind which no transmittance is left; they begin at first.
+/// Drops the hits of a ray behind which no transmittance is left; they begin at first. The values
+/// of projections hide nothing.
 void DropInvisible(
   const std::vector<TracedField*>& fields, std::size_t first, std::vector<Hit>& hits)
 {
@@ -37,8 +38,8 @@ void DropInvisible(
   const auto last = std::find_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
     [&fields, &transmittance](const Hit& hit)
     {
-      const TracedField& field = *fields[static_cast<std::size_t>(hit.Field)];
-      transmittance *= 1.0 - field.GetRequest().GetOpacity(hit);
+      const TraceRequest& request = fields[static_cast<std::size_t>(hit.Field)]->GetRequest();
+      transmittance *= request.Projection ? 1.0 : 1.0 - request.GetOpacity(hit);
       return transmittance < NegligibleTransmittance;
     });
   if (last != hits.end())
