@@ -45,21 +45,10 @@ public:
   {
     Value corners[8];
     this->TheReader.Load(cell, corners);
-    // NaN compares false; IsFinite then decides.
-    Value low = corners[0];
-    Value high = corners[0];
-    for (int i = 1; i < 8; ++i)
-    {
-      low = std::min(low, corners[i]);
-      high = std::max(high, corners[i]);
-    }
+    const Range range(corners);
     const std::vector<Isosurface>& surfaces = this->Selection.Request.Surfaces;
     return std::any_of(surfaces.begin(), surfaces.end(),
-             [low, high](const Isosurface& surface)
-             {
-               return static_cast<double>(low) < surface.Isovalue &&
-                 surface.Isovalue <= static_cast<double>(high);
-             }) &&
+             [&range](const Isosurface& surface) { return range.IsPassedBy(surface); }) &&
       IsFinite(corners);
   }
 
@@ -67,19 +56,48 @@ public:
   {
     Value corners[8];
     this->TheReader.Load(cell, corners);
+    const Range range(corners);
     CellCorners values;
     std::copy(corners, corners + 8, values.begin());
     roots.Clear();
     for (std::size_t i = 0; i < this->Selection.Isovalues.size(); ++i)
     {
-      roots.NextSurface();
-      AddTrilinearRoots(TakeOff(values, this->Selection.Isovalues[i]), segment,
-        this->Selection.Request, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
+      if (range.IsPassedBy(this->Selection.Request.Surfaces[i]))
+      {
+        roots.NextSurface();
+        AddTrilinearRoots(TakeOff(values, this->Selection.Isovalues[i]), segment,
+          this->Selection.Request, static_cast<int>(i), !all && this->Selection.EndsRays(i), roots);
+      }
     }
   }
 
 private:
   using Value = typename Layout::Value;
+
+  /// That of the corners of a cell.
+  struct Range
+  {
+    Value Low;
+    Value High;
+
+    /// Of any corners if some are NaN, which compares false.
+    explicit Range(const Value* corners)
+      : Low(corners[0])
+      , High(corners[0])
+    {
+      for (int i = 1; i < 8; ++i)
+      {
+        this->Low = std::min(this->Low, corners[i]);
+        this->High = std::max(this->High, corners[i]);
+      }
+    }
+
+    bool IsPassedBy(const Isosurface& surface) const
+    {
+      return static_cast<double>(this->Low) < surface.Isovalue &&
+        surface.Isovalue <= static_cast<double>(this->High);
+    }
+  };
 
   const ImageSelection& Selection;
   CellMasks<T>& Masks;
