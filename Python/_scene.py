@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Several surfaces in one picture."""
 
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkVolume
 
+from ._alike import check_alike
 from ._surface import isosurface
 from .vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume
-
-# What a mapper has once for all that it draws.
-COMMON = ("InterpolationMode", "ScalarMode", "ArrayName", "VectorMode", "ColorArrayName", "CapClippingPlanes")
 
 
 def to_volume(surfaces, isovalues, options):
@@ -23,39 +22,59 @@ def to_volume(surfaces, isovalues, options):
     for volume in volumes:
         if not isinstance(volume.GetMapper(), (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper)):
             raise TypeError("a volume is one of isosurface(), or has a vtkIsosurfaceRayTraceMapper")
-    return volumes[0] if len(volumes) == 1 else _join(volumes)
+    visible = [volume for volume in volumes if volume.GetVisibility()]
+    if not visible:
+        raise ValueError("no volume is visible; call VisibilityOn() of what is to be seen")
+    return visible[0] if len(visible) == 1 else _join(visible)
 
 
 def _join(volumes):
     """A volume of which those of a list are the connections: translucent surfaces pass through each other."""
     mappers = [volume.GetMapper() for volume in volumes]
-    _check_alike(mappers)
+    check_alike(mappers)
     # One of images draws meshes too.
     first = next((each for each in mappers if isinstance(each, vtkIsosurfaceRayTraceMapper)), mappers[0])
     mapper = first.NewInstance()
     mapper.ShallowCopy(first)
     mapper.RemoveAllInputConnections(0)
-    for i, volume in enumerate(volumes):
-        mapper.AddInputConnection(0, mappers[i].GetInputConnection(0, 0))
-        mapper.SetConnectionVolume(i, volume)
+    for volume in volumes:
+        _connect(volume, mapper)
     mapper.SetShadows(any(each.GetShadows() for each in mappers))
     mapper.SetAmbientOcclusion(any(each.GetAmbientOcclusion() for each in mappers))
     mapper.SetAmbientOcclusionRadius(max(each.GetAmbientOcclusionRadius() for each in mappers))
+    mapper.SetNumberOfAmbientOcclusionRays(
+        max((each.GetNumberOfAmbientOcclusionRays() for each in mappers if each.GetAmbientOcclusion()), default=1))
+    samples = max(_count_samples(each) for each in mappers)
+    mapper.SetProgressiveAccumulation(samples > 1)
+    mapper.SetMaximumNumberOfAccumulatedFrames(samples)
     joined = vtkIsosurfaceVolume()
     joined.SetMapper(mapper)
     return joined
 
 
-def _check_alike(mappers):
-    for name in COMMON:
-        values = {getattr(mapper, f"Get{name}")() for mapper in mappers if hasattr(mapper, f"Get{name}")}
-        if len(values) > 1:
-            raise ValueError(f"surfaces in one picture cannot differ in {name} of their mappers: {values}")
-    if len({_describe_planes(mapper) for mapper in mappers}) > 1:
-        raise ValueError("surfaces in one picture are clipped alike; give all the same clip")
+def _connect(volume, mapper):
+    """Have a mapper draw what another volume draws."""
+    own = volume.GetMapper()
+    count = own.GetNumberOfInputConnections(0)
+    if count == 0:
+        raise ValueError("a volume has no input; give its mapper one, or leave the volume out")
+    for i in range(count):
+        part = own.GetConnectionVolume(i)
+        mapper.SetConnectionVolume(mapper.GetNumberOfInputConnections(0), _place(part, volume) if part else volume)
+        mapper.AddInputConnection(0, own.GetInputConnection(0, i))
 
 
-def _describe_planes(mapper):
-    planes = mapper.GetClippingPlanes()
-    planes = [planes.GetItem(i) for i in range(planes.GetNumberOfItems())] if planes else []
-    return tuple((plane.GetOrigin(), plane.GetNormal()) for plane in planes)
+def _place(part, volume):
+    """The volume of a connection, whose matrix leads to the coordinates of another volume, in the world."""
+    for each in (part, volume):
+        each.ComputeMatrix()
+    matrix = vtkMatrix4x4()
+    vtkMatrix4x4.Multiply4x4(volume.GetMatrix(), part.GetMatrix(), matrix)
+    placed = vtkVolume()
+    placed.SetProperty(part.GetProperty())
+    placed.SetUserMatrix(matrix)
+    return placed
+
+
+def _count_samples(mapper):
+    return mapper.GetMaximumNumberOfAccumulatedFrames() if mapper.GetProgressiveAccumulation() else 1

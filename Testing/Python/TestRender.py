@@ -21,6 +21,7 @@ from vtkIsosurfaceRayTracing import (
     cast_rays,
     isosurface,
     render,
+    vtkCellProjectionMapper,
     vtkIsosurfaceRayTraceMapper,
     vtkIsosurfaceRayTraceMeshMapper,
 )
@@ -214,15 +215,86 @@ class TestSeveral(unittest.TestCase):
         self.assertGreater(covered[:, :90].sum(), 500)
         self.assertGreater(covered[:, 110:].sum(), 500)
 
+    def test_invisible_volumes_are_left_out(self):
+        options = {"size": SIZE, "camera": camera_of()}
+        seen, hidden = isosurface(make_ball(), 0.3, **BALL, color="red"), isosurface(make_ball(), 0.0, **BALL)
+        expected = render(seen, **options).rgba
+        self.assertFalse(np.array_equal(render([hidden, seen], **options).rgba, expected))
+        hidden.VisibilityOff()
+        for surfaces in ([seen, hidden], [hidden, seen]):
+            np.testing.assert_array_equal(render(surfaces, **options).rgba, expected)
+        for surfaces in (hidden, [hidden, hidden]):
+            with self.assertRaisesRegex(ValueError, r"no volume is visible; call VisibilityOn\(\)"):
+                render(surfaces, **options)
+
+    def test_volumes_of_several_connections(self):
+        """Each connection has its own property, and its place in the volume."""
+        outer, inner, other = (isosurface(make_ball(), isovalue, **BALL, color=color, opacity=opacity)
+                               for isovalue, color, opacity in ((0.0, "red", 0.4), (0.3, "blue", 1), (0.5, "lime", 1)))
+        mapper = vtkIsosurfaceRayTraceMapper()
+        mapper.ShallowCopy(outer.GetMapper())
+        mapper.AddInputConnection(0, inner.GetMapper().GetInputConnection(0, 0))
+        mapper.SetConnectionVolume(1, inner)
+        both = vtkVolume()
+        both.SetMapper(mapper)
+        both.SetProperty(outer.GetProperty())
+        for each in (both, outer):
+            each.RotateZ(40.0)
+            each.SetScale(1.0, 0.8, 1.0)
+        inner.SetPosition(0.2, 0.0, 0.0)
+        other.SetPosition(0.0, -0.5, 0.0)
+        options = {"size": SIZE, "camera": camera_of()}
+        together = render([other, both], **options)
+        inner.SetUserMatrix(outer.GetMatrix())
+        np.testing.assert_array_equal(together.rgba, render([other, outer, inner], **options).rgba)
+        self.assertGreater((together.rgba != render([other, outer], **options).rgba).mean(), 0.01)
+
+    def test_as_many_rays_as_the_volume_with_most(self):
+        one, eight = (isosurface(make_ball(), 0.0, **BALL, samples=samples) for samples in (1, 8))
+        options = {"size": SIZE, "camera": camera_of()}
+        expected = render([eight, eight], **options).rgba
+        for surfaces in ([one, eight], [eight, one]):
+            np.testing.assert_array_equal(render(surfaces, **options).rgba, expected)
+        self.assertFalse(np.array_equal(render([one, one], **options).rgba, expected))
+
+    def test_one_image_colors_all(self):
+        colors = make_waves()
+        left, right = (isosurface(make_ball(), 0.0, **BALL, color_by=colors, cmap=[cmap]) for cmap in ("red", "blue"))
+        left.SetPosition(-2.0, 0.0, 0.0)
+        red, _, blue, _ = np.moveaxis(render([left, right], size=SIZE, view="-y").rgba.astype(int), 2, 0)
+        self.assertGreater((red > blue + 20)[:, :60].sum(), 500)
+        self.assertGreater((blue > red + 20)[:, 60:].sum(), 500)
+
+    def make_volume(self, mapper):
+        mapper.SetInputDataObject(make_grid(VTK_TETRA, ball))
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        return volume
+
     def test_what_cannot_be_joined(self):
         surface = isosurface(make_ball(), 0.0)
+        cropped, projected, smooth = (isosurface(make_ball(), 0.0) for _ in range(3))
+        cropped.GetMapper().CroppingOn()
+        projected.GetMapper().SetBlendModeToMaximumIntensity()
+        smooth.GetMapper().SetNormalModeToInterpolantGradient()
+        tetrahedra = self.make_volume(vtkIsosurfaceRayTraceMeshMapper())
+        tetrahedra.GetMapper().TetrahedralizeOn()
         for other, message in (
             (isosurface(make_ball(), 0.0, interpolation="cubic"), "cannot differ in InterpolationMode"),
             (isosurface(make_ball(), 0.0, color_by=make_ball()), "cannot differ in ColorArrayName"),
+            (smooth, "cannot differ in NormalMode"),
             (isosurface(make_ball(), 0.0, clip="x", caps=False), "clipped alike"),
+            (isosurface(make_ball(), 0.0, color_by=make_waves()), "coloured by one image, .* the same color_by"),
+            (cropped, "cropped alike, .* clip all instead"),
+            (projected, "not beside a projection"),
+            (self.make_volume(vtkCellProjectionMapper()), "not beside a cloud"),
+            (tetrahedra, "call TetrahedralizeOff"),
         ):
-            with self.assertRaisesRegex(ValueError, message):
-                render([surface, other])
+            for surfaces in ([surface, other], [other, surface]):
+                with self.assertRaisesRegex(ValueError, message):
+                    render(surfaces)
+        with self.assertRaisesRegex(ValueError, "not beside a cloud"):
+            render([isosurface(make_grid(VTK_TETRA, ball), 0.5), self.make_volume(vtkCellProjectionMapper())])
         for surfaces in ([], [surface, make_ball()], [make_ball()]):
             with self.assertRaisesRegex(TypeError, r"list of what isosurface\(\) returns"):
                 render(surfaces)
@@ -233,6 +305,8 @@ class TestSeveral(unittest.TestCase):
         for camera in (None, vtkCamera()):
             with self.assertRaisesRegex(ValueError, "There is no input"):
                 render(empty, camera=camera)
+        with self.assertRaisesRegex(ValueError, "a volume has no input; give its mapper one"):
+            render([surface, empty])
         with self.assertRaisesRegex(TypeError, "color cannot be given here"):
             render(surface, color="red")
         with self.assertRaisesRegex(TypeError, "isovalues cannot be given here"):
