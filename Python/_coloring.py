@@ -30,6 +30,7 @@ def color_by(mapper, surface, data, by, cmap, clim):
         mapper.SetColorArrayName(by)
         scalars = Scalars(data, by)
     if not _are_colors(scalars.arrays[0]):
+        surface.GetRGBTransferFunction().SetVectorModeToMagnitude()  # of vectors the length counts
         color_values(surface, cmap, *_choose_limits(clim, scalars))
     return data
 

@@ -68,7 +68,8 @@ def isosurface(
         and the others are translucent.
     color_by : str, numpy.ndarray or vtkImageData, optional
         What colours the surfaces instead: another array of the data by its name, one with a value for each sample, or
-        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours.
+        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours; of other vectors the
+        length counts.
     cmap : str, list of colours or callable
         The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name,
         or colours between which is interpolated.

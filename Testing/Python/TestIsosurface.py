@@ -238,6 +238,21 @@ class TestColorBy(unittest.TestCase):
         colors.GetPointData().SetScalars(numpy_to_vtk(np.array([0.0, 1.0] * 4), deep=True))
         self.check(isosurface(make_ball(), 0.0, color_by=colors, cmap=["blue", "red"]), (2, 0))
 
+    def test_vectors_by_their_length(self):
+        """The first components say nothing."""
+        mesh, image = make_grid(VTK_TETRA, ball), make_waves()
+        for data, isovalue in ((mesh, 0.5), (image, 150)):
+            points = np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+            x = points[:, 0] - data.GetBounds()[0]
+            vectors = numpy_to_vtk(np.stack([0.0 * x, 0.6 * x, 0.8 * x], axis=1), deep=True)
+            vectors.SetName("vectors")
+            data.GetPointData().AddArray(vectors)
+            self.check(isosurface(data, isovalue, color_by="vectors", cmap=["blue", "red"]), (2, 0))
+        colors = vtkImageData()
+        colors.ShallowCopy(image)
+        colors.GetPointData().SetActiveScalars("vectors")
+        self.check(isosurface(image, 150, color_by=colors, cmap=["blue", "red"]), (2, 0))
+
     def test_array_of_a_mesh(self):
         mesh = make_grid(VTK_TETRA, ball)
         x = vtk_to_numpy(mesh.GetPoints().GetData())[:, 0]
