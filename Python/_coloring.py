@@ -25,7 +25,7 @@ def color_by(mapper, surface, data, by, cmap, clim):
         scalars = Scalars(by, None)
     else:
         if not isinstance(by, str):
-            data = _add(np.asarray(by), data)
+            data = _add(np.asanyarray(by), data)  # with the mask, if there is one
             by = ADDED
         mapper.SetColorArrayName(by)
         scalars = Scalars(data, by)
@@ -68,6 +68,8 @@ def _convert(array, shape):
     components = array.shape[len(shape):]
     if array.shape[: len(shape)] != shape or components not in ((3,), (4,)) or array.dtype != np.uint8:
         return None
+    if np.ma.is_masked(array):
+        raise ValueError("color_by are colours of which some are masked; give them a colour, as by array.filled(128)")
     colors = numpy_to_vtk(np.ascontiguousarray(array.reshape(-1, *components, order="F")))
     colors.SetName(ADDED)
     return colors

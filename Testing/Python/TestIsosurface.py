@@ -224,6 +224,13 @@ class TestColorBy(unittest.TestCase):
         for flat in (x.ravel(order="F"), cells.ravel(order="F")):  # as those of PyVista
             self.check(isosurface(array, 0.0, color_by=flat, cmap=["blue", "red"]), (2, 0))
 
+    def test_masked_array(self):
+        """What is masked has the colour of NaN, and no part in the limits."""
+        x = np.indices((24, 24, 24))[0]
+        masked = np.ma.masked_array(np.where(x > 12, -999, x), x > 12)
+        expected = picture_of(make_ball(), 0.0, color_by=np.where(x > 12, np.nan, x))
+        np.testing.assert_array_equal(picture_of(make_ball(), 0.0, color_by=masked), expected)
+
     def test_colors(self):
         array = make_ball()
         colors = np.zeros((*array.shape, 3), np.uint8)
@@ -394,6 +401,8 @@ BAD = (
     (ValueError, "each of the 2 isovalues", (make_waves(), [150, 160]), {"opacity": [1, 1, 1]}),
     (ValueError, "no array 'absent'", (make_waves(), 150), {"color_by": "absent"}),
     (ValueError, r"shape of color_by is \(2, 2\)", (make_waves(), 150), {"color_by": np.ones((2, 2))}),
+    (ValueError, "some are masked; give them a colour", (make_ball(), 0.0),
+     {"color_by": np.ma.masked_less(np.indices((24, 24, 24)).T.astype(np.uint8), 5)}),
     (ValueError, "cannot colour the surfaces of a mesh", (make_grid(VTK_TETRA, ball), 0.5), {"color_by": make_waves()}),
     (ValueError, "cannot colour composite data", (vtkMultiBlockDataSet(), 150), {"color_by": np.ones(5)}),
     (ValueError, "no colour map 'rainbows'", (make_ball(), 0.0), {"color_by": make_ball(), "cmap": "rainbows"}),
