@@ -11,7 +11,7 @@ import numpy as np
 
 from ._clipping import to_planes
 from ._coloring import color_by as apply_color_by
-from ._data import MESHES, to_data
+from ._data import MESHES, grids_of, to_data
 from ._isovalues import choose_isovalues
 from ._property import color_slices, make_property
 from ._scalars import Scalars
@@ -130,14 +130,14 @@ def isosurface(
 def _make_mapper(data, interpolation):
     if not isinstance(interpolation, str) or interpolation not in INTERPOLATIONS:
         raise ValueError(f"interpolation is {interpolation!r}; give one of {', '.join(map(repr, INTERPOLATIONS))}")
-    if not isinstance(data, MESHES):
-        mapper = vtkIsosurfaceRayTraceMapper()
-        mapper.SetInterpolationMode(INTERPOLATIONS[interpolation])
-        mapper.LevelOfDetailOn()  # in windows, as long as the mouse moves
-        return mapper
-    if interpolation != "linear":
+    if interpolation != "linear" and all(isinstance(grid, MESHES) for grid in grids_of(data)):
         raise ValueError("in meshes, values are interpolated by their cells; leave interpolation out")
-    return vtkIsosurfaceRayTraceMeshMapper()
+    if isinstance(data, MESHES):
+        return vtkIsosurfaceRayTraceMeshMapper()
+    mapper = vtkIsosurfaceRayTraceMapper()
+    mapper.SetInterpolationMode(INTERPOLATIONS[interpolation])
+    mapper.LevelOfDetailOn()  # in windows, as long as the mouse moves
+    return mapper
 
 
 def _set_light(mapper, shadows, occlusion, radius):

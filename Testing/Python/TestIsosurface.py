@@ -44,6 +44,13 @@ def input_of(volume):
     return volume.GetMapper().GetInputDataObject(0, 0)
 
 
+def make_blocks(*grids):
+    blocks = vtkMultiBlockDataSet()
+    for i, grid in enumerate(grids):
+        blocks.SetBlock(i, grid)
+    return blocks
+
+
 def picture_of(*arguments, **options):
     return render(*arguments, size=SIZE, samples=1, **options).rgba
 
@@ -98,9 +105,7 @@ class TestData(unittest.TestCase):
             low = image.GetBounds()[2 * axis]
             put(numpy_to_vtk(low + np.arange(image.GetDimensions()[axis]), deep=True))
         grid.GetPointData().SetScalars(image.GetPointData().GetScalars())
-        blocks = vtkMultiBlockDataSet()
-        blocks.SetBlock(1, image)
-        for data in (grid, blocks):
+        for data in (grid, make_blocks(None, image)):
             self.assertIsInstance(isosurface(data, 150).GetMapper(), vtkIsosurfaceRayTraceMapper)
             self.assertTrue(isosurface(data, 150).GetMapper().GetLevelOfDetail())
             np.testing.assert_array_equal(picture_of(data, 150), picture_of(image, 150))
@@ -202,6 +207,11 @@ class TestLook(unittest.TestCase):
         plain = picture_of(make_waves(), 150)
         for option in ({"shadows": True}, {"occlusion": True}, {"interpolation": "nearest"}):
             self.assertGreater(np.abs(picture_of(make_waves(), 150, **option).astype(int) - plain).max(), 30, option)
+
+    def test_interpolation_of_images_beside_meshes(self):
+        blocks = make_blocks(make_waves(), make_grid(VTK_TETRA, ball))
+        mapper = isosurface(blocks, 150, interpolation="cubic").GetMapper()
+        self.assertEqual(mapper.GetInterpolationMode(), vtkIsosurfaceRayTraceMapper.CUBIC)
 
 
 class TestColorBy(unittest.TestCase):
@@ -404,7 +414,7 @@ BAD = (
     (ValueError, "some are masked; give them a colour", (make_ball(), 0.0),
      {"color_by": np.ma.masked_less(np.indices((24, 24, 24)).T.astype(np.uint8), 5)}),
     (ValueError, "cannot colour the surfaces of a mesh", (make_grid(VTK_TETRA, ball), 0.5), {"color_by": make_waves()}),
-    (ValueError, "cannot colour composite data", (vtkMultiBlockDataSet(), 150), {"color_by": np.ones(5)}),
+    (ValueError, "cannot colour composite data", (make_blocks(make_waves()), 150), {"color_by": np.ones(5)}),
     (ValueError, "no colour map 'rainbows'", (make_ball(), 0.0), {"color_by": make_ball(), "cmap": "rainbows"}),
     (ValueError, "clim is", (make_ball(), 0.0), {"color_by": make_ball(), "clim": (1, 1)}),
     (ValueError, "the normal of clip is 'w'", (make_waves(), 150), {"clip": "w"}),
@@ -414,6 +424,7 @@ BAD = (
     (ValueError, "the normal of clip is 3", (make_waves(), 150), {"clip": [3, 4]}),
     (ValueError, "interpolation is 'smooth'", (make_waves(), 150), {"interpolation": "smooth"}),
     (ValueError, "leave interpolation out", (make_grid(VTK_TETRA, ball), 0.5), {"interpolation": "cubic"}),
+    (ValueError, "leave interpolation out", (make_blocks(make_grid(VTK_TETRA, ball)), 0.5), {"interpolation": "nearest"}),
     (ValueError, "samples is 0", (make_waves(), 150), {"samples": 0}),
     (ValueError, "samples is 1.5", (make_waves(), 150), {"samples": 1.5}),
     (TypeError, "unexpected keyword argument 'colour'", (make_waves(), 150), {"colour": "red"}),
@@ -424,10 +435,6 @@ class TestBadInput(unittest.TestCase):
     def test_bad_input_says_what_to_give(self):
         for kind, message, arguments, options in BAD:
             with self.subTest(message), self.assertRaisesRegex(kind, message):
-                image = make_waves()
-                blocks = vtkMultiBlockDataSet()
-                blocks.SetBlock(0, image)
-                arguments = [blocks if isinstance(each, vtkMultiBlockDataSet) else each for each in arguments]
                 isosurface(*arguments, **options)
 
     def test_good_input_warns_of_nothing(self):
