@@ -21,8 +21,7 @@ class Scalars:
         self.arrays = [array for array, _ in found if array is not None]
         self.of_points = any(is_of_points for array, is_of_points in found if array is not None)
         if not self.arrays:
-            raise ValueError(f"the data have no array {name!r}: {self._describe()}" if name else
-                             f"the data have no active scalars: {self._describe()}")
+            raise ValueError(f"{self._describe_lack(name)}: {self._describe_names()}")
 
     def select(self, mapper, data):
         """Have a mapper trace these. Returns the data, or a shallow copy in which they are active.
@@ -81,11 +80,22 @@ class Scalars:
         return names[0] if not is_active and len(names) == 1 else None
 
     def _names(self):
-        names = {attributes.GetArrayName(i) for grid in self.grids
-                 for attributes in (grid.GetPointData(), grid.GetCellData())
-                 for i in range(attributes.GetNumberOfArrays())}
+        """Those of arrays of numbers."""
+        names = {attributes.GetArrayName(i) for attributes in self._attributes()
+                 for i in range(attributes.GetNumberOfArrays()) if attributes.GetArray(i) is not None}
         return sorted(name for name in names if name)
 
-    def _describe(self):
+    def _attributes(self):
+        return [attributes for grid in self.grids for attributes in (grid.GetPointData(), grid.GetCellData())]
+
+    def _describe_lack(self, name):
+        if not name:
+            return "the data have no active scalars"
+        others = [attributes.GetAbstractArray(name) for attributes in self._attributes()]
+        others = [array.GetClassName() for array in others if array]
+        return f"the array {name!r} has no numbers, but is a {others[0]}" if others else f"the data have no array {name!r}"
+
+    def _describe_names(self):
         names = self._names()
-        return f"give scalars=, one of {', '.join(map(repr, names))}" if names else "they have no arrays"
+        setting = "" if self.name else "scalars=, "
+        return f"give {setting}one of {', '.join(map(repr, names))}" if names else "they have no arrays of numbers"

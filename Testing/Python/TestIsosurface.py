@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA,
     vtkImageData,
@@ -128,8 +129,16 @@ class TestData(unittest.TestCase):
         self.assertTrue(picture_of(image, 0.2, scalars="cells").any())
         with self.assertRaisesRegex(ValueError, "no active scalars: give scalars=, one of 'ball', 'cells', 'twice'"):
             isosurface(image, 0.2)
-        with self.assertRaisesRegex(ValueError, "no array 'bal': give scalars=, one of 'ball'"):
+        with self.assertRaisesRegex(ValueError, "no array 'bal': give one of 'ball', 'cells', 'twice'$"):
             isosurface(image, 0.2, scalars="bal")
+        names = vtkStringArray()
+        names.SetName("names")
+        names.SetNumberOfValues(array.size)
+        image.GetPointData().AddArray(names)
+        for options in ({"scalars": "names"}, {"scalars": "ball", "color_by": "names"}):
+            with self.assertRaisesRegex(
+                    ValueError, "'names' has no numbers, .* vtkStringArray: give one of 'ball', 'cells', 'twice'$"):
+                isosurface(image, 0.2, **options)
         for name in ("twice", "ball"):
             image.GetPointData().RemoveArray(name)
         self.assertTrue(picture_of(image, 0.2).any())  # the only array
