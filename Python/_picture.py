@@ -71,6 +71,22 @@ class Picture:
     def __array__(self, dtype=None, copy=None):
         return np.array(self.rgba, dtype=dtype) if copy else np.asarray(self.rgba, dtype=dtype)
 
+    def __getstate__(self):
+        """What is pickled: arrays of numpy, since data of VTK cannot be."""
+        points = self.image.GetPointData()
+        arrays = [points.GetArray(i) for i in range(points.GetNumberOfArrays())]
+        return self.size, self.rgba, [(array.GetName(), array.GetDataType(), vtk_to_numpy(array)) for array in arrays]
+
+    def __setstate__(self, state):
+        size, self.rgba, arrays = state
+        self.image = vtkImageData()
+        self.image.SetDimensions(*size, 1)
+        for name, kind, values in arrays:
+            array = numpy_to_vtk(values, array_type=kind)
+            array.SetName(name)
+            self.image.GetPointData().AddArray(array)
+        self.image.GetPointData().SetActiveScalars("Colors")
+
     def __repr__(self):
         width, height = self.size
         return f"<Picture of {width} x {height} pixels>"

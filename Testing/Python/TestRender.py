@@ -3,7 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """render() of the Python package: the bits of the mapper, cameras, several surfaces, files, no display."""
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -388,6 +390,20 @@ class TestPicture(unittest.TestCase):
             self.picture.array("Value")
         self.assertIsInstance(self.picture, Picture)
 
+    def test_copies(self):
+        picture = render(make_ball(), [0.0, 0.3], size=SIZE, background="white")
+        points = picture.image.GetPointData()
+        names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())]
+        for again in (pickle.loads(pickle.dumps(picture)), copy.deepcopy(picture), copy.copy(picture)):
+            self.assertEqual(again.size, SIZE)
+            np.testing.assert_array_equal(again.rgba, picture.rgba)
+            np.testing.assert_array_equal(colors_of(again.image), colors_of(picture.image))
+            copied = again.image.GetPointData()
+            self.assertEqual(copied.GetNumberOfArrays(), len(names))
+            for name in names:
+                np.testing.assert_array_equal(again.array(name), picture.array(name))
+                self.assertEqual(copied.GetArray(name).GetDataType(), points.GetArray(name).GetDataType())
+
     def test_smooth_edges(self):
         smooth = ((self.picture.rgba[:, :, 3] > 0) & (self.picture.rgba[:, :, 3] < 80)).sum()
         plain = render(make_ball(), [0.0, 0.3], size=SIZE, samples=1).rgba[:, :, 3]
@@ -424,11 +440,11 @@ samples = np.indices((9, 9, 9)).sum(axis=0)
 def draw(threads):
     volume = isosurface(samples, 11.0)
     volume.GetMapper().SetNumberOfThreads(threads)
-    return render(volume, size=(64, 64)).rgba
+    return render(volume, size=(64, 64))
 expected = draw(3)
 with multiprocessing.get_context("fork").Pool(2) as pool:
-    for rgba in pool.map_async(draw, (0, 1, 3)).get(60):
-        assert np.array_equal(rgba, expected)
+    for picture in pool.map_async(draw, (0, 1, 3)).get(60):
+        assert np.array_equal(picture, expected)
 """
         result = self.run_python(code)
         self.assertEqual(result.returncode, 0, result.stderr)
