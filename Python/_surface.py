@@ -78,8 +78,8 @@ def isosurface(
     clip : normal, (point, normal), vtkPlane, or list of these, optional
         Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
         without a point the plane is through the centre of the data.
-    caps : bool or colour map
-        Whether cuts are closed, and the colours of the data on them; True is that of the surface.
+    caps : bool, None or colour map
+        Whether cuts are closed, and the colours of the data on them; True is that of the surface, and None is False.
     shadows, occlusion : bool
         Whether the surfaces cast shadows on each other, and hide ambient light from each other. Each takes more time.
     interpolation : {"linear", "cubic", "nearest"}
@@ -113,6 +113,8 @@ def isosurface(
     planes = to_planes(clip, _center_of(data))
     for plane in planes:
         mapper.AddClippingPlane(plane)
+    if caps is None or isinstance(caps, np.bool_):
+        caps = bool(caps)
     mapper.SetCapClippingPlanes(bool(planes) and caps is not False)
     if color_by is not None:
         data = apply_color_by(mapper, surface, data, color_by, cmap, clim)

@@ -338,9 +338,12 @@ class TestClip(unittest.TestCase):
         dark, light = colors_of(volume, [0.1, 0.6])
         self.assertAlmostEqual(dark[0], dark[2])  # gray
         self.assertLess(dark[0], light[0])
-        self.assertFalse(isosurface(make_ball(), 0.0, clip="x", caps=False).GetMapper().GetCapClippingPlanes())
-        plain = isosurface(make_ball(), 0.0, color="red", clip="x", caps=True)
-        self.assertEqual(colors_of(plain, [0.5]), [(1.0, 0.0, 0.0)])
+        for no in (False, np.False_, None):
+            self.assertFalse(isosurface(make_ball(), 0.0, clip="x", caps=no).GetMapper().GetCapClippingPlanes())
+        for yes in (True, np.True_):
+            plain = isosurface(make_ball(), 0.0, color="red", clip="x", caps=yes)
+            self.assertTrue(plain.GetMapper().GetCapClippingPlanes())
+            self.assertEqual(colors_of(plain, [0.5]), [(1.0, 0.0, 0.0)])
 
 
 class ImageDataOfPyVista(vtkImageData):
