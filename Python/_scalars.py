@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The array whose isosurfaces are drawn, and its values."""
 
+import warnings
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes
@@ -19,7 +21,9 @@ class Scalars:
         self.name = name or self._only_name()
         found = [self._find(grid) for grid in self.grids]
         self.arrays = [array for array, _ in found if array is not None]
-        self.of_points = any(is_of_points for array, is_of_points in found if array is not None)
+        kinds = {is_of_points for array, is_of_points in found if array is not None}
+        self.of_points = True in kinds
+        self.are_mixed = len(kinds) > 1
         if not self.arrays:
             raise ValueError(f"{self._describe_lack(name)}: {self._describe_names()}")
 
@@ -36,6 +40,9 @@ class Scalars:
             mapper.SelectScalarArray(self.name)
             (mapper.SetScalarModeToUsePointFieldData if self.of_points
              else mapper.SetScalarModeToUseCellFieldData)()
+            if self.are_mixed:
+                warnings.warn(f"blocks are left out in which {self.name!r} is an array of cells, since in others it is one "
+                              "of points; convert it by vtkCellDataToPointData", RuntimeWarning, stacklevel=3)
             return data
         copy = data.NewInstance()
         copy.ShallowCopy(data)
@@ -93,7 +100,9 @@ class Scalars:
             return "the data have no active scalars"
         others = [attributes.GetAbstractArray(name) for attributes in self._attributes()]
         others = [array.GetClassName() for array in others if array]
-        return f"the array {name!r} has no numbers, but is a {others[0]}" if others else f"the data have no array {name!r}"
+        if others:
+            return f"the array {name!r} has no numbers, but is a {others[0]}"
+        return f"the data have no array {name!r}"
 
     def _describe_names(self):
         names = self._names()

@@ -143,6 +143,19 @@ class TestData(unittest.TestCase):
             image.GetPointData().RemoveArray(name)
         self.assertTrue(picture_of(image, 0.2).any())  # the only array
 
+    def test_blocks_with_another_kind_of_array_are_left_out(self):
+        """As those without the array, but this one is there."""
+        of_points, of_cells = make_waves(), make_waves()
+        of_points.GetPointData().GetScalars().SetName("waves")
+        of_cells.GetPointData().Initialize()
+        cells = numpy_to_vtk(np.linspace(0.0, 300.0, of_cells.GetNumberOfCells()), deep=True)
+        cells.SetName("waves")
+        of_cells.GetCellData().SetScalars(cells)
+        expected = picture_of(of_points, 150)
+        for blocks in (make_blocks(of_points, of_cells), make_blocks(of_cells, of_points)):
+            with self.assertWarnsRegex(RuntimeWarning, "'waves' is an array of cells, .* by vtkCellDataToPointData"):
+                np.testing.assert_array_equal(picture_of(blocks, 150, scalars="waves"), expected)
+
     def test_vectors_by_their_length(self):
         array = make_ball() + 1.0
         image = vtkImageData()
