@@ -15,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkProp3D.h"
@@ -181,7 +182,14 @@ void vtkIsosurfacePicker::SetPickInfo(
   this->Transform->GetLinearInverse()->TransformNormal(hit.Normal, this->MapperNormal);
   if (vtkPointSet::SafeDownCast(grid))
   {
-    this->PointId = vtkIsosurfaceRayTraceMesh::FindNearestPoint(grid, cell, position);
+    double inGrid[4] = { position[0], position[1], position[2], 1.0 };
+    if (vtkVolume* own = vtkIsosurfaceRayTraceEngine::Of(mapper)->FindConnectionVolume(hit.Cell))
+    {
+      vtkNew<vtkMatrix4x4> inverse;
+      vtkMatrix4x4::Invert(own->GetMatrix(), inverse);
+      inverse->MultiplyPoint(inGrid, inGrid);
+    }
+    this->PointId = vtkIsosurfaceRayTraceMesh::FindNearestPoint(grid, cell, inGrid);
   }
   else
   {

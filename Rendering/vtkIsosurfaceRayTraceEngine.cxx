@@ -268,6 +268,13 @@ vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
 }
 
 //------------------------------------------------------------------------------
+vtkVolume* vtkIsosurfaceRayTraceEngine::FindConnectionVolume(vtkIdType cellId) const
+{
+  return this->TheClient.GetConnectionVolume(
+    std::max(0, this->Uses.GetLastInputs().FindConnection(cellId)));
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
   const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece) const
 {

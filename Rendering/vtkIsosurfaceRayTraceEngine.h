@@ -115,6 +115,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
   ///@}
 
+  /// The volume of the connection that has a cell, which is numbered as for FindBlock; or null.
+  vtkVolume* FindConnectionVolume(vtkIdType cellId) const;
+
   /// Draws a frame into the window of the renderer. Returns the seconds that took; 0 if it is not
   /// complete.
   double Render(vtkRenderer* renderer, vtkVolume* volume);
