@@ -55,6 +55,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSnapshot
   Rendering/vtkIsosurfaceRayTraceSource
+  Rendering/vtkIsosurfaceRayTraceSubdivision
   Rendering/vtkIsosurfaceRayTraceUse
   Rendering/vtkIsosurfaceRayTraceValueColors)
 

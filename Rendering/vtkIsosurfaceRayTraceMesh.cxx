@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceMesh.h"
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
+#include "vtkIsosurfaceRayTraceSubdivision.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
@@ -98,23 +99,6 @@ bool HasAllTypes(vtkUnstructuredGrid* grid)
   const vtkDataArray* types = GetTypes(grid);
   return types && types->GetNumberOfValues() >= grid->GetNumberOfCells();
 }
-
-/// What is known of the cells of a type that is not traced.
-struct SubdividedType
-{
-  explicit SubdividedType(int type)
-  {
-    const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-    this->IsSolid = cell && cell->GetCellDimension() == 3;
-    // Cells of later types may have any number.
-    this->Points = this->IsSolid && type < VTK_CONVEX_POINT_SET ? cell->GetNumberOfPoints() : 0;
-  }
-
-  bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
-
-  bool IsSolid;
-  vtkIdType Points;
-};
 
 /// The type of ids that can be read where they are; none for others.
 std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
@@ -339,7 +323,7 @@ void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-/// Quadratic cells, polyhedra and others become tetrahedra, as VTK subdivides them.
+/// Divides quadratic cells, polyhedra and others.
 std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
 {
   std::vector<unsigned char> shapes;
@@ -355,10 +339,9 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     this->CellIds.push_back(cell);
   };
-  std::map<int, SubdividedType> types;
+  std::map<int, vtkIsosurfaceRayTraceSubdivision> types;
   vtkNew<vtkGenericCell> generic;
   vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> points;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     const int shape = this->View.Shapes[i];
@@ -368,8 +351,8 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
       add(shape, ids, 0, ids->GetNumberOfIds(), i);
       continue;
     }
-    const SubdividedType& type = types.try_emplace(shape, shape).first->second;
-    if (!type.IsSolid)
+    vtkIsosurfaceRayTraceSubdivision& type = types.try_emplace(shape, shape).first->second;
+    if (!type.IsSolid())
     {
       continue;
     }
@@ -379,12 +362,11 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
       return "Cell " + std::to_string(i) + " has a wrong number of points.";
     }
     grid->GetCell(i, generic);
-    if (generic->Triangulate(0, ids, points) != 0)
+    type.FindParts(generic, ids);
+    const vtkIdType size = type.GetPartSize();
+    for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
     {
-      for (vtkIdType first = 0; first + 4 <= ids->GetNumberOfIds(); first += 4)
-      {
-        add(VTK_TETRA, ids, first, 4, i);
-      }
+      add(type.GetPartType(), ids, first, size, i);
     }
   }
   this->Shapes = std::move(shapes);
@@ -551,8 +533,41 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
   parametric = hit.Parametric;
-  return this->Leaf.FirstCell +
-    (this->CellIds.empty() ? hit.Cell : this->CellIds[static_cast<std::size_t>(hit.Cell)]);
+  if (this->CellIds.empty())
+  {
+    return this->Leaf.FirstCell + hit.Cell;
+  }
+  const vtkIdType cell = this->CellIds[static_cast<std::size_t>(hit.Cell)];
+  this->FindParametric(cell, hit, parametric);
+  return this->Leaf.FirstCell + cell;
+}
+
+//------------------------------------------------------------------------------
+/// Makes parametric coordinates in a part of a cell those in the cell, as VTK finds them, if it
+/// does.
+void vtkIsosurfaceRayTraceMesh::FindParametric(
+  vtkIdType cell, const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  vtkPointSet* grid = this->GetGrid();
+  // An observer may have given the grid other cells.
+  if (cell >= grid->GetNumberOfCells() ||
+    grid->GetCellType(cell) == this->Shapes[static_cast<std::size_t>(hit.Cell)])
+  {
+    return;
+  }
+  vtkNew<vtkGenericCell> whole;
+  grid->GetCell(cell, whole);
+  const vtkirt::Vector3 position = this->Field->GetPoint(hit);
+  std::vector<double> weights(static_cast<std::size_t>(whole->GetNumberOfPoints()));
+  vtkirt::Vector3 closest;
+  vtkirt::Vector3 found;
+  double distance = 0.0;
+  int part = 0;
+  if (whole->EvaluatePosition(
+        position.data(), closest.data(), part, found.data(), distance, weights.data()) >= 0)
+  {
+    parametric = found;
+  }
 }
 
 //------------------------------------------------------------------------------

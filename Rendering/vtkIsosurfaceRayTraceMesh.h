@@ -106,6 +106,8 @@ private:
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
+  void FindParametric(vtkIdType cell, const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;

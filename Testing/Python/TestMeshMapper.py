@@ -6,18 +6,34 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkIdTypeArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (
+    mutable,
+    vtkDoubleArray,
+    vtkIdList,
+    vtkIdTypeArray,
+    vtkPoints,
+    vtkUnsignedCharArray,
+)
 from vtkmodules.vtkCommonDataModel import (
+    VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON,
+    VTK_BIQUADRATIC_QUADRATIC_WEDGE,
+    VTK_CONVEX_POINT_SET,
     VTK_HEXAHEDRON,
+    VTK_HEXAGONAL_PRISM,
     VTK_PYRAMID,
     VTK_QUADRATIC_HEXAHEDRON,
+    VTK_QUADRATIC_LINEAR_WEDGE,
     VTK_QUADRATIC_TETRA,
+    VTK_QUADRATIC_WEDGE,
     VTK_TETRA,
     VTK_TRIANGLE,
+    VTK_TRIQUADRATIC_HEXAHEDRON,
     VTK_VOXEL,
     VTK_WEDGE,
     vtkDataSetAttributes,
+    vtkGenericCell,
     vtkImageData,
+    vtkPolyData,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
@@ -27,6 +43,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkVolume,
     vtkWindowToImageFilter,
 )
 import vtkmodules.vtkRenderingOpenGL2  # the window
@@ -46,6 +63,21 @@ from MeshTesting import (
 )
 
 LINEAR_SHAPES = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)
+
+
+def make_cells(shape, value):
+    """Two cells that are alike, the second one shifted by 2 along x."""
+    reference = vtkGenericCell()
+    reference.SetCellType(VTK_HEXAHEDRON if shape == VTK_CONVEX_POINT_SET else shape)
+    places = reference.GetParametricCoords()
+    places = [places[i : i + 3] for i in range(0, 3 * reference.GetNumberOfPoints(), 3)]
+    grid, points = vtkUnstructuredGrid(), vtkPoints()
+    points.SetDataTypeToDouble()
+    for shift in (0.0, 2.0):
+        ids = [points.InsertNextPoint(x + shift, y, z) for x, y, z in places]
+        grid.InsertNextCell(shape, len(ids), ids)
+    grid.SetPoints(points)
+    return set_values(grid, value)
 
 
 class TestMeshMapper(unittest.TestCase):
@@ -135,6 +167,68 @@ class TestMeshMapper(unittest.TestCase):
                     origin, direction = parallel_rays()[ray]
                     self.assertLess(abs(ball([o + t * d for o, d in zip(origin, direction)])), 0.15)
                     self.assertLess(cell, grid.GetNumberOfCells())
+
+    def test_subdivided_cells_are_filled(self):
+        wedges = (VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_LINEAR_WEDGE, VTK_BIQUADRATIC_QUADRATIC_WEDGE)
+        for shape in (VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON, VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON,
+                      VTK_CONVEX_POINT_SET, *wedges):
+            with self.subTest(shape=shape):
+                grid = make_cells(shape, lambda point: point[2])
+                inside = [(0.03 + 0.1 * i, 0.04 + 0.1 * j) for i in range(10) for j in range(10)
+                          if shape not in wedges or i + j < 9]
+                rays = [((x + shift, y, -1.0), (0.0, 0.0, 1.0)) for shift in (0.0, 2.0) for x, y in inside]
+                hits = cast(*make_volume(grid, 0.3), rays)
+                self.assertEqual([hit[0] for hit in hits], list(range(len(rays))))
+                self.assertEqual([hit[2] for hit in hits], len(inside) * [0] + len(inside) * [1])
+                for hit in hits:
+                    self.assertAlmostEqual(hit[1], 1.3, delta=1e-12)
+
+    def test_parametric_coordinates_are_those_of_the_cell(self):
+        for shape in (VTK_TETRA, VTK_HEXAHEDRON, VTK_HEXAGONAL_PRISM, VTK_QUADRATIC_HEXAHEDRON):
+            for splits in (False, True):
+                with self.subTest(shape=shape, splits=splits):
+                    grid = make_cells(shape, ball) if shape == VTK_HEXAGONAL_PRISM else make_grid(shape, ball)
+                    value = ball((0.5, 0.5, 0.3)) if shape == VTK_HEXAGONAL_PRISM else 0.0
+                    mapper, volume = make_volume(grid, value)
+                    mapper.SetTetrahedralize(splits)
+                    self._check_parametric(mapper, volume, grid)
+
+    def _check_parametric(self, mapper, volume, grid):
+        origins, directions, hits = vtkPoints(), vtkDoubleArray(), vtkPolyData()
+        directions.SetNumberOfComponents(3)
+        for origin, direction in parallel_rays(40):
+            origins.InsertNextPoint(origin)
+            directions.InsertNextTuple(direction)
+        self.assertTrue(mapper.CastRays(volume, origins, directions, hits))
+        self.assertGreater(hits.GetNumberOfPoints(), 3)
+        data, cell = hits.GetPointData(), vtkGenericCell()
+        for i in range(hits.GetNumberOfPoints()):
+            grid.GetCell(int(data.GetArray("CellId").GetTuple1(i)), cell)
+            point = [0.0] * 3
+            cell.EvaluateLocation(mutable(0), data.GetArray("ParametricCoordinates").GetTuple3(i), point, [0.0] * 20)
+            self.assertLess(math.dist(point, hits.GetPoint(i)), 1e-3)
+
+    def test_picked_points_of_a_connection_that_is_moved(self):
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        mapper, volume = make_volume(grid, 0.0)
+        moved = vtkVolume()
+        moved.SetProperty(volume.GetProperty())
+        moved.SetPosition(3.0, 2.0, 1.0)
+        mapper.SetConnectionVolume(0, moved)
+        window, renderer = vtkRenderWindow(), vtkRenderer()
+        window.SetOffScreenRendering(True)
+        window.SetSize(80, 80)
+        window.AddRenderer(renderer)
+        renderer.AddVolume(volume)
+        renderer.ResetCamera()
+        window.Render()
+        picker = vtkIsosurfacePicker()
+        for x in range(30, 51, 5):
+            self.assertTrue(picker.Pick(x, 40, 0, renderer))
+            cell = grid.GetCell(picker.GetCellId())
+            point = [p - q for p, q in zip(picker.GetPickPosition(), moved.GetPosition())]
+            corners = [cell.GetPointId(i) for i in range(8)]
+            self.assertEqual(picker.GetPointId(), min(corners, key=lambda i: math.dist(grid.GetPoint(i), point)))
 
     def test_structured_grid(self):
         grid = make_structured_grid(ball)

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceSubdivision.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkOrderedTriangulator.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkTetra.h"
+
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+/// Makes the points of a cell those of its parametric coordinates.
+void MakeReference(vtkCell* cell)
+{
+  const double* place = cell->GetParametricCoords();
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    cell->GetPoints()->SetPoint(i, place + 3 * i);
+    cell->GetPointIds()->SetId(i, i);
+  }
+}
+
+/// The volume of tetrahedra between points of a cell; the ids are numbers of points.
+double FindVolume(vtkCell* cell, vtkIdList* ids)
+{
+  double volume = 0.0;
+  for (vtkIdType first = 0; first + 4 <= ids->GetNumberOfIds(); first += 4)
+  {
+    double corners[4][3];
+    for (int i = 0; i < 4; ++i)
+    {
+      cell->GetPoints()->GetPoint(ids->GetId(first + i), corners[i]);
+    }
+    volume += std::abs(vtkTetra::ComputeVolume(corners[0], corners[1], corners[2], corners[3]));
+  }
+  return volume;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
+  : PartType(VTK_TETRA)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  this->HasVolume = cell && cell->GetCellDimension() == 3;
+  this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET;
+  // Cells of later types may have any number of points.
+  if (this->HasVolume && type < VTK_CONVEX_POINT_SET)
+  {
+    this->Points = cell->GetNumberOfPoints();
+    this->ChooseWay(cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceSubdivision::~vtkIsosurfaceRayTraceSubdivision() = default;
+
+//------------------------------------------------------------------------------
+/// Finds out how the cells of a type with a given number of points are divided.
+void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
+{
+  MakeReference(reference);
+  vtkNew<vtkIdList> ids;
+  this->TriangulatePoints(reference, ids);
+  const double volume = FindVolume(reference, ids);
+  reference->Triangulate(0, ids, this->Corners);
+  constexpr double rounding = 1e-9;
+  if (FindVolume(reference, ids) < (1.0 - rounding) * volume)
+  {
+    this->IsTriangulatedByPoints = !this->DivideHexahedron(reference) &&
+      !this->DivideWedge(reference, 2) && !this->DivideWedge(reference, 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Divides the cell into the eight hexahedra between its points. Returns whether it has all.
+bool vtkIsosurfaceRayTraceSubdivision::DivideHexahedron(vtkCell* reference)
+{
+  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  this->PartType = VTK_HEXAHEDRON;
+  this->PartSize = 8;
+  for (const auto& octant : corners)
+  {
+    std::vector<Place> places;
+    for (const auto& corner : corners)
+    {
+      places.push_back({ 0.5 * (octant[0] + corner[0]), 0.5 * (octant[1] + corner[1]),
+        0.5 * (octant[2] + corner[2]) });
+    }
+    if (!this->AddPart(reference, places))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Divides the cell into the wedges between its points, four in each layer. Returns whether it has
+/// all.
+bool vtkIsosurfaceRayTraceSubdivision::DivideWedge(vtkCell* reference, int layers)
+{
+  constexpr double triangles[4][3][2] = { { { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.0, 0.5 } },
+    { { 0.5, 0.0 }, { 1.0, 0.0 }, { 0.5, 0.5 } }, { { 0.0, 0.5 }, { 0.5, 0.5 }, { 0.0, 1.0 } },
+    { { 0.5, 0.5 }, { 0.0, 0.5 }, { 0.5, 0.0 } } };
+  this->PartType = VTK_WEDGE;
+  this->PartSize = 6;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (const auto& triangle : triangles)
+    {
+      std::vector<Place> places;
+      for (const int side : { layer, layer + 1 })
+      {
+        for (const auto& corner : triangle)
+        {
+          places.push_back({ corner[0], corner[1], static_cast<double>(side) / layers });
+        }
+      }
+      if (!this->AddPart(reference, places))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds a part between the points that a cell has at some places. Returns whether it has all;
+/// otherwise there are no parts.
+bool vtkIsosurfaceRayTraceSubdivision::AddPart(
+  vtkCell* reference, const std::vector<Place>& corners)
+{
+  constexpr double closest = 1e-12;
+  for (const Place& corner : corners)
+  {
+    vtkIdType found = 0;
+    while (found < this->Points &&
+      vtkMath::Distance2BetweenPoints(reference->GetPoints()->GetPoint(found), corner.data()) >
+        closest)
+    {
+      ++found;
+    }
+    if (found == this->Points)
+    {
+      this->Parts.clear();
+      this->PartType = VTK_TETRA;
+      this->PartSize = 4;
+      return false;
+    }
+    this->Parts.push_back(found);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceSubdivision::FindParts(vtkCell* cell, vtkIdList* ids)
+{
+  if (this->IsTriangulatedByPoints)
+  {
+    this->TriangulatePoints(cell, ids);
+  }
+  else if (this->Parts.empty())
+  {
+    if (cell->Triangulate(0, ids, this->Corners) == 0)
+    {
+      ids->Reset();
+    }
+  }
+  else
+  {
+    ids->Reset();
+    for (const vtkIdType point : this->Parts)
+    {
+      ids->InsertNextId(cell->GetPointId(static_cast<int>(point)));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Finds tetrahedra between all points, which depend on the order of their ids: neighbours divide a
+/// face alike.
+void vtkIsosurfaceRayTraceSubdivision::TriangulatePoints(vtkCell* cell, vtkIdList* ids)
+{
+  ids->Reset();
+  this->Corners->Reset();
+  const vtkIdType count = cell->GetNumberOfPoints();
+  double* place = cell->GetParametricCoords();
+  this->Triangulator->InitTriangulation(0.0, 1.0, 0.0, 1.0, 0.0, 1.0, static_cast<int>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double point[3];
+    cell->GetPoints()->GetPoint(i, point);
+    this->Triangulator->InsertPoint(cell->GetPointId(static_cast<int>(i)), point, place + 3 * i, 0);
+  }
+  this->Triangulator->Triangulate();
+  this->Triangulator->AddTetras(0, ids, this->Corners);
+}
+
+VTK_ABI_NAMESPACE_END
