@@ -29,6 +29,7 @@
  *   equal ones, the depth may be that of another.) They need a layer of ghosts for scalars of cells
  *   alone.
  * - Shadows and ambient occlusion end at the pieces: a piece casts none on another.
+ * - A pixel has one ray: ProgressiveAccumulation has no effect.
  *
  * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A
  * cell is of the piece in which it is no ghost (vtkDataSetAttributes::DUPLICATECELL); pieces whose
