@@ -85,30 +85,28 @@ void Transform(vtkMatrix4x4* matrix, double bounds[6])
   }
 }
 
-/// A square of rays through each face of a box, from outside.
-void MakeRaysThroughFaces(const double box[6], vtkPoints* origins, vtkDataArray* directions)
+/// A square of rays through a face of a box, from outside.
+void MakeRaysThroughFace(
+  const double box[6], int face, int count, vtkPoints* origins, vtkDataArray* directions)
 {
-  constexpr int count = 64;
   origins->SetDataTypeToDouble();
   directions->SetNumberOfComponents(3);
-  for (int axis = 0; axis < 3; ++axis)
+  const bool isLower = face % 2 == 0;
+  const int axis = face / 2;
+  const int second = (axis + 1) % 3;
+  const int third = (axis + 2) % 3;
+  const auto at = [box](int side, double part)
+  { return box[2 * side] + part * (box[2 * side + 1] - box[2 * side]); };
+  for (int i = 0; i < count * count; ++i)
   {
-    const int second = (axis + 1) % 3;
-    const int third = (axis + 2) % 3;
-    const auto at = [box](int side, double part)
-    { return box[2 * side] + part * (box[2 * side + 1] - box[2 * side]); };
-    for (int i = 0; i < 2 * count * count; ++i)
-    {
-      const bool isLower = i < count * count;
-      double origin[3];
-      origin[axis] = at(axis, isLower ? -1.0 : 2.0);
-      origin[second] = at(second, (i % count + 0.5) / count);
-      origin[third] = at(third, (i / count % count + 0.5) / count);
-      double direction[3] = { 0.0, 0.0, 0.0 };
-      direction[axis] = isLower ? 1.0 : -1.0;
-      origins->InsertNextPoint(origin);
-      directions->InsertNextTuple(direction);
-    }
+    double origin[3];
+    origin[axis] = at(axis, isLower ? -1.0 : 2.0);
+    origin[second] = at(second, (i % count + 0.5) / count);
+    origin[third] = at(third, (i / count + 0.5) / count);
+    double direction[3] = { 0.0, 0.0, 0.0 };
+    direction[axis] = isLower ? 1.0 : -1.0;
+    origins->InsertNextPoint(origin);
+    directions->InsertNextTuple(direction);
   }
 }
 
@@ -678,19 +676,42 @@ catch (const std::bad_alloc&)
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::FindSurfaceBounds(vtkVolume* volume, double bounds[6])
 {
-  vtkNew<vtkPoints> origins;
-  vtkNew<vtkDoubleArray> directions;
-  vtkNew<vtkPolyData> hits;
-  const double* box = volume ? volume->GetBounds() : nullptr;
-  if (box)
-  {
-    MakeRaysThroughFaces(box, origins, directions);
-  }
-  if (!this->CastRays(volume, origins, directions, hits) || hits->GetNumberOfPoints() == 0)
+  // What is small is between few rays.
+  constexpr int few = 64;
+  constexpr int many = 512;
+  vtkBoundingBox found;
+  if (!this->AddHitsThroughFaces(volume, few, found) ||
+    (!found.IsValid() && !this->AddHitsThroughFaces(volume, many, found)) || !found.IsValid())
   {
     return false;
   }
-  hits->GetBounds(bounds);
+  found.GetBounds(bounds);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the hits of squares of rays through the faces of a volume. Returns whether they are cast.
+bool vtkIsosurfaceRayTraceEngine::AddHitsThroughFaces(
+  vtkVolume* volume, int count, vtkBoundingBox& found)
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    vtkNew<vtkPoints> origins;
+    vtkNew<vtkDoubleArray> directions;
+    vtkNew<vtkPolyData> hits;
+    if (const double* box = volume ? volume->GetBounds() : nullptr)
+    {
+      MakeRaysThroughFace(box, face, count, origins, directions);
+    }
+    if (!this->CastRays(volume, origins, directions, hits))
+    {
+      return false;
+    }
+    if (hits->GetNumberOfPoints() > 0)
+    {
+      found.AddBounds(hits->GetBounds());
+    }
+  }
   return true;
 }
 

@@ -30,6 +30,7 @@ class vtkAbstractVolumeMapper;
 class vtkAlgorithm;
 class vtkCamera;
 class vtkCompositeDataDisplayAttributes;
+class vtkBoundingBox;
 class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
@@ -147,6 +148,7 @@ private:
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
     const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece = false) const;
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
+  bool AddHitsThroughFaces(vtkVolume* volume, int count, vtkBoundingBox& found);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);

@@ -454,9 +454,9 @@ public:
   /**
    * Finds the bounds of what the picture of a volume shows, in world coordinates: smaller than
    * those of the volume where its surfaces, or what clipping leaves of them, are. By 64 x 64 rays
-   * through each face of the bounds of the volume, so parts that are thinner than a 64th of it may
-   * stick out. Needs neither a window nor OpenGL. Returns whether there is a surface; otherwise
-   * changes nothing.
+   * through each face of the bounds of the volume, or 512 x 512 if those meet nothing; so parts
+   * that are thinner than a 64th of it may stick out. Needs neither a window nor OpenGL. Returns
+   * whether there is a surface; otherwise changes nothing.
    *
    * vtkRenderer::ResetCamera(bounds) places a camera by it.
    */

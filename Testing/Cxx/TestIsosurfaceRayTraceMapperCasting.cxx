@@ -188,6 +188,26 @@ void CheckLines(Checks& check)
     0, "the hit of a line that ends before the ball");
 }
 
+/// A surface around a sample among 200 along each axis, which few rays would pass by.
+void CheckBoundsOfSmall(Checks& check)
+{
+  constexpr int samples = 201;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(samples, samples, samples);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(values, image->GetNumberOfPoints(), static_cast<unsigned char>(0));
+  *static_cast<unsigned char*>(image->GetScalarPointer(50, 60, 70)) = 255;
+  Bench bench(image);
+  bench.SetSurfaces({ { 100.0, 1.0 } });
+  double bounds[6];
+  check.That(bench.Mapper->FindSurfaceBounds(bench.Volume, bounds), "a small surface has bounds");
+  for (int side = 0; side < 6; ++side)
+  {
+    check.Near(bounds[side], 50.0 + 10.0 * (side / 2), 1.0, "the bounds of a small surface");
+  }
+}
+
 /// The bounds of a ball are smaller than those of its image, those of half a ball are half as long.
 void CheckSurfaceBounds(Checks& check)
 {
@@ -295,6 +315,7 @@ int TestIsosurfaceRayTraceMapperCasting(int, char*[])
   CheckOrder(check);
   CheckLines(check);
   CheckSurfaceBounds(check);
+  CheckBoundsOfSmall(check);
   CheckAgainstWindow(check);
   CheckErrors(check);
   return check.Result();
