@@ -28,9 +28,14 @@ def make_camera(volume, size, view=VIEW, up=None, zoom=1.0):
         raise ValueError(f"zoom is {zoom!r}; give a number above 0")
     camera = vtkCamera()
     camera.SetViewUp(upward)
-    _fit(camera, back, find_corners(volume), size)
-    set_clipping_range(camera, volume)
-    _fit(camera, back, _find_points(volume, camera, size), size)
+    # A look at all, in which small parts are that lie apart, then one at the surfaces.
+    bounds = volume.GetBounds()
+    points = find_corners(volume) if bounds is None else _corners_of(bounds)
+    for _ in range(2):
+        _fit(camera, back, points, size)
+        set_clipping_range(camera, volume)
+        points = _find_points(volume, camera, size)
+    _fit(camera, back, points, size)
     camera.Zoom(zoom)
     set_clipping_range(camera, volume)
     return camera

@@ -142,6 +142,14 @@ class TestCamera(unittest.TestCase):
         self.check(render(array, 0.5, size=SIZE, spacing=1e-9, origin=(1.0, 0.0, 0.0)))
         self.check(render(array, 0.5, size=SIZE, spacing=1e9))
 
+    def test_small_parts_that_lie_apart(self):
+        values = np.zeros((200, 200, 200), np.uint8)
+        index = np.indices((48, 48, 48)) - 24
+        values[20:68, 20:68, 20:68] = (index**2).sum(axis=0) < 400
+        values[153:155, 161:163, 174:176] = 1
+        picture = render(values, 0.5, size=SIZE, samples=1)
+        self.assertGreater(np.nanmax(picture.array("Position")[..., 0]), 150.0)
+
     def test_what_is_cut_off_does_not_count(self):
         self.check(render(make_ball(), 0.0, size=SIZE, clip=((8, 12, 12), "-x"), view="y"))
         self.check(render(make_grid(VTK_TETRA, ball), 0.5, size=SIZE, clip="z"))
