@@ -18,6 +18,7 @@
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
+#include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemTools.hxx>
@@ -53,6 +54,15 @@ void Observe(vtkXMLImageDataReader* reader, vtkCommand* errors)
   Observe(static_cast<vtkAlgorithm*>(reader), errors);
   reader->SetParserErrorObserver(errors);
 }
+
+//------------------------------------------------------------------------------
+/// VTK's own. Object factories make another where vtkIOMPIImage is loaded, as by Python's "import
+/// vtk": it crashes, or fails, without a controller, and waits for all processes of one.
+class NrrdReader : public vtkNrrdReader
+{
+public:
+  static NrrdReader* New() { VTK_STANDARD_NEW_BODY(NrrdReader); }
+};
 
 //------------------------------------------------------------------------------
 /// What the reader's output will be.
@@ -123,7 +133,7 @@ MappableImage FindImageOfMetaImage(const std::string& fileName)
 MappableImage FindImageOfNrrd(const std::string& fileName)
 {
   const std::optional<NrrdSamples> samples = FindRawSamplesOfNrrd(fileName);
-  vtkNew<vtkNrrdReader> reader;
+  vtkNew<NrrdReader> reader;
   MappableImage image = ReadHeader(reader.Get(), fileName);
   if (!samples)
   {

@@ -107,7 +107,7 @@ def _read_slices(folder):
 def _make_reader(path):
     for suffix, name in READERS.items():
         if path.lower().endswith(suffix):
-            reader = _new(name)
+            reader = _new_in_one_process(name)
             break
     else:
         reader = _module("vtkIOImage").vtkImageReader2Factory.CreateImageReader2(path)
@@ -116,11 +116,21 @@ def _make_reader(path):
             reader = None
     if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
-    if reader is not None and reader.GetClassName() == "vtkNrrdReader":
+    if reader is not None and reader.IsA("vtkNrrdReader"):
         check_nrrd(path)
     if reader is None:
         raise ValueError(f"VTK has no reader for {path}; read it by another one, and give its data")
     reader.SetFileName(path)
+    return reader
+
+
+def _new_in_one_process(name):
+    """Where vtkIOMPIImage is loaded, as by "import vtk", object factories make a reader of NRRD that needs a controller,
+    and waits for all of its processes."""
+    reader = _new(name)
+    if reader.IsA("vtkPNrrdReader"):
+        reader = _new("vtkIOMPIImage.vtkPNrrdReader")  # Python knows its methods then.
+        reader.SetController(_new("vtkParallelCore.vtkDummyController"))
     return reader
 
 

@@ -251,6 +251,24 @@ class TestRead(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"{name} has .*{message}"):
                 read(self.folder / name)
 
+    def test_nrrd_where_mpi_is_loaded(self):
+        """By "import vtk", where VTK has MPI: object factories make another reader, which needs a controller."""
+        path = self.folder / "zeros.nrrd"
+        path.write_bytes(b"NRRD0004\ntype: short\ndimension: 3\nsizes: 12 5 2\nendian: little\nencoding: raw\n\n" + bytes(240))
+        code = f"""
+try:
+    import vtkmodules.vtkIOMPIImage
+except ImportError:
+    pass
+from vtkIsosurfaceRayTracing import read, vtkMappedImageReader
+mapped = vtkMappedImageReader()
+mapped.SetFileName({str(path)!r})
+mapped.Update()
+for image in (read({str(path)!r}), mapped.GetOutput()):
+    assert image.GetDimensions() == (12, 5, 2), image
+"""
+        subprocess.run([sys.executable, "-c", code], check=True)
+
     def test_meshes(self):
         tetrahedra, curved = make_grid(VTK_TETRA, ball), make_structured_grid(ball)
         blocks = vtkMultiBlockDataSet()
