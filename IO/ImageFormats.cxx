@@ -140,6 +140,7 @@ MappableImage FindImageOfNrrd(const std::string& fileName)
     ThrowOfOtherForm(
       image, "compressed, text, in several files, or after others that are to be skipped");
   }
+  CheckNrrd(fileName);
   image.Samples = *samples;
   image.ArrayName = reader->GetScalarArrayName();
   if (image.GetNumberOfValues() != samples->Count)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -90,6 +91,13 @@ std::vector<double> GetNumbers(const Header& header, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> SplitWords(const std::string& text)
+{
+  std::istringstream words(text);
+  return { std::istream_iterator<std::string>(words), {} };
+}
+
+//------------------------------------------------------------------------------
 /// How many samples there are.
 double GetCount(const Header& header)
 {
@@ -161,6 +169,42 @@ std::array<std::array<double, 3>, 3> ParseVectors(const std::string& text)
   return vectors;
 }
 
+//------------------------------------------------------------------------------
+/// Whether components, or volumes, are along each axis, by the vectors of the axes.
+std::vector<bool> FindParts(const std::string& vectors)
+{
+  std::vector<bool> areParts;
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    const bool isNone = vectors.compare(i, 4, "none") == 0;
+    if (isNone || vectors[i] == '(')
+    {
+      areParts.push_back(isNone);
+    }
+  }
+  return areParts;
+}
+
+/// Whether components, or volumes, are along the first axis, if there are any.
+bool ArePartsFirst(const Header& header)
+{
+  const std::vector<std::string> sizes = SplitWords(header.Get("sizes"));
+  std::vector<bool> areParts = FindParts(header.Get("space directions"));
+  if (areParts.empty() && sizes.size() > 3)
+  {
+    for (const std::string& kind : SplitWords(header.Get("kinds")))
+    {
+      areParts.push_back(kind != "space" && kind != "domain");
+    }
+  }
+  // Where the header does not tell, fewer than ten are components, as VTK's reader has it.
+  const bool isFirst =
+    areParts.empty() ? !sizes.empty() && sizes.front().size() == 1 : areParts.front();
+  const bool isOther =
+    areParts.size() > 1 && std::find(areParts.begin() + 1, areParts.end(), true) != areParts.end();
+  return !isOther && (sizes.size() < 4 || (sizes.size() == 4 && isFirst));
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -188,11 +232,11 @@ void CheckNrrd(const std::string& fileName)
       "says that its samples are text, of which VTK's reader skips some. Write them with "
       "the encoding raw or gzip.");
   }
-  const std::size_t none = header.Get("space directions").rfind("none");
-  if (none != std::string::npos && none > 0)
+  if (!ArePartsFirst(header))
   {
     header.Throw("has components, or several volumes, along an axis that is not the first, which "
-                 "VTK's reader takes for them. Write one volume.");
+                 "VTK's reader takes for them, or does not tell the axis (kinds). Write one "
+                 "volume.");
   }
 }
 

@@ -23,7 +23,8 @@ bool IsNrrd(const std::string& fileName);
 std::string FindDataFileOfNrrd(const std::string& fileName);
 
 /// Throws std::runtime_error if the header is damaged, or if VTK's reader would give other samples
-/// than there are: of text, and where components or volumes are the last axis.
+/// than there are: of text, and where components or volumes are, or may be, along an axis that is
+/// not the first.
 void CheckNrrd(const std::string& fileName);
 
 /// The samples of a NRRD, and how many the header says that there are.

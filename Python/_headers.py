@@ -54,9 +54,20 @@ def check_nrrd(path):
     if fields.get(b"encoding", b"").lower() in (b"ascii", b"text", b"txt"):
         raise ValueError(f"{path} has its samples as text, of which VTK's reader skips some; write them with the encoding "
                          "raw or gzip")
-    if fields.get(b"space directions", b"").rfind(b"none") > 0:
+    if not _are_parts_first(fields):
         raise ValueError(f"{path} has components, or several volumes, along an axis that is not the first, which VTK's "
-                         "reader takes for them; write one volume")
+                         "reader takes for them, or does not tell the axis (kinds); write one volume")
+
+
+def _are_parts_first(fields):
+    """Whether components, or volumes, are along the first axis, if there are any."""
+    sizes = fields.get(b"sizes", b"").split()
+    are_parts = [each == b"none" for each in re.findall(rb"none|\(", fields.get(b"space directions", b""))]
+    if not are_parts and len(sizes) > 3:
+        are_parts = [each not in (b"space", b"domain") for each in fields.get(b"kinds", b"").split()]
+    # Where the header does not tell, fewer than ten are components, as VTK's reader has it.
+    is_first = are_parts[0] if are_parts else bool(sizes) and len(sizes[0]) == 1
+    return not any(are_parts[1:]) and (len(sizes) < 4 or len(sizes) == 4 and is_first)
 
 
 def place_of_nrrd(path):

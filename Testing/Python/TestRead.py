@@ -29,7 +29,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridWriter,
 )
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
-from vtkIsosurfaceRayTracing import isosurface, read, render
+from vtkIsosurfaceRayTracing import isosurface, read, render, vtkMappedImageReader
 
 from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid, make_structured_grid
@@ -250,6 +250,29 @@ class TestRead(unittest.TestCase):
             (self.folder / name).write_text(header, encoding="ascii")
             with self.assertRaisesRegex(ValueError, f"{name} has .*{message}"):
                 read(self.folder / name)
+
+    def test_several_volumes_in_a_nrrd(self):
+        """VTK's reader takes those along the last axis for slices, and the first axis for components."""
+        (self.folder / "samples.raw").write_bytes(bytes(2640 * 2))
+        for sizes, more, is_right in (
+                ("10 11 12 2", "kinds: space space space time\n", False),
+                ("10 11 12 2", "kinds: domain domain domain list\n", False),
+                ("10 11 12 2", "kinds: domain domain domain domain\n", False),
+                ("10 11 12 2", "space directions: (1,0,0) (0,1,0) (0,0,1) none\n", False),
+                ("2 10 11 12", "space directions: none (1,0,0) (0,1,0) (0,0,1)\n", True),
+                ("2 10 11 12", "kinds: vector domain domain domain\n", True),
+                ("10 11 12 2", "kinds: list domain domain domain\n", True),
+                ("2 10 11 12", "", True), ("10 11 12 2", "", False), ("2 10 11 12 1", "", False)):  # fmt: skip
+            path = self.folder / "several.nhdr"
+            path.write_text(f"NRRD0005\ntype: short\ndimension: {len(sizes.split())}\nsizes: {sizes}\n{more}endian: little\n"
+                            "encoding: raw\ndata file: samples.raw\n", encoding="ascii")
+            with self.subTest(sizes=sizes, more=more):
+                self.assertEqual(vtkMappedImageReader().CanReadFile(str(path)), 3 if is_right else 0)
+                if is_right:
+                    self.assertEqual(read(path).GetNumberOfScalarComponents(), int(sizes.split()[0]))
+                else:
+                    with self.assertRaisesRegex(ValueError, "components, or several volumes, along an axis that is not the"):
+                        read(path)
 
     def test_nrrd_where_mpi_is_loaded(self):
         """By "import vtk", where VTK has MPI: object factories make another reader, which needs a controller."""
