@@ -9,6 +9,7 @@ import numpy as np
 from ._headers import place_of_metaimage, place_of_nrrd
 from ._slices import distances_of
 
+LEFT_OUT = "they are left out, and the samples have the axes of the file"
 FROM_DICOM = np.array([-1.0, -1.0, 1.0])  # DICOM has x to the left and y to the back
 
 
@@ -23,15 +24,22 @@ def place_slices(image, slices):
 
 
 def place_nifti(image, reader, path):
-    """The same of NIfTI."""
-    matrix = reader.GetQFormMatrix() or reader.GetSFormMatrix()
-    if not matrix:
-        return
+    """The same of NIfTI: by its sform, as of registration, or by its qform."""
+    forms = {"sform": reader.GetSFormMatrix(), "qform": reader.GetQFormMatrix()}
+    given = [name for name, matrix in forms.items() if matrix]
+    taken = next((name for name in given if _set_form(image, forms[name])), None)
+    if given and taken != given[0]:
+        remedy = f"those of its {taken} are taken" if taken else LEFT_OUT
+        warnings.warn(f"{path}: the axes that its {given[0]} gives are not perpendicular; {remedy}", RuntimeWarning,
+                      stacklevel=5)
+
+
+def _set_form(image, matrix):
     axes = np.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
-    origin = np.array([matrix.GetElement(row, 3) for row in range(3)])
-    # An sform has spacings of its own.
-    scales = np.ones(3) if reader.GetQFormMatrix() else np.linalg.norm(axes, axis=0)
-    _set_place(image, axes, scales, scales * image.GetSpacing(), origin, f"{path}: the axes that its sform gives")
+    scales = np.linalg.norm(axes, axis=0)
+    # An sform may have spacings of its own, beside those that the reader has; otherwise these are only rounded.
+    spacing = np.where(np.abs(scales - 1.0) < 1e-6, 1.0, scales) * image.GetSpacing()
+    return _set_place(image, axes, scales, spacing, [matrix.GetElement(row, 3) for row in range(3)])
 
 
 def place_by_header(image, path, is_mapped):
@@ -48,17 +56,18 @@ def place_by_header(image, path, is_mapped):
         origin = origin + (image.GetDimensions()[1] - 1) * steps[:, 1]
         steps[:, 1] *= -1.0
     spacing = np.linalg.norm(steps, axis=0)
-    _set_place(image, steps, spacing, spacing, origin, f"{path}: the axes that its header gives")
+    if not _set_place(image, steps, spacing, spacing, origin):
+        warnings.warn(f"{path}: the axes that its header gives are not perpendicular; {LEFT_OUT}", RuntimeWarning,
+                      stacklevel=4)
 
 
-def _set_place(image, axes, lengths, spacing, origin, name):
-    """Take the columns of a matrix, which have these lengths; warn, and leave all out, if they are not perpendicular."""
-    if lengths.all() and _set_axes(image, axes / lengths):
-        image.SetSpacing(spacing)
-        image.SetOrigin(origin)
-    else:
-        warnings.warn(f"{name} are not perpendicular; they are left out, and the samples have the axes of the file",
-                      RuntimeWarning, stacklevel=6)
+def _set_place(image, axes, lengths, spacing, origin):
+    """Take the columns of a matrix, which have these lengths. Returns whether they are perpendicular; else all is left."""
+    if not lengths.all() or not _set_axes(image, axes / lengths):
+        return False
+    image.SetSpacing(spacing)
+    image.SetOrigin(origin)
+    return True
 
 
 def _set_axes(image, axes):

@@ -53,10 +53,10 @@ std::array<double, 3> FromDicom(const std::array<double, 3>& v)
 }
 
 //------------------------------------------------------------------------------
-/// Takes axes that have these lengths. Warns, and leaves all out, if they are not perpendicular.
-void SetPlace(vtkImageData* image, const std::array<std::array<double, 3>, 3>& axes,
+/// Takes axes that have these lengths. Returns whether they are perpendicular; else all is left.
+bool SetPlace(vtkImageData* image, const std::array<std::array<double, 3>, 3>& axes,
   const std::array<double, 3>& lengths, const std::array<double, 3>& spacing,
-  const std::array<double, 3>& origin, const std::string& name)
+  const std::array<double, 3>& origin)
 {
   double matrix[9];
   for (int column = 0; column < 3; ++column)
@@ -68,14 +68,40 @@ void SetPlace(vtkImageData* image, const std::array<std::array<double, 3>, 3>& a
   }
   if (!AreAxes(matrix))
   {
-    std::cerr << "warning: " << name
-              << " are not perpendicular; they are left out, and the samples have the axes of the "
-                 "file\n";
-    return;
+    return false;
   }
   image->SetDirectionMatrix(matrix);
   image->SetSpacing(spacing.data());
   image->SetOrigin(origin.data());
+  return true;
+}
+
+const char* const LeftOut = "they are left out, and the samples have the axes of the file";
+
+void WarnOfAxes(const std::string& fileName, const std::string& source, const std::string& remedy)
+{
+  std::cerr << "warning: " << fileName << ": the axes that its " << source
+            << " gives are not perpendicular; " << remedy << '\n';
+}
+
+//------------------------------------------------------------------------------
+/// Returns whether it is taken.
+bool SetForm(vtkImageData* image, vtkMatrix4x4* form)
+{
+  std::array<std::array<double, 3>, 3> axes;
+  std::array<double, 3> lengths;
+  std::array<double, 3> spacing;
+  image->GetSpacing(spacing.data());
+  constexpr double rounding = 1e-6;
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[i] = { form->GetElement(0, i), form->GetElement(1, i), form->GetElement(2, i) };
+    lengths[i] = vtkMath::Norm(axes[i].data());
+    // An sform may have spacings of its own, beside those that the reader has.
+    spacing[i] *= std::abs(lengths[i] - 1.0) < rounding ? 1.0 : lengths[i];
+  }
+  return SetPlace(image, axes, lengths, spacing,
+    { form->GetElement(0, 3), form->GetElement(1, 3), form->GetElement(2, 3) });
 }
 
 //------------------------------------------------------------------------------
@@ -121,26 +147,19 @@ void PlaceInPatient(const std::vector<DicomSlice>& slices, vtkImageData* image)
 //------------------------------------------------------------------------------
 void PlaceInPatient(vtkNIFTIImageReader* reader, vtkImageData* image)
 {
-  const bool isRigid = reader->GetQFormMatrix() != nullptr;
-  vtkMatrix4x4* place = isRigid ? reader->GetQFormMatrix() : reader->GetSFormMatrix();
-  if (!place)
+  // As of registration.
+  vtkMatrix4x4* const sform = reader->GetSFormMatrix();
+  if (sform && SetForm(image, sform))
   {
     return;
   }
-  std::array<std::array<double, 3>, 3> axes;
-  std::array<double, 3> lengths;
-  std::array<double, 3> spacing;
-  image->GetSpacing(spacing.data());
-  for (int i = 0; i < 3; ++i)
+  vtkMatrix4x4* const qform = reader->GetQFormMatrix();
+  const bool isTaken = qform && SetForm(image, qform);
+  if (sform || (qform && !isTaken))
   {
-    axes[i] = { place->GetElement(0, i), place->GetElement(1, i), place->GetElement(2, i) };
-    // An sform has spacings of its own.
-    lengths[i] = isRigid ? 1.0 : vtkMath::Norm(axes[i].data());
-    spacing[i] *= lengths[i];
+    WarnOfAxes(reader->GetFileName(), sform ? "sform" : "qform",
+      isTaken ? "those of its qform are taken" : LeftOut);
   }
-  SetPlace(image, axes, lengths, spacing,
-    { place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3) },
-    std::string(reader->GetFileName()) + ": the axes that its sform gives");
 }
 
 //------------------------------------------------------------------------------
@@ -165,8 +184,10 @@ void PlaceInPatient(vtkImageReader2* reader, vtkImageData* image)
   {
     spacing[i] = vtkMath::Norm(place->Steps[i].data());
   }
-  SetPlace(image, place->Steps, spacing, spacing, place->Origin,
-    name + ": the axes that its header gives");
+  if (!SetPlace(image, place->Steps, spacing, spacing, place->Origin))
+  {
+    WarnOfAxes(name, "header", LeftOut);
+  }
 }
 
 }

@@ -222,8 +222,14 @@ class TestIsosurfaceViewer(unittest.TestCase):
         scaled = vtkNIFTIImageWriter()
         scaled.SetRescaleSlope(0.5)
         scaled.SetRescaleIntercept(-100.0)
+        # The sform has the place; by the qform it lies on its side.
+        registered, side = vtkNIFTIImageWriter(), vtkMatrix4x4()
+        side.DeepCopy((1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1))
+        registered.SetSFormMatrix(vtkMatrix4x4())
+        registered.SetQFormMatrix(side)
         return [
             slices,
+            self.write(registered, "waves-registered.nii", image),
             self.write(scaled, "waves-scaled.nii", stored.GetOutput()),
             self.folder / "waves.nhdr",
             self.folder / "waves-turned.mhd",

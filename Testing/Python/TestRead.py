@@ -197,12 +197,21 @@ class TestRead(unittest.TestCase):
         cubes.SetSpacing(1.0, 1.0, 1.0)
         image = read(self.write(writer, "sform.nii", cubes))
         self.assertEqual((image.GetSpacing(), image.GetOrigin()), ((3.0, 1.0, 2.0), (5.0, 6.0, 7.0)))
+        writer.SetQFormMatrix(vtkMatrix4x4())  # of the scanner
+        image = read(self.write(writer, "registered.nii", cubes))
+        self.assertEqual((image.GetSpacing(), image.GetOrigin()), ((3.0, 1.0, 2.0), (5.0, 6.0, 7.0)))
         matrix.SetElement(0, 0, 0.5)  # no axes
         writer = vtkNIFTIImageWriter()
         writer.SetSFormMatrix(matrix)
-        with self.assertWarnsRegex(RuntimeWarning, "sheared.nii: the axes .* are not perpendicular"):
+        with self.assertWarnsRegex(RuntimeWarning, "sheared.nii: the axes that its sform gives are not .* left out"):
             image = read(self.write(writer, "sheared.nii", make_waves(5)))
         self.assertTrue(image.GetDirectionMatrix().IsIdentity())
+        rigid = vtkMatrix4x4()
+        rigid.SetElement(0, 3, 8.0)
+        writer.SetQFormMatrix(rigid)
+        with self.assertWarnsRegex(RuntimeWarning, "both.nii: the axes that its sform .* those of its qform are taken"):
+            image = read(self.write(writer, "both.nii", make_waves(5)))
+        self.assertEqual(image.GetOrigin(), (8.0, 0.0, 0.0))
 
     def test_directions_in_headers(self):
         """Of NRRD and MetaImage: a marked sample is where the header puts it, also where it is used in the file."""
