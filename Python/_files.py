@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from ._errors import silence
 from ._headers import check_nrrd, fields_of_metaimage
 from ._patient import place_by_header, place_nifti, place_slices
-from ._slices import find_slices, warn_of_distances
+from ._slices import check_values, find_slices, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
 
 READERS = {
@@ -99,6 +99,7 @@ def _read_slices(folder):
         if data.GetDimensions()[2] != len(slices):
             raise ValueError(f"{folder} has {len(slices)} slices, of which VTK's reader takes {data.GetDimensions()[2]} "
                              "for one series; put each series into a folder of its own")
+        check_values(folder, data, slices)
         place_slices(data, slices)
         warn_of_distances(folder, slices)
     return data

@@ -7,7 +7,8 @@ import warnings
 from typing import NamedTuple
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_SHORT, vtkVersion
 from vtkmodules.vtkIOImage import vtkDICOMImageReader
 
 SYNTAXES = ("1.2.840.10008.1.2", "1.2.840.10008.1.2.1")  # uncompressed, the least significant byte first
@@ -20,6 +21,9 @@ class Slice(NamedTuple):
     orientation: np.ndarray  # directions along rows and down columns; in DICOM x is to the left, y to the back
     position: np.ndarray  # of the first sample
     spacing: tuple  # of samples in a row, and of rows
+    stored: range  # the samples that the file may have
+    slope: float
+    intercept: float
 
 
 def find_slices(folder):
@@ -31,7 +35,7 @@ def find_slices(folder):
     for each in slices:
         if each.kind != first.kind or np.abs(each.orientation - first.orientation).max() > 1e-3:
             raise ValueError(f"{folder} has slices of different sizes, directions or types, as {first.name} and "
-                             f"{each.name}; put each series into a folder of its own")
+                             f"{each.name}; put each series into a folder of its own, or {REMEDY}")
     if len(slices) < 2:
         raise ValueError(f"{folder} has one slice, {first.name}; if there are several in it, {REMEDY}")
     normal = np.cross(*first.orientation)
@@ -41,6 +45,28 @@ def find_slices(folder):
         raise ValueError(f"{folder} has several slices at one place, or does not tell the places; put each series "
                          f"into a folder of its own, or {REMEDY}")
     return slices
+
+
+def check_values(folder, data, slices):
+    """VTK's reader scales samples to 16 bits: others are left of values that do not fit."""
+    if data.GetScalarType() != VTK_SHORT:
+        return
+    values = vtk_to_numpy(data.GetPointData().GetScalars()).reshape(len(slices), -1)
+    for each, scaled in zip(slices, values):
+        if not _fit_16_bits(each, scaled.astype(np.int64)):
+            raise ValueError(f"{os.path.join(folder, each.name)} may have values that do not fit the 16 bits that VTK "
+                             f"scales them to; {REMEDY}")
+
+
+def _fit_16_bits(each, scaled):
+    slope, intercept = int(each.slope), int(each.intercept)
+    ends = np.array([each.stored[0], each.stored[-1]]) * slope + intercept
+    if slope == 0 or ends.min() >= -(2**15) and ends.max() < 2**15:
+        return True
+    stored, rest = np.divmod(scaled - intercept, slope)
+    # Nobody sees that of slopes like 2.
+    is_seen = abs(slope) == 1 or 2**16 % slope != 0
+    return is_seen and not rest.any() and stored.min() >= each.stored[0] and stored.max() <= each.stored[-1]
 
 
 def distances_of(slices):
@@ -86,5 +112,8 @@ def _read_header(path, name):
     along, down, _ = reader.GetPixelSpacing()
     if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 6):
         along, down = down, along
+    values = 1 << reader.GetBitsAllocated()
+    least = -values // 2 if reader.GetPixelRepresentation() == 1 else 0
     yield Slice(name, kind, np.reshape(reader.GetImageOrientationPatient(), (2, 3)),
-                np.array(reader.GetImagePositionPatient()), (along, down))
+                np.array(reader.GetImagePositionPatient()), (along, down), range(least, least + values),
+                reader.GetRescaleSlope(), reader.GetRescaleOffset())

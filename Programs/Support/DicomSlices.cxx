@@ -5,15 +5,20 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkVersionMacros.h>
 #include <vtksys/Directory.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -101,11 +106,14 @@ std::optional<DicomSlice> ReadHeader(const std::string& folder, const std::strin
   const double inRow = spacing[1];
   const double ofRows = spacing[0];
 #endif
+  const double values = std::ldexp(1.0, reader->GetBitsAllocated());
+  const double least = reader->GetPixelRepresentation() == 1 ? -0.5 * values : 0.0;
   return DicomSlice{ name,
     { reader->GetWidth(), reader->GetHeight(), reader->GetDataScalarType(),
       reader->GetNumberOfComponents() },
     ToVector(directions), ToVector(directions + 3), ToVector(reader->GetImagePositionPatient()),
-    { inRow, ofRows } };
+    { inRow, ofRows }, { least, least + values - 1.0 }, reader->GetRescaleSlope(),
+    reader->GetRescaleOffset() };
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +147,30 @@ std::vector<double> GetDistances(const std::vector<DicomSlice>& slices)
   return distances;
 }
 
+/// Whether scaled samples are what they are in the file, and not what 16 bits have left of them.
+bool FitShorts(const DicomSlice& slice, const short* first, const short* last)
+{
+  using Limits = std::numeric_limits<short>;
+  const double ends[2] = { slice.Stored[0] * slice.Slope + slice.Intercept,
+    slice.Stored[1] * slice.Slope + slice.Intercept };
+  if (slice.Slope == 0.0 ||
+    (std::min(ends[0], ends[1]) >= Limits::min() && std::max(ends[0], ends[1]) <= Limits::max()))
+  {
+    return true;
+  }
+  // Nobody sees that of slopes like 2.
+  const double values = std::ldexp(1.0, std::numeric_limits<unsigned short>::digits);
+  const bool isSeen = std::abs(slice.Slope) == 1.0 || std::fmod(values, slice.Slope) != 0.0;
+  return isSeen &&
+    std::all_of(first, last,
+      [&slice](short value)
+      {
+        const double stored = (value - slice.Intercept) / slice.Slope;
+        return std::trunc(stored) == stored && stored >= slice.Stored[0] &&
+          stored <= slice.Stored[1];
+      });
+}
+
 /// How far the last slice is from the first across the normal.
 double GetShift(const std::vector<DicomSlice>& slices)
 {
@@ -165,7 +197,8 @@ std::vector<DicomSlice> FindSlices(const std::string& folder)
   if (other != slices.end())
   {
     throw std::runtime_error(folder + " has slices of different sizes, directions or types, as " +
-      first.Name + " and " + other->Name + "; put each series into a folder of its own");
+      first.Name + " and " + other->Name + "; put each series into a folder of its own, or " +
+      Convert);
   }
   if (slices.size() == 1)
   {
@@ -187,6 +220,28 @@ std::vector<DicomSlice> FindSlices(const std::string& folder)
       Convert);
   }
   return slices;
+}
+
+//------------------------------------------------------------------------------
+void CheckValues(
+  const std::string& folder, const std::vector<DicomSlice>& slices, vtkImageData* image)
+{
+  if (image->GetScalarType() != VTK_SHORT)
+  {
+    return;
+  }
+  const auto* first = static_cast<const short*>(image->GetScalarPointer());
+  const std::ptrdiff_t count = image->GetPointData()->GetScalars()->GetNumberOfValues() /
+    static_cast<std::ptrdiff_t>(slices.size());
+  for (const DicomSlice& slice : slices)
+  {
+    if (!FitShorts(slice, first, first + count))
+    {
+      throw std::runtime_error(folder + "/" + slice.Name +
+        " may have values that do not fit the 16 bits that VTK scales them to; " + Convert);
+    }
+    first += count;
+  }
 }
 
 //------------------------------------------------------------------------------

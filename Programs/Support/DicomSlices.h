@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
+
 namespace Programs
 {
 
@@ -26,11 +28,20 @@ struct DicomSlice
   std::array<double, 3> Position;
   /// Of samples in a row, and of rows.
   std::array<double, 2> Spacing;
+  /// The least and the largest sample that the file may have, and what makes them values.
+  std::array<double, 2> Stored;
+  double Slope;
+  double Intercept;
 };
 
 /// The slices in a folder in the order of VTK's reader, from the last one along the normal. Throws
 /// std::runtime_error if they are not those of one series, or if VTK's reader does not read them.
 std::vector<DicomSlice> FindSlices(const std::string& folder);
+
+/// Throws std::runtime_error if VTK's reader, which scales samples to 16 bits, made others of
+/// values that do not fit.
+void CheckValues(
+  const std::string& folder, const std::vector<DicomSlice>& slices, vtkImageData* image);
 
 /// The median distance of slices.
 double GetDistanceOfSlices(const std::vector<DicomSlice>& slices);

@@ -277,6 +277,7 @@ vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMe
         std::to_string(image->GetDimensions()[2]) +
         " for one series; put each series into a folder of its own");
   }
+  CheckValues(folder, slices, image);
   image->SetSpacing(
     slices.front().Spacing[0], slices.front().Spacing[1], GetDistanceOfSlices(slices));
   if (axes == Axes::OfPatient)

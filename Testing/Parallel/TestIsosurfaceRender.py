@@ -124,6 +124,9 @@ class TestIsosurfaceRender(unittest.TestCase):
         alone = self.render(folder, "--isovalue", "157")
         self.assertGreater(self.count_colored(alone), 1500)
         self.assertEqual(self.render(folder, "--isovalue", "157", processes=3), alone)
+        write_dicom_slices(make_image(), folder, slope=300)
+        result = run("--input", str(folder), "--output", str(self.picture), "--isovalue", "157")
+        self.check_failure(result, "dcm may have values that do not fit the 16 bits")
 
     def test_other_formats(self):
         """Big-endian samples after a header that has a HeaderSize of 0; compressed ones, of which each process reads

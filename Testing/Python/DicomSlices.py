@@ -13,7 +13,7 @@ from vtkmodules.vtkIOImage import vtkMetaImageReader
 USUAL = (-1, 0, 0, 0, 1, 0)
 
 
-def write_dicom_slices(image, folder, orientation=USUAL):
+def write_dicom_slices(image, folder, orientation=USUAL, slope=1, intercept=0):
     """As few fields as vtkDICOMImageReader needs. In DICOM x is to the left and y to the back of a patient: with this
     orientation of rows and columns, x of the image is to the right, y to the front and z to the head."""
     (columns, rows, slices), spacing, origin = image.GetDimensions(), image.GetSpacing(), image.GetOrigin()
@@ -35,6 +35,7 @@ def write_dicom_slices(image, folder, orientation=USUAL):
         content += _field(0x28, 0x30, b"DS", b"%g\\%g" % (spacing[1], spacing[0]))
         content += _field(0x28, 0x100, b"US", struct.pack("<H", 16))
         content += _field(0x28, 0x103, b"US", struct.pack("<H", 1))
+        content += _field(0x28, 0x1052, b"DS", b"%g" % intercept) + _field(0x28, 0x1053, b"DS", b"%g" % slope)
         # DICOM has its rows from the top, which VTK turns over.
         content += _field(0x7FE0, 0x10, b"OW", samples[k, ::-1].tobytes())
         (folder / f"{k:03}.dcm").write_bytes(content)

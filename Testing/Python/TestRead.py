@@ -153,10 +153,28 @@ class TestRead(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "is a file of DICOM; name the folder"):
             read(compressed / "000.dcm")
 
-    def write_slices(self, name, image, orientation=(1, 0, 0, 0, 1, 0)):
+    def test_scaled_slices(self):
+        """VTK's reader scales them to 16 bits; what does not fit would be something else."""
+        image = vtkImageData()
+        image.SetDimensions(3, 2, 2)
+        image.AllocateScalars(VTK_SHORT, 1)
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        for most, slope, intercept, fits in ((30000, 1, -1024, True), (-32000, 1, -1024, False), (3000, 10, 0, True),
+                                             (4000, 10, 0, False), (20000, 2, 0, False), (1000, 0.5, 3, True)):
+            with self.subTest(most=most, slope=slope, intercept=intercept):
+                values[:] = np.linspace(0, most, values.size)
+                slices = self.write_slices(f"{most} {slope}", image, slope=slope, intercept=intercept)
+                if fits:
+                    extreme = np.abs(vtk_to_numpy(read(slices).GetPointData().GetScalars())).max()
+                    self.assertEqual(extreme, most * slope + intercept)
+                else:
+                    with self.assertRaisesRegex(ValueError, "0.*.dcm may have values that do not fit the 16 bits"):
+                        read(slices)
+
+    def write_slices(self, name, image, orientation=(1, 0, 0, 0, 1, 0), **scale):
         slices = self.folder / name
         slices.mkdir()
-        write_dicom_slices(image, slices, orientation)
+        write_dicom_slices(image, slices, orientation, **scale)
         return slices
 
     def test_scaled_nifti(self):
