@@ -7,11 +7,15 @@
 #ifndef DicomSlices_h
 #define DicomSlices_h
 
+#include "vtkIsosurfaceRayTracingCompat.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace Programs
 {
