@@ -191,20 +191,25 @@ void vtkIsosurfaceRayTraceSubdivision::FindParts(vtkCell* cell, vtkIdList* ids)
 }
 
 //------------------------------------------------------------------------------
-/// Finds tetrahedra between all points, which depend on the order of their ids: neighbours divide a
-/// face alike.
+/// Finds tetrahedra between all points, which depend on the places of these and the order of their
+/// ids. Neighbours divide a face alike: its points have the same places, or, in parametric
+/// coordinates, places that are alike.
 void vtkIsosurfaceRayTraceSubdivision::TriangulatePoints(vtkCell* cell, vtkIdList* ids)
 {
+  const bool hasPlaces = this->Points > 0;
+  double unit[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  double* places = hasPlaces ? cell->GetParametricCoords() : nullptr;
   ids->Reset();
   this->Corners->Reset();
   const vtkIdType count = cell->GetNumberOfPoints();
-  double* place = cell->GetParametricCoords();
-  this->Triangulator->InitTriangulation(0.0, 1.0, 0.0, 1.0, 0.0, 1.0, static_cast<int>(count));
+  this->Triangulator->InitTriangulation(
+    hasPlaces ? unit : cell->GetBounds(), static_cast<int>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
     double point[3];
     cell->GetPoints()->GetPoint(i, point);
-    this->Triangulator->InsertPoint(cell->GetPointId(static_cast<int>(i)), point, place + 3 * i, 0);
+    this->Triangulator->InsertPoint(
+      cell->GetPointId(static_cast<int>(i)), point, hasPlaces ? places + 3 * i : point, 0);
   }
   this->Triangulator->Triangulate();
   this->Triangulator->AddTetras(0, ids, this->Corners);

@@ -5,6 +5,7 @@
 
 import math
 import unittest
+from random import Random
 
 from vtkmodules.vtkCommonCore import (
     mutable,
@@ -182,6 +183,28 @@ class TestMeshMapper(unittest.TestCase):
                 self.assertEqual([hit[2] for hit in hits], len(inside) * [0] + len(inside) * [1])
                 for hit in hits:
                     self.assertAlmostEqual(hit[1], 1.3, delta=1e-12)
+
+    def test_convex_point_sets_divide_a_face_alike(self):
+        """A ray that comes from below the isovalue, and gets there again, has as many hits that enter as hits that
+        leave."""
+        random = Random(1)
+        for _ in range(20):
+            face = [(0.0, y + 0.2 * random.random(), z + 0.2 * random.random())
+                    for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]  # fmt: skip
+            sides = [[(-1.0, 3.0 * y, z) for _, y, z in face], [(1.0, y, 3.0 * z) for _, y, z in face]]
+            grid, points = vtkUnstructuredGrid(), vtkPoints()
+            points.SetDataTypeToDouble()
+            for place in (*face, *sides[0], *sides[1]):
+                points.InsertNextPoint(place)
+            grid.SetPoints(points)
+            for first in (4, 8):
+                grid.InsertNextCell(VTK_CONVEX_POINT_SET, 8, [0, 1, 2, 3, *range(first, first + 4)])
+            high = {face[1], face[3]}
+            set_values(grid, lambda point, high=high: float(point in high))
+            mapper, volume = make_volume(grid, 0.5, opacity=0.1)
+            rays = [((-2.0, 0.3 + 0.05 * i, 0.3 + 0.05 * j), (1.0, 0.0, 0.0)) for i in range(10) for j in range(10)]
+            hits = [hit[0] for hit in cast(mapper, volume, rays)]
+            self.assertEqual({ray for ray in hits if hits.count(ray) % 2 != 0}, set())
 
     def test_parametric_coordinates_are_those_of_the_cell(self):
         for shape in (VTK_TETRA, VTK_HEXAHEDRON, VTK_HEXAGONAL_PRISM, VTK_QUADRATIC_HEXAHEDRON):
