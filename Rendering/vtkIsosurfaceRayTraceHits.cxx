@@ -60,7 +60,15 @@ vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   batch.Add(0, hit);
   Description description;
   this->Describe(batch, &description);
+  this->MoveToWholeCell(hit, description.Parametric);
   return description;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceHits::MoveToWholeCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+{
+  this->Request.Inputs.Get(hit.Field).MoveToWholeCell(hit, parametric);
 }
 
 //------------------------------------------------------------------------------

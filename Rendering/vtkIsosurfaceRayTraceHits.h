@@ -26,7 +26,7 @@ public:
   struct Description
   {
     vtkIdType CellId;
-    /// In the cell.
+    /// In what is traced of the cell: some are divided.
     vtkIsosurfaceRayTracing::Vector3 Parametric;
     /// In world coordinates.
     vtkIsosurfaceRayTracing::Vector3 Position;
@@ -45,7 +45,12 @@ public:
     const std::vector<vtkIsosurfaceRayTracing::Vector3>& directions, double tEnd,
     int threads) const;
 
+  /// With the parametric coordinates in the cell of the data.
   Description Describe(const vtkIsosurfaceRayTracing::Hit& hit) const;
+
+  /// Makes the parametric coordinates of a hit those in the cell of the data.
+  void MoveToWholeCell(
+    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
   /// Calls visit(begin, count) for shares of a number of hits, in parallel.
   template <typename Visit>

@@ -156,6 +156,11 @@ public:
   {
     return this->GetPart(hit).FindCell(hit, parametric);
   }
+  void MoveToWholeCell(
+    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const
+  {
+    this->GetPart(hit).MoveToWholeCell(hit, parametric);
+  }
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
   {
     return this->GetPart(hit).FindPoint(hit);

@@ -533,25 +533,24 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
   parametric = hit.Parametric;
-  if (this->CellIds.empty())
-  {
-    return this->Leaf.FirstCell + hit.Cell;
-  }
-  const vtkIdType cell = this->CellIds[static_cast<std::size_t>(hit.Cell)];
-  this->FindParametric(cell, hit, parametric);
-  return this->Leaf.FirstCell + cell;
+  return this->Leaf.FirstCell +
+    (this->CellIds.empty() ? hit.Cell : this->CellIds[static_cast<std::size_t>(hit.Cell)]);
 }
 
 //------------------------------------------------------------------------------
-/// Makes parametric coordinates in a part of a cell those in the cell, as VTK finds them, if it
-/// does.
-void vtkIsosurfaceRayTraceMesh::FindParametric(
-  vtkIdType cell, const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+/// As VTK finds them, if it does.
+void vtkIsosurfaceRayTraceMesh::MoveToWholeCell(
+  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
+  if (this->CellIds.empty())
+  {
+    return;
+  }
+  const auto part = static_cast<std::size_t>(hit.Cell);
+  const vtkIdType cell = this->CellIds[part];
   vtkPointSet* grid = this->GetGrid();
   // An observer may have given the grid other cells.
-  if (cell >= grid->GetNumberOfCells() ||
-    grid->GetCellType(cell) == this->Shapes[static_cast<std::size_t>(hit.Cell)])
+  if (cell >= grid->GetNumberOfCells() || grid->GetCellType(cell) == this->Shapes[part])
   {
     return;
   }
@@ -562,9 +561,9 @@ void vtkIsosurfaceRayTraceMesh::FindParametric(
   vtkirt::Vector3 closest;
   vtkirt::Vector3 found;
   double distance = 0.0;
-  int part = 0;
+  int subId = 0;
   if (whole->EvaluatePosition(
-        position.data(), closest.data(), part, found.data(), distance, weights.data()) >= 0)
+        position.data(), closest.data(), subId, found.data(), distance, weights.data()) >= 0)
   {
     parametric = found;
   }

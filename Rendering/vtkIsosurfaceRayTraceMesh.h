@@ -73,6 +73,8 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
+  void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& hit,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   std::optional<double> FindOpacity() const override { return this->Leaf.Display.Opacity; }
   const vtkIsosurfaceRayTraceLeaf& FindLeaf(
     const vtkIsosurfaceRayTracing::Hit& /*hit*/) const override
@@ -106,8 +108,6 @@ private:
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
-  void FindParametric(vtkIdType cell, const vtkIsosurfaceRayTracing::Hit& hit,
-    vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;

@@ -229,8 +229,12 @@ void WriteHits(
     [&](std::size_t begin, std::size_t count)
     {
       traced.DescribeEach(&hits.Hits[begin], count,
-        [&](std::size_t i, const Description& hit)
-        { arrays.Set(static_cast<vtkIdType>(begin + i), hits.Hits[begin + i].T, hit); });
+        [&](std::size_t i, Description& described)
+        {
+          const vtkirt::Hit& hit = hits.Hits[begin + i];
+          traced.MoveToWholeCell(hit, described.Parametric);
+          arrays.Set(static_cast<vtkIdType>(begin + i), hit.T, described);
+        });
     });
 }
 

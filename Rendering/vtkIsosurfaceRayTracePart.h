@@ -62,6 +62,13 @@ public:
     vtkIsosurfaceRayTracing::Vector3& parametric) const = 0;
   virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
 
+  /// Makes the parametric coordinates of a hit in what is traced of a cell those in the cell of the
+  /// data. That may take longer than all else.
+  virtual void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& /*hit*/,
+    vtkIsosurfaceRayTracing::Vector3& /*parametric*/) const
+  {
+  }
+
   /// The opacity of all its surfaces, in place of those of the volume; or none.
   virtual std::optional<double> FindOpacity() const = 0;
 
