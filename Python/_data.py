@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
+    vtkDataSet,
     vtkImageData,
     vtkRectilinearGrid,
     vtkStructuredGrid,
@@ -80,11 +81,12 @@ def to_vtk(array, name="scalars"):
 
 
 def grids_of(data):
-    """The grids of composite data; of others the data themselves."""
+    """The grids of composite data, which may have tables besides; of others the data themselves."""
     if not isinstance(data, vtkCompositeDataSet):
         return [data]
     grids, iterator = [], data.NewIterator()
     while not iterator.IsDoneWithTraversal():
-        grids.append(iterator.GetCurrentDataObject())
+        if isinstance(block := iterator.GetCurrentDataObject(), vtkDataSet):
+            grids.append(block)
         iterator.GoToNextItem()
     return grids

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPlane,
     vtkPolyData,
     vtkRectilinearGrid,
+    vtkTable,
 )
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
@@ -57,6 +58,11 @@ def picture_of(*arguments, **options):
 
 
 class TestData(unittest.TestCase):
+    def test_tables_among_blocks_are_passed_over(self):
+        image = input_of(isosurface(make_ball(), 0.0))
+        expected = picture_of(make_blocks(image), 0.0)
+        self.assertTrue(np.array_equal(picture_of(make_blocks(image, vtkTable()), 0.0), expected))
+
     def test_array_is_an_image(self):
         array = np.arange(2 * 3 * 4, dtype=np.int16).reshape(2, 3, 4)
         direction = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
