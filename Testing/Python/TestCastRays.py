@@ -46,6 +46,22 @@ class TestCastRays(unittest.TestCase):
             np.testing.assert_array_equal(values, vtk_to_numpy(output.GetPointData().GetArray(name)))
         np.testing.assert_array_equal(hits.points, vtk_to_numpy(output.GetPoints().GetData()))
 
+    def test_hits_of_several_isovalues_are_those_of_each(self):
+        """Also where samples are equal to them, with every RootSolver."""
+        samples = np.random.default_rng(1).integers(0, 5, (12, 12, 12)).astype(np.int16)
+        starts = np.stack(np.meshgrid(np.arange(0, 11, 0.25), np.arange(0, 11, 0.25)), axis=-1).reshape(-1, 2)
+        origins, direction = np.column_stack([starts, np.full(len(starts), -1.0)]), (0.05, 0.02, 1.0)
+        for solver in range(4):
+            def cast(isovalues, solver=solver):
+                volume = isosurface(samples, isovalues, opacity=0.001)
+                volume.GetMapper().SetRootSolver(solver)
+                hits = cast_rays(volume, origins, direction)
+                return sorted(zip(hits.rays, hits.t, hits.isovalues))
+
+            alone = sorted(hit for isovalue in (1, 2, 3, 4) for hit in cast([isovalue]))
+            self.assertGreater(len(alone), 10000)
+            self.assertTrue(cast([1, 2, 3, 4]) == alone, solver)
+
     def test_one_for_all(self):
         origins = np.column_stack([np.full(5, -3.0), np.linspace(-0.5, 0.5, 5), np.zeros(5)])
         hits = cast_rays(make_ball(), origins, (1, 0, 0), 0.0, **BALL)
