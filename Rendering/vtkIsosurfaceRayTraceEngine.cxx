@@ -680,13 +680,27 @@ bool vtkIsosurfaceRayTraceEngine::FindSurfaceBounds(vtkVolume* volume, double bo
   constexpr int few = 64;
   constexpr int many = 512;
   vtkBoundingBox found;
-  if (!this->AddHitsThroughFaces(volume, few, found) ||
-    (!found.IsValid() && !this->AddHitsThroughFaces(volume, many, found)) || !found.IsValid())
+  if (this->AddHitsThroughFaces(volume, few, found) && !found.IsValid() && this->MayHit(volume))
+  {
+    this->AddHitsThroughFaces(volume, many, found);
+  }
+  if (!found.IsValid())
   {
     return false;
   }
   found.GetBounds(bounds);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether there may be a surface in a volume that can be drawn.
+bool vtkIsosurfaceRayTraceEngine::MayHit(vtkVolume* volume)
+{
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
+  return request &&
+    std::any_of(request->Volumes.begin(), request->Volumes.end(),
+      [](const vtkIsosurfaceRayTraceRequest::Volume& each) { return each.GetField().MayHit(); });
 }
 
 //------------------------------------------------------------------------------

@@ -149,6 +149,7 @@ private:
     const vtkIsosurfaceRayTraceRequest::DrawnVolumes& volumes, bool isOfPiece = false) const;
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   bool AddHitsThroughFaces(vtkVolume* volume, int count, vtkBoundingBox& found);
+  bool MayHit(vtkVolume* volume);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
