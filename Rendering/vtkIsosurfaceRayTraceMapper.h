@@ -812,9 +812,9 @@ public:
   /**
    * Makes a picture without a window and without OpenGL: the same, pixel for pixel, as in a window
    * of that size with a single renderer of that camera, with a ray for each pixel whatever the
-   * ImageSampleDistance is. The clipping range of the camera is used as
-   * it is (vtkCamera::SetClippingRange). Headlights and lights of the camera follow it; without
-   * lights (null) there is one headlight, as in a new renderer.
+   * ImageSampleDistance is. The clipping range of the camera is used as it is
+   * (vtkCamera::SetClippingRange). Headlights and lights of the camera follow it; without lights
+   * (null) there is one headlight, as in a new renderer.
    *
    * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
    * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth

@@ -93,7 +93,7 @@ SIMD_INLINE void FindLine(
   const Doubles inverse = 1.0 / across;
   const Doubles slope = 0.0 - area[1] * inverse;
   const Doubles start = middle - (area[2] * inverse + slope * middle);
-  // What single precision takes off.
+  // More than single precision takes off: some 2^-20 of the size.
   const Doubles margin = (0x1p-18 * size + rounding) * Abs(inverse);
   const Mask isKnown = (LeastEdgeSize < size) & (size < LargestEdgeSize) & (margin < LargestMargin);
   StoreRounded(Select(isKnown, slope, Doubles(0.0)), &projected.LineSlope[edge][first]);
