@@ -28,9 +28,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkAbstractVolumeMapper;
 class vtkAlgorithm;
+class vtkBoundingBox;
 class vtkCamera;
 class vtkCompositeDataDisplayAttributes;
-class vtkBoundingBox;
 class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;

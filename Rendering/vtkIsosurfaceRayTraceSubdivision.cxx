@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTetra.h"
 
+#include <array>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,6 +47,71 @@ double FindVolume(vtkCell* cell, vtkIdList* ids)
   return volume;
 }
 
+using Place = std::array<double, 3>;
+
+/// The corners of the eight hexahedra that a hexahedron is divided into, one after the other.
+std::vector<Place> PlaceHexahedra()
+{
+  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  std::vector<Place> places;
+  for (const auto& octant : corners)
+  {
+    for (const auto& corner : corners)
+    {
+      places.push_back({ 0.5 * (octant[0] + corner[0]), 0.5 * (octant[1] + corner[1]),
+        0.5 * (octant[2] + corner[2]) });
+    }
+  }
+  return places;
+}
+
+/// The corners of the wedges that a wedge is divided into, four in each layer.
+std::vector<Place> PlaceWedges(int layers)
+{
+  constexpr double triangles[4][3][2] = { { { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.0, 0.5 } },
+    { { 0.5, 0.0 }, { 1.0, 0.0 }, { 0.5, 0.5 } }, { { 0.0, 0.5 }, { 0.5, 0.5 }, { 0.0, 1.0 } },
+    { { 0.5, 0.5 }, { 0.0, 0.5 }, { 0.5, 0.0 } } };
+  std::vector<Place> places;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (const auto& triangle : triangles)
+    {
+      for (const int side : { layer, layer + 1 })
+      {
+        for (const auto& corner : triangle)
+        {
+          places.push_back({ corner[0], corner[1], static_cast<double>(side) / layers });
+        }
+      }
+    }
+  }
+  return places;
+}
+
+/// The points that a cell has at some places; none if one is missing.
+std::vector<vtkIdType> FindPoints(vtkCell* cell, const std::vector<Place>& places)
+{
+  constexpr double closest = 1e-12;
+  const vtkIdType count = cell->GetNumberOfPoints();
+  std::vector<vtkIdType> points;
+  for (const Place& place : places)
+  {
+    vtkIdType point = 0;
+    while (point < count &&
+      vtkMath::Distance2BetweenPoints(cell->GetPoints()->GetPoint(point), place.data()) > closest)
+    {
+      ++point;
+    }
+    if (point == count)
+    {
+      return {};
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -76,94 +142,23 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
   const double volume = FindVolume(reference, ids);
   reference->Triangulate(0, ids, this->Corners);
   constexpr double rounding = 1e-9;
-  if (FindVolume(reference, ids) < (1.0 - rounding) * volume)
+  if (FindVolume(reference, ids) >= (1.0 - rounding) * volume)
   {
-    this->IsTriangulatedByPoints = !this->DivideHexahedron(reference) &&
-      !this->DivideWedge(reference, 2) && !this->DivideWedge(reference, 1);
+    return;
   }
-}
-
-//------------------------------------------------------------------------------
-/// Divides the cell into the eight hexahedra between its points. Returns whether it has all.
-bool vtkIsosurfaceRayTraceSubdivision::DivideHexahedron(vtkCell* reference)
-{
-  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-  this->PartType = VTK_HEXAHEDRON;
-  this->PartSize = 8;
-  for (const auto& octant : corners)
+  const auto take = [&](int type, vtkIdType size, const std::vector<Place>& corners)
   {
-    std::vector<Place> places;
-    for (const auto& corner : corners)
+    const std::vector<vtkIdType> parts = FindPoints(reference, corners);
+    if (!parts.empty())
     {
-      places.push_back({ 0.5 * (octant[0] + corner[0]), 0.5 * (octant[1] + corner[1]),
-        0.5 * (octant[2] + corner[2]) });
+      this->PartType = type;
+      this->PartSize = size;
+      this->Parts = parts;
     }
-    if (!this->AddPart(reference, places))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/// Divides the cell into the wedges between its points, four in each layer. Returns whether it has
-/// all.
-bool vtkIsosurfaceRayTraceSubdivision::DivideWedge(vtkCell* reference, int layers)
-{
-  constexpr double triangles[4][3][2] = { { { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.0, 0.5 } },
-    { { 0.5, 0.0 }, { 1.0, 0.0 }, { 0.5, 0.5 } }, { { 0.0, 0.5 }, { 0.5, 0.5 }, { 0.0, 1.0 } },
-    { { 0.5, 0.5 }, { 0.0, 0.5 }, { 0.5, 0.0 } } };
-  this->PartType = VTK_WEDGE;
-  this->PartSize = 6;
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    for (const auto& triangle : triangles)
-    {
-      std::vector<Place> places;
-      for (const int side : { layer, layer + 1 })
-      {
-        for (const auto& corner : triangle)
-        {
-          places.push_back({ corner[0], corner[1], static_cast<double>(side) / layers });
-        }
-      }
-      if (!this->AddPart(reference, places))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/// Adds a part between the points that a cell has at some places. Returns whether it has all;
-/// otherwise there are no parts.
-bool vtkIsosurfaceRayTraceSubdivision::AddPart(
-  vtkCell* reference, const std::vector<Place>& corners)
-{
-  constexpr double closest = 1e-12;
-  for (const Place& corner : corners)
-  {
-    vtkIdType found = 0;
-    while (found < this->Points &&
-      vtkMath::Distance2BetweenPoints(reference->GetPoints()->GetPoint(found), corner.data()) >
-        closest)
-    {
-      ++found;
-    }
-    if (found == this->Points)
-    {
-      this->Parts.clear();
-      this->PartType = VTK_TETRA;
-      this->PartSize = 4;
-      return false;
-    }
-    this->Parts.push_back(found);
-  }
-  return true;
+    return !parts.empty();
+  };
+  this->IsTriangulatedByPoints = !take(VTK_HEXAHEDRON, 8, PlaceHexahedra()) &&
+    !take(VTK_WEDGE, 6, PlaceWedges(2)) && !take(VTK_WEDGE, 6, PlaceWedges(1));
 }
 
 //------------------------------------------------------------------------------

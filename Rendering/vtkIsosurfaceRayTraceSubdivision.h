@@ -14,7 +14,6 @@
 #include "vtkNew.h"                        // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
-#include <array>  // for std::array
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,12 +45,7 @@ public:
   vtkIdType GetPartSize() const { return this->PartSize; }
 
 private:
-  using Place = std::array<double, 3>;
-
   void ChooseWay(vtkCell* reference);
-  bool DivideHexahedron(vtkCell* reference);
-  bool DivideWedge(vtkCell* reference, int layers);
-  bool AddPart(vtkCell* reference, const std::vector<Place>& corners);
   void TriangulatePoints(vtkCell* cell, vtkIdList* ids);
 
   bool HasVolume = false;
