@@ -6,6 +6,7 @@
 
 #include "Checks.h"
 #include "Pictures.h"
+#include "Screens.h"
 #include "Selection.h"
 #include "TestImages.h"
 #include "TestScene.h"
@@ -23,7 +24,6 @@
 #include <vtkLightsPass.h>
 #include <vtkOpaquePass.h>
 #include <vtkOutlineSource.h>
-#include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
@@ -41,20 +41,6 @@ namespace
 {
 
 constexpr double Radius = 0.7;
-
-/// A square across the view, so far towards the camera.
-vtkSmartPointer<vtkActor> NewScreen(double y, const std::array<double, 3>& color, double opacity)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-0.2, y, -0.9);
-  plane->SetPoint1(0.9, y, -0.9);
-  plane->SetPoint2(-0.2, y, 0.5);
-  auto actor = NewActor(plane);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetOpacity(opacity);
-  return actor;
-}
 
 /// A ball in a vtkIsosurfaceVolume, and polygons of the same ball to replace it.
 struct BallScene : Scene
@@ -92,21 +78,6 @@ struct Setting
   std::string Name;
   std::function<void(vtkRenderer*)> Apply;
 };
-
-void AddScreens(vtkRenderer* renderer)
-{
-  renderer->AddActor(NewScreen(-0.9, { 1.0, 0.2, 0.2 }, 0.4));
-  renderer->AddActor(NewScreen(0.0, { 0.2, 1.0, 0.2 }, 0.5));
-  renderer->AddActor(NewScreen(0.9, { 0.2, 0.2, 1.0 }, 0.6));
-  renderer->ResetCameraClippingRange();
-}
-
-void PeelDepths(vtkRenderer* renderer)
-{
-  renderer->UseDepthPeelingOn();
-  renderer->SetMaximumNumberOfPeels(20);
-  renderer->SetOcclusionRatio(0.0);
-}
 
 /// Adds a pass over VTK's usual ones.
 template <typename Pass>
@@ -220,8 +191,8 @@ struct TranslucentScene : Scene
   }
 };
 
-/// With a translucent surface it is a volume, drawn once and last, also into the framebuffer of a
-/// pass, of which it must read the depths.
+/// With a translucent surface, and without depth peeling, it is a volume, drawn once and last, also
+/// into the framebuffer of a pass, of which it must read the depths.
 void CheckTranslucent(Checks& check, vtkImageData* image)
 {
   TranslucentScene scene(image);
@@ -243,7 +214,7 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
     "the difference of a translucent one in a framebuffer");
 }
 
-/// VTK cannot peel it, and reports so once; everything else is drawn.
+/// VTK cannot peel a vtkVolume, and reports so once; everything else is drawn.
 void CheckPeeling(Checks& check, vtkImageData* image)
 {
   Scene scene(image);
