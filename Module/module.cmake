@@ -43,6 +43,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceInput
   Rendering/vtkIsosurfaceRayTraceInputs
   Rendering/vtkIsosurfaceRayTraceLattices
+  Rendering/vtkIsosurfaceRayTraceLayers
   Rendering/vtkIsosurfaceRayTraceLeaves
   Rendering/vtkIsosurfaceRayTraceMacrocellCache
   Rendering/vtkIsosurfaceRayTraceMesh

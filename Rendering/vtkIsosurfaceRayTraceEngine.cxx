@@ -477,20 +477,32 @@ void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem, std::stri
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::HasOnlyOpaqueSurfaces(vtkVolume* volume)
+{
+  return this->FindOpacity(volume) == Opacity::Opaque;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::HasTranslucentSurfaces(vtkVolume* volume)
+{
+  return this->FindOpacity(volume) == Opacity::Translucent;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceEngine::Opacity vtkIsosurfaceRayTraceEngine::FindOpacity(vtkVolume* volume)
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
   const vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
   if (!use.IsAllowed() || !volume || settings.Projection || settings.HasCloud)
   {
-    return false;
+    return Opacity::None;
   }
   this->Mapper->Update();
   vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
   const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
   if (!this->SelectInputs(inputs, volumes).empty())
   {
-    return false;
+    return Opacity::None;
   }
   bool areAny = false;
   bool areOpaque = true;
@@ -503,12 +515,12 @@ try
     areAny = areAny || !request.Surfaces.empty();
     areOpaque = areOpaque && request.HasOnlyOpaqueSurfaces();
   }
-  return areAny && areOpaque;
+  return !areAny ? Opacity::None : areOpaque ? Opacity::Opaque : Opacity::Translucent;
 }
 catch (const std::bad_alloc&)
 {
   this->ReportBadAlloc();
-  return false;
+  return Opacity::None;
 }
 
 //------------------------------------------------------------------------------

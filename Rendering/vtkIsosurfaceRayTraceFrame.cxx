@@ -4,11 +4,13 @@
 
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceInputs.h"
+#include "vtkIsosurfaceRayTraceLayers.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSelection.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
+#include "vtkIsosurfaceVolume.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkCamera.h"
@@ -115,8 +117,8 @@ std::string vtkIsosurfaceRayTraceFrame::FindProblem(vtkRenderer* renderer, vtkVo
   if (FindPass<vtkDualDepthPeelingPass>(volume))
   {
     return "The renderer peels volumes, which isosurfaces do not support. Call "
-           "UseDepthPeelingForVolumesOff() of the renderer, or, if every isosurface is "
-           "opaque, put the mapper in a vtkIsosurfaceVolume.";
+           "UseDepthPeelingForVolumesOff() of the renderer, or put the mapper in a "
+           "vtkIsosurfaceVolume, which peels isosurfaces, but not clouds and projections.";
   }
   return vtkIsosurfaceRayTraceProblems::FindInView(
     vtkIsosurfaceRayTraceScene::GetClipFromWorldOfEye(
@@ -183,6 +185,7 @@ vtkIsosurfaceRayTraceFrame::Drawing::Drawing(
   , Viewport(::GetViewport(this->Window))
   , Selector(target.Renderer->GetSelector())
   , Occlusion(this->Selector ? nullptr : FindPass<vtkSSAOPass>(target.Volume))
+  , Layers(vtkIsosurfaceVolume::FindLayers(target.Volume, target.Renderer))
 {
   // A selection of points begins with a usual frame, and shows ids where they have its depth.
   // Others select every pixel.
@@ -192,9 +195,9 @@ vtkIsosurfaceRayTraceFrame::Drawing::Drawing(
     this->Sampling =
       vtkirt::PixelSampling::FromDistance(static_cast<double>(settings.ImageSampleDistance));
   }
-  if (this->Occlusion)
+  if (this->Occlusion || this->Layers)
   {
-    this->Sampling.Rays = 1; // A pixel has one point, and the pass softens edges itself.
+    this->Sampling.Rays = 1; // A pixel has one point, or one list of fragments.
   }
 }
 
@@ -244,6 +247,10 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   {
     this->DisplayGeometry(settings, request, target, drawing);
   }
+  else if (drawing.Layers)
+  {
+    this->DisplayOpaque(drawing);
+  }
   else
   {
     this->DisplayColors(drawing);
@@ -276,6 +283,7 @@ void vtkIsosurfaceRayTraceFrame::SetScene(const vtkIsosurfaceRayTraceSettings& s
   vtkirt::Scene& scene = this->Picture.Scene;
   scene.Pixels = drawing.Sampling.Align(scene.Pixels);
   scene.KeepHits = drawing.Selector || drawing.Occlusion;
+  scene.KeepFragments = drawing.Layers != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -306,8 +314,9 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   const std::function<bool(double)>& keepGoing)
 {
   vtkirt::Scene& scene = this->Picture.Scene;
-  // Ids and points cannot be averaged, and a coarse picture is soon replaced.
-  if (!settings.ProgressiveAccumulation || scene.KeepHits || drawing.Sampling.Pixels != 1)
+  // Ids, points and fragments cannot be averaged, and a coarse picture is soon replaced.
+  if (!settings.ProgressiveAccumulation || scene.KeepHits || scene.KeepFragments ||
+    drawing.Sampling.Pixels != 1)
   {
     return this->Trace(request.Execution, drawing, keepGoing);
   }
@@ -407,6 +416,25 @@ vtkIsosurfaceRayTraceImageDisplay::Image vtkIsosurfaceRayTraceFrame::GetImage(
 void vtkIsosurfaceRayTraceFrame::DisplayColors(const Drawing& drawing)
 {
   this->Display.Display(drawing.Window, this->GetImage(drawing, this->IsOpaque(drawing)), nullptr);
+}
+
+//------------------------------------------------------------------------------
+/// Draws the fragments that are opaque, and makes layers of the others.
+void vtkIsosurfaceRayTraceFrame::DisplayOpaque(const Drawing& drawing)
+{
+  vtkirt::Frame& frame = this->Picture.Frame;
+  std::fill(frame.Colors.begin(), frame.Colors.end(), std::uint8_t{ 0 });
+  for (const vtkirt::FragmentOfPixel& fragment : frame.Fragments)
+  {
+    if (fragment.Own.Opacity >= 1.0)
+    {
+      std::copy_n(vtkirt::ToPixel(fragment.Own).Rgba, 4, &frame.Colors[4 * fragment.Pixel]);
+    }
+  }
+  this->Display.Display(drawing.Window, this->GetImage(drawing, true), nullptr);
+  const vtkirt::PixelRectangle pixels = drawing.Sampling.ToPixels(this->Picture.Scene.Pixels);
+  drawing.Layers->Set(drawing.Window, frame.Fragments,
+    { pixels.X, pixels.Y, this->Picture.Scene.Pixels.Width, drawing.Sampling.Pixels });
 }
 
 //------------------------------------------------------------------------------

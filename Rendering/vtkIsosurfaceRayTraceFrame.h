@@ -23,6 +23,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkAbstractMapper;
 class vtkHardwareSelector;
+class vtkIsosurfaceRayTraceLayers;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkSSAOPass;
@@ -81,7 +82,7 @@ private:
     /// Whether pixels show colours from between rays. (Ids and points have none between.)
     bool IsCoarse() const
     {
-      return !this->Selector && !this->Occlusion && this->Sampling.Pixels > 1;
+      return !this->Selector && !this->Occlusion && !this->Layers && this->Sampling.Pixels > 1;
     }
 
     vtkOpenGLRenderWindow* Window;
@@ -90,6 +91,7 @@ private:
     /// At most one of them.
     vtkHardwareSelector* Selector;
     vtkSSAOPass* Occlusion;
+    vtkIsosurfaceRayTraceLayers* Layers;
     vtkIsosurfaceRayTracing::PixelSampling Sampling;
   };
 
@@ -111,6 +113,7 @@ private:
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
   void DisplayColors(const Drawing& drawing);
+  void DisplayOpaque(const Drawing& drawing);
   void DisplayIds(const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing);
   void DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);

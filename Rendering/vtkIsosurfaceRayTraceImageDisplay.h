@@ -76,6 +76,11 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  /// Makes a quad that is drawn with a fragment shader, or makes its shaders current. Returns
+  /// whether it can be drawn.
+  static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
+    std::unique_ptr<vtkOpenGLQuadHelper>& quad);
+
 private:
   /// What is drawn at a time.
   struct Layer
@@ -87,9 +92,6 @@ private:
 
   void Draw(vtkOpenGLRenderWindow* window, const Layer& layer);
   void DrawGeometry(vtkOpenGLRenderWindow* window, const Image& image, const Geometry& geometry);
-  /// Makes the quad, or makes its shaders current. Returns whether it can be drawn.
-  static bool MakeReady(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
-    std::unique_ptr<vtkOpenGLQuadHelper>& quad);
   /// Draws a quad that is ready, with the textures of colours and depths.
   void Render(vtkOpenGLQuadHelper& quad, bool hasDepths);
 

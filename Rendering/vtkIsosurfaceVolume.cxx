@@ -3,17 +3,38 @@
 #include "vtkIsosurfaceVolume.h"
 
 #include "vtkIsosurfaceRayTraceEngine.h"
+#include "vtkIsosurfaceRayTraceLayers.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCollection.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+/// Whether a renderer peels depths by itself, as it does not with some passes. Selections show ids
+/// instead.
+bool PeelsDepths(vtkRenderer* renderer)
+{
+  return renderer->GetUseDepthPeeling() != 0 && !renderer->GetUseSSAO() &&
+    renderer->GetUseShadows() == 0 && !renderer->GetPass() && !renderer->GetSelector();
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkIsosurfaceVolume);
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceVolume::vtkIsosurfaceVolume() = default;
+vtkIsosurfaceVolume::vtkIsosurfaceVolume()
+  : Layers(std::make_unique<vtkIsosurfaceRayTraceLayers>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceVolume::~vtkIsosurfaceVolume() = default;
@@ -26,16 +47,89 @@ vtkTypeBool vtkIsosurfaceVolume::HasOpaqueGeometry()
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceVolume::HasTranslucentSurfaces()
+{
+  auto* engine = vtkIsosurfaceRayTraceEngine::Of(this->Mapper);
+  return engine && engine->HasTranslucentSurfaces(this);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a renderer shows anything else that is translucent and peeled.
+bool vtkIsosurfaceVolume::IsAmongTranslucent(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (prop == this || !prop->GetVisibility())
+    {
+      continue;
+    }
+    auto* other = vtkIsosurfaceVolume::SafeDownCast(prop);
+    if (other ? other->HasTranslucentSurfaces() : prop->HasTranslucentPolygonalGeometry() != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkIsosurfaceRayTraceLayers* vtkIsosurfaceVolume::FindLayers(
+  vtkVolume* volume, vtkRenderer* renderer)
+{
+  auto* self = vtkIsosurfaceVolume::SafeDownCast(volume);
+  return self && self->IsPeeled && PeelsDepths(renderer) ? self->Layers.get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkIsosurfaceVolume::HasTranslucentPolygonalGeometry()
+{
+  // The opaque geometry of a frame is drawn before.
+  return this->IsPeeled ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   // vtkVolume draws in this method, which may be called at any time of a frame.
-  return this->HasOpaqueGeometry() ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  const bool isOpaque = this->HasOpaqueGeometry() != 0;
+  this->Layers->Clear();
+  this->IsPeeled = !isOpaque && renderer && PeelsDepths(renderer) &&
+    this->HasTranslucentSurfaces() && this->IsAmongTranslucent(renderer);
+  return isOpaque || this->IsPeeled ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceVolume::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  vtkIsosurfaceRayTraceLayers* layers = window ? FindLayers(this, renderer) : nullptr;
+  if (!layers)
+  {
+    return 0;
+  }
+  layers->Draw(window, this);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkIsosurfaceVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 {
-  return this->HasOpaqueGeometry() ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  const bool isDrawn = this->HasOpaqueGeometry() || (renderer && FindLayers(this, renderer));
+  return isDrawn ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceVolume::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Layers->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

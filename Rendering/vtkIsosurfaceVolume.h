@@ -2,14 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIsosurfaceVolume
- * @brief   a volume whose isosurfaces are opaque geometry when they are opaque
+ * @brief   a volume whose isosurfaces are drawn among the polygons of a scene
  *
  * VTK draws volumes last: translucent polygons, and render passes that read the depth of opaque
  * geometry (vtkSSAOPass, vtkEDLShading, shadow maps), come before and miss them. This volume draws
  * its isosurfaces together with the opaque geometry if all that its vtkIsosurfaceRayTraceMapper
  * draws are opaque: then translucent polygons are in front of or behind them by depth, with or
- * without depth peeling. If a surface is translucent, or the mapper is of another class, it behaves
- * as a vtkVolume.
+ * without depth peeling.
+ *
+ * If some are translucent, and the renderer peels depths (vtkRenderer::UseDepthPeeling) because
+ * there are translucent polygons or another such volume, each surface is peeled as polygons are:
+ * they are in front of and behind each other by depth. Surfaces are traced once for all peels, with
+ * one ray for each pixel, whatever ImageSampleDistance below 1 and ProgressiveAccumulation say.
+ * Without a GPU such a frame takes about twice as long.
+ *
+ * Otherwise it behaves as a vtkVolume: without depth peeling, with render passes of an
+ * application's own (vtkRenderer::SetPass), UseSSAO or UseShadows where a surface is translucent,
+ * for projections and clouds, and with mappers of other classes.
  *
  * The mapper is queried in each frame (vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces); there
  * is nothing to set.
@@ -30,7 +39,12 @@
 #include "vtkIsosurfaceRayTracingModule.h" // for export macro
 #include "vtkVolume.h"
 
+#include <memory> // for std::unique_ptr
+
 VTK_ABI_NAMESPACE_BEGIN
+
+class vtkIsosurfaceRayTraceLayers;
+class vtkRenderer;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceVolume : public vtkVolume
 {
@@ -47,11 +61,23 @@ public:
   ///@{
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw the volume, in the one of the two that suits its surfaces.
+   * Draw the volume, in those that suit its surfaces.
    */
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Where the translucent surfaces of a volume are to go, for the renderer to peel them; null if it
+   * does not peel that volume.
+   */
+  static vtkIsosurfaceRayTraceLayers* FindLayers(vtkVolume* volume, vtkRenderer* renderer);
+#endif
 
 protected:
   vtkIsosurfaceVolume();
@@ -60,6 +86,13 @@ protected:
 private:
   vtkIsosurfaceVolume(const vtkIsosurfaceVolume&) = delete;
   void operator=(const vtkIsosurfaceVolume&) = delete;
+
+  bool HasTranslucentSurfaces();
+  bool IsAmongTranslucent(vtkRenderer* renderer);
+
+  /// In the frame that is drawn, if its renderer peels depths.
+  bool IsPeeled = false;
+  std::unique_ptr<vtkIsosurfaceRayTraceLayers> Layers;
 };
 
 VTK_ABI_NAMESPACE_END

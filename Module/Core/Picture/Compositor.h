@@ -29,7 +29,7 @@ struct Fragment
   /// In (0, 1].
   double Opacity;
   /// In [0, 1] as in the depth buffer, or PixelWithoutDepth for a projection, which hides nothing.
-  /// It counts where the fragment is opaque.
+  /// It is told where the fragment is opaque, or the scene keeps fragments.
   float Depth;
 };
 

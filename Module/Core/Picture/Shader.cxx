@@ -142,7 +142,9 @@ void Shader::MakeFragments(const RayPacket& packet, const RayHits& hits, Fragmen
 Fragment Shader::MakeFragment(const Hit& hit, const Vector3& color) const
 {
   const double opacity = this->Field.GetRequest().GetOpacity(hit);
-  const double depth = opacity >= 1.0 ? this->Own.View.GetDepth(this->Field.GetPoint(hit)) : 0.0;
+  const double depth = opacity >= 1.0 || this->TheScene.KeepFragments
+    ? this->Own.View.GetDepth(this->Field.GetPoint(hit))
+    : 0.0;
   return { hit.T, Clamped(color) * opacity, opacity,
     static_cast<float>(std::clamp(depth, 0.0, 1.0)) };
 }
