@@ -89,11 +89,12 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   }
 
   // After writing into the scalars, applications often call Modified() of the grid, not of the
-  // array. So a change of the grid counts as one of the scalars, unless its geometry has changed,
-  // which explains it.
+  // array. So a change of the grid counts as one of the scalars. Those in a file take long to read,
+  // and nobody writes into them: a change of the geometry explains that of the grid.
   vtkIsosurfaceRayTraceGeometry geometry(grid, selection.AreOfCells);
   const bool isNewer = grid->GetMTime() != this->GridTime;
-  const bool gridChanged = isNewer && geometry.HasSamePoints(this->Geometry);
+  const bool gridChanged =
+    isNewer && (!this->View.AreInFile || geometry.HasSamePoints(this->Geometry));
   if (isNewer || !this->Built || this->Built->AreOfCells != key.AreOfCells)
   {
     this->GridTime = 0; // Until the hidden cells are there: memory for them may fail.

@@ -91,10 +91,6 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
     { "a colour", [=]() { property->GetRGBTransferFunction()->AddRGBPoint(0.1, 1.0, 0.0, 0.0); } },
     { "the camera", [&]() { scene.Renderer->GetActiveCamera()->Azimuth(30.0); } },
     { "the material", [=]() { property->SetSpecular(0.7); } },
-    { "the spacing", [=]() { image->SetSpacing(0.03, 0.032, 0.035); } },
-    { "the origin", [=]() { image->SetOrigin(-1.0, -1.1, -1.2); } },
-    { "the direction",
-      [=]() { image->SetDirectionMatrix(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0); } },
     { "the matrix of the volume", [&]() { scene.Volume->SetScale(1.1); } },
     { "the normals", [=]() { mapper->SetNormalModeToInterpolantGradient(); } },
     { "the number of threads", [=]() { mapper->SetNumberOfThreads(1); } },
@@ -116,8 +112,14 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
     { "the scalars and the spacing at once",
       [=]()
       {
-        scalars->Modified();
+        image->Modified();
         image->SetSpacing(0.031, 0.032, 0.033);
+      } },
+    { "the scalars and the origin at once",
+      [=]()
+      {
+        image->SetOrigin(-1.0, -1.1, -1.2);
+        image->Modified();
       } },
     { "another array",
       [=]() { image->GetPointData()->SetScalars(other->GetPointData()->GetScalars()); } },
@@ -143,13 +145,19 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
 
   // Values that are changed in memory are visible after Modified().
   const Picture before = RenderAndCapture(beyond.Window);
-  other->GetPointData()->GetScalars()->Fill(0.0);
-  for (vtkIdType i = 0; i < other->GetNumberOfPoints() / 2; ++i)
+  vtkDataArray* values = other->GetPointData()->GetScalars();
+  values->Fill(0.0);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples() / 2; ++i)
   {
-    other->GetPointData()->GetScalars()->SetComponent(i, 0, 2e6);
+    values->SetComponent(i, 0, 2e6);
   }
-  other->GetPointData()->GetScalars()->Modified();
+  values->Modified();
   check.That(GetDifference(RenderAndCapture(beyond.Window), before, 0) > 0.05,
     "new values in the old array are drawn");
+  values->Fill(0.0);
+  other->SetOrigin(-0.9, -0.9, -0.9);
+  other->Modified();
+  check.Equal(GetDifference(RenderAndCapture(beyond.Window), before, 0), 0.0,
+    "new values with another origin are drawn");
   return check.Result();
 }
