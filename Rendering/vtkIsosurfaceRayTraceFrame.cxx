@@ -101,7 +101,7 @@ vtkirt::PixelRectangle GetViewport(vtkOpenGLRenderWindow* window)
 bool MayShowOthers(vtkRenderer* renderer)
 {
   return renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
-    renderer->GetPass();
+    !renderer->GetErase() || renderer->GetPass();
 }
 
 }

@@ -16,6 +16,8 @@
 #include <vtkWorldPointPicker.h>
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 using namespace MapperTesting;
 
@@ -129,6 +131,39 @@ void CheckTranslucent(Checks& check, vtkImageData* image)
   check.Near(std::hypot(p[0], p[1], p[2]), 0.4, 2e-3, "the opaque ball within");
 }
 
+/// A translucent surface ends at what an earlier renderer has drawn, if its own keeps that.
+void CheckEarlierRenderer(Checks& check, vtkImageData* image)
+{
+  Scene together(image);
+  together.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 0.5);
+  together.Renderer->AddActor(NewCone());
+  const Picture expected = RenderAndCapture(together.Window);
+  const auto erasesNot = [](vtkRenderer* renderer) { renderer->EraseOff(); };
+  const auto preserves = [](vtkRenderer* renderer)
+  {
+    renderer->PreserveColorBufferOn();
+    renderer->PreserveDepthBufferOn();
+  };
+  const std::vector<std::function<void(vtkRenderer*)>> ways = { erasesNot, preserves };
+  for (const auto& keep : ways)
+  {
+    Scene scene(image);
+    scene.SetSurface(0.0, { 1.0, 1.0, 1.0 }, 0.5);
+    scene.Window->RemoveRenderer(scene.Renderer);
+    vtkNew<vtkRenderer> earlier;
+    earlier->SetBackground(scene.Renderer->GetBackground());
+    earlier->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    earlier->AddActor(NewCone());
+    scene.Window->AddRenderer(earlier);
+    scene.Window->AddRenderer(scene.Renderer);
+    keep(scene.Renderer);
+    scene.Renderer->GetActiveCamera()->SetClippingRange(
+      together.Renderer->GetActiveCamera()->GetClippingRange());
+    check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+      "the difference over an earlier renderer");
+  }
+}
+
 void CheckPicking(Checks& check, Scene& scene)
 {
   vtkNew<vtkWorldPointPicker> picker;
@@ -146,6 +181,7 @@ int TestIsosurfaceRayTraceMapperDepth(int argc, char* argv[])
   CheckNearest(check, image);
   CheckTwoVolumes(check, image);
   CheckTranslucent(check, image);
+  CheckEarlierRenderer(check, image);
   Scene scene(image);
   scene.Window->Render();
   CheckPicking(check, scene);
