@@ -16,6 +16,23 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 namespace
 {
 
+/// What DeepCopy of VTK 9.1 leaves out: steps, and the colours of categories.
+void CopySteps(
+  vtkDiscretizableColorTransferFunction* function, vtkDiscretizableColorTransferFunction* copy)
+{
+  copy->SetDiscretize(function->GetDiscretize());
+  copy->SetNumberOfValues(function->GetNumberOfValues());
+  copy->SetUseLogScale(function->GetUseLogScale());
+  const unsigned int colors = function->GetNumberOfIndexedColors();
+  copy->SetNumberOfIndexedColors(colors);
+  for (unsigned int i = 0; i < colors; ++i)
+  {
+    double color[4];
+    function->GetIndexedColor(i, color);
+    copy->SetIndexedColorRGBA(i, color);
+  }
+}
+
 /// A copy with all that GetColor uses, some of which DeepCopy of VTK 9.1 leaves out.
 vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* function)
 {
@@ -28,13 +45,9 @@ vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* functio
   copy->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
   copy->SetVectorMode(function->GetVectorMode());
   copy->SetVectorComponent(function->GetVectorComponent());
-  auto* discrete = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
-  if (discrete)
+  if (auto* discrete = vtkDiscretizableColorTransferFunction::SafeDownCast(function))
   {
-    auto* copyOfDiscrete = vtkDiscretizableColorTransferFunction::SafeDownCast(copy);
-    copyOfDiscrete->SetDiscretize(discrete->GetDiscretize());
-    copyOfDiscrete->SetNumberOfValues(discrete->GetNumberOfValues());
-    copyOfDiscrete->SetUseLogScale(discrete->GetUseLogScale());
+    CopySteps(discrete, vtkDiscretizableColorTransferFunction::SafeDownCast(copy));
   }
   copy->Build();
   return copy;

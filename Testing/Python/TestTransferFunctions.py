@@ -6,6 +6,7 @@
 import math
 import unittest
 
+from vtkmodules.vtkCommonCore import vtkVariant
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
@@ -141,6 +142,21 @@ class TestTransferFunctions(unittest.TestCase):
         colors.Build()
         volume.GetProperty().SetColor(colors)
         self.check_projection(volume)
+
+    def test_colors_of_categories(self):
+        volume = make_volume()
+        colors = vtkDiscretizableColorTransferFunction()
+        colors.IndexedLookupOn()
+        for i, value in enumerate((149.0, 150.0, 151.0)):
+            colors.SetAnnotation(vtkVariant(value), str(value))
+            colors.SetIndexedColor(i, 0.4 * i, 0.6, 0.2)
+        colors.Build()
+        volume.GetProperty().SetColor(colors)
+        opaque = vtkPiecewiseFunction()
+        opaque.AddPoint(150.0, 1.0)
+        volume.GetProperty().SetScalarOpacity(opaque)
+        shown = render(volume).GetArray("Colors")
+        self.assertEqual({shown.GetTuple(i) for i in range(SIZE * SIZE)}, {(0, 0, 0, 0), (102, 153, 51, 255)})
 
     def test_gray(self):
         volume = make_volume()
