@@ -141,7 +141,11 @@ void CheckAgainstPolygons(Checks& check, vtkImageData* image)
       [](PeeledScene& scene) { scene.Renderer->UseDepthPeelingForVolumesOn(); } },
     { "FXAA", { Shell, FaintCore }, [](PeeledScene& scene) { scene.Renderer->UseFXAAOn(); } },
     { "several rays for each pixel", { Shell, FaintCore },
-      [](PeeledScene& scene) { scene.Mapper->SetImageSampleDistance(0.5); } },
+      [](PeeledScene& scene)
+      {
+        scene.Mapper->AutoAdjustSampleDistancesOff();
+        scene.Mapper->SetImageSampleDistance(0.5);
+      } },
     { "accumulation", { Shell, FaintCore },
       [](PeeledScene& scene) { scene.Mapper->ProgressiveAccumulationOn(); } },
   };
@@ -198,6 +202,7 @@ void CheckTwo(Checks& check, vtkImageData* image)
 void CheckAlone(Checks& check, vtkImageData* image)
 {
   PeeledScene scene(image, { Shell, FaintCore });
+  scene.Mapper->AutoAdjustSampleDistancesOff();
   scene.Mapper->SetImageSampleDistance(0.5);
   scene.ShowIsosurface();
   scene.Window->Render();
