@@ -14,6 +14,7 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkCamera.h"
+#include "vtkCollection.h"
 #include "vtkDataObject.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
@@ -21,6 +22,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkVolume.h"
@@ -97,11 +99,27 @@ vtkirt::PixelRectangle GetViewport(vtkOpenGLRenderWindow* window)
   return { viewport[0], viewport[1], viewport[2], viewport[3] };
 }
 
-/// Whether the window may already have something that hides surfaces. Render passes do not tell.
-bool MayShowOthers(vtkRenderer* renderer)
+/// Whether a renderer has anything else that is visible.
+bool HasOthers(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  vtkProp* prop = props->GetNextProp(next);
+  while (prop && (prop == volume || !prop->GetVisibility()))
+  {
+    prop = props->GetNextProp(next);
+  }
+  return prop != nullptr;
+}
+
+/// Whether the window may already have something that hides surfaces. Render passes do not tell,
+/// and among opaque geometry it is not told before all of it is drawn.
+bool MayShowOthers(vtkRenderer* renderer, vtkVolume* volume)
 {
   return renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
-    !renderer->GetErase() || renderer->GetPass();
+    !renderer->GetErase() || renderer->GetPass() ||
+    (vtkIsosurfaceVolume::SafeDownCast(volume) && HasOthers(renderer, volume));
 }
 
 }
@@ -227,7 +245,7 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   // test decides. It does in coarse pictures, too: each pixel has a depth, and not each a ray.
   const bool isTested =
     drawing.Selector ? !request.IsProjection() : drawing.IsCoarse() && this->IsOpaque(drawing);
-  if (MayShowOthers(target.Renderer) && !isTested)
+  if (MayShowOthers(target.Renderer, target.Volume) && !isTested)
   {
     this->ReadDepths(drawing);
   }

@@ -304,6 +304,31 @@ void CheckCopy(Checks& check, vtkImageData* image)
     "a copy that loses its mapper takes none away");
 }
 
+/// With smooth edges, whose pixels are blended, what is before the surface hides it, too.
+void CheckSmoothEdges(Checks& check, vtkImageData* image)
+{
+  for (const bool accumulates : { false, true })
+  {
+    BallScene scene(image);
+    scene.Renderer->RemoveAllViewProps();
+    scene.Renderer->AddActor(NewScreen(-0.9, { 1.0, 0.2, 0.2 }, 1.0));
+    scene.Renderer->AddViewProp(scene.Isosurface);
+    const Picture expected = RenderAndCapture(scene.Window);
+    if (accumulates)
+    {
+      scene.Mapper->ProgressiveAccumulationOn();
+      scene.Window->Render();
+    }
+    else
+    {
+      scene.Mapper->AutoAdjustSampleDistancesOff();
+      scene.Mapper->SetImageSampleDistance(0.5);
+    }
+    const double difference = GetDifference(RenderAndCapture(scene.Window), expected, 8);
+    check.That(difference > 0.0 && difference < 0.02, "smooth edges change the edges alone");
+  }
+}
+
 /// The depth at a pixel is that of the hit.
 void CheckDepth(Checks& check, vtkImageData* image)
 {
@@ -375,6 +400,7 @@ int TestIsosurfaceVolume(int argc, char* argv[])
   CheckPeeling(check, image);
   CheckOpacity(check, image);
   CheckCopy(check, image);
+  CheckSmoothEdges(check, image);
   CheckDepth(check, image);
   CheckSelector(check, image);
   CheckOtherMapper(check, image);
