@@ -113,12 +113,14 @@ bool HasOthers(vtkRenderer* renderer, vtkVolume* volume)
   return prop != nullptr;
 }
 
-/// Whether the window may already have something that hides surfaces. Render passes do not tell,
-/// and among opaque geometry it is not told before all of it is drawn.
+/// Whether the window may already have something that hides surfaces. The number of props that are
+/// rendered is not told by render passes and selectors, nor before all opaque geometry is drawn.
 bool MayShowOthers(vtkRenderer* renderer, vtkVolume* volume)
 {
-  return renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPreserveDepthBuffer() ||
-    !renderer->GetErase() || renderer->GetPass() ||
+  const bool isErased = renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
+    !renderer->GetPreserveDepthBuffer();
+  return !isErased || renderer->GetNumberOfPropsRendered() > 0 || renderer->GetPass() ||
+    renderer->GetSelector() ||
     (vtkIsosurfaceVolume::SafeDownCast(volume) && HasOthers(renderer, volume));
 }
 
@@ -349,7 +351,7 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
   }
   const vtkIsosurfaceRayTraceAccumulation::Key key = { objects,
     static_cast<double>(settings.ImageSampleDistance), scene };
-  vtkIsosurfaceRayTraceAccumulation& accumulation = this->FindAccumulation(target.Renderer);
+  vtkIsosurfaceRayTraceAccumulation& accumulation = this->FindAccumulation(target);
   this->NumberOfAccumulatedFrames = accumulation.GetNumberOfFrames(key);
   if (this->NumberOfAccumulatedFrames < settings.MaximumNumberOfAccumulatedFrames)
   {
@@ -366,23 +368,28 @@ bool vtkIsosurfaceRayTraceFrame::Accumulate(const vtkIsosurfaceRayTraceSettings&
 }
 
 //------------------------------------------------------------------------------
-/// That of the eye for which a renderer draws. Those of renderers that are gone are forgotten.
+/// That of the eye for which a renderer draws a volume. Those of renderers and volumes that are
+/// gone are forgotten.
 vtkIsosurfaceRayTraceAccumulation& vtkIsosurfaceRayTraceFrame::FindAccumulation(
-  vtkRenderer* renderer)
+  const Target& target)
 {
   std::vector<AccumulationOfEye>& all = this->Accumulations;
   all.erase(std::remove_if(all.begin(), all.end(),
-              [](const AccumulationOfEye& each) { return each.Renderer == nullptr; }),
+              [](const AccumulationOfEye& each)
+              { return each.Renderer == nullptr || each.Volume == nullptr; }),
     all.end());
-  const bool isLeft = renderer->GetActiveCamera()->GetLeftEye() != 0;
+  const bool isLeft = target.Renderer->GetActiveCamera()->GetLeftEye() != 0;
   const auto found = std::find_if(all.begin(), all.end(),
-    [renderer, isLeft](const AccumulationOfEye& each)
-    { return each.Renderer == renderer && each.IsLeft == isLeft; });
+    [&target, isLeft](const AccumulationOfEye& each)
+    {
+      return each.Renderer == target.Renderer && each.Volume == target.Volume &&
+        each.IsLeft == isLeft;
+    });
   if (found != all.end())
   {
     return found->Accumulation;
   }
-  all.push_back({ renderer, isLeft, {} });
+  all.push_back({ target.Renderer, target.Volume, isLeft, {} });
   return all.back().Accumulation;
 }
 

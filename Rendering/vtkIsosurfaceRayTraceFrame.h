@@ -95,10 +95,12 @@ private:
     vtkIsosurfaceRayTracing::PixelSampling Sampling;
   };
 
-  /// Of a renderer, whose windows and cameras differ from those of others.
+  /// Of a renderer, whose windows and cameras differ from those of others, and of a volume that has
+  /// the mapper.
   struct AccumulationOfEye
   {
     vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWeakPointer<vtkVolume> Volume;
     bool IsLeft;
     vtkIsosurfaceRayTraceAccumulation Accumulation;
   };
@@ -109,7 +111,7 @@ private:
   bool Accumulate(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
-  vtkIsosurfaceRayTraceAccumulation& FindAccumulation(vtkRenderer* renderer);
+  vtkIsosurfaceRayTraceAccumulation& FindAccumulation(const Target& target);
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
   void DisplayColors(const Drawing& drawing);

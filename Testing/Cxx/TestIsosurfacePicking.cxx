@@ -393,6 +393,38 @@ void CheckSelectedPixels(Checks& check)
   }
 }
 
+/// What polygons hide is not selected, be it a surface or a projection.
+void CheckHidden(Checks& check)
+{
+  const auto image = NewBall(33, 0.8);
+  for (const bool isProjection : { false, true })
+  {
+    Scene scene(image, Size, Size);
+    if (isProjection)
+    {
+      scene.Mapper->SetBlendModeToMaximumIntensity();
+    }
+    const int shown = CountSelected(scene, Cells);
+    check.That(shown > 2000, "thousands of pixels are selected");
+    // Before the middle of the volume, and drawn first.
+    const auto shield = NewSphere(0.3, { 0.7, -1.4, 0.56 }, 20);
+    shield->PickableOff();
+    scene.Renderer->RemoveVolume(scene.Volume);
+    scene.Renderer->AddActor(shield);
+    scene.Renderer->AddVolume(scene.Volume);
+    check.Equal(CountSelected(scene, Cells), shown, "the number behind what is not pickable");
+    shield->PickableOn();
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetArea(Size / 2, Size / 2, Size / 2, Size / 2);
+    selector->SetFieldAssociation(Cells);
+    const auto selection = vtk::TakeSmartPointer(selector->Select());
+    check.That(selection->GetNumberOfNodes() == 1 &&
+        selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()) == shield.Get(),
+      "what hides the volume is selected");
+  }
+}
+
 /// Ids beyond 24 bits.
 void CheckLargeIds(Checks& check)
 {
@@ -424,6 +456,7 @@ int TestIsosurfacePicking(int, char*[])
   CheckPicker(check);
   CheckSelector(check);
   CheckSelectedPixels(check);
+  CheckHidden(check);
   CheckLargeIds(check);
   return check.Result();
 }

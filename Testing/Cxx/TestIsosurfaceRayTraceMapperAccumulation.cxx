@@ -481,6 +481,23 @@ void CheckRenderers(Checks& check, vtkImageData* image)
   check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 5, "the number without the other");
 }
 
+/// And so has each volume of a mapper.
+void CheckVolumes(Checks& check, vtkImageData* image)
+{
+  Scene scene(image);
+  scene.Mapper->ProgressiveAccumulationOn();
+  vtkNew<vtkVolume> other;
+  other->SetMapper(scene.Mapper);
+  other->SetProperty(scene.Property());
+  other->SetPosition(0.3, 0.2, 0.1);
+  scene.Renderer->AddVolume(other);
+  for (int i = 1; i <= 4; ++i)
+  {
+    scene.Window->Render();
+    check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), i, "the number of two volumes");
+  }
+}
+
 /// The picture is the same for any number of threads.
 void CheckThreads(Checks& check, vtkImageData* image)
 {
@@ -550,6 +567,7 @@ int TestIsosurfaceRayTraceMapperAccumulation(int argc, char* argv[])
   CheckWithoutWindow(check, image);
   CheckStereo(check, image);
   CheckRenderers(check, image);
+  CheckVolumes(check, image);
   CheckThreads(check, image);
   CheckGrain(check, argc, argv);
   return check.Result();
