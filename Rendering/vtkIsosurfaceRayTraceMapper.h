@@ -26,9 +26,11 @@
  * colours of surfaces applies as well.
  *
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are used, with every light of
- * the renderer, and so is vtkRenderer::TwoSidedLighting. The surface is drawn into the render
- * window with its true depth: opaque geometry hides it and is hidden by it, pixel by pixel. In a
- * vtkIsosurfaceVolume, translucent geometry is composited correctly with it as well.
+ * the renderer, and so is vtkRenderer::TwoSidedLighting. (Where a headlight is the only light, VTK
+ * gives polygons wider highlights.) The surface is drawn into the render window with its true
+ * depth: opaque geometry hides it and is hidden by it, pixel by pixel. In a vtkIsosurfaceVolume,
+ * translucent geometry is composited correctly with it as well, where the surface is opaque or the
+ * renderer peels depths.
  *
  * The mapper keeps a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for

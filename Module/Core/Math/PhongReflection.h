@@ -25,7 +25,8 @@ SIMD_INLINE Number Power(Number base, int exponent)
 }
 
 /// The light that a surface reflects at a point, diffuse and specular, by the model that VTK lights
-/// surfaces with (B. T. Phong: Illumination for Computer Generated Pictures, CACM 18(6), 1975).
+/// surfaces with (B. T. Phong: Illumination for Computer Generated Pictures, CACM 18(6), 1975), but
+/// for a headlight that is the only light: its highlights on polygons are wider.
 template <typename Number>
 struct PhongReflection
 {
