@@ -20,6 +20,7 @@ namespace
 void CopySteps(
   vtkDiscretizableColorTransferFunction* function, vtkDiscretizableColorTransferFunction* copy)
 {
+  function->Build(); // It has the colours of categories as they were then.
   copy->SetDiscretize(function->GetDiscretize());
   copy->SetNumberOfValues(function->GetNumberOfValues());
   copy->SetUseLogScale(function->GetUseLogScale());

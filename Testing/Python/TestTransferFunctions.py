@@ -150,13 +150,18 @@ class TestTransferFunctions(unittest.TestCase):
         for i, value in enumerate((149.0, 150.0, 151.0)):
             colors.SetAnnotation(vtkVariant(value), str(value))
             colors.SetIndexedColor(i, 0.4 * i, 0.6, 0.2)
-        colors.Build()
         volume.GetProperty().SetColor(colors)
         opaque = vtkPiecewiseFunction()
         opaque.AddPoint(150.0, 1.0)
         volume.GetProperty().SetScalarOpacity(opaque)
-        shown = render(volume).GetArray("Colors")
-        self.assertEqual({shown.GetTuple(i) for i in range(SIZE * SIZE)}, {(0, 0, 0, 0), (102, 153, 51, 255)})
+
+        def find_shown():
+            shown = render(volume).GetArray("Colors")
+            return {shown.GetTuple(i) for i in range(SIZE * SIZE)}
+
+        self.assertEqual(find_shown(), {(0, 0, 0, 0), (102, 153, 51, 255)})
+        colors.SetIndexedColor(1, 0.2, 0.4, 0.8)
+        self.assertEqual(find_shown(), {(0, 0, 0, 0), (51, 102, 204, 255)})
 
     def test_gray(self):
         volume = make_volume()
