@@ -181,7 +181,8 @@ void vtkIsosurfaceRayTraceImageDisplay::ReadDepths(
 void vtkIsosurfaceRayTraceImageDisplay::Display(
   vtkOpenGLRenderWindow* window, const Image& image, const Geometry* geometry)
 {
-  if (this->ColorTexture->GetContext() != window)
+  // A window that is finalized releases its textures and shaders.
+  if (this->ColorTexture->GetContext() != window || this->ColorTexture->GetHandle() == 0)
   {
     this->ReleaseGraphicsResources(this->ColorTexture->GetContext());
     this->ColorTexture->SetContext(window);

@@ -53,6 +53,12 @@ void CheckWindows(Checks& check, vtkImageData* image)
   scene.Window->SetSize(160, 160);
   check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
     "the difference after the window was smaller");
+  scene.Renderer->GetViewProps()->RemoveItem(scene.Volume); // It is not told what happens.
+  scene.Window->Finalize();
+  scene.Window->Render();
+  scene.Renderer->AddVolume(scene.Volume);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference after the window was finalized");
   scene.Window->Finalize();
 }
 
