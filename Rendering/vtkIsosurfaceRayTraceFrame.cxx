@@ -5,6 +5,7 @@
 #include "vtkIsosurfaceRayTraceHits.h"
 #include "vtkIsosurfaceRayTraceInputs.h"
 #include "vtkIsosurfaceRayTraceLayers.h"
+#include "vtkIsosurfaceRayTracePasses.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceScene.h"
@@ -18,9 +19,6 @@
 #include "vtkDataObject.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -45,16 +43,8 @@ namespace
 template <typename Pass>
 Pass* FindPass(vtkVolume* volume)
 {
-  vtkInformation* keys = volume->GetPropertyKeys();
-  const int count = keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    if (auto* pass = Pass::SafeDownCast(vtkOpenGLRenderPass::RenderPasses()->Get(keys, i)))
-    {
-      return pass;
-    }
-  }
-  return nullptr;
+  const std::vector<Pass*> passes = vtkIsosurfaceRayTracePasses::Find<Pass>(volume);
+  return passes.empty() ? nullptr : passes.front();
 }
 
 /// Whether a frame in stereo has drawn another eye already.
@@ -460,6 +450,7 @@ void vtkIsosurfaceRayTraceFrame::DisplayOpaque(const Drawing& drawing)
   const vtkirt::PixelRectangle pixels = drawing.Sampling.ToPixels(this->Picture.Scene.Pixels);
   drawing.Layers->Set(drawing.Window, frame.Fragments,
     { pixels.X, pixels.Y, this->Picture.Scene.Pixels.Width, drawing.Sampling.Pixels });
+  frame.Fragments = {}; // They are many.
 }
 
 //------------------------------------------------------------------------------

@@ -3,16 +3,13 @@
 #include "vtkIsosurfaceRayTraceLayers.h"
 
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
+#include "vtkIsosurfaceRayTracePasses.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -51,23 +48,6 @@ void main()
 }
 )";
 
-/// The render passes that draw a prop now.
-std::vector<vtkOpenGLRenderPass*> FindPasses(vtkProp* prop)
-{
-  std::vector<vtkOpenGLRenderPass*> passes;
-  vtkInformation* keys = prop->GetPropertyKeys();
-  const int count = keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    if (auto* pass =
-          vtkOpenGLRenderPass::SafeDownCast(vtkOpenGLRenderPass::RenderPasses()->Get(keys, i)))
-    {
-      passes.push_back(pass);
-    }
-  }
-  return passes;
-}
-
 /// The fragment shader that the passes of a prop make from ours.
 std::string MakeShader(vtkProp* prop)
 {
@@ -75,7 +55,7 @@ std::string MakeShader(vtkProp* prop)
   std::string geometryShader;
   std::string fragmentShader = FragmentShader;
   const vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  for (vtkOpenGLRenderPass* pass : FindPasses(prop))
+  for (vtkOpenGLRenderPass* pass : vtkIsosurfaceRayTracePasses::Find(prop))
   {
     pass->PreReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
     pass->PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
@@ -187,19 +167,24 @@ vtkIsosurfaceRayTraceLayers::~vtkIsosurfaceRayTraceLayers() = default;
 void vtkIsosurfaceRayTraceLayers::Set(vtkOpenGLRenderWindow* window,
   const std::vector<vtkirt::FragmentOfPixel>& fragments, const Placement& placement)
 {
-  if (this->Window != window)
-  {
-    this->ReleaseGraphicsResources(this->Window);
-    this->Window = window;
-  }
-  this->Layers.clear();
+  this->Clear();
+  this->Window = window;
   const int size = placement.PixelsOfColumn;
   for (LayerImage& image : MakeImages(fragments, placement.Columns))
   {
     this->Layers.push_back({ placement.X + size * image.Left, placement.Y + size * image.Bottom,
       size * image.GetWidth(), size * image.GetHeight(), NewTexture(window, image, 4, image.Colors),
       NewTexture(window, image, 1, image.Depths) });
+    image = {}; // It is large.
   }
+}
+
+//------------------------------------------------------------------------------
+/// The window may release the shaders of quads between frames.
+void vtkIsosurfaceRayTraceLayers::Clear()
+{
+  this->Layers.clear();
+  this->Quads.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +201,7 @@ void vtkIsosurfaceRayTraceLayers::Draw(vtkOpenGLRenderWindow* window, vtkProp* p
     return;
   }
   const vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  for (vtkOpenGLRenderPass* pass : FindPasses(prop))
+  for (vtkOpenGLRenderPass* pass : vtkIsosurfaceRayTracePasses::Find(prop))
   {
     pass->SetShaderParameters(quad->Program, mapper, prop);
   }
@@ -246,9 +231,7 @@ void vtkIsosurfaceRayTraceLayers::ReleaseGraphicsResources(vtkWindow* window)
     layer.Colors->ReleaseGraphicsResources(window);
     layer.Depths->ReleaseGraphicsResources(window);
   }
-  this->Layers.clear();
-  this->Quads.clear();
-  this->Window = nullptr;
+  this->Clear();
 }
 
 VTK_ABI_NAMESPACE_END

@@ -9,6 +9,7 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSmartPointer.h"               // for ivars
+#include "vtkWeakPointer.h"                // for ivars
 
 #include "Picture/Compositor.h"
 
@@ -43,12 +44,12 @@ public:
   vtkIsosurfaceRayTraceLayers(const vtkIsosurfaceRayTraceLayers&) = delete;
   void operator=(const vtkIsosurfaceRayTraceLayers&) = delete;
 
-  /// Makes the layers: the first translucent fragment of every pixel, the second, and so on. Those
-  /// of a pixel follow each other front to back.
+  /// Makes the layers of a frame: the first translucent fragment of every pixel, the second, and so
+  /// on. Those of a pixel follow each other front to back.
   void Set(vtkOpenGLRenderWindow* window,
     const std::vector<vtkIsosurfaceRayTracing::FragmentOfPixel>& fragments,
     const Placement& placement);
-  void Clear() { this->Layers.clear(); }
+  void Clear();
 
   /// Draws them as the render passes of the prop have it, into the current viewport.
   void Draw(vtkOpenGLRenderWindow* window, vtkProp* prop);
@@ -67,7 +68,7 @@ private:
     vtkSmartPointer<vtkTextureObject> Depths;
   };
 
-  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<Layer> Layers;
   /// By their fragment shaders: passes draw in several stages.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;

@@ -6,9 +6,12 @@
 #include "vtkIsosurfaceRayTraceLayers.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkAssembly.h"
 #include "vtkCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProp3DCollection.h"
+#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
@@ -23,6 +26,17 @@ bool PeelsDepths(vtkRenderer* renderer)
 {
   return renderer->GetUseDepthPeeling() != 0 && !renderer->GetUseSSAO() &&
     renderer->GetUseShadows() == 0 && !renderer->GetPass() && !renderer->GetSelector();
+}
+
+/// Those of an assembly; null of other props.
+vtkPropCollection* GetParts(vtkProp* prop)
+{
+  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    return assembly->GetParts();
+  }
+  auto* assembly = vtkPropAssembly::SafeDownCast(prop);
+  return assembly ? assembly->GetParts() : nullptr;
 }
 
 }
@@ -54,10 +68,10 @@ bool vtkIsosurfaceVolume::HasTranslucentSurfaces()
 }
 
 //------------------------------------------------------------------------------
-/// Whether a renderer shows anything else that is translucent and peeled.
-bool vtkIsosurfaceVolume::IsAmongTranslucent(vtkRenderer* renderer)
+/// Whether any other of some props is translucent and peeled. Assemblies are not asked: they make
+/// the lists anew by which they are drawn, and this may be drawn as a part of one.
+bool vtkIsosurfaceVolume::IsAmongTranslucent(vtkPropCollection* props)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator next;
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
@@ -67,7 +81,10 @@ bool vtkIsosurfaceVolume::IsAmongTranslucent(vtkRenderer* renderer)
       continue;
     }
     auto* other = vtkIsosurfaceVolume::SafeDownCast(prop);
-    if (other ? other->HasTranslucentSurfaces() : prop->HasTranslucentPolygonalGeometry() != 0)
+    vtkPropCollection* parts = GetParts(prop);
+    if (other   ? other->HasTranslucentSurfaces()
+        : parts ? this->IsAmongTranslucent(parts)
+                : prop->HasTranslucentPolygonalGeometry() != 0)
     {
       return true;
     }
@@ -98,7 +115,7 @@ int vtkIsosurfaceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
   const bool isOpaque = this->HasOpaqueGeometry() != 0;
   this->Layers->Clear();
   this->IsPeeled = !isOpaque && renderer && PeelsDepths(renderer) &&
-    this->HasTranslucentSurfaces() && this->IsAmongTranslucent(renderer);
+    this->HasTranslucentSurfaces() && this->IsAmongTranslucent(renderer->GetViewProps());
   return isOpaque || this->IsPeeled ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
 }
 
@@ -121,8 +138,8 @@ int vtkIsosurfaceVolume::RenderTranslucentPolygonalGeometry(vtkViewport* viewpor
 int vtkIsosurfaceVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  const bool isDrawn = this->HasOpaqueGeometry() || (renderer && FindLayers(this, renderer));
-  return isDrawn ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+  const bool wasDrawn = this->HasOpaqueGeometry() || (renderer && FindLayers(this, renderer));
+  return wasDrawn ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
 }
 
 //------------------------------------------------------------------------------

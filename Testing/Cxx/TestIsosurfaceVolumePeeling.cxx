@@ -17,11 +17,13 @@
 
 #include <vtkActor.h>
 #include <vtkAppendFilter.h>
+#include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkDataObject.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkMapper.h>
+#include <vtkPropAssembly.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 
@@ -197,6 +199,48 @@ void CheckTwo(Checks& check, vtkImageData* image)
   CheckAgainst(check, RenderAndCapture(scene.Window), polygons, "two volumes of one mapper");
 }
 
+/// Assemblies change nothing, wherever they are in the list of props.
+void CheckAssemblies(Checks& check, vtkImageData* image)
+{
+  PeeledScene scene(image, { Shell, FaintCore });
+  vtkNew<vtkIsosurfaceVolume> other;
+  other->SetMapper(scene.Mapper);
+  other->SetProperty(scene.Property());
+  other->SetPosition(0.4, 0.2, 0.1);
+  for (const bool hasScreens : { true, false })
+  {
+    scene.Renderer->RemoveAllViewProps();
+    if (hasScreens)
+    {
+      AddScreens(scene.Renderer);
+    }
+    scene.Renderer->AddViewProp(scene.Isosurface);
+    scene.Renderer->AddViewProp(other);
+    const Picture expected = RenderAndCapture(scene.Window);
+    vtkNew<vtkAssembly> parts;
+    parts->AddPart(scene.Isosurface);
+    parts->AddPart(other);
+    vtkNew<vtkAssembly> nested;
+    nested->AddPart(parts);
+    vtkNew<vtkPropAssembly> props;
+    props->AddPart(scene.Isosurface);
+    props->AddPart(other);
+    const std::vector<vtkProp*> assemblies = { parts, nested, props };
+    for (vtkProp* assembly : assemblies)
+    {
+      scene.Renderer->RemoveAllViewProps();
+      scene.Renderer->AddViewProp(assembly);
+      if (hasScreens)
+      {
+        AddScreens(scene.Renderer);
+      }
+      // In another order, if only where depths are equal.
+      check.That(GetDifference(RenderAndCapture(scene.Window), expected, 1) < 0.001,
+        std::string("they look alike in a ") + assembly->GetClassName());
+    }
+  }
+}
+
 /// Where nothing else is translucent there is nothing to peel: edges are smooth as in a vtkVolume,
 /// and the picture is the same.
 void CheckAlone(Checks& check, vtkImageData* image)
@@ -311,6 +355,13 @@ void CheckWindows(Checks& check, vtkImageData* image)
   }
   check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
     "the difference after the other window is gone");
+  // VTK releases what props of renderers have; this is none of them then.
+  scene.Renderer->GetViewProps()->RemoveItem(scene.Isosurface);
+  scene.Window->Finalize();
+  scene.Window->Render();
+  scene.Renderer->AddViewProp(scene.Isosurface);
+  check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
+    "the difference after the window was finalized");
 }
 
 }
@@ -321,6 +372,7 @@ int TestIsosurfaceVolumePeeling(int argc, char* argv[])
   const auto image = NewBall(65, Radius);
   CheckAgainstPolygons(check, image);
   CheckTwo(check, image);
+  CheckAssemblies(check, image);
   CheckAlone(check, image);
   CheckMesh(check, image);
   CheckDepthsAndSelection(check, image);

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The render passes that draw a prop.
+
+#ifndef vtkIsosurfaceRayTracePasses_h
+#define vtkIsosurfaceRayTracePasses_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkProp.h"
+
+#include <vector> // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkIsosurfaceRayTracePasses
+{
+
+/// Those of a kind that draw a prop now.
+template <typename Pass = vtkOpenGLRenderPass>
+std::vector<Pass*> Find(vtkProp* prop)
+{
+  std::vector<Pass*> passes;
+  vtkInformation* keys = prop->GetPropertyKeys();
+  const int count = keys ? vtkOpenGLRenderPass::RenderPasses()->Length(keys) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* pass = Pass::SafeDownCast(vtkOpenGLRenderPass::RenderPasses()->Get(keys, i)))
+    {
+      passes.push_back(pass);
+    }
+  }
+  return passes;
+}
+
+}
+
+VTK_ABI_NAMESPACE_END
+
+#endif
