@@ -23,7 +23,11 @@
  *
  * Where a ray crosses a face is a function of the two alone: segments of neighbouring cells join
  * without gaps and without overlaps, and the picture is the same, bit for bit, for any number of
- * threads. Cells may overlap or have gaps between them.
+ * threads. Cells may overlap or have gaps between them. Where they overlap, in one mesh or in
+ * several connections, the parts of a ray in them are not mixed, but drawn one after the other, in
+ * the order in which they begin: the smaller the cells are, the nearer that is to a mixture. Clouds
+ * in each other are mixed exactly if they are components of one mesh (vtkResampleWithDataSet puts
+ * the values of one mesh on another).
  *
  * With the blend mode MAXIMUM_INTENSITY_BLEND a ray shows the colour and the opacity of the largest
  * value along it, before the isosurfaces.
