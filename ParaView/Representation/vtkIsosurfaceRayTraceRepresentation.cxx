@@ -289,7 +289,8 @@ void vtkIsosurfaceRayTraceRepresentation::PrepareToRender(vtkInformation* in)
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (!this->IsOpaque())
   {
-    // ParaView peels volumes together with translucent polygons; isosurfaces cannot be peeled.
+    // ParaView peels volumes together with translucent polygons; isosurfaces are peeled as polygons
+    // are, or not at all.
     view->GetRenderer()->UseDepthPeelingForVolumesOff();
   }
   this->Shown.HasData = this->Mapper->GetNumberOfInputConnections(0) > 0;
