@@ -72,8 +72,8 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
     "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices.");
   commandLine.Add(
     "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
-  commandLine.Add(
-    "--opacity", &arguments.Opacities, "An opacity from 0 to 1 for each isovalue. Default: 1.");
+  commandLine.Add("--opacity", &arguments.Opacities,
+    "An opacity from 0 to 1 for each isovalue, in their order. Default: 1.");
   commandLine.Add("--output", &arguments.Output, "The picture, a PNG file.");
   commandLine.Add(
     "--width", &arguments.Width, "The width of the picture in pixels. Default: 1024.");
