@@ -482,12 +482,6 @@ bool vtkIsosurfaceRayTraceEngine::HasOnlyOpaqueSurfaces(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceEngine::HasTranslucentSurfaces(vtkVolume* volume)
-{
-  return this->FindOpacity(volume) == Opacity::Translucent;
-}
-
-//------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceEngine::Opacity vtkIsosurfaceRayTraceEngine::FindOpacity(vtkVolume* volume)
 try
 {

@@ -119,8 +119,14 @@ public:
   /// The volume of the connection that has a cell, which is numbered as for FindBlock; or null.
   vtkVolume* FindConnectionVolume(vtkIdType cellId) const;
 
-  /// Whether the mapper draws surfaces alone, and some of them are translucent.
-  bool HasTranslucentSurfaces(vtkVolume* volume);
+  /// What surfaces are, where a mapper draws nothing else.
+  enum class Opacity
+  {
+    None,
+    Opaque,
+    Translucent
+  };
+  Opacity FindOpacity(vtkVolume* volume);
 
   /// Draws a frame into the window of the renderer. Returns the seconds that took; 0 if it is not
   /// complete.
@@ -137,16 +143,6 @@ public:
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
 
 private:
-  /// What surfaces are, where a mapper draws nothing else.
-  enum class Opacity
-  {
-    None,
-    Opaque,
-    Translucent
-  };
-
-  Opacity FindOpacity(vtkVolume* volume);
-
   /// The blocks that a connection had when their bounds were asked for last.
   struct BlocksOfConnection
   {

@@ -39,6 +39,38 @@ vtkPropCollection* GetParts(vtkProp* prop)
   return assembly ? assembly->GetParts() : nullptr;
 }
 
+using Opacity = vtkIsosurfaceRayTraceEngine::Opacity;
+
+Opacity FindOpacity(vtkVolume* volume)
+{
+  auto* engine = vtkIsosurfaceRayTraceEngine::Of(volume->GetMapper());
+  return engine ? engine->FindOpacity(volume) : Opacity::None;
+}
+
+/// Whether any of some props but one is translucent and peeled. Assemblies are not asked: they make
+/// the lists anew by which they are drawn, and that one may be drawn as a part of one.
+bool AreOthersTranslucent(vtkPropCollection* props, vtkProp* one)
+{
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (prop == one || !prop->GetVisibility())
+    {
+      continue;
+    }
+    auto* volume = vtkIsosurfaceVolume::SafeDownCast(prop);
+    vtkPropCollection* parts = GetParts(prop);
+    if (volume  ? FindOpacity(volume) == Opacity::Translucent
+        : parts ? AreOthersTranslucent(parts, one)
+                : prop->HasTranslucentPolygonalGeometry() != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -56,40 +88,7 @@ vtkIsosurfaceVolume::~vtkIsosurfaceVolume() = default;
 //------------------------------------------------------------------------------
 vtkTypeBool vtkIsosurfaceVolume::HasOpaqueGeometry()
 {
-  auto* engine = vtkIsosurfaceRayTraceEngine::Of(this->Mapper);
-  return engine && engine->HasOnlyOpaqueSurfaces(this) ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsosurfaceVolume::HasTranslucentSurfaces()
-{
-  auto* engine = vtkIsosurfaceRayTraceEngine::Of(this->Mapper);
-  return engine && engine->HasTranslucentSurfaces(this);
-}
-
-//------------------------------------------------------------------------------
-/// Whether any other of some props is translucent and peeled. Assemblies are not asked: they make
-/// the lists anew by which they are drawn, and this may be drawn as a part of one.
-bool vtkIsosurfaceVolume::IsAmongTranslucent(vtkPropCollection* props)
-{
-  vtkCollectionSimpleIterator next;
-  props->InitTraversal(next);
-  while (vtkProp* prop = props->GetNextProp(next))
-  {
-    if (prop == this || !prop->GetVisibility())
-    {
-      continue;
-    }
-    auto* other = vtkIsosurfaceVolume::SafeDownCast(prop);
-    vtkPropCollection* parts = GetParts(prop);
-    if (other   ? other->HasTranslucentSurfaces()
-        : parts ? this->IsAmongTranslucent(parts)
-                : prop->HasTranslucentPolygonalGeometry() != 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return FindOpacity(this) == Opacity::Opaque ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -112,11 +111,13 @@ int vtkIsosurfaceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   // vtkVolume draws in this method, which may be called at any time of a frame.
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  const bool isOpaque = this->HasOpaqueGeometry() != 0;
+  const Opacity opacity = FindOpacity(this);
   this->Layers->Clear();
-  this->IsPeeled = !isOpaque && renderer && PeelsDepths(renderer) &&
-    this->HasTranslucentSurfaces() && this->IsAmongTranslucent(renderer->GetViewProps());
-  return isOpaque || this->IsPeeled ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
+  this->IsPeeled = opacity == Opacity::Translucent && renderer && PeelsDepths(renderer) &&
+    AreOthersTranslucent(renderer->GetViewProps(), this);
+  return opacity == Opacity::Opaque || this->IsPeeled
+    ? this->Superclass::RenderVolumetricGeometry(viewport)
+    : 0;
 }
 
 //------------------------------------------------------------------------------

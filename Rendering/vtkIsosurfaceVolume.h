@@ -47,7 +47,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkIsosurfaceRayTraceFrame;
 class vtkIsosurfaceRayTraceLayers;
-class vtkPropCollection;
 class vtkRenderer;
 
 class VTKISOSURFACERAYTRACING_EXPORT vtkIsosurfaceVolume : public vtkVolume
@@ -87,8 +86,6 @@ private:
   /// Where the translucent surfaces of a volume are to go, for the renderer to peel them; null if
   /// it does not peel that volume.
   static vtkIsosurfaceRayTraceLayers* FindLayers(vtkVolume* volume, vtkRenderer* renderer);
-  bool HasTranslucentSurfaces();
-  bool IsAmongTranslucent(vtkPropCollection* props);
 
   /// In the frame that is drawn, if its renderer peels depths.
   bool IsPeeled = false;
