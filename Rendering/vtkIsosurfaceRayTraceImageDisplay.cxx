@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceImageDisplay.h"
 
+#include "vtkIsosurfaceRayTracePasses.h"
+
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -108,17 +110,10 @@ std::string MakeShader(const char* readDepth)
 /// The fragment shader that a render pass makes from ours.
 std::string MakeGeometryShader(const vtkIsosurfaceRayTraceImageDisplay::Geometry& geometry)
 {
-  std::string vertexShader;
-  std::string geometryShader;
-  std::string fragmentShader = MakeShader(DepthOfPixel);
-  vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Dec", GeometryDeclaration);
-  vtkShaderProgram::Substitute(fragmentShader, "//Geometry::Impl", GeometryImplementation);
-  const vtkNew<vtkOpenGLPolyDataMapper> mapper; // Render passes know no others that have geometry.
-  geometry.Pass->PreReplaceShaderValues(
-    vertexShader, geometryShader, fragmentShader, mapper, geometry.Prop);
-  geometry.Pass->PostReplaceShaderValues(
-    vertexShader, geometryShader, fragmentShader, mapper, geometry.Prop);
-  return fragmentShader;
+  std::string shader = MakeShader(DepthOfPixel);
+  vtkShaderProgram::Substitute(shader, "//Geometry::Dec", GeometryDeclaration);
+  vtkShaderProgram::Substitute(shader, "//Geometry::Impl", GeometryImplementation);
+  return vtkIsosurfaceRayTracePasses::MakeShader({ geometry.Pass }, geometry.Prop, shader);
 }
 
 }

@@ -48,21 +48,6 @@ void main()
 }
 )";
 
-/// The fragment shader that the passes of a prop make from ours.
-std::string MakeShader(vtkProp* prop)
-{
-  std::string vertexShader;
-  std::string geometryShader;
-  std::string fragmentShader = FragmentShader;
-  const vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  for (vtkOpenGLRenderPass* pass : vtkIsosurfaceRayTracePasses::Find(prop))
-  {
-    pass->PreReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
-    pass->PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
-  }
-  return fragmentShader;
-}
-
 /// The fragments of a layer, in the smallest rectangle of pixels that holds them.
 struct LayerImage
 {
@@ -194,14 +179,15 @@ void vtkIsosurfaceRayTraceLayers::Draw(vtkOpenGLRenderWindow* window, vtkProp* p
   {
     return;
   }
-  const std::string shader = MakeShader(prop);
+  const std::vector<vtkOpenGLRenderPass*> passes = vtkIsosurfaceRayTracePasses::Find(prop);
+  const std::string shader = vtkIsosurfaceRayTracePasses::MakeShader(passes, prop, FragmentShader);
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[shader];
   if (!vtkIsosurfaceRayTraceImageDisplay::MakeReady(window, shader, quad))
   {
     return;
   }
   const vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  for (vtkOpenGLRenderPass* pass : vtkIsosurfaceRayTracePasses::Find(prop))
+  for (vtkOpenGLRenderPass* pass : passes)
   {
     pass->SetShaderParameters(quad->Program, mapper, prop);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The render passes that draw a prop.
+// The render passes that draw a prop, and what they make of its shaders.
 
 #ifndef vtkIsosurfaceRayTracePasses_h
 #define vtkIsosurfaceRayTracePasses_h
@@ -10,9 +10,12 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkProp.h"
 
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -35,6 +38,22 @@ std::vector<Pass*> Find(vtkProp* prop)
     }
   }
   return passes;
+}
+
+/// The fragment shader that passes make from that of a prop. They know no others that have geometry
+/// than the shaders of polygons.
+inline std::string MakeShader(
+  const std::vector<vtkOpenGLRenderPass*>& passes, vtkProp* prop, std::string fragmentShader)
+{
+  std::string vertexShader;
+  std::string geometryShader;
+  const vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PreReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+    pass->PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+  }
+  return fragmentShader;
 }
 
 }
