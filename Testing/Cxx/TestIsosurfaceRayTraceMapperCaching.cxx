@@ -109,7 +109,13 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
   const std::vector<Change> rebuilding = {
     { "the scalars, with Modified() of the array", [=]() { scalars->Modified(); } },
     { "the scalars, with Modified() of the image", [=]() { image->Modified(); } },
-    { "the scalars and the spacing at once",
+    { "the scalars and the spacing at once, with Modified() of the array",
+      [=]()
+      {
+        scalars->Modified();
+        image->SetSpacing(0.03, 0.032, 0.035);
+      } },
+    { "the scalars and the spacing at once, with Modified() of the image",
       [=]()
       {
         image->Modified();
@@ -121,6 +127,9 @@ int TestIsosurfaceRayTraceMapperCaching(int, char*[])
         image->SetOrigin(-1.0, -1.1, -1.2);
         image->Modified();
       } },
+    // Nothing tells it from a change of the scalars.
+    { "the direction",
+      [=]() { image->SetDirectionMatrix(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0); } },
     { "another array",
       [=]() { image->GetPointData()->SetScalars(other->GetPointData()->GetScalars()); } },
     { "another image", [=]() { mapper->SetInputData(large); } },

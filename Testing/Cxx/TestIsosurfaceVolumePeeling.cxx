@@ -333,22 +333,15 @@ void CheckWindows(Checks& check, vtkImageData* image)
   scene.ShowIsosurface();
   const Picture expected = RenderAndCapture(scene.Window);
   {
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(scene.Renderer->GetBackground());
-    AddScreens(renderer);
-    PeelDepths(renderer);
-    renderer->AddViewProp(scene.Isosurface);
-    renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
-    vtkNew<vtkRenderWindow> window;
-    window->SetMultiSamples(0);
-    window->SetSize(160, 160);
-    window->AddRenderer(renderer);
-    check.Equal(GetDifference(RenderAndCapture(window), expected, 0), 0.0,
+    PeeledScene other(image, { Shell });
+    other.Renderer->AddViewProp(scene.Isosurface);
+    other.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    check.Equal(GetDifference(RenderAndCapture(other.Window), expected, 0), 0.0,
       "the difference in another window");
     check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
       "the difference back in the first window");
-    renderer->UseDepthPeelingOff();
-    check.That(GetDifference(RenderAndCapture(window), expected, 8) > 0.02,
+    other.Renderer->UseDepthPeelingOff();
+    check.That(GetDifference(RenderAndCapture(other.Window), expected, 8) > 0.02,
       "a renderer that does not peel draws a volume over the screens");
     check.Equal(GetDifference(RenderAndCapture(scene.Window), expected, 0), 0.0,
       "the difference in the first window, while the other does not peel");
