@@ -635,6 +635,43 @@ TEST(MeshField, SmoothGradientsAreMeansOfCellsAround)
 }
 
 //------------------------------------------------------------------------------
+TEST(MeshField, PointsAndGradientsOfManyHitsAreThoseOfEach)
+{
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(35);
+    const TestMesh mesh = MakeRoundMesh(random, cutting);
+    MeshField field(mesh.View(), 2);
+    for (const NormalMode mode :
+      { NormalMode::CentralDifferences, NormalMode::InterpolantGradient })
+    {
+      TraceRequest request({ { 50.5, Glass } });
+      request.Normals = mode;
+      // Its caps have gradients of their own.
+      request.Visible.HalfSpaces.push_back({ { 0.6, 0.0, 0.8 }, -2.5, true });
+      field.Select(request, { 2 });
+      const RayHits hits = CastRays(field, MakeRays(random, 200), 1);
+      const int count = static_cast<int>(hits.Hits.size());
+      ASSERT_GT(count, RayPacket::Capacity);
+      for (int first = 0; first < count; first += RayPacket::Capacity)
+      {
+        const Hit* own = &hits.Hits[static_cast<std::size_t>(first)];
+        const int ownCount = std::min(count - first, RayPacket::Capacity);
+        double points[3][RayPacket::Capacity];
+        double gradients[3][RayPacket::Capacity];
+        field.GetPointsAndGradients(own, ownCount, mode, points, gradients);
+        for (int i = 0; i < ownCount; ++i)
+        {
+          ASSERT_EQ((Vector3{ points[0][i], points[1][i], points[2][i] }), field.GetPoint(own[i]));
+          ASSERT_EQ((Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }),
+            field.GetGradient(own[i], mode));
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(MeshField, GradientsOfTheFirstSurfaceAreThoseOfAll)
 {
   RandomNumbers random(32);

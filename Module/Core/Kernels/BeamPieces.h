@@ -221,6 +221,17 @@ struct CornerGradients
   alignas(64) double Volume[Capacity];
 };
 
+/// The corners of the cells of some hits, and their weights there.
+struct WeightedCorners
+{
+  static constexpr int Capacity = 2 * CellTreeNode::Width;
+
+  int Count;
+  int Corners[Capacity];
+  std::int64_t Ids[Capacity][PassedCellRecords::Corners];
+  double Weights[Capacity][PassedCellRecords::Corners];
+};
+
 /// Bounds of the pieces of surfaces in some cells.
 struct BeamPieces
 {

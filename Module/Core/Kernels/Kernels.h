@@ -364,6 +364,11 @@ struct Kernels
   void (*FindCornerGradients)(
     const double (*corners)[PassedCellRecords::Corners][4], int count, CornerGradients& gradients);
 
+  /// Interpolates vectors of three floats or doubles, of which there is one for every id, between
+  /// the corners of cells. Stores the sums from a number on.
+  void (*SumAtCorners)(const void* vectors, bool areFloats, const WeightedCorners& corners,
+    int first, double (*sums)[RayPacket::Capacity]);
+
   /// Makes a set of pieces in tetrahedra, as many as its count, but not its cells. The corners are
   /// as in TetrahedronPairs...
   void (*PackPolygons)(const double (*corners)[4][4], PackedPieces& packed);

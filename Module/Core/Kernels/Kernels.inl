@@ -117,6 +117,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/SolveBoxes.inl"
 #include "Kernels/SolveTetrahedra.inl"
 #include "Kernels/SolveTrilinear.inl"
+#include "Kernels/SumAtCorners.inl"
 #include "Kernels/TricubicCells.inl"
 
 // One for every ScalarType.
@@ -133,9 +134,10 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
     FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, FindSetsOnRay,             \
-    FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, PackPolygons, PackBoxes,     \
-    FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra,    \
-    SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,               \
+    FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, SumAtCorners, PackPolygons,  \
+    PackBoxes, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,          \
+    SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,                 \
+    ProjectTetrahedra,                                                                             \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -3,6 +3,8 @@
 
 #include "Mesh/MeshCells.h"
 
+#include "Kernels/InstructionSets.h"
+#include "Kernels/Kernels.h"
 #include "Math/ThreadsOfLoop.h"
 
 #include <algorithm>
@@ -43,20 +45,17 @@ private:
 };
 
 template <typename Id>
-bool ReadListedIds(const MeshView& view, std::int64_t number, MeshCell& cell)
+CellShape ReadListedIds(const MeshView& view, std::int64_t number, std::int64_t* ids)
 {
-  cell.Shape = view.GetShape(number);
-  cell.Count = GetTraits(cell.Shape).Corners;
-  if (cell.Count == 0)
+  const CellShape shape = view.GetShape(number);
+  const int count = GetTraits(shape).Corners;
+  // The offset of a cell without corners may be anything.
+  const Id* listed = count != 0 ? IdsOfCells<Id>(view).Get(number) : nullptr;
+  for (int i = 0; i < count; ++i)
   {
-    return false; // Its offset may be anything.
+    ids[i] = listed[i];
   }
-  const Id* ids = IdsOfCells<Id>(view).Get(number);
-  for (int i = 0; i < cell.Count; ++i)
-  {
-    cell.Ids[i] = ids[i];
-  }
-  return true;
+  return shape;
 }
 
 template <typename Coordinate>
@@ -382,14 +381,18 @@ MeshCells MeshCells::OfComponent(int component) const
 }
 
 //------------------------------------------------------------------------------
+CellShape MeshCells::LoadIds(std::int64_t number, std::int64_t* ids) const
+{
+  return this->View.IsLattice() ? this->LoadLatticeIds(number, ids)
+                                : this->ReadIds(this->View, number, ids);
+}
+
+//------------------------------------------------------------------------------
 bool MeshCells::LoadIds(std::int64_t number, MeshCell& cell) const
 {
-  if (!this->View.IsLattice())
-  {
-    return this->ReadIds(this->View, number, cell);
-  }
-  this->LoadLatticeIds(number, cell);
-  return true;
+  cell.Shape = this->LoadIds(number, cell.Ids);
+  cell.Count = GetTraits(cell.Shape).Corners;
+  return cell.Count > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -436,6 +439,14 @@ void MeshCells::LoadTrilinear(const std::int64_t (*ids)[PassedCellRecords::Corne
 }
 
 //------------------------------------------------------------------------------
+void MeshCells::InterpolatePoints(
+  const WeightedCorners& corners, int first, double (*points)[RayPacket::Capacity]) const
+{
+  GetBestKernels().SumAtCorners(
+    this->View.Points, this->View.PointType == ScalarType::Float32, corners, first, points);
+}
+
+//------------------------------------------------------------------------------
 /// Begins to fetch points with some ids, and their values.
 void MeshCells::PrefetchPoints(const std::int64_t* ids, int count) const
 {
@@ -447,16 +458,16 @@ void MeshCells::PrefetchPoints(const std::int64_t* ids, int count) const
 }
 
 //------------------------------------------------------------------------------
-void MeshCells::LoadLatticeIds(std::int64_t number, MeshCell& cell) const
+CellShape MeshCells::LoadLatticeIds(std::int64_t number, std::int64_t* ids) const
 {
-  std::int64_t ids[PassedCellRecords::Corners];
-  IdsOfLattice(this->View).Get(number, ids);
-  cell.Shape = CellShape::Hexahedron;
-  cell.Count = PassedCellRecords::Corners;
+  constexpr CellShape shape = CellShape::Hexahedron;
+  std::int64_t trilinear[PassedCellRecords::Corners];
+  IdsOfLattice(this->View).Get(number, trilinear);
   for (int corner = 0; corner < PassedCellRecords::Corners; ++corner)
   {
-    cell.Ids[GetTraits(cell.Shape).Trilinear[corner]] = ids[corner];
+    ids[GetTraits(shape).Trilinear[corner]] = trilinear[corner];
   }
+  return shape;
 }
 
 //------------------------------------------------------------------------------

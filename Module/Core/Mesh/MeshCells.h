@@ -9,6 +9,7 @@
 #include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"
 #include "Mesh/MeshView.h"
+#include "Rays/RayPacket.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -34,6 +35,10 @@ public:
   /// Reads the shape and the ids of the corners. Returns whether the cell has a shape that is
   /// traced.
   bool LoadIds(std::int64_t number, MeshCell& cell) const;
+
+  /// The same, given a place for eight ids. Returns the shape; if it is not traced, nothing is
+  /// read.
+  CellShape LoadIds(std::int64_t number, std::int64_t* ids) const;
 
   /// Reads the points and values of the corners whose ids are there. Returns whether they are
   /// finite.
@@ -96,6 +101,10 @@ public:
     this->ReadTrilinear(this->View, numbers, count, ids);
   }
 
+  /// Finds the points of hits, and stores them from a number on.
+  void InterpolatePoints(
+    const WeightedCorners& corners, int first, double (*points)[RayPacket::Capacity]) const;
+
   /// The ids of the corners of a cell and those that follow it, where they are in memory as 64-bit
   /// numbers, 4 or 8 for each; else null.
   const std::int64_t* FindIdsInPlace(std::int64_t number) const
@@ -131,7 +140,7 @@ private:
   /// The largest number of cells that are read at once.
   static constexpr int MaximumCells = TetrahedronPairs::Capacity;
 
-  void LoadLatticeIds(std::int64_t number, MeshCell& cell) const;
+  CellShape LoadLatticeIds(std::int64_t number, std::int64_t* ids) const;
   void PrefetchPoints(const std::int64_t* ids, int count) const;
   template <typename Id, typename Value>
   static unsigned int FindListedStraddling(
@@ -148,7 +157,7 @@ private:
   std::int64_t BytesOfPoint = 0;
   std::int64_t BytesOfValue = 0;
   /// For the types of the arrays.
-  bool (*ReadIds)(const MeshView& view, std::int64_t number, MeshCell& cell) = nullptr;
+  CellShape (*ReadIds)(const MeshView& view, std::int64_t number, std::int64_t* ids) = nullptr;
   void (*ReadPoints)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadValues)(const MeshView& view, MeshCell& cell) = nullptr;
   void (*ReadComponents)(

@@ -452,7 +452,8 @@ void MeshField::AddClouds(const Camera& view, const std::vector<ValueIntervals>&
 Vector3 MeshField::GetPoint(const Hit& hit) const
 {
   MeshCell cell;
-  this->Cells.Load(hit.Cell, cell);
+  this->Cells.LoadIds(hit.Cell, cell);
+  this->Cells.LoadPoints(cell);
   return vtkIsosurfaceRayTracing::GetPoint(cell, hit.Parametric);
 }
 
@@ -460,7 +461,8 @@ Vector3 MeshField::GetPoint(const Hit& hit) const
 Vector3 MeshField::GetPointInCells(const Hit& hit) const
 {
   MeshCell cell;
-  this->Cells.Load(hit.Cell, cell);
+  this->Cells.LoadIds(hit.Cell, cell);
+  this->Cells.LoadPoints(cell);
   double longest = 0.0;
   for (int i = 1; i < cell.Count; ++i)
   {
@@ -493,32 +495,27 @@ const PointGradients* MeshField::GetSmoothGradients(NormalMode mode) const
 }
 
 //------------------------------------------------------------------------------
-/// The gradient at a hit in a cell of which the ids and the points are there.
-Vector3 MeshField::GetGradient(const Hit& hit, const CornerWeights& weights,
-  const PointGradients* smoothGradients, MeshCell& cell) const
+Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
 {
   if (hit.Plane != Hit::NoPlane)
   {
     return this->Selection.HalfSpaces[static_cast<std::size_t>(hit.Plane)].Normal;
   }
-  const Vector3 smooth = smoothGradients ? smoothGradients->Get(cell, weights) : Vector3{};
-  if (smooth != Vector3{})
-  {
-    return smooth;
-  }
-  this->Cells.LoadValues(cell);
-  return vtkIsosurfaceRayTracing::GetGradient(cell, hit.Parametric);
-}
-
-//------------------------------------------------------------------------------
-Vector3 MeshField::GetGradient(const Hit& hit, NormalMode mode) const
-{
   MeshCell cell;
   this->Cells.LoadIds(hit.Cell, cell);
+  if (const PointGradients* smoothGradients = this->GetSmoothGradients(mode))
+  {
+    CornerWeights weights;
+    GetWeights(cell.Shape, hit.Parametric, weights);
+    const Vector3 smooth = smoothGradients->Get(cell, weights);
+    if (smooth != Vector3{})
+    {
+      return smooth;
+    }
+  }
   this->Cells.LoadPoints(cell);
-  CornerWeights weights;
-  GetWeights(cell.Shape, hit.Parametric, weights);
-  return this->GetGradient(hit, weights, this->GetSmoothGradients(mode), cell);
+  this->Cells.LoadValues(cell);
+  return vtkIsosurfaceRayTracing::GetGradient(cell, hit.Parametric);
 }
 
 //------------------------------------------------------------------------------
@@ -526,25 +523,38 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count, NormalMode mod
   double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const
 {
   const PointGradients* smoothGradients = this->GetSmoothGradients(mode);
-  MeshCell cells[RayPacket::Capacity];
-  for (int i = 0; i < count; ++i)
+  for (int first = 0; first < count; first += WeightedCorners::Capacity)
   {
-    this->Cells.LoadIds(hits[i].Cell, cells[i]);
+    WeightedCorners corners;
+    corners.Count = std::min(count - first, WeightedCorners::Capacity);
+    for (int i = 0; i < corners.Count; ++i)
+    {
+      const Hit& hit = hits[first + i];
+      const CellShape shape = this->Cells.LoadIds(hit.Cell, corners.Ids[i]);
+      corners.Corners[i] = GetTraits(shape).Corners;
+      GetWeights(shape, hit.Parametric, corners.Weights[i]);
+      if (smoothGradients)
+      {
+        smoothGradients->Prefetch(corners.Ids[i], corners.Corners[i]);
+      }
+    }
+    this->Cells.InterpolatePoints(corners, first, points);
     if (smoothGradients)
     {
-      smoothGradients->Prefetch(cells[i]);
+      smoothGradients->Interpolate(corners, first, gradients);
     }
   }
   for (int i = 0; i < count; ++i)
   {
-    this->Cells.LoadPoints(cells[i]);
-    CornerWeights weights;
-    GetWeights(cells[i].Shape, hits[i].Parametric, weights);
-    const Vector3 point = GetWeightedPoint(cells[i], weights);
-    const Vector3 gradient = this->GetGradient(hits[i], weights, smoothGradients, cells[i]);
+    const bool isSmooth = smoothGradients && hits[i].Plane == Hit::NoPlane &&
+      (gradients[0][i] != 0.0 || gradients[1][i] != 0.0 || gradients[2][i] != 0.0);
+    if (isSmooth)
+    {
+      continue;
+    }
+    const Vector3 gradient = this->GetGradient(hits[i], mode);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      points[axis][i] = point[axis];
       gradients[axis][i] = gradient[axis];
     }
   }

@@ -83,8 +83,6 @@ private:
 
   double GetUnitOfGradients() const;
   const PointGradients* GetSmoothGradients(NormalMode mode) const;
-  Vector3 GetGradient(const Hit& hit, const CornerWeights& weights,
-    const PointGradients* smoothGradients, MeshCell& cell) const;
 
   MeshCells Cells;
   CellTree Tree;

@@ -584,6 +584,20 @@ Vector3 PointGradients::Get(const MeshCell& cell, const CornerWeights& weights) 
 }
 
 //------------------------------------------------------------------------------
+void PointGradients::Interpolate(
+  const WeightedCorners& corners, int first, double (*gradients)[RayPacket::Capacity]) const
+{
+  GetBestKernels().SumAtCorners(this->Gradients.get(), true, corners, first, gradients);
+  const double factor = 1.0 / this->Unit;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double* numbers = gradients[axis] + first;
+    std::transform(
+      numbers, numbers + corners.Count, numbers, [factor](double sum) { return sum * factor; });
+  }
+}
+
+//------------------------------------------------------------------------------
 std::size_t PointGradients::GetMemory() const
 {
   return this->NumberOfPoints * (sizeof(this->States[0]) + sizeof(this->Gradients[0]));

@@ -4,10 +4,12 @@
 #ifndef PointGradients_h
 #define PointGradients_h
 
+#include "Kernels/BeamPieces.h"
 #include "Math/Compiler.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/ShapeFunctions.h"
+#include "Rays/RayPacket.h"
 
 #include <array>
 #include <atomic>
@@ -47,12 +49,16 @@ public:
   /// The gradient at a point of a cell with one of these isovalues, by the weights of its corners.
   Vector3 Get(const MeshCell& cell, const CornerWeights& weights) const;
 
-  /// Begins to fetch those at the corners of a cell.
-  void Prefetch(const MeshCell& cell) const
+  /// The same at hits, stored from a number on.
+  void Interpolate(
+    const WeightedCorners& corners, int first, double (*gradients)[RayPacket::Capacity]) const;
+
+  /// Begins to fetch those of some points.
+  void Prefetch(const std::int64_t* points, int count) const
   {
-    for (int i = 0; i < cell.Count; ++i)
+    for (int i = 0; i < count; ++i)
     {
-      PrefetchLine(&this->Gradients[static_cast<std::size_t>(cell.Ids[i])]);
+      PrefetchLine(&this->Get(points[i]));
     }
   }
 
