@@ -243,16 +243,18 @@ void PixelBlockRenderer::WriteOpaque()
   std::size_t hit = 0;
   for (int y = 0; y < block.Height; ++y)
   {
-    std::size_t pixel = this->GetOffset(0, y);
-    for (int x = 0; x < block.Width; ++x, ++ray, ++pixel)
+    const std::size_t first = this->GetOffset(0, y);
+    std::uint8_t* bytes = &this->Picture.Colors[4 * first];
+    float* depth = &this->Picture.Depths[first];
+    for (int x = 0; x < block.Width; ++x, ++ray, bytes += 4, ++depth)
     {
       const bool isHit = hits.First[ray + 1] > hit;
       const std::uint32_t color = isHit ? made.Colors[hit] : 0;
-      for (std::size_t k = 0; k < 4; ++k)
+      for (int k = 0; k < 4; ++k)
       {
-        this->Picture.Colors[4 * pixel + k] = static_cast<std::uint8_t>(color >> (8 * k));
+        bytes[k] = static_cast<std::uint8_t>(color >> (8 * k));
       }
-      this->Picture.Depths[pixel] = isHit ? made.Depths[hit] : PixelWithoutDepth;
+      *depth = isHit ? made.Depths[hit] : PixelWithoutDepth;
       hit += isHit ? 1 : 0;
     }
   }

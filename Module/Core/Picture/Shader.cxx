@@ -130,39 +130,6 @@ void Shader::MakeFragments(const RayPacket& packet, const RayHits& hits, Fragmen
       [this](const Hit& hit) { return this->MakeFragmentOfValue(hit); });
     return;
   }
-  std::vector<Vector3> colors(hits.Hits.size());
-  this->FindColors(packet, hits, colors);
-  for (std::size_t i = 0; i < colors.size(); ++i)
-  {
-    fragments.List[i] = this->MakeFragment(hits.Hits[i], colors[i]);
-  }
-}
-
-//------------------------------------------------------------------------------
-Fragment Shader::MakeFragment(const Hit& hit, const Vector3& color) const
-{
-  const double opacity = this->Field.GetRequest().GetOpacity(hit);
-  const double depth = opacity >= 1.0 || this->TheScene.KeepFragments
-    ? this->Own.View.GetDepth(this->Field.GetPoint(hit))
-    : 0.0;
-  return { hit.T, Clamped(color) * opacity, opacity,
-    static_cast<float>(std::clamp(depth, 0.0, 1.0)) };
-}
-
-//------------------------------------------------------------------------------
-/// Of a projection, whose values may be opaque, but hide nothing in the depth buffer.
-Fragment Shader::MakeFragmentOfValue(const Hit& hit) const
-{
-  const std::array<double, 4> color = this->Own.ColorsOfValues->Get(hit.Value);
-  return { hit.T, Clamped({ color[0], color[1], color[2] }) * color[3], color[3],
-    PixelWithoutDepth };
-}
-
-//------------------------------------------------------------------------------
-/// The colours of the hits of a packet, in their order.
-void Shader::FindColors(
-  const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const
-{
   ShadedHits shaded;
   shaded.Clear();
   alignas(64) double points[3][RayPacket::Capacity];
@@ -176,12 +143,39 @@ void Shader::FindColors(
         return;
       }
       this->ShadeSome(&hits.Hits[first], points, shaded);
-      for (int k = 0; k < shaded.Count; ++k)
+      for (int k = 0; k < shaded.Count; ++k, ++first)
       {
-        colors[first++] = { shaded.Color[0][k], shaded.Color[1][k], shaded.Color[2][k] };
+        fragments.List[first] = this->MakeFragment(hits.Hits[first], points, k, shaded);
       }
       shaded.Clear();
     });
+}
+
+//------------------------------------------------------------------------------
+/// Makes that of one of the hits that were shaded.
+Fragment Shader::MakeFragment(const Hit& hit, const double (*points)[RayPacket::Capacity], int i,
+  const ShadedHits& shaded) const
+{
+  const Vector3 color = { shaded.Color[0][i], shaded.Color[1][i], shaded.Color[2][i] };
+  const double opacity = this->Field.GetRequest().GetOpacity(hit);
+  double depth = 0.0;
+  if (opacity >= 1.0 || this->TheScene.KeepFragments)
+  {
+    depth = this->Own.View.GetDepth(this->CanUseKernels()
+        ? Vector3{ points[0][i], points[1][i], points[2][i] }
+        : this->Field.GetPoint(hit));
+  }
+  return { hit.T, Clamped(color) * opacity, opacity,
+    static_cast<float>(std::clamp(depth, 0.0, 1.0)) };
+}
+
+//------------------------------------------------------------------------------
+/// Of a projection, whose values may be opaque, but hide nothing in the depth buffer.
+Fragment Shader::MakeFragmentOfValue(const Hit& hit) const
+{
+  const std::array<double, 4> color = this->Own.ColorsOfValues->Get(hit.Value);
+  return { hit.T, Clamped({ color[0], color[1], color[2] }) * color[3], color[3],
+    PixelWithoutDepth };
 }
 
 //------------------------------------------------------------------------------

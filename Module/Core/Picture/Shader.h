@@ -50,9 +50,9 @@ public:
 private:
   bool CanUseKernels() const;
   Vector3 GetColor(const Hit& hit) const;
-  Fragment MakeFragment(const Hit& hit, const Vector3& color) const;
+  Fragment MakeFragment(const Hit& hit, const double (*points)[RayPacket::Capacity], int i,
+    const ShadedHits& shaded) const;
   Fragment MakeFragmentOfValue(const Hit& hit) const;
-  void FindColors(const RayPacket& packet, const RayHits& hits, std::vector<Vector3>& colors) const;
   void Append(const Hit& hit, const RayPacket& packet, int ray, ShadedHits& shaded) const;
   void ShadeSome(const Hit* hits, double (*points)[RayPacket::Capacity], ShadedHits& shaded) const;
   void ShadeByKernels(
