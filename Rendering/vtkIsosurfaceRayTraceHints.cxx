@@ -52,6 +52,16 @@ std::string FindInIsovalues(const Request::Volume& volume)
   return hint.str();
 }
 
+std::string FindInCloud(const Request& request)
+{
+  const bool haveNone = std::none_of(request.Volumes.begin(), request.Volumes.end(),
+    [](const Request::Volume& volume) { return volume.Input->MayHaveCloud(); });
+  return haveNone
+    ? "There is no cloud: images, rectilinear grids and AMR data have none. Make meshes of them "
+      "with vtkAppendFilter, or draw them with a mapper for images, such as vtkSmartVolumeMapper."
+    : "";
+}
+
 /// Whether a box in the object space of a volume is all on one side of what a camera sees.
 bool IsOutside(const vtkirt::Bounds& box, const vtkirt::Matrix4& clipFromObject)
 {
@@ -89,7 +99,11 @@ namespace vtkIsosurfaceRayTraceHints
 //------------------------------------------------------------------------------
 std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
 {
-  if (request.IsProjection() || request.IsNothing() || settings.HasCloud)
+  if (settings.HasCloud)
+  {
+    return FindInCloud(request);
+  }
+  if (request.IsProjection() || request.IsNothing())
   {
     return "";
   }

@@ -157,6 +157,15 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInput::MayHaveCloud() const
+{
+  const std::vector<Leaf>& leaves = this->Leaves.Get();
+  return leaves.empty() ||
+    std::any_of(leaves.begin(), leaves.end(),
+      [](const Leaf& leaf) { return vtkIsosurfaceRayTraceMesh::IsMesh(leaf.Data); });
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::HasData() const
 {
   vtkDataObject* data = this->GetData();
@@ -209,6 +218,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
     return problem.empty()
       ? "The composite input has no block with a volume and scalars of the requested kind. Give "
         "blocks of images, grids or meshes with scalars, or name an array with "
+        "SetScalarModeToUsePointFieldData() (or SetScalarModeToUseCellFieldData()) and "
         "SelectScalarArray()."
       : problem;
   }
@@ -222,7 +232,9 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
       " or composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
   }
   this->Leaves.Take(data, this->Mapper, colors);
-  return "";
+  return this->Leaves.Get().front().Scalars
+    ? ""
+    : vtkIsosurfaceRayTraceScalars::DescribeMissing(this->Mapper, data);
 }
 
 //------------------------------------------------------------------------------

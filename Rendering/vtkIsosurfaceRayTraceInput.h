@@ -78,6 +78,9 @@ public:
   /// Whether the connection has any points.
   bool HasData() const;
 
+  /// Whether some of the data are a mesh, or there are none: others cannot be drawn as a cloud.
+  bool MayHaveCloud() const;
+
   /// Instead of Select: the field has nothing.
   void SelectNothing();
 

@@ -5,9 +5,12 @@
 #include "vtkIsosurfaceRayTraceScene.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
@@ -98,6 +101,18 @@ vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
   return lengths;
 }
 
+/// The names of the arrays of numbers that have one.
+std::string ListArrays(vtkDataSetAttributes* attributes)
+{
+  std::string names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetArray(i) ? attributes->GetArrayName(i) : nullptr;
+    names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
+  }
+  return names;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +126,40 @@ void vtkIsosurfaceRayTraceScalars::SelectArray(vtkAbstractVolumeMapper* mapper, 
     this->Array = nullptr; // Field data lie nowhere.
   }
   this->AreOfCells = association == 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceScalars::DescribeMissing(
+  vtkAbstractVolumeMapper* mapper, vtkDataSet* data)
+{
+  const int mode = mapper->GetScalarMode();
+  const bool isNamed = mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME &&
+    (mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  if (!isNamed)
+  {
+    return "The input has no scalars of the requested kind. Add scalars to its points or cells, "
+           "or name an array with SetScalarModeToUsePointFieldData() (or "
+           "SetScalarModeToUseCellFieldData()) and SelectScalarArray().";
+  }
+  const bool areOfPoints = mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  vtkDataSetAttributes* points = data->GetPointData();
+  vtkDataSetAttributes* cells = data->GetCellData();
+  vtkDataSetAttributes* own = areOfPoints ? points : cells;
+  vtkDataSetAttributes* others = areOfPoints ? cells : points;
+  const char* name = mapper->GetArrayName();
+  std::ostringstream text;
+  text << "The input has no array \"" << name << "\" of " << (areOfPoints ? "points" : "cells");
+  if (others->GetArray(name))
+  {
+    text << ", but one of "
+         << (areOfPoints ? "cells. Call SetScalarModeToUseCellFieldData()."
+                         : "points. Call SetScalarModeToUsePointFieldData().");
+    return text.str();
+  }
+  const std::string names = ListArrays(own);
+  text << (names.empty() ? " with numbers, nor any other. Add one."
+                         : " with numbers. SelectScalarArray() takes one of " + names + ".");
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -142,14 +191,7 @@ std::string vtkIsosurfaceRayTraceScalars::FindProblem(vtkIdType points, vtkIdTyp
 {
   std::ostringstream problem;
   const vtkIdType tuples = this->AreOfCells ? cells : points;
-  if (!this->Array)
-  {
-    problem
-      << "The input has no scalars of the requested kind. Add scalars to its points or cells, "
-         "or name an array with SetScalarModeToUsePointFieldData() (or "
-         "SetScalarModeToUseCellFieldData()) and SelectScalarArray().";
-  }
-  else if (this->Array->GetNumberOfTuples() != tuples)
+  if (this->Array->GetNumberOfTuples() != tuples)
   {
     problem << "The scalars have " << this->Array->GetNumberOfTuples() << " tuples for " << tuples
             << (this->AreOfCells ? " cells. Give one for every cell."

@@ -38,12 +38,16 @@ struct vtkIsosurfaceRayTraceScalars
   /// Selects the array of a data set that the scalar mode of a mapper names; null if there is none.
   void SelectArray(vtkAbstractVolumeMapper* mapper, vtkDataSet* data);
 
+  /// Says that there is no such array, and what to do.
+  static std::string DescribeMissing(vtkAbstractVolumeMapper* mapper, vtkDataSet* data);
+
   /// Selects a component, or the magnitude; without one, that with the largest weight of the
   /// property. Returns the component of the property that belongs to it, or why there is none.
   std::string SelectComponent(
     std::optional<int> component, vtkVolumeProperty* property, int& propertyComponent);
 
-  /// Why they cannot be traced, of data with so many points and cells; empty if they can.
+  /// Why those of an array cannot be traced, of data with so many points and cells; empty if they
+  /// can.
   std::string FindProblem(vtkIdType points, vtkIdType cells) const;
 
   /// The values, which have no problem. What is no plain array in memory is copied to storage: the

@@ -50,7 +50,7 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
 {
   const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   const int least = selection.AreOfCells ? 3 : 2;
-  if (selection.Array && std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
+  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
   {
     std::ostringstream text;
     text << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]

@@ -301,7 +301,7 @@ class TestClouds(PicturesOfMany):
         volume = make_cloud(round_robin(self.tetrahedra))
         volume.GetMapper().SelectScalarArray("missing" if RANK == last else "RTData")
         volume.GetMapper().SetScalarModeToUsePointFieldData()
-        self.check_failure(volume, "no scalars of the requested kind", last)
+        self.check_failure(volume, "no array \"missing\" of points with numbers. SelectScalarArray\\(\\) takes one of ", last)
 
     @unittest.skipIf(SIZE == 1, "one process agrees with itself")
     def test_different_settings(self):

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference, vtkSOADataArrayTemplate, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import reference, vtkCommand, vtkSOADataArrayTemplate, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_PYRAMID,
@@ -47,7 +47,7 @@ from vtkIsosurfaceRayTracing import (
     vtkCellProjectionMapper, vtkIsosurfacePicture, vtkIsosurfaceRayTraceMeshMapper)
 
 from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume
-from PictureTesting import capture
+from PictureTesting import capture, make_waves
 
 PIXELS = 90
 CENTER = 3 * (SIZE / 2,)
@@ -532,6 +532,16 @@ class TestDamage(unittest.TestCase):
 
     def setUp(self):
         self.expected = render_to_image(*make_cloud(make_grid(VTK_HEXAHEDRON, ball)))
+
+    def test_images_have_no_cloud(self):
+        """They are told so."""
+        mesh = make_grid(VTK_HEXAHEDRON, ball)
+        for data, count in ((make_waves(4), 1), (mesh, 0)):
+            mapper, volume = make_cloud(data)
+            hints = errors_of(mapper, lambda: render_to_image(mapper, volume), vtkCommand.WarningEvent)  # noqa: B023
+            self.assertEqual(len(hints), count, hints)
+            for hint in hints:
+                self.assertIn("There is no cloud: images, rectilinear grids and AMR data have none", hint)
 
     def test_values_that_are_not_finite(self):
         for value in (math.nan, math.inf, -math.inf):
