@@ -80,7 +80,7 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   commandLine.Add(
     "--height", &arguments.Height, "The height of the picture in pixels. Default: 1024.");
   commandLine.Add("--azimuth", &arguments.Azimuth,
-    "By how many degrees the camera turns around the volume, from the front. Default: 30.");
+    "By how many degrees the camera turns around the volume, from the front (y). Default: 30.");
   commandLine.Add("--elevation", &arguments.Elevation,
     "By how many degrees the camera looks down at it, between -90 and 90. Default: 20.");
   const std::string maxMemoryHelp =
@@ -115,7 +115,7 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
     throw std::runtime_error("--elevation takes a number between -90 and 90");
   }
   const auto isOpacity = [](double value) { return value >= 0.0 && value <= 1.0; };
-  if (arguments.Opacities.size() > arguments.Isovalues.size() ||
+  if ((!arguments.Opacities.empty() && arguments.Opacities.size() != arguments.Isovalues.size()) ||
     !std::all_of(arguments.Opacities.begin(), arguments.Opacities.end(), isOpacity))
   {
     throw std::runtime_error("--opacity takes a number from 0 to 1 for each isovalue");
@@ -205,7 +205,7 @@ void LookAt(const Piece& piece, const Arguments& arguments, vtkCamera* camera)
   const double distance =
     radius / std::sin(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
   camera->SetFocalPoint(center.data());
-  camera->SetPosition(center[0], center[1] - distance, center[2]);
+  camera->SetPosition(center[0], center[1] + distance, center[2]);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->Azimuth(arguments.Azimuth);
   camera->Elevation(arguments.Elevation);

@@ -249,6 +249,7 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--elevation", "90"), "--elevation takes")
         self.check_failure(run(*arguments, "--opacity", "1.5"), "--opacity takes")
         self.check_failure(run(*arguments, "--opacity", "0.5", "0.5"), "--opacity takes")
+        self.check_failure(run(*arguments, "--isovalue", "160", "--opacity", "0.5"), "--opacity takes")
         self.check_failure(run(*arguments, "--azimuth", "front"), "front is not a number")
         self.check_failure(run(*arguments, "--azimuth", "nan"), "nan is not a number")
         self.check_failure(run("--isovalue", "157", "--frame", *arguments), "unknown option --frame")
