@@ -757,16 +757,19 @@ bool vtkIsosurfaceRayTraceCompositor::IsFineEverywhere(
   const int own = isFine ? 1 : 0;
   std::vector<int> all(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   controller->AllGather(&own, all.data(), 1);
-  std::ostringstream others;
-  for (std::size_t i = 1; i < all.size(); ++i)
+  std::ostringstream failed;
+  bool areOthers = false;
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    others << (all[i] ? "" : " " + std::to_string(i));
+    failed << (all[i] ? "" : " " + std::to_string(i));
+    areOthers = areOthers || (i > 0 && !all[i]);
   }
-  if (controller->GetLocalProcessId() == 0 && !others.str().empty())
+  // Of its own failure process 0 has said enough.
+  if (controller->GetLocalProcessId() == 0 && areOthers)
   {
-    vtkErrorMacro("There is no picture: see the errors of these processes:" << others.str() << ".");
+    vtkErrorMacro("There is no picture: see the errors of these processes:" << failed.str() << ".");
   }
-  return std::find(all.begin(), all.end(), 0) == all.end();
+  return failed.str().empty();
 }
 
 //------------------------------------------------------------------------------

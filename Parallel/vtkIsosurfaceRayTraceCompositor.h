@@ -48,10 +48,10 @@
  * Clouds that are lit (vtkVolumeProperty::ShadeOn) need the ghosts that isosurfaces need: none with
  * NormalMode INTERPOLANT_GRADIENT, one layer with central differences.
  *
- * The pixels are composited by binary swap: in each of the logarithm of the number of processes
- * steps a process gives half of its rows to another, and takes the other half of the other's
- * pixels. What is empty is not sent. Of n processes that are no power of two, the first begin with
- * a step in which every second one gives all it has to its neighbour.
+ * The pixels are composited by binary swap: in each of log2(n) steps, of n processes, a process
+ * gives half of its rows to another, and takes the other half of the other's pixels. What is empty
+ * is not sent. If n is no power of two, the first processes begin with a step in which every second
+ * one gives all it has to its neighbour.
  *
  * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
  * IEEE Computer Graphics and Applications 21(4), 2001.

@@ -566,6 +566,8 @@ class TestMappedImageReader(unittest.TestCase):
 
     def test_no_file(self):
         self.refuse(self.folder / "absent.raw", "absent.raw", "No such file")
+        for name in ("absent.mhd", "absent.nrrd"):
+            self.refuse(self.folder / name, f"{name}: there is no such file")
         self.refuse(self.folder, "not a file")
         reader = vtkMappedImageReader()
         errors, silence = ErrorTexts(reader), ErrorTexts(reader.GetExecutive())
