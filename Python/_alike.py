@@ -2,12 +2,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a mapper has once for all that it draws: surfaces in one picture have it in common."""
 
+from vtkmodules.vtkCommonDataModel import vtkDataSet
+
 from .vtkIsosurfaceRayTracing import vtkCellProjectionMapper, vtkIsosurfaceRayTraceMapper
 
+# Of vtkAbstractMapper, whose wrappers do not have them.
+DEFAULT, USE_POINT_FIELD_DATA, USE_CELL_FIELD_DATA = 0, 3, 4
+BY_NAME = 1
+
 SETTINGS = (
-    "InterpolationMode", "RootSolver", "NumberOfInterpolations", "NormalMode", "ScalarMode", "ArrayAccessMode",
-    "ArrayId", "ArrayName", "VectorMode", "VectorComponent", "ColorArrayName", "CompositeDataDisplayAttributes",
+    "InterpolationMode", "RootSolver", "NumberOfInterpolations", "NormalMode", "VectorMode", "VectorComponent", "ColorArrayName", "CompositeDataDisplayAttributes",
     "CapClippingPlanes", "DrawIsosurfaces")  # fmt: skip
+
+
+def find_array(mapper):
+    """What names the array of a mapper; None if it is the active one of all its inputs."""
+    inputs = [mapper.GetInputDataObject(0, i) for i in range(mapper.GetNumberOfInputConnections(0))]
+    if mapper.GetScalarMode() == DEFAULT or all(_is_active(mapper, data) for data in inputs):
+        return None
+    return mapper.GetScalarModeAsString(), mapper.GetArrayAccessMode(), mapper.GetArrayId(), mapper.GetArrayName()
+
+
+def _is_active(mapper, data):
+    if not isinstance(data, vtkDataSet) or mapper.GetArrayAccessMode() != BY_NAME:
+        return False
+    of_points, of_cells = data.GetPointData().GetScalars(), data.GetCellData().GetScalars()
+    active = {USE_POINT_FIELD_DATA: of_points, USE_CELL_FIELD_DATA: None if of_points else of_cells}.get(mapper.GetScalarMode())
+    return active is not None and active.GetName() == mapper.GetArrayName()
 
 
 def check_alike(mappers):
@@ -53,6 +74,7 @@ def _is_tetrahedralized(mapper):
 
 
 RULES = (
+    (find_array, "of arrays that one name tells, or that are active; make the arrays active, or make several pictures"),
     (_find_planes, "clipped alike; give all the same clip"),
     (_find_cropping, "cropped alike, and meshes are not; clip all instead, or make several pictures"),
     (_find_color_image, "coloured by one image, all of them, or by none; give all the same color_by, or make several "

@@ -83,7 +83,7 @@ def _choose_limits(clim, scalars):
     if clim is None:
         low, high = scalars.range() or (0.0, 1.0)
         return (low, high) if low < high else (low, low + 1.0)
-    remedy = "give the values of the first and of the last colour"
+    remedy = "give the values of the first and of the last colour, the smaller one first; a list for cmap may be reversed"
     limits = to_array("clim", clim, remedy)
     if limits.shape != (2,) or not np.isfinite(limits).all() or not limits[0] < limits[1]:
         raise ValueError(f"clim is {clim!r}; {remedy}")

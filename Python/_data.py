@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._files import read
 from ._numbers import to_array
@@ -32,6 +33,8 @@ def to_data(data, spacing=None, origin=None, direction=None):
     if isinstance(data, vtkDataObject) or not hasattr(data, "__array__"):
         # (From VTK 9.6 on, some classes have other names in Python.)
         name = data.GetClassName() if isinstance(data, vtkDataObject) else type(data).__name__
+        if isinstance(data, (vtkAlgorithm, vtkAlgorithmOutput)):
+            raise TypeError(f"there are no isosurfaces in a {data.GetClassName()}: call Update(), and give GetOutput()")
         raise TypeError(
             f"there are no isosurfaces in a {name}: give a numpy array, a vtkImageData, a "
             "vtkRectilinearGrid, a vtkStructuredGrid, a vtkUnstructuredGrid, composite data, or the name of a file")

@@ -32,6 +32,8 @@ READERS = {
     ".pvtu": "vtkIOXML.vtkXMLPUnstructuredGridReader",
     ".vti": "vtkIOXML.vtkXMLImageDataReader",
     ".vtk": "vtkIOLegacy.vtkGenericDataObjectReader",
+    ".vth": "vtkIOXML.vtkXMLUniformGridAMRReader",
+    ".vthb": "vtkIOXML.vtkXMLUniformGridAMRReader",
     ".vtm": "vtkIOXML.vtkXMLMultiBlockDataReader",
     ".vtr": "vtkIOXML.vtkXMLRectilinearGridReader",
     ".vts": "vtkIOXML.vtkXMLStructuredGridReader",
@@ -47,8 +49,8 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Parameters
     ----------
     path : str or os.PathLike
-        A file (.vti, .vtr, .vts, .vtu, .pvti, .pvtr, .pvts, .pvtu, .vtm, .vtk, .mhd, .mha, .nii, .nii.gz,
-        .nrrd, .nhdr, or another image that VTK reads), or a folder of DICOM slices.
+        A file (.vti, .vtr, .vts, .vtu, .pvti, .pvtr, .pvts, .pvtu, .vtm, .vth, .vthb, .vtk, .mhd, .mha, .nii,
+        .nii.gz, .nrrd, .nhdr, or another image that VTK reads), or a folder of DICOM slices.
 
     Returns
     -------
@@ -66,7 +68,7 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     FileNotFoundError
         There is no such file or folder.
     ValueError
-        VTK has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
+        It has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
     MemoryError
         It announces more samples than this machine has memory for, and they cannot be used in the file.
 
@@ -119,8 +121,11 @@ def _make_reader(path):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
     if reader is not None and reader.IsA("vtkNrrdReader"):
         check_nrrd(path)
+    if reader is not None and reader.IsA("vtkXMLUniformGridAMRReader"):
+        reader.SetMaximumLevelsToReadByDefault(0)  # all
     if reader is None:
-        raise ValueError(f"VTK has no reader for {path}; read it by another one, and give its data")
+        raise ValueError(f"read() does not know {path}; read it by a reader of VTK, as vtkExodusIIReader, and give its "
+                         "output, or give a numpy array")
     reader.SetFileName(path)
     return reader
 

@@ -18,7 +18,9 @@ def choose_isovalues(isovalues, scalars):
         raise ValueError(f"isovalues is {isovalues!r}; give a finite number, or a list of them")
     if np.unique(chosen).size < chosen.size:
         raise ValueError(f"isovalues is {isovalues!r}; give each once")
-    low, high = scalars.range() or (np.nan, np.nan)
+    if scalars.range() is None:
+        raise ValueError("there is no surface: all values are NaN or infinite")
+    low, high = scalars.range()
     if not np.any((low < chosen) & (chosen <= high)):
         raise ValueError(f"there is no surface at {isovalues!r}: the scalars are from {low:g} to {high:g}")
     return chosen.tolist()

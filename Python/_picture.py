@@ -43,7 +43,9 @@ class Picture:
         """Rows from the top of an array of ``image``: "Depth", "Normals", "Position", "CellId" or "IsovalueId"."""
         array = self.image.GetPointData().GetArray(name)
         if array is None:
-            raise KeyError(name)
+            points = self.image.GetPointData()
+            names = ", ".join(repr(points.GetArrayName(i)) for i in range(points.GetNumberOfArrays()))
+            raise KeyError(f"there is no array {name!r}; give one of {names}")
         return _rows(array, self.size)
 
     def png(self) -> bytes:

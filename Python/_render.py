@@ -36,7 +36,8 @@ def render(
     surfaces : data, vtkVolume or list of vtkVolume
         What ``isosurface`` takes, or what it returns: several of these are drawn together.
     isovalues, **options
-        Of data, as for ``isosurface``.
+        Of data, as for ``isosurface``: ``scalars``, ``color``, ``opacity``, ``color_by``, ``cmap``, ``clim``, ``clip``,
+        ``caps``, ``shadows``, ``occlusion``, ``interpolation``, ``samples``, ``spacing``, ``origin``, ``direction``.
     size : (int, int)
         Width and height, in pixels.
     view, up : axis or vector
@@ -84,6 +85,8 @@ def check_size(size):
 
 
 def _copy(camera, volume):
+    if not isinstance(camera, vtkCamera):
+        raise TypeError(f"camera is {camera!r}; give a vtkCamera, or view, up and zoom instead")
     copy = vtkCamera()
     copy.DeepCopy(camera)
     set_clipping_range(copy, volume)

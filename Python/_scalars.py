@@ -28,7 +28,7 @@ class Scalars:
             raise ValueError(f"{self._describe_lack(name)}: {self._describe_names()}")
 
     def select(self, mapper, data):
-        """Have a mapper trace these. Returns the data, or a shallow copy in which they are active.
+        """Have a mapper trace these, whichever are active. Returns the data, or a shallow copy in which they are active.
 
         So surfaces of arrays with several names can be in one picture: a mapper knows one name.
         """
@@ -36,10 +36,9 @@ class Scalars:
             mapper.SetVectorModeToMagnitude()
         if not self.name:
             return data
+        mapper.SelectScalarArray(self.name)
+        (mapper.SetScalarModeToUsePointFieldData if self.of_points else mapper.SetScalarModeToUseCellFieldData)()
         if not isinstance(data, vtkDataSet):
-            mapper.SelectScalarArray(self.name)
-            (mapper.SetScalarModeToUsePointFieldData if self.of_points
-             else mapper.SetScalarModeToUseCellFieldData)()
             if self.are_mixed:
                 warnings.warn(f"blocks are left out in which {self.name!r} is an array of cells, since in others it is one "
                               "of points; convert it by vtkCellDataToPointData", RuntimeWarning, stacklevel=3)
@@ -107,4 +106,7 @@ class Scalars:
     def _describe_names(self):
         names = self._names()
         setting = "" if self.name else "scalars=, "
-        return f"give {setting}one of {', '.join(map(repr, names))}" if names else "they have no arrays of numbers"
+        if names:
+            return f"give {setting}one of {', '.join(map(repr, names))}"
+        is_empty = not any(grid.GetNumberOfPoints() for grid in self.grids)
+        return "they are empty; call Update() of their reader" if is_empty else "they have no arrays of numbers"

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Several surfaces in one picture."""
 
+import difflib
+
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkVolume
 
-from ._alike import check_alike
+from ._alike import check_alike, find_array
 from ._surface import isosurface
 from .vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume
 
@@ -15,10 +17,12 @@ def to_volume(surfaces, isovalues, options):
     volumes = surfaces if isinstance(surfaces, (list, tuple)) else [surfaces]
     if not volumes or not all(isinstance(volume, vtkVolume) for volume in volumes):
         if volumes is not surfaces:
+            _check_names(options)
             return isosurface(surfaces, isovalues, **options)
         raise TypeError("several surfaces are a list of what isosurface() returns; give numbers as a numpy array")
     if options or not isinstance(isovalues, str):
-        raise TypeError(f"{', '.join(options) or 'isovalues'} cannot be given here: isosurface() has taken them")
+        raise TypeError(f"{', '.join(options) or 'isovalues'} cannot be given for volumes; give it to each isosurface(), or set "
+                        "it in their properties and mappers")
     for volume in volumes:
         if not isinstance(volume.GetMapper(), (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper)):
             raise TypeError("a volume is one of isosurface(), or has a vtkIsosurfaceRayTraceMapper")
@@ -26,6 +30,15 @@ def to_volume(surfaces, isovalues, options):
     if not visible:
         raise ValueError("no volume is visible; call VisibilityOn() of what is to be seen")
     return visible[0] if len(visible) == 1 else _join(visible)
+
+
+def _check_names(options):
+    known = isosurface.__kwdefaults__
+    for name in options:
+        if name not in known:
+            near = difflib.get_close_matches(name, [*known, "isovalues"], 1)
+            raise TypeError(f"there is no option {name}" + (f"; did you mean {near[0]}?" if near else f"; there are "
+                                                            f"{', '.join(known)}"))
 
 
 def _join(volumes):
@@ -37,6 +50,8 @@ def _join(volumes):
     mapper = first.NewInstance()
     mapper.ShallowCopy(first)
     mapper.RemoveAllInputConnections(0)
+    if find_array(first) is None:
+        mapper.SetScalarModeToDefault()
     for volume in volumes:
         _connect(volume, mapper)
     mapper.SetShadows(any(each.GetShadows() for each in mappers))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkWindowToImageFilter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "../../Examples/Python")
@@ -111,3 +111,10 @@ class PictureTestCase(unittest.TestCase):
             [sys.executable, os.path.join(EXAMPLES, script)], capture_output=True, check=False)
         self.assertNotEqual(result.returncode, 0)
         self.assertIn(script.encode() + b" VOLUME.mhd ISOVALUE FOLDER", result.stderr)
+
+
+def make_interactor():
+    """Of a user who closes the window at once."""
+    interactor = vtkRenderWindowInteractor()
+    interactor.AddObserver("StartEvent", lambda caller, _: caller.Render())  # instead of the loop
+    return interactor

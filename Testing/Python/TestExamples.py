@@ -33,6 +33,7 @@ from PictureTesting import (
     ISOVALUE,
     count_colored,
     difference,
+    make_interactor,
     make_waves,
     read,
     write_bad_volumes,
@@ -178,11 +179,13 @@ class TestExamples(unittest.TestCase):
         names = [os.path.join(self.folder, f"flow{step}") for step in range(2)]
         for step, name in enumerate(names):
             mesh = make_grid(VTK_TETRA, lambda point, step=step: ball(point) - 0.2 * step)
-            pressure = mesh.GetPointData().GetArray(0).NewInstance()
-            pressure.DeepCopy(mesh.GetPointData().GetArray(0))
-            mesh.GetPointData().GetArray(0).SetName("speed")
+            speed = mesh.GetPointData().GetScalars()
+            pressure = speed.NewInstance()
+            pressure.DeepCopy(speed)
+            speed.SetName("speed")
             pressure.SetName("pressure")
-            mesh.GetPointData().AddArray(pressure)
+            mesh.GetPointData().SetScalars(pressure)  # the other one is not active
+            mesh.GetPointData().AddArray(speed)
             writer = vtkXMLUnstructuredGridWriter()
             writer.SetInputData(mesh)
             writer.SetFileName(f"{name}.vtu")
@@ -313,7 +316,8 @@ class TestExamples(unittest.TestCase):
             _, snippet = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
         snippet = snippet.replace("volume.mhd", write_waves(self.folder)).replace("300", str(ISOVALUE))
         scene = {}
-        exec(compile(snippet, "README.md", "exec"), scene)
+        with mock.patch("vtkmodules.vtkRenderingCore.vtkRenderWindowInteractor", make_interactor):
+            exec(compile(snippet, "README.md", "exec"), scene)
         width, height = scene["window"].GetSize()
         red, _, blue = scene["window"].GetPixelData(
             width // 2, height // 2, width // 2, height // 2, 0, 0)[:3]

@@ -149,6 +149,25 @@ class TestData(unittest.TestCase):
             image.GetPointData().RemoveArray(name)
         self.assertTrue(picture_of(image, 0.2).any())  # the only array
 
+    def test_other_data_are_drawn_by_the_same_array(self):
+        """Whichever is active in them."""
+        first, second = make_grid(VTK_TETRA, ball), make_grid(VTK_TETRA, lambda point: ball(point) - 0.1)
+        for mesh in (first, second):
+            mesh.GetPointData().GetArray(0).SetName("speed")
+            other = mesh.GetPointData().GetArray(0).NewInstance()
+            other.SetName("other")
+            other.SetNumberOfValues(mesh.GetNumberOfPoints())
+            other.Fill(7.0)
+            mesh.GetPointData().SetScalars(other)
+        volume = isosurface(first, 0.5, scalars="speed")
+        volume.GetMapper().SetInputDataObject(second)
+        expected = render(second, 0.5, scalars="speed", size=SIZE).rgba
+        np.testing.assert_array_equal(render(volume, size=SIZE).rgba, expected)
+        still = isosurface(make_ball(), 0.0)
+        still.SetPosition(100.0, 0.0, 0.0)
+        with self.assertRaisesRegex(ValueError, "make the arrays active"):
+            render([volume, still], size=SIZE)  # that of a numpy array has another name
+
     def test_blocks_with_another_kind_of_array_are_left_out(self):
         """As those without the array, but this one is there."""
         of_points, of_cells = make_waves(), make_waves()
@@ -426,7 +445,7 @@ BAD = (
     (ValueError, "no colour map", (make_waves(), 150), {"clip": "x", "caps": lambda parts: parts}),
     (FileNotFoundError, "there is no file absent.vti", ("absent.vti",), {}),
     (ValueError, "no surface at 500: the scalars are from 34.0153 to 286.341", (make_waves(), 500), {}),
-    (ValueError, "no surface at", (np.full((3, 3, 3), np.nan), 1.0), {}),
+    (ValueError, "all values are NaN", (np.full((3, 3, 3), np.nan), 1.0), {}),
     (ValueError, "no two different values", (np.ones((3, 3, 3)),), {}),
     (ValueError, r"give one volume of it, as array\[..., 0\]", (np.ones((3, 3, 3, 2)), 0.5), {}),
     (ValueError, "give numbers or 'auto'", (make_waves(), "otsu"), {}),

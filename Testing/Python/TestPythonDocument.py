@@ -20,13 +20,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA
 from vtkmodules.vtkIOImage import vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 from vtkIsosurfaceRayTracing import isosurface, read, render
 
 from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid
 from PackageTesting import make_ball
-from PictureTesting import EXAMPLES
+from PictureTesting import EXAMPLES, make_interactor
 from TestIsosurface import PlotterOfPyVista
 
 DOCUMENTATION = Path(EXAMPLES, "../../Documentation")
@@ -47,7 +46,7 @@ def snippets():
 def make_ct():
     """A ball of bone in one of flesh, in air."""
     array = make_ball(41)
-    values = np.where(array < 0.0, -1000.0, np.where(array < 0.3, 0.0, 1200.0))
+    values = np.where(array < 0.0, -1024.0, np.where(array < 0.3, 0.0, 2986.0))
     return isosurface(values.astype(np.int16), 300).GetMapper().GetInput()
 
 
@@ -80,13 +79,6 @@ def make_pyvista():
     pyvista = types.ModuleType("pyvista")
     pyvista.Plotter, pyvista.read = Plotter, read
     return pyvista
-
-
-def make_interactor():
-    """Of a user who closes the window at once."""
-    interactor = vtkRenderWindowInteractor()
-    interactor.AddObserver("TimerEvent", lambda caller, _: caller.TerminateApp())
-    return interactor
 
 
 class TestPythonDocument(unittest.TestCase):

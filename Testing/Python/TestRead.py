@@ -14,7 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonCore import VTK_SHORT
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkMultiBlockDataSet, vtkOverlappingAMR
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules.vtkIOParallelXML import (
@@ -26,6 +26,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
     vtkXMLStructuredGridWriter,
+    vtkXMLUniformGridAMRWriter,
     vtkXMLUnstructuredGridWriter,
 )
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
@@ -35,6 +36,7 @@ from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid, make_structured_grid
 from PackageTesting import SIZE
 from PictureTesting import ISOVALUE, make_waves, write_bad_volumes
+from TestAmr import NESTED, fill
 
 
 class TestRead(unittest.TestCase):
@@ -332,6 +334,13 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             path = self.write(writer, name, mesh)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(mesh, 0.5, size=SIZE).rgba, name)
 
+    def test_amr(self):
+        amr = vtkOverlappingAMR()
+        fill(amr, NESTED, of_cells=True)
+        for name in ("amr.vth", "amr.vthb"):
+            path = self.write(vtkXMLUniformGridAMRWriter(), name, amr)
+            np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(amr, 0.5, size=SIZE).rgba, name)
+
     def test_images_in_pieces(self):
         image = make_waves(8)
         expected = render(image, ISOVALUE, size=SIZE).rgba
@@ -355,10 +364,10 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
         with self.assertRaisesRegex(ValueError, "layer.nii is not a volume: it has 5 x 4 x 1 samples"):
             read(self.write(vtkNIFTIImageWriter(), "layer.nii", layer))
         (self.folder / "volume.txt").write_text("no volume", encoding="ascii")
-        with self.assertRaisesRegex(ValueError, "no reader for .*volume.txt; read it by another one"):
+        with self.assertRaisesRegex(ValueError, "does not know .*volume.txt; read it by a reader of VTK"):
             read(self.folder / "volume.txt")
         (self.folder / "surface.vtp").write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
-        with self.assertRaisesRegex(ValueError, "no reader for .*surface.vtp"):
+        with self.assertRaisesRegex(ValueError, "does not know .*surface.vtp"):
             read(self.folder / "surface.vtp")
         with self.assertRaises(TypeError):
             read(7)

@@ -15,8 +15,9 @@ from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import VTK_TETRA
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import (
     Picture,
@@ -317,9 +318,9 @@ class TestSeveral(unittest.TestCase):
                 render(empty, camera=camera)
         with self.assertRaisesRegex(ValueError, "a volume has no input; give its mapper one"):
             render([surface, empty])
-        with self.assertRaisesRegex(TypeError, "color cannot be given here"):
+        with self.assertRaisesRegex(TypeError, "color cannot be given for volumes; give it to each"):
             render(surface, color="red")
-        with self.assertRaisesRegex(TypeError, "isovalues cannot be given here"):
+        with self.assertRaisesRegex(TypeError, "isovalues cannot be given for volumes"):
             render(surface, 0.1)
 
 
@@ -334,6 +335,22 @@ class TestErrors(unittest.TestCase):
         ):  # fmt: skip
             with self.subTest(message), self.assertRaisesRegex(ValueError, message):
                 render(make_waves(), 150, **options)
+
+    def test_what_is_no_data(self):
+        reader, empty = vtkXMLImageDataReader(), vtkImageData()
+        for given, options, kind, message in (
+            (make_waves(), {"camera": "x"}, TypeError, "give a vtkCamera, or view"),
+            (make_waves(), {"isovalue": 150}, TypeError, "no option isovalue; did you mean isovalues?"),
+            (make_waves(), {"colour": "red"}, TypeError, "no option colour; did you mean color?"),
+            (make_waves(), {"quality": 3}, TypeError, "no option quality; there are scalars, color, "),
+            (make_waves(), {"color_by": "RTData", "clim": (5, 0)}, ValueError, "the smaller one first"),
+            (reader, {}, TypeError, r"in a vtkXMLImageDataReader: call Update\(\), and give GetOutput\(\)"),
+            (reader.GetOutputPort(), {}, TypeError, r"in a vtkAlgorithmOutput: call Update\(\)"),
+            (empty, {}, ValueError, r"they are empty; call Update\(\) of their reader"),
+            (np.full((3, 3, 3), np.nan), {"isovalues": 1}, ValueError, "all values are NaN"),
+        ):
+            with self.subTest(message), self.assertRaisesRegex(kind, message):
+                render(given, **options)
 
     def test_errors_of_the_mapper_are_raised_each_time(self):
         volume = isosurface(make_waves(), 150)
@@ -394,7 +411,7 @@ class TestPicture(unittest.TestCase):
         self.assertTrue(np.isfinite(position[covered]).all())
         top, bottom = position[covered][0], position[covered][-1]
         self.assertGreater(top[2], bottom[2])
-        with self.assertRaises(KeyError):
+        with self.assertRaisesRegex(KeyError, "give one of .*Colors"):
             self.picture.array("Value")
         self.assertIsInstance(self.picture, Picture)
 
