@@ -35,7 +35,7 @@
  *
  * As in the other mappers for unstructured grids, the opacity function is the attenuation for one
  * ScalarOpacityUnitDistance, which is a length in the world: through a thickness d of the opacity a
- * the transmittance is exp(-a d / unit). It may be more than 1.
+ * the transmittance is exp(-a d / unit). The opacity a may be more than 1.
  *
  * With vtkVolumeProperty::ShadeOn (default: off) the light that the cloud gives is that which it
  * reflects, as an isosurface through each of its points would: by the lights, and the ambient,

@@ -34,8 +34,8 @@
  * compositor->RenderToImage(volume, camera, lights, width, height, image, depths);
  * @endcode
  *
- * So is a projection, which has no depth: it is over all that is drawn, and what it shows ends at
- * the opaque geometry if it was made with the depths.
+ * A projection has no depth: it is drawn over all else, and what it shows ends at the opaque
+ * geometry if it was made with the depths.
  *
  * Translucent props between translucent surfaces look as if they were behind them: the picture has
  * one colour for all.

@@ -132,7 +132,6 @@
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
- * @sa vtkIsosurfaceVolume vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
  * While it draws, the mapper sends (after the ProgressEvents of a pass over the samples, if there
  * is one) VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent
  * (up to fifty times a second, with the fraction done) and VolumeMapperRenderEndEvent, on the
@@ -155,7 +154,8 @@
  * one is an error. Several threads may each use a mapper of their own, with a shallow copy of the
  * data.
  *
- * @sa vtkIsosurfaceComparisonFilter
+ * @sa vtkIsosurfaceVolume vtkIsosurfaceRayTraceMeshMapper vtkIsosurfaceComparisonFilter
+ * vtkVolumeProperty vtkContourValues vtkFlyingEdges3D
  */
 
 #ifndef vtkIsosurfaceRayTraceMapper_h

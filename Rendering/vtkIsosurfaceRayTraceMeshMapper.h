@@ -7,7 +7,8 @@
  * Draws the isosurfaces of a vtkUnstructuredGrid, a vtkStructuredGrid or composite data of them
  * without extracting polygons, as vtkIsosurfaceRayTraceMapper does those of images: isovalues,
  * colours, opacities, lights, shadows, occlusion, picking, casting and pictures without a window
- * are the same. A new isovalue costs a frame and nothing else.
+ * are the same. A new isovalue costs a frame, and the second one the gradients at all points, too,
+ * for smooth normals (see NormalMode).
  *
  * Cells are what VTK's own functions of them say. In a tetrahedron the values are linear.
  * Hexahedra, voxels, wedges and pyramids are isoparametric: positions and values are the
