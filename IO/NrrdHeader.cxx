@@ -50,6 +50,18 @@ struct Header
 };
 
 //------------------------------------------------------------------------------
+/// Whether a text has lines up to an empty one, or nothing but lines. VTK's reader never comes to
+/// an end of others.
+bool HasEnd(const std::string& text)
+{
+  const std::size_t end = std::min(text.find("\n\n"), text.find("\n\r\n"));
+  const std::string header = text.substr(0, end);
+  return header.find('\0') == std::string::npos &&
+    (end != std::string::npos ||
+      (text.size() < LongestHeader && !text.empty() && text.back() == '\n'));
+}
+
+//------------------------------------------------------------------------------
 Header ReadHeader(const std::string& fileName)
 {
   Header header{ fileName, {} };
@@ -59,6 +71,10 @@ Header ReadHeader(const std::string& fileName)
   if (!std::getline(lines, line) || line.compare(0, 4, "NRRD") != 0)
   {
     header.Throw("does not begin with NRRD");
+  }
+  if (!HasEnd(text))
+  {
+    header.Throw("has no end: the file is cut");
   }
   // Up to an empty line, or the end of a file of its own.
   while (std::getline(lines, line) && !Trim(line).empty())
@@ -225,6 +241,7 @@ std::string FindDataFileOfNrrd(const std::string& fileName)
 void CheckNrrd(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);
+  GetCount(header);
   const std::string encoding = SystemTools::LowerCase(header.Get("encoding"));
   if (encoding == "ascii" || encoding == "text" || encoding == "txt")
   {
@@ -244,6 +261,7 @@ void CheckNrrd(const std::string& fileName)
 std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);
+  const double count = GetCount(header);
   const std::string dataFile = GetDataFile(header);
   if (SystemTools::LowerCase(header.Get("encoding")) != "raw" || IsSeveralFiles(dataFile) ||
     !IsZero(header.Get("byte skip", "byteskip")) || !IsZero(header.Get("line skip", "lineskip")))
@@ -251,7 +269,7 @@ std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
     return {};
   }
   NrrdSamples samples;
-  samples.Count = GetCount(header);
+  samples.Count = count;
   samples.AreBigEndian = header.Get("endian") == "big";
   samples.FileName = fileName;
   samples.Offset = header.Size;

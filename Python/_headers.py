@@ -50,7 +50,15 @@ def place_of_metaimage(path):
 
 def check_nrrd(path):
     """Refuse files of which VTK's reader gives other samples than there are."""
+    with open(path, "rb") as stream:
+        text = stream.read(LONGEST)
+    lines, *rest = re.split(rb"(?<=\n)\r?\n", text, maxsplit=1)
+    if b"\0" in lines or not rest and (len(text) == LONGEST or not text.endswith(b"\n")):
+        raise ValueError(f"{path} is damaged, or no NRRD: its header has no end")
     fields = _fields_of_nrrd(path)
+    sizes = fields.get(b"sizes", b"").split()
+    if not sizes or fields.get(b"dimension") != b"%d" % len(sizes) or not all(map(bytes.isdigit, sizes)):
+        raise ValueError(f"{path} is damaged: its header has no sizes, or not as many as the dimension")
     if fields.get(b"encoding", b"").lower() in (b"ascii", b"text", b"txt"):
         raise ValueError(f"{path} has its samples as text, of which VTK's reader skips some; write them with the encoding "
                          "raw or gzip")

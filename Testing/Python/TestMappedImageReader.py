@@ -6,6 +6,7 @@
 import gzip
 import os
 import resource
+import re
 import struct
 import sys
 import tempfile
@@ -528,6 +529,9 @@ class TestMappedImageReader(unittest.TestCase):
             ("empty.mhd", "", "no ElementDataFile"),
             ("negative.mhd", METAIMAGE.replace("7 6 5", "7 -6 5"), "DimSize = 7 -6 5"),
             ("empty.nrrd", "", "does not begin with NRRD"),
+            ("cut.nrrd", NRRD[:NRRD.index("7 6 5")], "has no end"),
+            ("nul.nrrd", NRRD.replace("7 6 5", "7 \0 5"), "has no end"),
+            ("without.nrrd", re.sub("sizes:.*\n", "", NRRD), "sizes: "),
             ("sizes.nrrd", NRRD.replace("7 6 5", "7 6"), "sizes: 7 6"),
             ("none.nrrd", NRRD.replace("7 6 5", "7 0 5"), "sizes: 7 0 5"),
             ("words.nrrd", NRRD.replace("7 6 5", "7 x 5"), "sizes: 7 x 5"),

@@ -397,6 +397,19 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             with mock.patch("vtkIsosurfaceRayTracing._files.vtkMappedImageReader", side_effect=AssertionError):
                 read(names[0])
 
+    def test_nrrd_without_an_end_or_sizes(self):
+        """VTK's reader does not come back from these."""
+        header = "NRRD0004\ntype: short\ndimension: 3\nsizes: 3 3 3\nencoding: raw\nendian: little\n"
+        for name, text, message in (
+            ("cut.nrrd", header[:-9], "its header has no end"), ("cut.nhdr", header + "data file: x", "its header has no end"),
+            ("none.nrrd", header.replace("sizes: 3 3 3\n", "") + "\n", "has no sizes"),
+            ("two.nrrd", header.replace("3 3 3", "3 3") + "\n", "not as many as the dimension"),
+        ):  # fmt: skip
+            path = self.folder / name
+            path.write_text(text, encoding="ascii")
+            with self.subTest(name), self.assertRaisesRegex(ValueError, message):
+                read(path)
+
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
         for suffix in (".vti", ".vtu", ".pvti", ".pvtu", ".vtk", ".vtm", ".nii", ".nii.gz", ".nrrd", ".mha", ".png"):
