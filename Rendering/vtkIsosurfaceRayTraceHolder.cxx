@@ -12,7 +12,7 @@
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -98,13 +98,18 @@ bool vtkIsosurfaceRayTraceHolder::HasContext() const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the mapper has left its volume, the renderer its window, or a prop its renderer.
+/// Whether the mapper has left its volume, the renderer its window, or a prop its renderer, or its
+/// place there.
 bool vtkIsosurfaceRayTraceHolder::IsAnythingGone() const
 {
-  return this->Volume->GetMapper() != this->Mapper ||
-    this->Window->HasRenderer(this->Renderer) == 0 || this->Volume->GetReferenceCount() == 1 ||
-    std::any_of(this->Props.begin(), this->Props.end(),
-      [this](vtkProp* prop) { return this->Renderer->HasViewProp(prop) == 0; });
+  // Others may have come between them.
+  std::size_t found = 0;
+  for (vtkObject* prop : vtk::Range(this->Renderer->GetViewProps()))
+  {
+    found += found < this->Props.size() && prop == this->Props[found].Get() ? 1 : 0;
+  }
+  return found < this->Props.size() || this->Volume->GetMapper() != this->Mapper ||
+    this->Window->HasRenderer(this->Renderer) == 0 || this->Volume->GetReferenceCount() == 1;
 }
 
 VTK_ABI_NAMESPACE_END

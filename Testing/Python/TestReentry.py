@@ -5,6 +5,7 @@
 
 import subprocess
 import sys
+import time
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkVersion, vtkWeakReference
@@ -14,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import (
-    vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty)
+    vtkActor, vtkHardwareSelector, vtkRenderer, vtkRenderWindow, vtkVolume, vtkVolumeProperty)
 import vtkmodules.vtkRenderingOpenGL2  # what vtkRenderWindow needs
 from vtkIsosurfaceRayTracing import (
     vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume)
@@ -420,6 +421,7 @@ class TestRenderToImage(unittest.TestCase):
         for attack in (change_property, set_input, lambda scene:
                        scene.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 120.0)):
             scene = Scene()
+            scene.mapper.AmbientOcclusionOff()
             expected = describe(scene)
             self.assertIn(0, expected["IsovalueId"])
             observer = scene.mapper.AddObserver(EVENTS[0], lambda caller, event: attack(scene))
@@ -457,6 +459,29 @@ for attack in ("set_input", "remove_input", "release_scalars", "take_mapper", "t
         add_test(attack, EVENTS[0], "vtkIsosurfaceVolume", scene)
         add_test(attack, EVENTS[1], "vtkVolume", scene)
         add_test(attack, EVENTS[2], "vtkIsosurfaceVolume", scene)
+
+
+class TestManyProps(unittest.TestCase):
+    def test_frames_beside_many_props(self):
+        """Each volume holds all props of its renderer while it draws, and looks for them afterwards."""
+        seconds = {}
+        for count in (1_000, 16_000):
+            scene = Scene()
+            scene.mapper.AmbientOcclusionOff()
+            for _ in range(count):
+                actor = vtkActor()
+                actor.VisibilityOff()
+                scene.renderer.AddActor(actor)
+            scene.window.Render()
+            times = []
+            for _ in range(5):
+                start = time.perf_counter()
+                scene.window.Render()
+                times.append(time.perf_counter() - start)
+            seconds[count] = min(times)
+        # Were the time quadratic in the props, it would be a hundred times as long or more.
+        self.assertLess(seconds[16_000], 40.0 * seconds[1_000] + 0.1)
+
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--attack"]:
