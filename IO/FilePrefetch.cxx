@@ -3,6 +3,8 @@
 
 #include "FilePrefetch.h"
 
+#include <utility>
+
 #ifndef _WIN32
 #include <fcntl.h>
 #include <unistd.h>
@@ -41,15 +43,37 @@ void Ask(const std::string& fileName, std::int64_t offset, std::int64_t size)
 }
 
 //------------------------------------------------------------------------------
+FilePrefetch::~FilePrefetch()
+{
+  this->LeaveParent();
+}
+
+//------------------------------------------------------------------------------
+/// A process that was forked has no thread of its parent to wait for: what would wait is never
+/// destroyed.
+void FilePrefetch::LeaveParent()
+{
+  if (this->Asking.valid() && this->Process != getpid())
+  {
+    new std::future<void>(std::move(this->Asking));
+  }
+}
+
+//------------------------------------------------------------------------------
 void FilePrefetch::Start(const std::string& fileName, std::int64_t offset, std::int64_t size)
 {
+  this->LeaveParent();
   if (FitsBesideOthers(size))
   {
+    this->Process = getpid();
     this->Asking = std::async(std::launch::async, Ask, fileName, offset, size);
   }
 }
 
 #else
+
+//------------------------------------------------------------------------------
+FilePrefetch::~FilePrefetch() = default;
 
 //------------------------------------------------------------------------------
 void FilePrefetch::Start(const std::string&, std::int64_t, std::int64_t) {}

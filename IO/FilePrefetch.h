@@ -16,13 +16,22 @@ namespace ImageFiles
 class FilePrefetch
 {
 public:
+  FilePrefetch() = default;
+  ~FilePrefetch();
+  FilePrefetch(const FilePrefetch&) = delete;
+  void operator=(const FilePrefetch&) = delete;
+
   /// Does nothing if there is no such file, or if the bytes are so many that they would drive out
   /// of memory what is looked at now.
   void Start(const std::string& fileName, std::int64_t offset, std::int64_t size);
 
 private:
+  void LeaveParent();
+
   /// When it is replaced or destroyed, the one before has ended.
   std::future<void> Asking;
+  /// That it is a thread of.
+  std::int64_t Process = 0;
 };
 
 }

@@ -141,7 +141,7 @@ MappableImage vtkMappedImageReader::FindImage(const std::string& fileName)
 //------------------------------------------------------------------------------
 MappableImage vtkMappedImageReader::FindImageOfStep(int step)
 {
-  if (step == 0)
+  if (this->FileName)
   {
     return *this->Image;
   }

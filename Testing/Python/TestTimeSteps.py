@@ -179,6 +179,28 @@ class TestTimeSteps(unittest.TestCase):
             self.assertEqual(errors.texts, [])
             self.assertEqual(get_samples(reader), self.samples[3])
 
+    def test_first_step_with_another_header(self):
+        reader = new_reader(self.paths)
+        reader.UpdateTimeStep(2)
+        other = self.folder / "other.mhd"
+        write_step(other, 55.0)
+        other.replace(self.paths[0])
+        reader.UpdateTimeStep(0)
+        self.assertEqual(get_samples(reader), other.with_suffix(".raw").read_bytes())
+
+    @unittest.skipUnless(hasattr(os, "fork"), "this system has no fork")
+    def test_forked_process(self):
+        """It has not the thread that reads ahead."""
+        reader = new_reader(self.paths)
+        reader.UpdateTimeStep(0)
+        child = os.fork()
+        if child == 0:
+            reader.UpdateTimeStep(1)
+            is_right = get_samples(reader) == self.samples[1]
+            del reader
+            os._exit(0 if is_right else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
     def test_no_files(self):
         for reader in (new_reader([]), vtkMappedImageReader()):
             errors, silence = Errors(reader), Errors(reader.GetExecutive())
