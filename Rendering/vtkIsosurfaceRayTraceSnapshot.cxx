@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUniformGridAMR.h"
+#include "vtkUnstructuredGrid.h"
 
 #include "Math/PrefetchLines.h"
 
@@ -28,6 +29,15 @@ namespace
 vtkMTimeType GetTime(vtkCompositeDataDisplayAttributes* attributes)
 {
   return attributes ? attributes->GetMTime() : 0;
+}
+
+/// When a block was modified. Lists of cells that are set do not modify the grid.
+vtkMTimeType GetTime(vtkDataObject* block)
+{
+  const vtkMTimeType time = block->GetMTime();
+  return block->GetDataObjectType() == VTK_UNSTRUCTURED_GRID
+    ? std::max(time, static_cast<vtkUnstructuredGrid*>(block)->GetMeshMTime())
+    : time;
 }
 
 /// When a tree itself was modified, whatever became of what is in it.
@@ -70,7 +80,7 @@ vtkIsosurfaceRayTraceSnapshot::vtkIsosurfaceRayTraceSnapshot(
 vtkIsosurfaceRayTraceSnapshot::Block vtkIsosurfaceRayTraceSnapshot::MakeBlock(
   vtkDataObject* data, unsigned int flatIndex)
 {
-  Block block = { { data, flatIndex, data->GetMTime() }, { data, data->GetFieldData() } };
+  Block block = { { data, flatIndex, GetTime(data) }, { data, data->GetFieldData() } };
   if (auto* set = vtkDataSet::SafeDownCast(data))
   {
     vtkPointData* points = set->GetPointData();
@@ -132,7 +142,7 @@ bool vtkIsosurfaceRayTraceSnapshot::AreBlocksUnmodified(int threads) const
       vtkIsosurfaceRayTracing::PrefetchLines(part, sizeOfPart);
     }
     const Node& block = this->Blocks[static_cast<std::size_t>(i)];
-    areUnmodified = areUnmodified && block.Data->GetMTime() == block.Time;
+    areUnmodified = areUnmodified && GetTime(block.Data) == block.Time;
   }
   return areUnmodified;
 }

@@ -6,10 +6,11 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import mutable, vtkCommand, vtkDoubleArray, vtkIdList, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA,
     VTK_TRIANGLE,
+    vtkCellArray,
     vtkDataObject,
     vtkDataSetAttributes,
     vtkGenericCell,
@@ -382,6 +383,24 @@ class TestMeshBlocks(unittest.TestCase):
         mapper.GetBounds()
         alone = cast(mapper, volume, parallel_rays())
         self.assertEqual(alone, cast(*make_volume(small, 0.0), parallel_rays()))
+
+    def test_cells_that_are_set_in_a_block(self):
+        """That does not modify the block itself."""
+        blocks = [make_grid(VTK_TETRA, ball), make_grid(VTK_TETRA, lambda point: ball(point) + 0.2)]
+        composite = vtkMultiBlockDataSet()
+        for i, block in enumerate(blocks):
+            composite.SetBlock(i, block)
+        mapper, volume = make_volume(composite, 0.5)
+        before = cast(mapper, volume, parallel_rays())
+        cells, types, ids = vtkCellArray(), vtkUnsignedCharArray(), vtkIdList()
+        for i in range(blocks[0].GetNumberOfCells() - 10):
+            blocks[0].GetCellPoints(i, ids)
+            cells.InsertNextCell(ids)
+            types.InsertNextValue(VTK_TETRA)
+        blocks[0].SetCells(types, cells)
+        again, fresh = cast(mapper, volume, parallel_rays()), cast(*make_volume(composite, 0.5), parallel_rays())
+        self.assertEqual(again, fresh)
+        self.assertNotEqual(again, before)
 
     def test_accumulation_starts_again_when_a_block_changes(self):
         blocks = cut(make_structured_grid(ball))
