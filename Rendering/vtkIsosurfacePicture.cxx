@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -63,7 +64,15 @@ bool ConvertColors(
   vtkNew<vtkUnsignedCharArray> converted;
   converted->SetName("Colors");
   converted->SetNumberOfComponents(components);
-  converted->SetNumberOfTuples(colors->GetNumberOfTuples());
+  try
+  {
+    converted->SetNumberOfTuples(colors->GetNumberOfTuples());
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkGenericWarningMacro("There is not enough memory for a copy of the picture.");
+    return false;
+  }
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
     convert(colors->GetPointer(4 * i), converted->GetPointer(components * i));
@@ -183,7 +192,16 @@ bool vtkIsosurfacePicture::Update()
   const vtkFloatArray* depths = GetDepths(this->Picture);
   const unsigned char* colors = GetColors(this->Picture)->GetPointer(0);
   const vtkIdType pixels = this->Picture->GetNumberOfPoints();
-  this->Depths.resize(static_cast<std::size_t>(pixels));
+  try
+  {
+    this->Depths.resize(static_cast<std::size_t>(pixels));
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for the depths of the picture. Make it smaller.");
+    this->IsComplete = false;
+    return false;
+  }
   this->IsOpaque = true;
   // Its depths are those of the values, which hide nothing.
   const bool isProjection = this->Picture->GetPointData()->HasArray("Value") != 0;

@@ -21,6 +21,7 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -35,16 +36,21 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkVolume.h"
 
 #include "Field/Stopwatch.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,6 +60,28 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 namespace
 {
+
+/// Of AMR data, which VTK's function for this does not know.
+void FindVisibleBounds(
+  vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
+{
+  vtkBoundingBox visible;
+  const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* block = iterator->GetCurrentDataObject();
+    auto* grid = vtkDataSet::SafeDownCast(block);
+    if (grid && (!attributes->HasBlockVisibility(block) || attributes->GetBlockVisibility(block)))
+    {
+      visible.AddBounds(grid->GetBounds());
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (visible.IsValid())
+  {
+    visible.GetBounds(bounds);
+  }
+}
 
 /// Told of the fraction done; false stops.
 using KeepGoing = std::function<bool(double)>;
@@ -214,9 +242,9 @@ try
   }
   return true;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return true;
 }
 
@@ -228,7 +256,12 @@ void vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(vtkCompositeDataSet* data,
   if (!last.Found.IsOf(data, attributes, this->TheClient.GetSettings().NumberOfThreads))
   {
     last.Found = {};
-    if (attributes && attributes->HasBlockVisibilities())
+    const bool mayBeHidden = attributes && attributes->HasBlockVisibilities();
+    if (mayBeHidden && vtkUniformGridAMR::SafeDownCast(data))
+    {
+      FindVisibleBounds(data, attributes, last.Bounds.data());
+    }
+    else if (mayBeHidden)
     {
       vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, data, last.Bounds.data());
     }
@@ -349,9 +382,9 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   }
   if (isBuilt) // Thousands of blocks are not asked in every frame.
   {
-    this->WarnOnce(inputs.GetWarning(), this->LastWarning);
+    this->WarnOnce(inputs.GetWarning(), this->LastWarnings->Warning);
   }
-  this->WarnOnce(leftOut, this->LastLeftOut);
+  this->WarnOnce(leftOut, this->LastWarnings->LeftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
   const double gradients = inputs.GetGradientSeconds();
@@ -396,7 +429,7 @@ bool vtkIsosurfaceRayTraceEngine::ReadSamples(const vtkIsosurfaceRayTraceUse& us
   this->HierarchyTime += secondsOfReading;
   if (inputs.GetFractionRead() == 1.0)
   {
-    this->WarnOnce(inputs.GetWarning(), this->LastWarning);
+    this->WarnOnce(inputs.GetWarning(), this->LastWarnings->Warning);
   }
   return true;
 }
@@ -448,20 +481,37 @@ bool vtkIsosurfaceRayTraceEngine::IsIntact(const vtkIsosurfaceRayTraceRequest& r
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::ReportBadAlloc() const
+void vtkIsosurfaceRayTraceEngine::ReportException(const std::exception& exception) const
 {
-  vtkErrorWithObjectMacro(
-    this->Mapper, "There is not enough memory. " << this->TheClient.MemoryRemedy);
+  const bool isOfMemory = dynamic_cast<const std::bad_alloc*>(&exception) ||
+    dynamic_cast<const std::length_error*>(&exception);
+  vtkErrorWithObjectMacro(this->Mapper,
+    << (isOfMemory ? "There is not enough memory. " + std::string(this->TheClient.MemoryRemedy)
+                   : std::string(exception.what())));
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceEngine::SelectReports(
+  const vtkVolume* volume, const vtkRenderer* renderer)
+{
+  constexpr std::size_t many = 1000;
+  if (this->ProblemsOf.size() > many)
+  {
+    this->ProblemsOf.clear(); // Of volumes that may be gone.
+    this->WarningsOf.clear();
+  }
+  this->LastProblem = &this->ProblemsOf[{ volume, renderer }];
+  this->LastWarnings = &this->WarningsOf[volume];
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
 {
-  if (!problem.empty() && problem != this->LastProblem)
+  if (!problem.empty() && problem != *this->LastProblem)
   {
     vtkErrorWithObjectMacro(this->Mapper, << problem);
   }
-  this->LastProblem = problem;
+  *this->LastProblem = problem;
   return !problem.empty();
 }
 
@@ -511,9 +561,9 @@ try
   }
   return !areAny ? Opacity::None : areOpaque ? Opacity::Opaque : Opacity::Translucent;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return Opacity::None;
 }
 
@@ -527,6 +577,7 @@ try
   {
     return 0.0;
   }
+  this->SelectReports(volume, renderer);
   const std::string problem = use.IsNested()
     ? "An observer of this mapper's events renders it, which is tracing already. Render when the "
       "frame is complete: the render window sends vtkCommand::EndEvent then."
@@ -563,7 +614,7 @@ try
   {
     this->WarnOnce(
       vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
-      this->LastHint);
+      this->LastWarnings->Hint);
   }
 
   const bool isComplete =
@@ -573,15 +624,16 @@ try
   this->SendEvent(use, *request, vtkCommand::VolumeMapperRenderEndEvent, nullptr);
   return seconds;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return 0.0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
   const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTraceHolder& holder)
+try
 {
   vtkRenderer* renderer = holder.GetRenderer();
   vtkVolume* volume = holder.GetVolume();
@@ -602,6 +654,11 @@ bool vtkIsosurfaceRayTraceEngine::DrawFrame(const vtkIsosurfaceRayTraceUse& use,
   this->NumberOfAccumulatedFrames = this->Frame.GetNumberOfAccumulatedFrames();
   return isComplete;
 }
+catch (const std::exception& exception)
+{
+  this->ReportException(exception);
+  return false;
+}
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceEngine::ReleaseGraphicsResources(vtkWindow* window)
@@ -616,6 +673,7 @@ int vtkIsosurfaceRayTraceEngine::IntersectWithLine(vtkVolume* volume, const doub
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  this->SelectReports(volume, nullptr);
   const auto request = use.IsAllowed() && volume ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -634,9 +692,9 @@ try
   Copy(traced.Describe(hit), x, pcoords, cellId, isovalue, normal);
   return 1;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return 0;
 }
 
@@ -655,6 +713,7 @@ try
   }
   output->Initialize();
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  this->SelectReports(volume, nullptr);
   const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -673,14 +732,15 @@ try
   vtkIsosurfaceRayTraceOutput::WriteHits(*request, hits, output);
   return true;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return false;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::FindSurfaceBounds(vtkVolume* volume, double bounds[6])
+try
 {
   // What is small is between few rays.
   constexpr int few = 64;
@@ -696,6 +756,11 @@ bool vtkIsosurfaceRayTraceEngine::FindSurfaceBounds(vtkVolume* volume, double bo
   }
   found.GetBounds(bounds);
   return true;
+}
+catch (const std::exception& exception)
+{
+  this->ReportException(exception);
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -727,9 +792,9 @@ bool vtkIsosurfaceRayTraceEngine::AddHitsThroughFaces(
     {
       return false;
     }
-    if (hits->GetNumberOfPoints() > 0)
+    for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
     {
-      found.AddBounds(hits->GetBounds());
+      found.AddPoint(hits->GetPoint(i));
     }
   }
   return true;
@@ -741,6 +806,7 @@ int vtkIsosurfaceRayTraceEngine::PickPixel(vtkRenderer* renderer, vtkVolume* vol
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  this->SelectReports(volume, renderer);
   const bool isPossible = use.IsAllowed() && renderer && volume;
   const auto request = isPossible ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
@@ -777,9 +843,9 @@ try
   Copy(vtkIsosurfaceRayTraceHits(*request).Describe(hit), x, pcoords, cellId, isovalue, normal);
   return 1;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return 0;
 }
 
@@ -810,7 +876,7 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
           vtkIsosurfaceRayTraceScene::GetClipFromWorld(
             view.Camera, static_cast<double>(view.Width) / view.Height));
       }
-      this->WarnOnce(hint, this->LastHint);
+      this->WarnOnce(hint, this->LastWarnings->Hint);
     });
 }
 
@@ -924,6 +990,7 @@ try
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  this->SelectReports(volume, nullptr);
   const auto request =
     use.IsAllowed() ? this->MakeCompleteRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)
@@ -964,9 +1031,9 @@ try
   write(*request, picture);
   return true;
 }
-catch (const std::bad_alloc&)
+catch (const std::exception& exception)
 {
-  this->ReportBadAlloc();
+  this->ReportException(exception);
   return false;
 }
 

@@ -18,9 +18,12 @@
 #include "Picture/RenderTiles.h"
 
 #include <array>      // for std::array
+#include <exception>  // for std::exception
 #include <functional> // for std::function
+#include <map>        // for std::map
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
+#include <utility>    // for std::pair
 #include <vector>     // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -159,12 +162,15 @@ private:
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   bool AddHitsThroughFaces(vtkVolume* volume, int count, vtkBoundingBox& found);
   bool MayHit(vtkVolume* volume);
+  /// Has problems of a volume in a renderer, which may be null, reported once from now on.
+  void SelectReports(const vtkVolume* volume, const vtkRenderer* renderer);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
   /// Warns of something, unless that was the last warning of its kind.
   void WarnOnce(const std::string& problem, std::string& last);
-  void ReportBadAlloc() const;
+  /// That of memory which is refused says what to do.
+  void ReportException(const std::exception& exception) const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(const vtkIsosurfaceRayTraceUse& use,
@@ -201,10 +207,19 @@ private:
   vtkIsosurfaceRayTraceUseState Uses;
   vtkIsosurfaceRayTraceFrame Frame;
   std::vector<BlocksOfConnection> Blocks;
-  std::string LastProblem;
-  std::string LastLeftOut;
-  std::string LastWarning;
-  std::string LastHint;
+  /// What was warned of last.
+  struct Warnings
+  {
+    std::string LeftOut;
+    std::string Warning;
+    std::string Hint;
+  };
+  /// Of each volume, and the last problem of each in each renderer, or without one. They may be
+  /// gone.
+  std::map<const vtkVolume*, Warnings> WarningsOf;
+  std::map<std::pair<const vtkVolume*, const vtkRenderer*>, std::string> ProblemsOf;
+  Warnings* LastWarnings = &this->WarningsOf[nullptr];
+  std::string* LastProblem = &this->ProblemsOf[{}];
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;

@@ -292,6 +292,8 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   // Those that have changed go at the end of this function, before new ones are built.
   PartList before;
   before.swap(this->Parts);
+  vtkirt::TracedField* field = nullptr;
+  std::swap(field, this->Field); // It goes with the parts where memory is refused.
   std::vector<const Part*> partsBefore;
   for (const std::unique_ptr<Part>& part : before)
   {
@@ -328,10 +330,10 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   {
     this->AddGrid(leaves, settings, scalars, before);
   }
-  if (!std::equal(this->Parts.begin(), this->Parts.end(), partsBefore.begin(), partsBefore.end(),
+  if (std::equal(this->Parts.begin(), this->Parts.end(), partsBefore.begin(), partsBefore.end(),
         [](const std::unique_ptr<Part>& part, const Part* other) { return part.get() == other; }))
   {
-    this->Field = nullptr;
+    this->Field = field;
   }
   if (!this->Parts.empty())
   {
@@ -405,6 +407,7 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::Update(int threads, vtkIsosurfaceRayTraceLevel level)
 {
+  this->Field = nullptr; // It goes with what cannot be built.
   this->NumberOfEagerParts = 0;
   this->UnreadParts.clear();
   this->AtCoarse = false;

@@ -261,6 +261,37 @@ Finding RenderToImage(Attacked& scene)
   return finding;
 }
 
+/// A picture, and another one with macrocells that are made anew.
+Finding RenderWithOtherMacrocells(Attacked& scene)
+{
+  if (RenderToImage(scene).empty())
+  {
+    return {};
+  }
+  scene.Attackee->SetMacrocellBranching(0, scene.Attackee->GetMacrocellBranching(0) == 2 ? 3 : 2);
+  return RenderToImage(scene);
+}
+
+/// Frames begin and end, for their observers.
+Finding RenderBetweenEvents(Attacked& scene)
+{
+  vtkNew<EventCounter> starts;
+  vtkNew<EventCounter> ends;
+  scene.Attackee->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, starts);
+  scene.Attackee->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, ends);
+  const Finding finding = Render(scene);
+  scene.Attackee->RemoveObserver(starts);
+  scene.Attackee->RemoveObserver(ends);
+  return starts->Count == ends->Count ? finding : Finding{ -1.0 };
+}
+
+Finding FindSurfaceBounds(Attacked& scene)
+{
+  double bounds[6];
+  return scene.Attackee->FindSurfaceBounds(scene.Volume, bounds) ? Finding(bounds, bounds + 6)
+                                                                 : Finding{};
+}
+
 Finding AskWhetherOpaque(Attacked& scene)
 {
   return scene.Attackee->HasOnlyOpaqueSurfaces(scene.Volume) ? Finding{ 1.0 } : Finding{};
@@ -282,6 +313,9 @@ bool Fail(Checks& check, const std::string& what, Attacked& scene, const Action&
   }
   else
   {
+    // What is known of a frame that failed can be asked for.
+    check.That(scene.Attackee == nullptr || scene.Attackee->GetMacrocellMemory() >= 0,
+      what + " knows its memory");
     check.That(hasFailed && scene.Errors->Count == 1, what + " reports one error");
     check.That(scene.Errors->Text.find("There is not enough memory.") != std::string::npos,
       what + " reports what is the matter, not " + scene.Errors->Text);
@@ -338,6 +372,9 @@ int TestIsosurfaceAllocations(int, char*[])
     total += Attack(check, "CastRays", scene, CastRays);
     total += Attack(check, "RenderToImage", scene, RenderToImage);
     total += Attack(check, "HasOnlyOpaqueSurfaces", scene, AskWhetherOpaque);
+    total += Attack(check, "FindSurfaceBounds", scene, FindSurfaceBounds);
+    total += Attack(check, "RenderToImage (other macrocells)", scene, RenderWithOtherMacrocells);
+    total += Attack(check, "Render (events)", scene, RenderBetweenEvents);
   }
   {
     Attacked scene(NewBall(Samples, 0.7));

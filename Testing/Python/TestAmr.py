@@ -289,6 +289,20 @@ class TestAmr(unittest.TestCase):
                 self.assertAlmostEqual(pulse, 0.2, delta=0.2)
         self.assertGreater(shown, 20)
 
+    def test_bounds_of_visible_blocks(self):
+        amr = vtkOverlappingAMR()
+        coarse, fine, *_ = fill(amr, NESTED, of_cells=False)
+        mapper, _ = make_volume(amr, 0.5, mapper_class=vtkIsosurfaceRayTraceMapper)
+        attributes = vtkCompositeDataDisplayAttributes()
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        attributes.SetBlockVisibility(fine, True)
+        self.assertEqual(mapper.GetBounds(), coarse.GetBounds())
+        iterator = amr.NewIterator()
+        while not iterator.IsDoneWithTraversal():
+            attributes.SetBlockVisibility(iterator.GetCurrentDataObject(), iterator.GetCurrentDataObject() is fine)
+            iterator.GoToNextItem()
+        self.assertEqual(mapper.GetBounds(), fine.GetBounds())
+
     def test_blanked_cells_and_ghosts(self):
         amr = vtkOverlappingAMR()
         grids = fill(amr, NESTED, False)

@@ -8,7 +8,7 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
@@ -73,6 +73,21 @@ class TestHints(unittest.TestCase):
         for isovalue, count in ((300.0, 1), (310.0, 0), (150.0, 0), (320.0, 1)):
             isovalues.SetValue(0, isovalue)
             self.assertEqual(len(self.draw(mapper, volume, renderer)), count)
+
+    def test_once_for_each_volume_and_renderer(self):
+        """Whether or not another one, of the same mapper, shows what was meant."""
+        mapper, volume, renderer = make_scene(make_waves(), 150.0)
+        other = vtkVolume()
+        other.SetMapper(mapper)
+        other.GetProperty().GetIsoSurfaceValues().SetValue(0, 300.0)
+        renderer.AddVolume(other)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(60, 60)
+        window.AddRenderer(renderer)
+        warnings = warnings_of(mapper, lambda: [window.Render() for _ in range(4)])
+        self.assertEqual(len(warnings), 1)
+        self.assertRegex(warnings[0], NO_SURFACE)
 
     def test_one_of_two_isovalues_suffices(self):
         scene = make_scene(make_waves(), 300.0)

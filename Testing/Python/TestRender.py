@@ -352,6 +352,10 @@ class TestErrors(unittest.TestCase):
             with self.subTest(message), self.assertRaisesRegex(kind, message):
                 render(given, **options)
 
+    def test_picture_that_is_too_large(self):
+        with self.assertRaisesRegex(MemoryError, "make the picture or the input smaller"):
+            render(make_waves(4), 150, size=(2**31 - 1, 2**31 - 1), camera=vtkCamera())
+
     def test_errors_of_the_mapper_are_raised_each_time(self):
         volume = isosurface(make_waves(), 150)
         volume.SetPosition(np.nan, 0.0, 0.0)

@@ -159,7 +159,8 @@ inline std::size_t Offset(const Index3& index, const Index3& size)
 /// How many blocks of the given edge cover a size.
 inline Index3 BlocksCovering(const Index3& size, int edge)
 {
-  return { (size[0] + edge - 1) / edge, (size[1] + edge - 1) / edge, (size[2] + edge - 1) / edge };
+  const auto cover = [edge](int length) { return length / edge + (length % edge != 0 ? 1 : 0); };
+  return { cover(size[0]), cover(size[1]), cover(size[2]) };
 }
 
 }
