@@ -228,6 +228,27 @@ TEST_P(MeshBeams, HitWhatTheirRaysHit)
 }
 
 //------------------------------------------------------------------------------
+/// Where pieces beside and behind the camera have no labels.
+TEST_P(MeshBeams, HitWhatTheirRaysHitFromWithin)
+{
+  std::size_t count = 0;
+  for (const Cutting cutting : AllCuttings)
+  {
+    RandomNumbers random(27);
+    for (int i = 0; i < 6; ++i)
+    {
+      const TestMesh mesh = MakeNoisyMesh(random, cutting);
+      const double angle = random.Uniform(0.05, 1.2);
+      const double distance = random.Integer(0, 3) == 0 ? 0.0 : random.Uniform(0.0, 3.0);
+      const Camera camera = MakeCamera(Perspective(1e-4, 100.0, angle), distance, random);
+      count += this->Compare(mesh.View(), TraceRequest({ { 0.2, 1.0 } }), { camera });
+    }
+  }
+  std::cout << "[ tried    ] " << count << " hits\n";
+  EXPECT_GT(count, 50000U);
+}
+
+//------------------------------------------------------------------------------
 TEST_P(MeshBeams, MayHaveTilesOfAnySize)
 {
   RandomNumbers random(21);

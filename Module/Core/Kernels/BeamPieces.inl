@@ -52,6 +52,8 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
     const FloatMask isNear = (w[0] < NearW) | (w[1] < NearW);
     // Where all of the box is behind the point where the rays meet.
     FloatMask isOutside = (w[0] < -NearW) & (w[1] < -NearW);
+    // What rounding may have taken off W.
+    const float room = 16.0F * (0x1p-20F + std::fabs(beam.Spread) * beam.DepthError);
     for (int k = 0; k < 2; ++k)
     {
       const Floats left = LoadFloats(&node.Lower[beam.Across[k]][i]) - beam.Center[k];
@@ -64,6 +66,10 @@ unsigned int ProjectChildren(const CellTreeNode& node, const BeamProjection& bea
       lower = Select(isNear, -FloatInfinity, lower - beam.RelativeError * Abs(lower));
       upper = Select(isNear, FloatInfinity, upper + beam.RelativeError * Abs(upper));
       isOutside = isOutside | (1.0F < lower) | (upper < -1.0F);
+      // Boxes that reach beside that point have no labels, but sides of the beam they are beyond.
+      isOutside = isOutside |
+        ((w[0] + room < lowest - shift[0]) & (w[1] + room < lowest - shift[1])) |
+        ((highest - shift[0] < -room - w[0]) & (highest - shift[1] < -room - w[1]));
       StoreFloats(lower, &bounds.Lower[k][i]);
       StoreFloats(upper, &bounds.Upper[k][i]);
     }
@@ -259,6 +265,46 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
   }
 }
 
+/// Bounds pieces that no ray of the beam meets.
+SIMD_INLINE void Close(unsigned int outside, int first, BeamPieces& pieces)
+{
+  for (; outside != 0; outside &= outside - 1)
+  {
+    const int i = first + LowestBit(outside);
+    LabelBounds& bounds = pieces.Bounds;
+    bounds.Lower[0][i] = bounds.Lower[1][i] = FloatInfinity;
+    bounds.Upper[0][i] = bounds.Upper[1][i] = -FloatInfinity;
+  }
+}
+
+/// Of the corners of pieces, how far they are on the inner side of each side of the beam, and
+/// before the point where its rays meet. It is linear, also where there are no labels.
+struct BeamSides
+{
+  Floats Inside[5] = { -FloatInfinity, -FloatInfinity, -FloatInfinity, -FloatInfinity,
+    -FloatInfinity };
+
+  SIMD_INLINE void Include(Floats x, Floats y, Floats w)
+  {
+    const Floats distances[5] = { w - x, w + x, w - y, w + y, w };
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Inside[i] = Max(this->Inside[i], distances[i]);
+    }
+  }
+
+  /// Those with all corners beyond a side, by more than an error.
+  SIMD_INLINE unsigned int FindOutside(Floats error) const
+  {
+    FloatMask isOutside = this->Inside[0] + error < 0.0F;
+    for (int i = 1; i < 5; ++i)
+    {
+      isOutside = isOutside | (this->Inside[i] + error < 0.0F);
+    }
+    return ToBits(isOutside);
+  }
+};
+
 /// Bounds polygons, whose corners may be off by margins: then they are in the convex hull of the
 /// corners, widened by a box. A ray that stays on the inside of all edges, however the corners
 /// move, is within.
@@ -366,6 +412,24 @@ struct PackedProjection
   }
 };
 
+/// Pieces beyond a side of the beam.
+SIMD_INLINE unsigned int FindPiecesBeside(const PackedPieces& packed, int first,
+  const BeamNumbers& frame, const PackedProjection& projection)
+{
+  constexpr unsigned int mask = PackedPieces::Steps;
+  BeamSides sides;
+  for (const std::uint32_t(&polygon)[PackedPieces::Capacity] : packed.Polygons)
+  {
+    const std::uint32_t* corners = &polygon[first];
+    const Floats x = GetBits(corners, PackedPieces::Bits * frame.Across[0], mask);
+    const Floats y = GetBits(corners, PackedPieces::Bits * frame.Across[1], mask);
+    const Floats z = GetBits(corners, PackedPieces::Bits * frame.Along, mask);
+    sides.Include(projection.X.Get(x, z), projection.Y.Get(y, z), projection.W.Get(0.0F, z));
+  }
+  return sides.FindOutside(
+    2.0F * (projection.X.Error + projection.Y.Error + projection.W.Error) + frame.Margin);
+}
+
 /// In a tetrahedron the piece is a triangle or a quadrangle.
 void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, BeamPieces& pieces)
 {
@@ -405,8 +469,27 @@ void BoundPackedPieces(const PackedPieces& packed, const BeamNumbers& frame, Bea
       MultiplyAdd(MultiplyAdd(size, projection.W.Error, errors[1]), inverse, rounding) };
     BoundPolygons(points, margins, first, pieces);
     const unsigned int bounded = projection.IsBounded() ? ToBits(hasLabel) : 0;
-    OpenUnbounded(~bounded & ((1U << FloatWidth) - 1U), first, pieces);
+    const unsigned int unbounded = ~bounded & ((1U << FloatWidth) - 1U);
+    OpenUnbounded(unbounded, first, pieces);
+    if (unbounded != 0 && projection.IsBounded())
+    {
+      Close(unbounded & FindPiecesBeside(packed, first, frame, projection), first, pieces);
+    }
   }
+}
+
+/// Cells beyond a side of the beam.
+SIMD_INLINE unsigned int FindCellsBeside(
+  const ProjectedCorner (&corners)[PassedCellRecords::Corners], float margin)
+{
+  BeamSides sides;
+  Floats size = 0.0F;
+  for (const ProjectedCorner& corner : corners)
+  {
+    sides.Include(corner.X, corner.Y, corner.W);
+    size = Max(Max(size, Abs(corner.X)), Max(Abs(corner.Y), Abs(corner.W)));
+  }
+  return sides.FindOutside(MultiplyAdd(size, LabelMargin, margin));
 }
 
 /// A trilinear cell is, with its values, in the convex hull of its corners; so the piece is in that
@@ -445,6 +528,10 @@ void BoundTrilinear(const PassedCellRecords& records, const BeamNumbers& frame, 
     StoreLine(0.0F - one, one, two + ofDiagonals.Upper[1], 3, first, pieces);
     StoreFloats(FloatInfinity, &pieces.Far[first]);
     OpenUnbounded(unbounded, first, pieces);
+    if (unbounded != 0)
+    {
+      Close(unbounded & FindCellsBeside(corners, frame.Margin), first, pieces);
+    }
   }
 }
 
