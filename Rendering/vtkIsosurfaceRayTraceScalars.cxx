@@ -80,12 +80,10 @@ std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
   }
 }
 
-/// The magnitudes of vectors. For small types, single precision holds them as well.
+/// The magnitudes of vectors, in double precision: those of small numbers need it as well.
 vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
 {
-  const bool isSingle = vectors->GetDataType() == VTK_FLOAT || vectors->GetDataTypeSize() <= 2;
-  auto lengths =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isSingle ? VTK_FLOAT : VTK_DOUBLE));
+  auto lengths = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_DOUBLE));
   lengths->SetNumberOfTuples(vectors->GetNumberOfTuples());
   std::vector<double> vector(static_cast<std::size_t>(vectors->GetNumberOfComponents()));
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)

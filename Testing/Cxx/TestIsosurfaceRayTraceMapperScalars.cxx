@@ -173,7 +173,7 @@ void CheckVectors(Checks& check, const Picture& expected)
   for (const int type : { VTK_SHORT, VTK_FLOAT, VTK_INT })
   {
     const auto vectors = NewHills(type, 3, 1);
-    const auto lengths = NewHills(type == VTK_INT ? VTK_DOUBLE : VTK_FLOAT);
+    const auto lengths = NewHills(VTK_DOUBLE);
     for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
     {
       const double* vector = vectors->GetTuple3(i);
@@ -183,6 +183,47 @@ void CheckVectors(Checks& check, const Picture& expected)
     scene.Mapper->SetVectorModeToMagnitude();
     check.Equal(GetDifference(RenderAndCapture(scene.Window), Draw(NewImageOf(lengths), 50.0), 0),
       0.0, "the difference with the lengths of vectors");
+  }
+}
+
+/// Magnitudes are not rounded to single precision: what corners have is hit there.
+void CheckMagnitudes(Checks& check)
+{
+  const std::pair<int, double> cases[] = { { VTK_UNSIGNED_CHAR, 1.0 }, { VTK_SHORT, 30000.0 },
+    { VTK_FLOAT, 3e38 } };
+  for (const auto& [type, number] : cases)
+  {
+    auto vectors = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    vectors->SetNumberOfComponents(3);
+    vectors->SetNumberOfTuples(8);
+    vectors->Fill(0.0);
+    for (vtkIdType i = 4; i < 8; ++i)
+    {
+      vectors->SetTuple3(i, number, number, 0.0);
+    }
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 2);
+    image->GetPointData()->SetScalars(vectors);
+    const double length = std::hypot(vectors->GetComponent(4, 0), vectors->GetComponent(4, 1));
+    for (const double height : { 0.5, 1.0 })
+    {
+      Scene scene(image);
+      scene.SetSurface(height * length, { 0.9, 0.8, 0.7 }, 1.0);
+      scene.Mapper->SetVectorModeToMagnitude();
+      const double p1[3] = { 0.5, 0.5, -1.0 };
+      const double p2[3] = { 0.5, 0.5, 2.0 };
+      double t;
+      double position[3] = {};
+      double inCell[3];
+      vtkIdType cell;
+      double isovalue;
+      double normal[3];
+      const std::string name = vectors->GetDataTypeAsString();
+      check.That(scene.Mapper->IntersectWithLine(
+                   scene.Volume, p1, p2, t, position, inCell, cell, isovalue, normal) != 0,
+        "a magnitude of " + name + " is hit");
+      check.Near(position[2], height, 1e-14, "the place of a magnitude of " + name);
+    }
   }
 }
 
@@ -299,6 +340,7 @@ int TestIsosurfaceRayTraceMapperScalars(int argc, char* argv[])
   CheckComponents(check, expected);
   CheckNamedArray(check, expected);
   CheckVectors(check, expected);
+  CheckMagnitudes(check);
   CheckCells(check, expected);
   CheckHoles(check);
   Scene scene(image);
