@@ -811,9 +811,55 @@ TEST(TricubicRays, SamplesOfAllMagnitudes)
       {
         EXPECT_NEAR(hits[i].T, expected[i].T, 1e-8);
         EXPECT_EQ(hits[i].Surface, expected[i].Surface);
+        const Vector3 off =
+          Normalized(traced->GetGradient(hits[i], NormalMode::CentralDifferences)) -
+          Normalized(ordinary->GetGradient(expected[i], NormalMode::CentralDifferences));
+        EXPECT_LE(Length(off), 1e-9) << ToText(line);
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(TricubicRays, SamplesWithLargeOffset)
+{
+  // All differences are exact: the same hits and gradients as without it.
+  auto volume = Noise<double>({ 12, 9, 10 }, 63);
+  auto shifted = volume;
+  constexpr double offset = 0x1p50;
+  for (std::size_t i = 0; i < volume.Values.size(); ++i)
+  {
+    volume.Values[i] = std::round(volume.Values[i]);
+    shifted.Values[i] = volume.Values[i] + offset;
+  }
+  TestRequest request = Request();
+  const auto ordinary = NewTraced(volume, request);
+  for (Isosurface& surface : request.Surfaces)
+  {
+    surface.Isovalue += offset;
+  }
+  const auto traced = NewTraced(shifted, request);
+  RandomNumbers random(64);
+  std::size_t found = 0;
+  for (const Line& line : ManyLines(random, volume.Dimensions, 100))
+  {
+    const std::vector<Hit> hits = Trace(*traced, line);
+    ASSERT_TRUE(AreSame(hits, Trace(*ordinary, line))) << ToText(line);
+    found += hits.size();
+    const int count = static_cast<int>(std::min<std::size_t>(hits.size(), RayPacket::Capacity));
+    double points[3][RayPacket::Capacity];
+    double gradients[3][RayPacket::Capacity];
+    traced->GetPointsAndGradients(
+      hits.data(), count, NormalMode::CentralDifferences, points, gradients);
+    for (int i = 0; i < count; ++i)
+    {
+      const Hit& hit = hits[static_cast<std::size_t>(i)];
+      const Vector3 expected = ordinary->GetGradient(hit, NormalMode::CentralDifferences);
+      EXPECT_EQ(traced->GetGradient(hit, NormalMode::CentralDifferences), expected);
+      EXPECT_EQ((Vector3{ gradients[0][i], gradients[1][i], gradients[2][i] }), expected);
+    }
+  }
+  EXPECT_GT(found, 500U);
 }
 
 //------------------------------------------------------------------------------

@@ -164,8 +164,8 @@ public:
   /// next.
   virtual Vector3 GetPointInCells(const Hit& hit) const = 0;
 
-  /// The gradient of the field at a hit, or for a cap the normal of its plane; where it is
-  /// infinite, any multiple of its direction.
+  /// The gradient of the field at a hit, or for a cap the normal of its plane. Where it is
+  /// infinite, or values are so large or small that they are scaled, any multiple of its direction.
   virtual Vector3 GetGradient(const Hit& hit, NormalMode mode) const = 0;
 
   /// The points of hits, and their gradients: of up to as many as a packet has rays.

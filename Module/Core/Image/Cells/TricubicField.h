@@ -98,13 +98,6 @@ public:
     return GetTricubicValue(coefficients, parametric);
   }
 
-  /// Makes the coefficients of a cell that is not empty.
-  void Load(const Kernels& kernels, const Index3& cell, TricubicCell& coefficients) const
-  {
-    this->Load(cell, coefficients);
-    kernels.InterpolateSamples(this->Edges.Get(cell).data(), { 0.0, 1.0 }, coefficients.data());
-  }
-
 private:
   /// The sample along an axis that is nearest to a place, which may be outside of the volume.
   int FindNearest(std::size_t axis, int place) const

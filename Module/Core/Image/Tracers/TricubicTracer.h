@@ -164,17 +164,17 @@ protected:
     const Kernels& kernels = this->Selection.GetAnyKernels();
     const Index3 cell = this->Selection.Lattice.GetCell(hit);
     TricubicCell coefficients;
-    this->Field.Load(kernels, cell, coefficients);
+    this->Field.Load(kernels, cell, this->GetIsovalue(hit), coefficients);
     return this->FindGradient(kernels, coefficients, cell, hit);
   }
 
-  /// Hits that follow each other are often in one cell.
+  /// Hits that follow each other are often in one cell, and of one surface.
   void GetGradients(const Hit* hits, const Index3* cells, int count, NormalMode mode,
     double (*gradients)[RayPacket::Capacity]) const override
   {
     const Kernels& kernels = this->Selection.GetAnyKernels();
     TricubicCell coefficients;
-    const Index3* loaded = nullptr;
+    int loaded = -1;
     for (int i = 0; i < count; ++i)
     {
       if (hits[i].Plane != Hit::NoPlane)
@@ -182,10 +182,10 @@ protected:
         this->StoreGradient(hits[i], mode, i, gradients);
         continue;
       }
-      if (!loaded || cells[i] != *loaded)
+      if (loaded < 0 || cells[i] != cells[loaded] || hits[i].Surface != hits[loaded].Surface)
       {
-        this->Field.Load(kernels, cells[i], coefficients);
-        loaded = &cells[i];
+        this->Field.Load(kernels, cells[i], this->GetIsovalue(hits[i]), coefficients);
+        loaded = i;
       }
       const Vector3 gradient = this->FindGradient(kernels, coefficients, cells[i], hits[i]);
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -196,6 +196,13 @@ protected:
   }
 
 private:
+  /// Gradients are made of differences to it: those of the values themselves lose the digits that
+  /// the values have in common, and those of the smallest vanish.
+  const ScaledIsovalue& GetIsovalue(const Hit& hit) const
+  {
+    return this->Selection.Isovalues[static_cast<std::size_t>(hit.Surface)];
+  }
+
   Vector3 FindGradient(const Kernels& kernels, const TricubicCell& coefficients, const Index3& cell,
     const Hit& hit) const
   {
