@@ -478,24 +478,49 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
   {
     return;
   }
-  using Ghosts = vtkIsosurfaceRayTraceGhosts;
   const std::int64_t count = this->Cells->GetNumberOfCells();
   this->HiddenCells.resize(static_cast<std::size_t>(count), 0);
+  vtkNew<vtkIdList> points;
+  vtkIdType last = -1;
   for (std::int64_t i = 0; i < count; ++i)
   {
+    using Ghosts = vtkIsosurfaceRayTraceGhosts;
     const auto number = static_cast<std::size_t>(i);
     const vtkIdType id = this->CellIds.empty() ? i : this->CellIds[number];
+    if (id == std::exchange(last, id))
+    {
+      // The next part of a cell.
+      this->HiddenCells[number] = this->HiddenCells[number - 1];
+      continue;
+    }
     bool isHidden =
       cellFlags && (cellFlags->GetValue(id) & (Ghosts::Blanked | Ghosts::Duplicate)) != 0;
-    vtkirt::MeshCell cell;
-    if (pointFlags && this->Cells->LoadIds(i, cell))
+    if (pointFlags && !isHidden)
     {
-      isHidden = isHidden ||
-        std::any_of(cell.Ids, cell.Ids + cell.Count,
-          [pointFlags](vtkIdType point)
-          { return (pointFlags->GetValue(point) & Ghosts::HiddenPoint) != 0; });
+      this->FindPointsOfCell(i, points);
+      isHidden = std::any_of(points->begin(), points->end(),
+        [pointFlags](vtkIdType point)
+        { return (pointFlags->GetValue(point) & Ghosts::HiddenPoint) != 0; });
     }
     this->HiddenCells[number] = isHidden ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The points of a cell, or of the whole of which it is a part; none if its shape is not traced.
+void vtkIsosurfaceRayTraceMesh::FindPointsOfCell(std::int64_t number, vtkIdList* points) const
+{
+  if (!this->CellIds.empty())
+  {
+    this->GetGrid()->GetCellPoints(this->CellIds[static_cast<std::size_t>(number)], points);
+    return;
+  }
+  points->Reset();
+  vtkirt::MeshCell cell;
+  this->Cells->LoadIds(number, cell);
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    points->InsertNextId(cell.Ids[i]);
   }
 }
 

@@ -25,6 +25,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkIdList;
 class vtkObject;
 class vtkPointSet;
 class vtkStructuredGrid;
@@ -108,6 +109,7 @@ private:
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
+  void FindPointsOfCell(std::int64_t number, vtkIdList* points) const;
 
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;

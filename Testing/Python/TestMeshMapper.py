@@ -282,6 +282,25 @@ class TestMeshMapper(unittest.TestCase):
             self.assertIn(hidden, {hit[2] for hit in before})
             self.assertNotIn(hidden, {hit[2] for hit in after})
 
+    def test_hidden_points_hide_whole_cells(self):
+        """Also those that are subdivided."""
+        rays = [((x + shift, 0.3, -1.0), (0.0, 0.0, 1.0)) for shift in (0.0, 2.0) for x in (0.25, 0.35, 0.45)]
+        for shape, tetrahedralize in ((VTK_HEXAHEDRON, False), (VTK_HEXAHEDRON, True), (VTK_HEXAGONAL_PRISM, False),
+                                      (VTK_QUADRATIC_TETRA, False), (VTK_TRIQUADRATIC_HEXAHEDRON, False)):  # fmt: skip
+            grid = make_cells(shape, lambda point: point[2])
+            ghosts = vtkUnsignedCharArray()
+            ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+            ghosts.SetNumberOfTuples(grid.GetNumberOfPoints())
+            grid.GetPointData().AddArray(ghosts)
+            for hidden in range(grid.GetNumberOfPoints()):
+                with self.subTest(shape=shape, tetrahedralize=tetrahedralize, hidden=hidden):
+                    ghosts.Fill(0)
+                    ghosts.SetValue(hidden, vtkDataSetAttributes.HIDDENPOINT)
+                    mapper, volume = make_volume(grid, 0.2)
+                    mapper.SetTetrahedralize(tetrahedralize)
+                    visible = 1 if hidden < grid.GetNumberOfPoints() // 2 else 0
+                    self.assertEqual([hit[2] for hit in cast(mapper, volume, rays)], 3 * [visible])
+
     def test_scalars_of_cells_are_averaged_as_by_vtk(self):
         grid = make_grid(VTK_HEXAHEDRON, ball)
         grid.GetPointData().Initialize()
