@@ -104,7 +104,8 @@ std::string FindInGhostArray(vtkUnsignedCharArray* array, vtkIdType tuples, cons
 //------------------------------------------------------------------------------
 bool IsInvertible(const vtkirt::Matrix4& matrix)
 {
-  if (!AreFinite(matrix.data(), 16) || vtkMatrix4x4::Determinant(matrix.data()) == 0.0)
+  // A determinant that is subnormal has lost digits, and so has the inverse by it.
+  if (!AreFinite(matrix.data(), 16) || !std::isnormal(vtkMatrix4x4::Determinant(matrix.data())))
   {
     return false;
   }

@@ -25,7 +25,7 @@ class vtkVolume;
 namespace vtkIsosurfaceRayTraceProblems
 {
 
-/// Whether a matrix is finite and has a finite inverse.
+/// Whether a matrix is finite and has a finite inverse, which VTK finds by the determinant.
 bool IsInvertible(const vtkIsosurfaceRayTracing::Matrix4& matrix);
 
 /// Of the matrix of a volume whose data have a matrix of their own, and of the material of

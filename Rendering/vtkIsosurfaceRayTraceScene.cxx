@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceScene.h"
 
+#include "vtkIsosurfaceRayTraceProblems.h"
+
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
 #include "vtkContourValues.h"
@@ -158,9 +160,12 @@ vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
 {
   vtkirt::Matrix4 clipFromObject;
   vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromObject.data(), clipFromObject.data());
-  // Without an inverse, VTK leaves it as it is: no ray hits anything then.
+  // Without an inverse, it is left as it is: no ray hits anything then.
   vtkirt::Matrix4 objectFromClip = {};
-  vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
+  if (vtkIsosurfaceRayTraceProblems::IsInvertible(clipFromObject))
+  {
+    vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
+  }
   return { clipFromObject, objectFromClip, worldFromObject, width, height };
 }
 

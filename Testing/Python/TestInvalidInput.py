@@ -384,6 +384,11 @@ def set_offset(scene, place, value):
     scene.image.Modified()
 
 
+def scale_matrix(scene, scale):
+    for i in range(3):
+        scene.matrix.SetElement(i, i, scale)
+
+
 def set_shapes(scene, shape):
     scene.image.GetCellTypesArray().Fill(shape)
     scene.image.Modified()
@@ -398,6 +403,7 @@ TABLE = [
     ("a matrix with NaN", lambda s: s.matrix.SetElement(0, 0, NAN), "SetUserMatrix"),
     ("a matrix with infinity", lambda s: s.matrix.SetElement(0, 3, INF), "SetUserMatrix"),
     ("a singular matrix", lambda s: s.matrix.SetElement(2, 2, 0.0), "SetUserMatrix"),
+    ("a matrix with a subnormal determinant", lambda s: scale_matrix(s, 1e-106), "SetUserMatrix"),
     ("a matrix with perspective", lambda s: s.matrix.SetElement(3, 0, 0.2), "last row is 0 0 0 1"),
     ("a matrix with a common factor", lambda s: s.matrix.SetElement(3, 3, 2.0), "last row is 0 0 0 1"),
     ("a matrix that overflows", lambda s: s.matrix.SetElement(1, 1, 1e308), ""),
