@@ -90,26 +90,28 @@ vtkirt::Matrix4 GetPhysicalFromObject(const double origin[3], const double spaci
   return matrix;
 }
 
-/// Maps coordinates so that the first is 0 and the last, number n, is n. Returns whether all of
-/// them are whole numbers then, to within the rounding of the coordinates.
+/// Maps coordinates so that the first is 0 and the last, number n, is n; those that are equal stay
+/// so. Returns whether all of them are whole numbers then, to within the rounding of the
+/// coordinates.
 bool Normalize(AxisCoordinates& coordinates)
 {
   const double first = coordinates.front();
+  const double back = coordinates.back();
   const auto last = static_cast<double>(coordinates.size() - 1);
-  const double spacing = (coordinates.back() - first) / last;
+  const double spacing = (back - first) / last;
   const double slack = 4.0 * std::numeric_limits<double>::epsilon() *
-    (std::max(std::abs(first), std::abs(coordinates.back())) / std::abs(spacing) + last);
+    (std::max(std::abs(first), std::abs(back)) / std::abs(spacing) + last);
   bool isEven = true;
   for (std::size_t i = 0; i < coordinates.size(); ++i)
   {
-    coordinates[i] = std::min((coordinates[i] - first) / spacing, last);
+    coordinates[i] =
+      coordinates[i] == back ? last : std::min((coordinates[i] - first) / spacing, last);
     isEven = isEven && std::abs(coordinates[i] - static_cast<double>(i)) <= slack;
   }
   for (std::size_t i = 0; isEven && i < coordinates.size(); ++i)
   {
     coordinates[i] = static_cast<double>(i);
   }
-  coordinates.back() = last;
   return isEven;
 }
 

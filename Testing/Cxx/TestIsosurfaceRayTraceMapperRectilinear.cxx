@@ -637,6 +637,44 @@ void CheckWalls(Checks& check)
   check.Equal(cell % 5, vtkIdType{ 2 }, "the flat cell");
 }
 
+/// The same where the first and the last coordinates repeat, whatever they are rounded to.
+void CheckWallsAtTheBorder(Checks& check)
+{
+  Scene scene(NewGrid(UnevenAxes(), Dent));
+  for (int inner = 2; inner < 40; ++inner)
+  {
+    Coordinates places = Even(inner, 0.1, 0.7);
+    places.insert(places.begin(), places.front());
+    places.push_back(places.back());
+    const auto grid = NewGrid({ places, Even(3), Even(3) }, Dent);
+    const vtkIdType last = inner + 1;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const vtkIdType column = i % (last + 1);
+      const bool isOutside = column == 0 || column == last;
+      grid->GetPointData()->GetScalars()->SetComponent(i, 0, isOutside ? -1.0 : 1.0);
+    }
+    scene.Mapper->SetInputDataObject(grid);
+    for (const bool isUp : { true, false })
+    {
+      const double from[3] = { isUp ? -1.0 : 2.0, 0.12, 0.23 };
+      const double to[3] = { isUp ? 2.0 : -1.0, 0.22, 0.13 };
+      double t = -1.0;
+      double x[3] = { 0.0, 0.0, 0.0 };
+      double parametric[3];
+      double isovalue;
+      double normal[3] = { 0.0, 0.0, 0.0 };
+      vtkIdType cell = -1;
+      check.Equal(scene.Mapper->IntersectWithLine(
+                    scene.Volume, from, to, t, x, parametric, cell, isovalue, normal),
+        1, "the wall is hit");
+      check.Near(x[0], isUp ? places.front() : places.back(), 1e-15, "the position of the wall");
+      check.Near(normal[0], isUp ? -1.0 : 1.0, 1e-15, "the normal of the wall");
+      check.Equal(cell % last, isUp ? 0 : last - 1, "the flat cell");
+    }
+  }
+}
+
 /// Coordinates may change; what is built stays.
 void CheckNewCoordinates(Checks& check)
 {
@@ -706,6 +744,7 @@ int TestIsosurfaceRayTraceMapperRectilinear(int argc, char* argv[])
   CheckHiddenCells(check);
   CheckColors(check);
   CheckWalls(check);
+  CheckWallsAtTheBorder(check);
   CheckNewCoordinates(check);
   CheckErrors(check);
 

@@ -18,7 +18,7 @@ struct Unevenness
 {
   /// The longest step is up to two to this power as long as the shortest.
   double Octaves = 10.0;
-  /// About one cell in four is flat, but not the first and the last.
+  /// About one cell in four is flat, but not the one in the middle.
   bool WithFlatCells = false;
 };
 
@@ -29,17 +29,16 @@ inline std::vector<double> RandomPlaces(
   std::vector<double> coordinates = { 0.0 };
   for (int i = 1; i < count; ++i)
   {
-    const bool isFlat =
-      unevenness.WithFlatCells && i > 1 && i + 1 < count && random.Integer(0, 3) == 0;
+    const bool isFlat = unevenness.WithFlatCells && i != count / 2 && random.Integer(0, 3) == 0;
     coordinates.push_back(
       coordinates.back() + (isFlat ? 0.0 : std::exp2(-random.Uniform(0.0, unevenness.Octaves))));
   }
-  const double scale = (count - 1) / coordinates.back();
+  const double last = coordinates.back();
+  const double scale = (count - 1) / last;
   for (double& coordinate : coordinates)
   {
-    coordinate *= scale;
+    coordinate = coordinate == last ? count - 1 : coordinate * scale;
   }
-  coordinates.back() = count - 1;
   return coordinates;
 }
 

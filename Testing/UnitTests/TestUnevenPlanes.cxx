@@ -124,6 +124,7 @@ TEST(UnevenPlanes, FindsCells)
   EXPECT_TRUE(planes.IsFlat({ 1, 0, 0 }));
   EXPECT_FALSE(planes.IsFlat({ 2, 1, 0 }));
   EXPECT_EQ(planes.Get(0, 8), 3.0);
+  EXPECT_FALSE(planes.HasFlatBorder());
   EXPECT_EQ(planes.GetPoint({ 2, 1, 0 }, { 1.0, 0.5, 0.0 }), (Vector3{ 3.0, 1.5, 0.0 }));
 }
 
@@ -394,7 +395,7 @@ TEST(UnevenPlanes, GradientsAreInPhysicalSpace)
 TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
 {
   const Index3 size = { 20, 4, 4 };
-  for (int flat = 1; flat < size[0] - 2; ++flat)
+  for (int flat = 0; flat <= size[0] - 2; ++flat)
   {
     std::vector<double> coordinates;
     for (int i = 0; i < size[0]; ++i)
@@ -428,6 +429,56 @@ TEST(UnevenPlanes, CoincidentPlanesAreDiscontinuities)
           EXPECT_GT(gradient[0], 0.0);
           EXPECT_EQ(gradient[1], 0.0);
           EXPECT_EQ(gradient[2], 0.0);
+        }
+      }
+    }
+  }
+}
+
+// Also where the first or the last planes coincide, however many do. As elsewhere, rays that begin
+// or end in a wall do not meet it.
+TEST(UnevenPlanes, WallsAtTheBorder)
+{
+  for (const int repeats : { 1, 10 })
+  {
+    const int last = 2 * repeats + 5;
+    const Index3 size = { last + 1, 90, 4 };
+    std::vector<double> coordinates;
+    for (int i = 0; i <= last; ++i)
+    {
+      coordinates.push_back(std::clamp(i - repeats, 0, 5) * last / 5.0);
+    }
+    const UnevenPlanes planes({ coordinates, WholeNumbers(90), WholeNumbers(4) });
+    TestVolume<float> volume(size, std::vector<float>(Count(size)));
+    ForEachPlace(
+      size, [&](const Index3& i) { volume.At(i) = i[0] == 0 || i[0] == last ? -1.0F : 1.0F; });
+    for (const Interpolant interpolant :
+      { Interpolant::Trilinear, Interpolant::Tricubic, Interpolant::Nearest })
+    {
+      for (const bool hasPackets : { true, false })
+      {
+        TestRequest request({ { 0.5, Glass } });
+        request.Planes = &planes;
+        request.Interpolation = interpolant;
+        request.PacketKernels = hasPackets ? request.PacketKernels : nullptr;
+        const auto traced = NewTraced(volume, request);
+        for (const Vector3& direction : { Vector3{ 1.0, 0.02, -0.01 }, { -1.0, 0.1, 0.01 },
+               { 0.6, 1.0, 0.02 }, { -0.7, 1.0, 0.01 } })
+        {
+          const Vector3 middle = { 0.5 * last, 44.3, 1.6 };
+          const std::vector<Hit> hits = TraceBothWays(*traced, { middle, direction });
+          ASSERT_EQ(hits.size(), 2U);
+          for (std::size_t i = 0; i < 2; ++i)
+          {
+            const bool isFirst = (direction[0] > 0.0) == (i == 0);
+            EXPECT_EQ(traced->GetPoint(hits[i])[0], isFirst ? 0.0 : last);
+            EXPECT_EQ(hits[i].Entering, i == 0);
+            const Vector3 gradient = traced->GetGradient(hits[i], NormalMode::InterpolantGradient);
+            EXPECT_EQ(Normalized(gradient), (Vector3{ isFirst ? 1.0 : -1.0, 0.0, 0.0 }));
+          }
+          const Line inWall = { { direction[0] > 0.0 ? 0.0 : last, 44.3, 1.6 }, direction };
+          EXPECT_EQ(Trace(*traced, inWall).size(), 1U);
+          EXPECT_EQ(Trace(*traced, inWall, 1.0).size(), 0U);
         }
       }
     }

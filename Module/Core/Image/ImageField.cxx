@@ -165,10 +165,19 @@ void ImageField::AddRay(const Vector3& origin, const Vector3& direction, double 
 }
 
 //------------------------------------------------------------------------------
+/// Those that make rays; none for rays that are made one by one, as where cells at the border are
+/// flat: kernels do not know of these.
+const Kernels* ImageField::GetKernelsOfRays() const
+{
+  const UnevenPlanes* planes = this->Selection.Lattice.GetPlanes();
+  return planes && planes->HasFlatBorder() ? nullptr : this->Selection.PacketKernels;
+}
+
+//------------------------------------------------------------------------------
 void ImageField::ClipRays(RayPacket& packet) const
 {
   const CellLattice& lattice = this->Selection.Lattice;
-  const Kernels* kernels = this->Selection.PacketKernels;
+  const Kernels* kernels = this->GetKernelsOfRays();
   if (!kernels)
   {
     TracedField::ClipRays(packet);
@@ -183,7 +192,7 @@ void ImageField::MoveRays(
   const RayPacket& rays, const RaysInBox& parts, const Matrix4& ownFromRays, RayPacket& moved) const
 {
   const CellLattice& lattice = this->Selection.Lattice;
-  const Kernels* kernels = this->Selection.PacketKernels;
+  const Kernels* kernels = this->GetKernelsOfRays();
   if (!kernels)
   {
     TracedField::MoveRays(rays, parts, ownFromRays, moved);
@@ -198,7 +207,7 @@ void ImageField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {
   const CellLattice& lattice = this->Selection.Lattice;
-  const Kernels* kernels = this->Selection.PacketKernels;
+  const Kernels* kernels = this->GetKernelsOfRays();
   if (!kernels)
   {
     TracedField::MakeRays(view, pixels, depths, packet);

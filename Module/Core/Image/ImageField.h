@@ -79,6 +79,8 @@ public:
 private:
   explicit ImageField(std::unique_ptr<ImageStructures> structures);
 
+  const Kernels* GetKernelsOfRays() const;
+
   std::unique_ptr<ImageStructures> Structures;
   ImageSelection Selection;
   /// Whether what follows from the request is there.

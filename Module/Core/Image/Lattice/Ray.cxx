@@ -5,9 +5,43 @@
 
 #include "Rays/ClippedRays.h"
 
+#include <cmath>
+
 namespace vtkIsosurfaceRayTracing
 {
+namespace
+{
 
+/// Moves the ends of a ray out of flat cells at the border, if it comes from before them and goes
+/// on behind them.
+void LeaveFlatBorders(const Index3& dimensions, double tBegin, double tEnd, Ray& ray)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (ray.Step[axis] == 0)
+    {
+      continue;
+    }
+    const bool isUp = ray.Step[axis] > 0;
+    const int last = dimensions[axis] - 2;
+    const auto isFlat = [&ray, axis](int cell)
+    { return !(ray.Planes->GetWidth(axis, cell) > 0.0); };
+    const double in = ray.CrossingT(axis, isUp ? 0 : last + 1);
+    if (isFlat(isUp ? 0 : last) && in == ray.Begin && tBegin - ray.Base < in)
+    {
+      ray.Begin = std::nextafter(in, -Infinity);
+    }
+    const double out = ray.CrossingT(axis, isUp ? last + 1 : 0);
+    if (isFlat(isUp ? last : 0) && out == ray.End && out < tEnd - ray.Base)
+    {
+      ray.End = std::nextafter(out, Infinity);
+    }
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
   double tEnd, const Index3& dimensions, const UnevenPlanes* planes)
 {
@@ -42,6 +76,10 @@ std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction,
   ray.End = clipped.End;
   ray.Base = clipped.Base;
   ray.Planes = planes;
+  if (planes)
+  {
+    LeaveFlatBorders(dimensions, tBegin, tEnd, ray);
+  }
   return ray;
 }
 

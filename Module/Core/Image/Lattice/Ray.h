@@ -31,7 +31,8 @@ struct Ray
   Vector3 Inverse;
   /// The sign of the direction; 0 where the ray is parallel to the lattice planes of that axis.
   Index3 Step;
-  /// The part of the ray inside the volume, in t counted from Origin.
+  /// The part of the ray inside the volume, in t counted from Origin. Where cells at the border are
+  /// flat, it is longer by the least, so that the ray crosses all of their planes.
   double Begin;
   double End;
   /// The t of Origin on the ray as the caller gave it.

@@ -63,6 +63,20 @@ public:
       this->GetWidth(2, cell[2]) > 0.0);
   }
 
+  /// Whether the first or the last cells along an axis are flat.
+  bool HasFlatBorder() const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int last = static_cast<int>(this->Coordinates[axis].size()) - 2;
+      if (!(this->GetWidth(axis, 0) > 0.0 && this->GetWidth(axis, last) > 0.0))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// The weights of the differences of a field to the plane below and to the plane above in its
   /// slope at a plane: that of the parabola through the three values.
   struct SlopeWeights
@@ -83,9 +97,14 @@ public:
     return this->FindCellIn(axis, coordinate, this->FindCells(axis, coordinate));
   }
 
-  /// The block that contains a coordinate, of blocks of two to some power of cells.
+  /// The block that contains a coordinate, of blocks of two to some power of cells. Outside the
+  /// volume and in its first plane, where cells may be flat, the nearest block.
   int FindBlock(std::size_t axis, double coordinate, int power) const
   {
+    if (!(coordinate > 0.0))
+    {
+      return 0;
+    }
     const CellRange cells = this->FindCells(axis, coordinate);
     const int first = cells.First >> power;
     return first == cells.Last >> power ? first : this->FindCell(axis, coordinate) >> power;

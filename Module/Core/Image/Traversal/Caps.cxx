@@ -19,15 +19,19 @@ namespace
 /// visible in them.
 constexpr double PlaneThickness = 1e-6;
 
-/// Whether a ray begins where it enters the box of all cells, or ends where it leaves it.
+/// Whether a ray begins where it enters the box of all cells, or ends where it leaves it: or just
+/// outside of flat cells there.
 bool IsAtBorder(const Ray& ray, RayEnd end, const Index3& cells)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
+    if (ray.Step[axis] == 0)
+    {
+      continue;
+    }
     const bool isAtFirst = (ray.Step[axis] > 0) == (end == RayEnd::Begin);
-    if (ray.Step[axis] != 0 &&
-      ray.CrossingT(axis, isAtFirst ? 0 : cells[axis]) ==
-        (end == RayEnd::Begin ? ray.Begin : ray.End))
+    const double border = ray.CrossingT(axis, isAtFirst ? 0 : cells[axis]);
+    if (end == RayEnd::Begin ? border >= ray.Begin : border <= ray.End)
     {
       return true;
     }
