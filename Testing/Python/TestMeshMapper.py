@@ -253,6 +253,36 @@ class TestMeshMapper(unittest.TestCase):
             corners = [cell.GetPointId(i) for i in range(8)]
             self.assertEqual(picker.GetPointId(), min(corners, key=lambda i: math.dist(grid.GetPoint(i), point)))
 
+    def test_flat_tetrahedra_are_walls(self):
+        """Two corners at one place differ. The normals are those of tetrahedra that are a little thick."""
+        places = ((0.0, 0.0, 0.0), (4.0, 0.0, 1.0), (1.0, 3.0, 0.5))
+        across = (-3.0, -1.0, 12.0)
+        rays = [((0.7 - 0.01 * i, 0.4, -1.0), (0.01 * i, 0.02, 1.0)) for i in range(-5, 6)]
+        rays += [((x, y, 2.0), (u, v, -w)) for (x, y, _), (u, v, w) in rays]
+
+        def find_normals(values, thickness, mode):
+            grid, points = vtkUnstructuredGrid(), vtkPoints()
+            points.SetDataTypeToDouble()
+            for place in (*places, [thickness * a for a in across]):
+                points.InsertNextPoint(place)
+            grid.InsertNextCell(VTK_TETRA, 4, range(4))
+            grid.SetPoints(points)
+            following = iter(values)
+            set_values(grid, lambda _: next(following))
+            mapper, volume = make_volume(grid, 0.5)
+            mapper.SetNormalMode(mode)
+            return {hit[0]: hit[3] for hit in cast(mapper, volume, rays)}
+
+        for low, high in ((0.0, 1.0), (1.0, 0.0), (0.0, 1e300)):
+            for mode in (0, 1):
+                with self.subTest(low=low, high=high, mode=mode):
+                    flat = find_normals((low, low, low, high), 0.0, mode)
+                    thick = find_normals((low, low, low, high), 1e-6, mode)
+                    self.assertEqual(list(flat), list(range(len(rays))))
+                    for ray, normal in flat.items():
+                        for found, expected in zip(normal, thick[ray]):
+                            self.assertAlmostEqual(found, expected, delta=1e-6)
+
     def test_structured_grid(self):
         grid = make_structured_grid(ball)
         mapper, volume = make_volume(grid, 0.0)

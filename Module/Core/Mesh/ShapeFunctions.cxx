@@ -189,28 +189,48 @@ CellDerivatives GetDerivatives(const MeshCell& cell, const Vector3& parametric)
   return made;
 }
 
+/// The gradient as a fraction, Numerator / (Volume * Length), with edges about 1: no product of
+/// them overflows or vanishes.
+struct GradientFraction
+{
+  explicit GradientFraction(CellDerivatives cell)
+    : Length(std::max({ vtkIsosurfaceRayTracing::Length(cell.Edges[0]),
+        vtkIsosurfaceRayTracing::Length(cell.Edges[1]),
+        vtkIsosurfaceRayTracing::Length(cell.Edges[2]) }))
+  {
+    Vector3(&edges)[3] = cell.Edges;
+    for (Vector3& edge : edges)
+    {
+      edge = { edge[0] / this->Length, edge[1] / this->Length, edge[2] / this->Length };
+    }
+    const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
+      Cross(edges[0], edges[1]) };
+    this->Numerator =
+      normals[0] * cell.Slopes[0] + normals[1] * cell.Slopes[1] + normals[2] * cell.Slopes[2];
+    this->Volume = Dot(edges[0], normals[0]);
+    this->IsFlat = AreFlat(edges[0].data(), edges[1].data(), edges[2].data(), this->Volume);
+  }
+
+  /// What edges were divided by.
+  double Length;
+  Vector3 Numerator;
+  double Volume;
+  bool IsFlat;
+};
+
 }
 
 //------------------------------------------------------------------------------
 bool FindGradient(const MeshCell& cell, const Vector3& parametric, Vector3& gradient)
 {
-  auto [edges, slopes] = GetDerivatives(cell, parametric);
-  // With edges about 1 no product overflows or vanishes.
-  const double length = std::max({ Length(edges[0]), Length(edges[1]), Length(edges[2]) });
-  for (Vector3& edge : edges)
-  {
-    edge = { edge[0] / length, edge[1] / length, edge[2] / length };
-  }
-  const Vector3 normals[3] = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
-    Cross(edges[0], edges[1]) };
-  const double volume = Dot(edges[0], normals[0]);
+  const GradientFraction fraction(GetDerivatives(cell, parametric));
   gradient = {};
-  if (AreFlat(edges[0].data(), edges[1].data(), edges[2].data(), volume))
+  if (fraction.IsFlat)
   {
     return false;
   }
-  const Vector3 direction =
-    (normals[0] * slopes[0] + normals[1] * slopes[1] + normals[2] * slopes[2]) * (1.0 / volume);
+  const Vector3 direction = fraction.Numerator * (1.0 / fraction.Volume);
+  const double length = fraction.Length;
   const auto isFinite = [](const Vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };
   const Vector3 slope = { direction[0] / length, direction[1] / length, direction[2] / length };
   if (!isFinite(direction))
@@ -219,6 +239,29 @@ bool FindGradient(const MeshCell& cell, const Vector3& parametric, Vector3& grad
   }
   gradient = isFinite(slope) ? slope : direction;
   return true;
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
+{
+  Vector3 gradient;
+  if (FindGradient(cell, parametric, gradient))
+  {
+    return gradient;
+  }
+  // With slopes about 1 it is finite.
+  CellDerivatives derivatives = GetDerivatives(cell, parametric);
+  Vector3& slopes = derivatives.Slopes;
+  const double largest =
+    std::max({ std::abs(slopes[0]), std::abs(slopes[1]), std::abs(slopes[2]) });
+  slopes = { slopes[0] / largest, slopes[1] / largest, slopes[2] / largest };
+  const GradientFraction fraction(derivatives);
+  if (!(Length(fraction.Numerator) > 0.0))
+  {
+    return {};
+  }
+  const double side = fraction.IsFlat ? 1.0 : std::copysign(1.0, fraction.Volume);
+  return Normalized(fraction.Numerator) * side;
 }
 
 //------------------------------------------------------------------------------

@@ -38,17 +38,13 @@ inline Vector3 GetWeightedPoint(const MeshCell& cell, const CornerWeights& weigh
   return point;
 }
 
-/// Finds the gradient of the interpolant of the values. Returns false where the cell is flat: there
-/// it is set to zero.
+/// Finds the gradient of the interpolant of the values. Returns false where the cell is flat, or it
+/// is infinite: there it is set to zero.
 bool FindGradient(const MeshCell& cell, const Vector3& parametric, Vector3& gradient);
 
-/// The same; zero where the cell is flat.
-inline Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric)
-{
-  Vector3 gradient;
-  FindGradient(cell, parametric, gradient);
-  return gradient;
-}
+/// The same; where it is infinite, its direction. In a flat cell that is across its plane, to the
+/// side that the order of its corners tells. Zero if it has none.
+Vector3 GetGradient(const MeshCell& cell, const Vector3& parametric);
 
 /// The volume of a cell, about: by its edges in the middle. Never negative.
 double GetVolume(const MeshCell& cell);
