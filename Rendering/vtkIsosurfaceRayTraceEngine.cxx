@@ -61,6 +61,17 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 namespace
 {
 
+/// Forgets what was reported, if that is of very many volumes, most of which may be gone.
+template <typename Reports>
+void Forget(Reports& reports)
+{
+  constexpr std::size_t many = 1000;
+  if (reports.size() > many)
+  {
+    reports.clear();
+  }
+}
+
 /// Of AMR data, which VTK's function for this does not know.
 void FindVisibleBounds(
   vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
@@ -150,6 +161,36 @@ void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double
 }
 
 }
+
+//------------------------------------------------------------------------------
+/// While a use that is allowed lives, what is reported is of a volume in a renderer, which may be
+/// null. Uses of observers are within others.
+class vtkIsosurfaceRayTraceEngine::Reporting
+{
+public:
+  Reporting(vtkIsosurfaceRayTraceEngine& engine, const vtkIsosurfaceRayTraceUse& use,
+    const vtkVolume* volume, const vtkRenderer* renderer)
+    : Engine(use.IsAllowed() ? &engine : nullptr)
+  {
+    if (this->Engine)
+    {
+      this->Before = std::exchange(engine.Reported, { volume, renderer });
+    }
+  }
+  ~Reporting()
+  {
+    if (this->Engine)
+    {
+      this->Engine->Reported = this->Before;
+    }
+  }
+  Reporting(const Reporting&) = delete;
+  void operator=(const Reporting&) = delete;
+
+private:
+  vtkIsosurfaceRayTraceEngine* Engine;
+  VolumeInRenderer Before;
+};
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceEngine::vtkIsosurfaceRayTraceEngine(
@@ -382,9 +423,9 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   }
   if (isBuilt) // Thousands of blocks are not asked in every frame.
   {
-    this->WarnOnce(inputs.GetWarning(), this->LastWarnings->Warning);
+    this->WarnOnce(inputs.GetWarning(), &Warnings::Warning);
   }
-  this->WarnOnce(leftOut, this->LastWarnings->LeftOut);
+  this->WarnOnce(leftOut, &Warnings::LeftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
   const double gradients = inputs.GetGradientSeconds();
@@ -429,7 +470,7 @@ bool vtkIsosurfaceRayTraceEngine::ReadSamples(const vtkIsosurfaceRayTraceUse& us
   this->HierarchyTime += secondsOfReading;
   if (inputs.GetFractionRead() == 1.0)
   {
-    this->WarnOnce(inputs.GetWarning(), this->LastWarnings->Warning);
+    this->WarnOnce(inputs.GetWarning(), &Warnings::Warning);
   }
   return true;
 }
@@ -491,38 +532,28 @@ void vtkIsosurfaceRayTraceEngine::ReportException(const std::exception& exceptio
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::SelectReports(
-  const vtkVolume* volume, const vtkRenderer* renderer)
-{
-  constexpr std::size_t many = 1000;
-  if (this->ProblemsOf.size() > many)
-  {
-    this->ProblemsOf.clear(); // Of volumes that may be gone.
-    this->WarningsOf.clear();
-  }
-  this->LastProblem = &this->ProblemsOf[{ volume, renderer }];
-  this->LastWarnings = &this->WarningsOf[volume];
-}
-
-//------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
 {
-  if (!problem.empty() && problem != *this->LastProblem)
+  Forget(this->ProblemsOf);
+  // Before observers of the error come back here.
+  const bool isNew = std::exchange(this->ProblemsOf[this->Reported], problem) != problem;
+  if (isNew && !problem.empty())
   {
     vtkErrorWithObjectMacro(this->Mapper, << problem);
   }
-  *this->LastProblem = problem;
   return !problem.empty();
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem, std::string& last)
+void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem, std::string Warnings::*kind)
 {
-  if (!problem.empty() && problem != last)
+  Forget(this->WarningsOf);
+  std::string& last = this->WarningsOf[this->Reported.first].*kind;
+  const bool isNew = std::exchange(last, problem) != problem;
+  if (isNew && !problem.empty())
   {
     vtkWarningWithObjectMacro(this->Mapper, << problem);
   }
-  last = problem;
 }
 
 //------------------------------------------------------------------------------
@@ -577,7 +608,7 @@ try
   {
     return 0.0;
   }
-  this->SelectReports(volume, renderer);
+  const Reporting reporting(*this, use, volume, renderer);
   const std::string problem = use.IsNested()
     ? "An observer of this mapper's events renders it, which is tracing already. Render when the "
       "frame is complete: the render window sends vtkCommand::EndEvent then."
@@ -614,7 +645,7 @@ try
   {
     this->WarnOnce(
       vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
-      this->LastWarnings->Hint);
+      &Warnings::Hint);
   }
 
   const bool isComplete =
@@ -673,7 +704,7 @@ int vtkIsosurfaceRayTraceEngine::IntersectWithLine(vtkVolume* volume, const doub
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  this->SelectReports(volume, nullptr);
+  const Reporting reporting(*this, use, volume, nullptr);
   const auto request = use.IsAllowed() && volume ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -713,7 +744,7 @@ try
   }
   output->Initialize();
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  this->SelectReports(volume, nullptr);
+  const Reporting reporting(*this, use, volume, nullptr);
   const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -806,7 +837,7 @@ int vtkIsosurfaceRayTraceEngine::PickPixel(vtkRenderer* renderer, vtkVolume* vol
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  this->SelectReports(volume, renderer);
+  const Reporting reporting(*this, use, volume, renderer);
   const bool isPossible = use.IsAllowed() && renderer && volume;
   const auto request = isPossible ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
@@ -876,7 +907,7 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
           vtkIsosurfaceRayTraceScene::GetClipFromWorld(
             view.Camera, static_cast<double>(view.Width) / view.Height));
       }
-      this->WarnOnce(hint, this->LastWarnings->Hint);
+      this->WarnOnce(hint, &Warnings::Hint);
     });
 }
 
@@ -990,7 +1021,7 @@ try
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  this->SelectReports(volume, nullptr);
+  const Reporting reporting(*this, use, volume, nullptr);
   const auto request =
     use.IsAllowed() ? this->MakeCompleteRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)

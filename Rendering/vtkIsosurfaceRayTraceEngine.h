@@ -155,6 +155,17 @@ private:
 
   void FindBoundsOfBlocks(vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes,
     BlocksOfConnection& last, double bounds[6]) const;
+  class Reporting;
+  using VolumeInRenderer = std::pair<const vtkVolume*, const vtkRenderer*>;
+
+  /// What was warned of last.
+  struct Warnings
+  {
+    std::string LeftOut;
+    std::string Warning;
+    std::string Hint;
+  };
+
   /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
   /// empty if they can.
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
@@ -162,13 +173,11 @@ private:
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   bool AddHitsThroughFaces(vtkVolume* volume, int count, vtkBoundingBox& found);
   bool MayHit(vtkVolume* volume);
-  /// Has problems of a volume in a renderer, which may be null, reported once from now on.
-  void SelectReports(const vtkVolume* volume, const vtkRenderer* renderer);
   /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
   /// Returns whether there is.
   bool ReportOnce(const std::string& problem);
   /// Warns of something, unless that was the last warning of its kind.
-  void WarnOnce(const std::string& problem, std::string& last);
+  void WarnOnce(const std::string& problem, std::string Warnings::*kind);
   /// That of memory which is refused says what to do.
   void ReportException(const std::exception& exception) const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
@@ -207,19 +216,11 @@ private:
   vtkIsosurfaceRayTraceUseState Uses;
   vtkIsosurfaceRayTraceFrame Frame;
   std::vector<BlocksOfConnection> Blocks;
-  /// What was warned of last.
-  struct Warnings
-  {
-    std::string LeftOut;
-    std::string Warning;
-    std::string Hint;
-  };
   /// Of each volume, and the last problem of each in each renderer, or without one. They may be
   /// gone.
   std::map<const vtkVolume*, Warnings> WarningsOf;
-  std::map<std::pair<const vtkVolume*, const vtkRenderer*>, std::string> ProblemsOf;
-  Warnings* LastWarnings = &this->WarningsOf[nullptr];
-  std::string* LastProblem = &this->ProblemsOf[{}];
+  std::map<VolumeInRenderer, std::string> ProblemsOf;
+  VolumeInRenderer Reported;
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;
