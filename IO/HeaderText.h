@@ -23,14 +23,14 @@ namespace ImageFiles
 constexpr std::size_t LongestHeader = 1 << 16;
 
 /// As much of a file as a header may have. Throws if it cannot be opened.
-inline std::string ReadBeginning(const std::string& fileName)
+inline std::string ReadBeginning(const std::string& fileName, std::size_t most = LongestHeader)
 {
   std::ifstream file(fileName, std::ios::binary);
   if (!file)
   {
     throw std::runtime_error(fileName + ": there is no such file, or it cannot be read");
   }
-  std::string text(LongestHeader, '\0');
+  std::string text(most, '\0');
   file.read(&text[0], static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   return text;

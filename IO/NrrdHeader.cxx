@@ -49,6 +49,9 @@ struct Header
   }
 };
 
+/// As VTK's reader takes it: segmentations have some lines for each of hundreds of segments.
+constexpr std::size_t LongestNrrdHeader = 1 << 22;
+
 //------------------------------------------------------------------------------
 /// Whether a text has lines up to an empty one, or nothing but lines. VTK's reader never comes to
 /// an end of others.
@@ -58,14 +61,14 @@ bool HasEnd(const std::string& text)
   const std::string header = text.substr(0, end);
   return header.find('\0') == std::string::npos &&
     (end != std::string::npos ||
-      (text.size() < LongestHeader && !text.empty() && text.back() == '\n'));
+      (text.size() < LongestNrrdHeader && !text.empty() && text.back() == '\n'));
 }
 
 //------------------------------------------------------------------------------
 Header ReadHeader(const std::string& fileName)
 {
   Header header{ fileName, {} };
-  const std::string text = ReadBeginning(fileName);
+  const std::string text = ReadBeginning(fileName, LongestNrrdHeader);
   std::istringstream lines(text);
   std::string line;
   if (!std::getline(lines, line) || line.compare(0, 4, "NRRD") != 0)
@@ -74,7 +77,7 @@ Header ReadHeader(const std::string& fileName)
   }
   if (!HasEnd(text))
   {
-    header.Throw("has no end: the file is cut");
+    header.Throw("has no end: an empty line, or a last line that ends");
   }
   // Up to an empty line, or the end of a file of its own.
   while (std::getline(lines, line) && !Trim(line).empty())
@@ -85,6 +88,10 @@ Header ReadHeader(const std::string& fileName)
       continue;
     }
     const std::string name = line.substr(0, separator);
+    if (name == "sizes" && header.Fields.count("dimension") == 0)
+    {
+      header.Throw("has no dimension before its sizes");
+    }
     if (!header.Fields.emplace(name, Trim(line.substr(separator + 2))).second)
     {
       header.Throw("has " + name + " twice");

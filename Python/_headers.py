@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 LONGEST = 1 << 16  # bytes; a header has about a dozen short lines
+LONGEST_NRRD = 1 << 22  # segmentations have some lines for each of hundreds of segments
 
 # Of the spaces of NRRD that a patient is in, what turns them to x to the right, y to the front and z to the head.
 SPACES = {
@@ -51,14 +52,16 @@ def place_of_metaimage(path):
 def check_nrrd(path):
     """Refuse files of which VTK's reader gives other samples than there are."""
     with open(path, "rb") as stream:
-        text = stream.read(LONGEST)
+        text = stream.read(LONGEST_NRRD)
     lines, *rest = re.split(rb"(?<=\n)\r?\n", text, maxsplit=1)
-    if b"\0" in lines or not rest and (len(text) == LONGEST or not text.endswith(b"\n")):
-        raise ValueError(f"{path} is damaged, or no NRRD: its header has no end")
+    if b"\0" in lines or not rest and (len(text) == LONGEST_NRRD or not text.endswith(b"\n")):
+        raise ValueError(f"{path} is damaged, or no NRRD: its header has no end (an empty line, or a last line that ends)")
     fields = _fields_of_nrrd(path)
     sizes = fields.get(b"sizes", b"").split()
-    if not sizes or fields.get(b"dimension") != b"%d" % len(sizes) or not all(map(bytes.isdigit, sizes)):
+    if not sizes or fields.get(b"dimension") != b"%d" % len(sizes) or not all(each.isdigit() and int(each) for each in sizes):
         raise ValueError(f"{path} is damaged: its header has no sizes, or not as many as the dimension")
+    if list(fields).index(b"dimension") > list(fields).index(b"sizes"):
+        raise ValueError(f"{path} is damaged: its header has no dimension before its sizes")
     if fields.get(b"encoding", b"").lower() in (b"ascii", b"text", b"txt"):
         raise ValueError(f"{path} has its samples as text, of which VTK's reader skips some; write them with the encoding "
                          "raw or gzip")
@@ -95,7 +98,7 @@ def place_of_nrrd(path):
 
 def _fields_of_nrrd(path):
     with open(path, "rb") as stream:
-        header = re.split(rb"\r?\n\r?\n", stream.read(LONGEST), maxsplit=1)[0]
+        header = re.split(rb"\r?\n\r?\n", stream.read(LONGEST_NRRD), maxsplit=1)[0]
     return dict(re.findall(rb"^([^#:\n]*): +(.*?)\s*$", header, re.MULTILINE))
 
 

@@ -404,11 +404,20 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             ("cut.nrrd", header[:-9], "its header has no end"), ("cut.nhdr", header + "data file: x", "its header has no end"),
             ("none.nrrd", header.replace("sizes: 3 3 3\n", "") + "\n", "has no sizes"),
             ("two.nrrd", header.replace("3 3 3", "3 3") + "\n", "not as many as the dimension"),
+            ("zero.nrrd", header.replace("3 3 3", "3 0 3") + "\n", "has no sizes"),
+            ("order.nrrd", header.replace("dimension: 3\n", "").replace("encoding", "dimension: 3\nencoding") + "\n",
+             "no dimension before its sizes"),
         ):  # fmt: skip
             path = self.folder / name
             path.write_text(text, encoding="ascii")
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):
                 read(path)
+        # Hundreds of segments.
+        segments = "".join(f"Segment{i}_Name:={'x' * 400}\n" for i in range(400))
+        path = self.folder / "segments.nrrd"
+        path.write_bytes((header.replace("3 3 3", "12 3 3") + segments + "\n").encode() + bytes(216))
+        self.assertEqual(read(path).GetDimensions(), (12, 3, 3))
+        self.assertTrue(vtkMappedImageReader().CanReadFile(str(path)))
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
