@@ -11,16 +11,20 @@ DEFAULT, USE_POINT_FIELD_DATA, USE_CELL_FIELD_DATA = 0, 3, 4
 BY_NAME = 1
 
 SETTINGS = (
-    "InterpolationMode", "RootSolver", "NumberOfInterpolations", "NormalMode", "VectorMode", "VectorComponent", "ColorArrayName", "CompositeDataDisplayAttributes",
-    "CapClippingPlanes", "DrawIsosurfaces")  # fmt: skip
+    "InterpolationMode", "RootSolver", "NumberOfInterpolations", "NormalMode", "VectorMode", "VectorComponent",
+    "ColorArrayName", "CompositeDataDisplayAttributes", "CapClippingPlanes", "DrawIsosurfaces")  # fmt: skip
 
 
-def find_array(mapper):
-    """What names the array of a mapper; None if it is the active one of all its inputs."""
+def name_one_array(mappers):
+    """Whether all trace the array of one name, or all that of none."""
+    return len({(each.GetScalarMode(), each.GetArrayAccessMode(), each.GetArrayId(), each.GetArrayName())
+                for each in mappers}) == 1
+
+
+def _trace_active_arrays(mapper):
+    mapper.Update()
     inputs = [mapper.GetInputDataObject(0, i) for i in range(mapper.GetNumberOfInputConnections(0))]
-    if mapper.GetScalarMode() == DEFAULT or all(_is_active(mapper, data) for data in inputs):
-        return None
-    return mapper.GetScalarModeAsString(), mapper.GetArrayAccessMode(), mapper.GetArrayId(), mapper.GetArrayName()
+    return mapper.GetScalarMode() == DEFAULT or all(_is_active(mapper, data) for data in inputs)
 
 
 def _is_active(mapper, data):
@@ -36,6 +40,9 @@ def check_alike(mappers):
         if len({getattr(mapper, f"Get{name}")() for mapper in mappers if hasattr(mapper, f"Get{name}")}) > 1:
             raise ValueError(f"surfaces in one picture cannot differ in {name} of their mappers; set it alike, or make "
                              "several pictures")
+    if not name_one_array(mappers) and not all(map(_trace_active_arrays, mappers)):
+        raise ValueError("surfaces in one picture are of arrays with one name, or of those that are active; make the arrays "
+                         "active, or make several pictures")
     for find, rule in RULES:
         if len(set(map(find, mappers))) > 1:
             raise ValueError(f"surfaces in one picture are {rule}")
@@ -74,7 +81,6 @@ def _is_tetrahedralized(mapper):
 
 
 RULES = (
-    (find_array, "of arrays that one name tells, or that are active; make the arrays active, or make several pictures"),
     (_find_planes, "clipped alike; give all the same clip"),
     (_find_cropping, "cropped alike, and meshes are not; clip all instead, or make several pictures"),
     (_find_color_image, "coloured by one image, all of them, or by none; give all the same color_by, or make several "

@@ -7,7 +7,7 @@ import difflib
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkVolume
 
-from ._alike import check_alike, find_array
+from ._alike import check_alike, name_one_array
 from ._surface import isosurface
 from .vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper, vtkIsosurfaceVolume
 
@@ -50,7 +50,7 @@ def _join(volumes):
     mapper = first.NewInstance()
     mapper.ShallowCopy(first)
     mapper.RemoveAllInputConnections(0)
-    if find_array(first) is None:
+    if not name_one_array(mappers):
         mapper.SetScalarModeToDefault()
     for volume in volumes:
         _connect(volume, mapper)

@@ -163,6 +163,10 @@ class TestData(unittest.TestCase):
         volume.GetMapper().SetInputDataObject(second)
         expected = render(second, 0.5, scalars="speed", size=SIZE).rgba
         np.testing.assert_array_equal(render(volume, size=SIZE).rgba, expected)
+        # Beside others of that name, and of none.
+        first.GetPointData().SetActiveScalars("speed")
+        for other in (isosurface(second, 0.5, scalars="speed"), isosurface(first, 0.5, scalars="speed")):
+            self.assertTrue(render([volume, other], size=SIZE).rgba.any())
         still = isosurface(make_ball(), 0.0)
         still.SetPosition(100.0, 0.0, 0.0)
         with self.assertRaisesRegex(ValueError, "make the arrays active"):
