@@ -164,8 +164,10 @@ BeamProjection BeamFrame::GetProjection() const
     steepest = std::max(steepest, std::abs(this->Numbers.Slope[k]));
   }
   const double length = this->Numbers.Length + std::abs(static_cast<double>(beam.PlaneRest));
+  // Rounding of the beam, and of its rays at the smallest W.
   beam.Error =
-    static_cast<float>(0x1p-20 * (reach + steepest * length) * this->Numbers.InverseSize);
+    static_cast<float>(0x1p-20 * (reach + steepest * length) * this->Numbers.InverseSize +
+      static_cast<double>(this->Numbers.Margin) * SmallestW);
   beam.RelativeError =
     static_cast<float>(0x1p-18 + 0x1p-20 * length * std::abs(this->Numbers.Spread) / SmallestW);
   beam.DepthError = static_cast<float>(0x1p-20 * length);

@@ -541,12 +541,17 @@ void MeshField::GetPointsAndGradients(const Hit* hits, int count, NormalMode mod
     this->Cells.InterpolatePoints(corners, first, points);
     if (smoothGradients)
     {
+      // There are none at caps.
+      for (int i = 0; i < corners.Count; ++i)
+      {
+        corners.Corners[i] = hits[first + i].Plane == Hit::NoPlane ? corners.Corners[i] : 0;
+      }
       smoothGradients->Interpolate(corners, first, gradients);
     }
   }
   for (int i = 0; i < count; ++i)
   {
-    const bool isSmooth = smoothGradients && hits[i].Plane == Hit::NoPlane &&
+    const bool isSmooth = smoothGradients &&
       (gradients[0][i] != 0.0 || gradients[1][i] != 0.0 || gradients[2][i] != 0.0);
     if (isSmooth)
     {
