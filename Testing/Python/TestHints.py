@@ -74,7 +74,7 @@ class TestHints(unittest.TestCase):
             isovalues.SetValue(0, isovalue)
             self.assertEqual(len(self.draw(mapper, volume, renderer)), count)
 
-    def test_once_for_each_volume_and_renderer(self):
+    def test_once_for_each_volume(self):
         """Whether or not another one, of the same mapper, shows what was meant."""
         mapper, volume, renderer = make_scene(make_waves(), 150.0)
         other = vtkVolume()

@@ -195,10 +195,13 @@ class TestTimeSteps(unittest.TestCase):
         reader.UpdateTimeStep(0)
         child = os.fork()
         if child == 0:
-            reader.UpdateTimeStep(1)
-            is_right = get_samples(reader) == self.samples[1]
-            del reader
-            os._exit(0 if is_right else 1)
+            status = 1
+            try:
+                reader.UpdateTimeStep(1)
+                status = 0 if get_samples(reader) == self.samples[1] else 1
+                del reader
+            finally:
+                os._exit(status)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
     def test_no_files(self):
