@@ -51,12 +51,10 @@ def place_of_metaimage(path):
 
 def check_nrrd(path):
     """Refuse files of which VTK's reader gives other samples than there are."""
-    with open(path, "rb") as stream:
-        text = stream.read(LONGEST_NRRD)
-    lines, *rest = re.split(rb"(?<=\n)\r?\n", text, maxsplit=1)
-    if b"\0" in lines or not rest and (len(text) == LONGEST_NRRD or not text.endswith(b"\n")):
+    header, has_end = _header_of_nrrd(path)
+    if b"\0" in header or not has_end:
         raise ValueError(f"{path} is damaged, or no NRRD: its header has no end (an empty line, or a last line that ends)")
-    fields = _fields_of_nrrd(path)
+    fields = _fields_of_nrrd(header)
     sizes = fields.get(b"sizes", b"").split()
     if not sizes or fields.get(b"dimension") != b"%d" % len(sizes) or not all(each.isdigit() and int(each) for each in sizes):
         raise ValueError(f"{path} is damaged: its header has no sizes, or not as many as the dimension")
@@ -83,7 +81,7 @@ def _are_parts_first(fields):
 
 def place_of_nrrd(path):
     """None if the header tells nothing of directions."""
-    fields = _fields_of_nrrd(path)
+    fields = _fields_of_nrrd(_header_of_nrrd(path)[0])
     if b"space directions" not in fields:
         return None
     space = fields.get(b"space", b"").decode("latin-1")
@@ -96,9 +94,15 @@ def place_of_nrrd(path):
     return Place(to_patient[:, None] * np.transpose(steps), to_patient * origin, are_rows_reversed)
 
 
-def _fields_of_nrrd(path):
+def _header_of_nrrd(path):
+    """Its lines, up to an empty one, and whether VTK's reader comes to their end."""
     with open(path, "rb") as stream:
-        header = re.split(rb"\r?\n\r?\n", stream.read(LONGEST_NRRD), maxsplit=1)[0]
+        text = stream.read(LONGEST_NRRD)
+    header, *rest = re.split(rb"(?<=\n)\r?\n", text, maxsplit=1)
+    return header, bool(rest) or len(text) < LONGEST_NRRD and text.endswith(b"\n")
+
+
+def _fields_of_nrrd(header):
     return dict(re.findall(rb"^([^#:\n]*): +(.*?)\s*$", header, re.MULTILINE))
 
 

@@ -18,9 +18,10 @@ def choose_isovalues(isovalues, scalars):
         raise ValueError(f"isovalues is {isovalues!r}; give a finite number, or a list of them")
     if np.unique(chosen).size < chosen.size:
         raise ValueError(f"isovalues is {isovalues!r}; give each once")
-    if scalars.range() is None:
+    limits = scalars.range()
+    if limits is None:
         raise ValueError("there is no surface: all values are NaN or infinite")
-    low, high = scalars.range()
+    low, high = limits
     if not np.any((low < chosen) & (chosen <= high)):
         raise ValueError(f"there is no surface at {isovalues!r}: the scalars are from {low:g} to {high:g}")
     return chosen.tolist()
