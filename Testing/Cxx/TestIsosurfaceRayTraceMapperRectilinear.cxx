@@ -604,6 +604,26 @@ void CheckColors(Checks& check)
 }
 
 //------------------------------------------------------------------------------
+/// Where a line hits a wall.
+struct WallHit
+{
+  double X[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 0.0 };
+  vtkIdType Cell = -1;
+};
+
+WallHit HitWall(Checks& check, Scene& scene, const double (&from)[3], const double (&to)[3])
+{
+  WallHit hit;
+  double t;
+  double parametric[3];
+  double isovalue;
+  check.Equal(scene.Mapper->IntersectWithLine(
+                scene.Volume, from, to, t, hit.X, parametric, hit.Cell, isovalue, hit.Normal),
+    1, "the wall is hit");
+  return hit;
+}
+
 /// Where coordinates repeat and values differ, VTK draws a wall; so do we.
 void CheckWalls(Checks& check)
 {
@@ -622,19 +642,11 @@ void CheckWalls(Checks& check)
   Scene scene(grid);
   const double from[3] = { -1.0, 0.12, 0.23 };
   const double to[3] = { 7.0, 0.22, 0.13 };
-  double t = -1.0;
-  double x[3] = { 0.0, 0.0, 0.0 };
-  double parametric[3];
-  double isovalue;
-  double normal[3] = { 0.0, 0.0, 0.0 };
-  vtkIdType cell = -1;
-  check.Equal(scene.Mapper->IntersectWithLine(
-                scene.Volume, from, to, t, x, parametric, cell, isovalue, normal),
-    1, "the wall is hit");
+  const WallHit hit = HitWall(check, scene, from, to);
   check.That(bounds[0] == 2.0 && bounds[1] == 2.0, "VTK's wall stands at 2");
-  check.Near(x[0], 2.0, 1e-15, "the position of the wall");
-  check.Near(normal[0], -1.0, 1e-15, "the normal of the wall");
-  check.Equal(cell % 5, vtkIdType{ 2 }, "the flat cell");
+  check.Near(hit.X[0], 2.0, 1e-15, "the position of the wall");
+  check.Near(hit.Normal[0], -1.0, 1e-15, "the normal of the wall");
+  check.Equal(hit.Cell % 5, vtkIdType{ 2 }, "the flat cell");
 }
 
 /// The same where the first and the last coordinates repeat, whatever they are rounded to.
@@ -659,18 +671,11 @@ void CheckWallsAtTheBorder(Checks& check)
     {
       const double from[3] = { isUp ? -1.0 : 2.0, 0.12, 0.23 };
       const double to[3] = { isUp ? 2.0 : -1.0, 0.22, 0.13 };
-      double t = -1.0;
-      double x[3] = { 0.0, 0.0, 0.0 };
-      double parametric[3];
-      double isovalue;
-      double normal[3] = { 0.0, 0.0, 0.0 };
-      vtkIdType cell = -1;
-      check.Equal(scene.Mapper->IntersectWithLine(
-                    scene.Volume, from, to, t, x, parametric, cell, isovalue, normal),
-        1, "the wall is hit");
-      check.Near(x[0], isUp ? places.front() : places.back(), 1e-15, "the position of the wall");
-      check.Near(normal[0], isUp ? -1.0 : 1.0, 1e-15, "the normal of the wall");
-      check.Equal(cell % last, isUp ? 0 : last - 1, "the flat cell");
+      const WallHit hit = HitWall(check, scene, from, to);
+      check.Near(
+        hit.X[0], isUp ? places.front() : places.back(), 1e-15, "the position of the wall");
+      check.Near(hit.Normal[0], isUp ? -1.0 : 1.0, 1e-15, "the normal of the wall");
+      check.Equal(hit.Cell % last, isUp ? 0 : last - 1, "the flat cell");
     }
   }
 }
