@@ -31,8 +31,17 @@ def color_by(mapper, surface, data, by, cmap, clim):
         scalars = Scalars(data, by)
     if not _are_colors(scalars.arrays[0]):
         surface.GetRGBTransferFunction().SetVectorModeToMagnitude()  # of vectors the length counts
-        color_values(surface, cmap, *_choose_limits(clim, scalars))
+        color_values(surface, cmap, *(_find_limits(scalars) if clim is None else to_limits(clim)))
     return data
+
+
+def to_limits(clim):
+    """The values of the ends of a colour map."""
+    remedy = "give the values of the first and of the last colour, the smaller one first; a list for cmap may be reversed"
+    limits = to_array("clim", clim, remedy)
+    if limits.shape != (2,) or not np.isfinite(limits).all() or not limits[0] < limits[1]:
+        raise ValueError(f"clim is {clim!r}; {remedy}")
+    return tuple(limits.tolist())
 
 
 def _add(array, data):
@@ -79,12 +88,6 @@ def _are_colors(array):
     return isinstance(array, vtkUnsignedCharArray) and array.GetNumberOfComponents() in (3, 4)
 
 
-def _choose_limits(clim, scalars):
-    if clim is None:
-        low, high = scalars.range() or (0.0, 1.0)
-        return (low, high) if low < high else (low, low + 1.0)
-    remedy = "give the values of the first and of the last colour, the smaller one first; a list for cmap may be reversed"
-    limits = to_array("clim", clim, remedy)
-    if limits.shape != (2,) or not np.isfinite(limits).all() or not limits[0] < limits[1]:
-        raise ValueError(f"clim is {clim!r}; {remedy}")
-    return tuple(limits.tolist())
+def _find_limits(scalars):
+    low, high = scalars.range() or (0.0, 1.0)
+    return (low, high) if low < high else (low, low + 1.0)

@@ -39,12 +39,11 @@ def color_values(surface, cmap, low, high):
         function.AddRGBPoint(value, *rgb)
 
 
-def color_slices(surface, cmap, high):
-    """Give the values above the least isovalue the colours of a map, which caps show, but not the isovalues."""
+def color_slices(surface, cmap, low, high):
+    """Give all values but the isovalues the colours of a map: caps show those above the least isovalue."""
     function = surface.GetRGBTransferFunction()
     isovalues = [surface.GetIsoSurfaceValues().GetValue(i)
                  for i in range(surface.GetIsoSurfaceValues().GetNumberOfContours())]
-    low = min(isovalues)
     colors = [function.GetColor(isovalue) for isovalue in isovalues]
     near = 1e-6 * (high - low)
     color_values(surface, cmap, low, high)

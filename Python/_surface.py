@@ -11,6 +11,7 @@ import numpy as np
 
 from ._clipping import to_planes
 from ._coloring import color_by as apply_color_by
+from ._coloring import to_limits
 from ._data import MESHES, grids_of, to_data
 from ._isovalues import choose_isovalues
 from ._property import color_slices, make_property
@@ -74,7 +75,8 @@ def isosurface(
         The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name,
         or colours between which is interpolated.
     clim : pair of float, optional
-        The values of the ends of ``cmap``. Without them, the range of the array.
+        The values of the ends of ``cmap``, without ``color_by`` of the colours of ``caps``. Without them, the range of
+        the array; of ``caps``, from the least isovalue to what 99 of 100 values above it do not exceed.
     clip : normal, (point, normal), vtkPlane, or list of these, optional
         Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
         without a point the plane is through the centre of the data.
@@ -119,7 +121,8 @@ def isosurface(
     if color_by is not None:
         data = apply_color_by(mapper, surface, data, color_by, cmap, clim)
     elif planes and not isinstance(caps, bool):
-        color_slices(surface, caps, of_data.high_value(min(chosen)))
+        low = min(chosen)
+        color_slices(surface, caps, *((low, of_data.high_value(low)) if clim is None else to_limits(clim)))
     mapper.SetInputDataObject(data)
     _set_light(mapper, shadows, occlusion, 0.25 * _length_of(data))
     _set_sampling(mapper, samples)

@@ -380,6 +380,8 @@ class TestClip(unittest.TestCase):
         dark, light = colors_of(volume, [0.1, 0.6])
         self.assertAlmostEqual(dark[0], dark[2])  # gray
         self.assertLess(dark[0], light[0])
+        window = isosurface(make_ball(), 0.0, **BALL, clip="x", caps=["black", "white"], clim=(0.2, 0.4))
+        self.assertEqual([rgb[0] for rgb in colors_of(window, [0.1, 0.2, 0.4, 0.6])], [0.0, 0.0, 1.0, 1.0])
         for no in (False, np.False_, None):
             self.assertFalse(isosurface(make_ball(), 0.0, clip="x", caps=no).GetMapper().GetCapClippingPlanes())
         for yes in (True, np.True_):
@@ -471,6 +473,7 @@ BAD = (
     (ValueError, "cannot colour composite data", (make_blocks(make_waves()), 150), {"color_by": np.ones(5)}),
     (ValueError, "no colour map 'rainbows'", (make_ball(), 0.0), {"color_by": make_ball(), "cmap": "rainbows"}),
     (ValueError, "clim is", (make_ball(), 0.0), {"color_by": make_ball(), "clim": (1, 1)}),
+    (ValueError, "clim is", (make_ball(), 0.0), {"clip": "x", "clim": (1, 0)}),
     (ValueError, "the normal of clip is 'w'", (make_waves(), 150), {"clip": "w"}),
     (ValueError, "the normal of clip is", (make_waves(), 150), {"clip": (0, 0, 0)}),
     (ValueError, "clip is", (make_waves(), 150), {"clip": ("x", "y")}),
