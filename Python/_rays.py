@@ -65,6 +65,8 @@ def cast_rays(
     except ValueError:
         counts = f"{len(origins)} origins and {len(directions)} directions"
         raise ValueError(f"there are {counts}; give as many, or one") from None
+    for ray in np.flatnonzero(~directions.any(axis=1))[:1]:
+        raise ValueError(f"the direction of ray {ray} is (0, 0, 0); give one that is not, or leave out the ray")
     points, hits = vtkPoints(), vtkPolyData()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(origins)))
     call(volume.GetMapper(), "CastRays", volume, points, numpy_to_vtk(np.ascontiguousarray(directions)), hits)

@@ -81,7 +81,8 @@ def isosurface(
         Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
         without a point the plane is through the centre of the data.
     caps : bool, None or colour map
-        Whether cuts are closed, and the colours of the data on them; True is that of the surface, and None is False.
+        Whether cuts are closed, and the colours of the data on them, unless there is a ``color_by``; True is that of
+        the surface, and None is False.
     shadows, occlusion : bool
         Whether the surfaces cast shadows on each other, and hide ambient light from each other. Each takes more time.
     interpolation : {"linear", "cubic", "nearest"}
@@ -106,6 +107,9 @@ def isosurface(
     >>> plotter = pyvista.Plotter()
     >>> plotter.add_actor(isosurface(grid, [0.2, 0.8]))
     """
+    if caps is None or isinstance(caps, np.bool_):
+        caps = bool(caps)
+    _check_use(color_by, cmap, clim, clip, caps)
     data = to_data(data, spacing, origin, direction)
     of_data = Scalars(data, scalars)
     chosen = choose_isovalues(isovalues, of_data)
@@ -115,8 +119,6 @@ def isosurface(
     planes = to_planes(clip, _center_of(data))
     for plane in planes:
         mapper.AddClippingPlane(plane)
-    if caps is None or isinstance(caps, np.bool_):
-        caps = bool(caps)
     mapper.SetCapClippingPlanes(bool(planes) and caps is not False)
     if color_by is not None:
         data = apply_color_by(mapper, surface, data, color_by, cmap, clim)
@@ -130,6 +132,19 @@ def isosurface(
     volume.SetMapper(mapper)
     volume.SetProperty(surface)
     return volume
+
+
+def _check_use(color_by, cmap, clim, clip, caps):
+    """What is given must have an effect."""
+    defaults = isosurface.__kwdefaults__
+    if color_by is None and cmap is not defaults["cmap"]:
+        raise ValueError("cmap is for color_by; give that, too (color is for surfaces, caps for cuts)")
+    if clip is None and caps is not False and caps is not defaults["caps"]:
+        raise ValueError("caps are on the cuts of clip; give that, too")
+    if color_by is not None and not isinstance(caps, bool) and caps is not defaults["caps"]:
+        raise ValueError("with color_by, cuts have the colours of cmap; leave caps out, or give True or False")
+    if clim is not None and color_by is None and (clip is None or isinstance(caps, bool)):
+        raise ValueError("clim is for color_by, or for the data on the cuts of clip; give one of these, too")
 
 
 def _make_mapper(data, interpolation):

@@ -87,6 +87,7 @@ class TestCastRays(unittest.TestCase):
             ([1, 2, np.nan], [1, 0, 0], "origins have the shape"),
             ([1, 2, 3], [[1, 0], [0, 1]], "directions have the shape"),
             (np.zeros((2, 3)), np.ones((3, 3)), "2 origins and 3 directions"),
+            (np.zeros((3, 3)), [[1, 0, 0], [0, 0, 0], [0, 1, 0]], r"direction of ray 1 is \(0, 0, 0\)"),
         ):
             with self.assertRaisesRegex(ValueError, message):
                 cast_rays(surface, origins, directions)
