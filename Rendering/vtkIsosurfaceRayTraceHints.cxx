@@ -52,6 +52,27 @@ std::string FindInIsovalues(const Request::Volume& volume)
   return hint.str();
 }
 
+std::string FindInLight(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
+{
+  const bool isOccluded = settings.NumberOfAmbientOcclusionRays > 0;
+  const auto isShaded = [](const Request::Volume& volume)
+  { return volume.Property->GetShade(volume.Component) != 0; };
+  const auto hasAmbient = [](const Request::Volume& volume)
+  { return volume.Property->GetAmbient(volume.Component) != 0.0; };
+  if ((settings.Shadows || isOccluded) &&
+    std::none_of(request.Volumes.begin(), request.Volumes.end(), isShaded))
+  {
+    return "Shadows and ambient occlusion darken shaded surfaces alone: call ShadeOn() of the "
+           "property.";
+  }
+  if (isOccluded && std::none_of(request.Volumes.begin(), request.Volumes.end(), hasAmbient))
+  {
+    return "Ambient occlusion darkens ambient light alone, and the property has none: call "
+           "SetAmbient(0.5).";
+  }
+  return "";
+}
+
 std::string FindInCloud(const Request& request)
 {
   const bool haveNone = std::none_of(request.Volumes.begin(), request.Volumes.end(),
@@ -115,12 +136,7 @@ std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSet
   {
     return ofFirst;
   }
-  const bool areShaded = std::any_of(request.Volumes.begin(), request.Volumes.end(),
-    [](const Request::Volume& volume) { return volume.Property->GetShade(volume.Component) != 0; });
-  const bool areSecondary = settings.Shadows || settings.NumberOfAmbientOcclusionRays > 0;
-  return areSecondary && !areShaded
-    ? "Shadows and ambient occlusion darken shaded surfaces alone: call ShadeOn() of the property."
-    : "";
+  return FindInLight(request, settings);
 }
 
 //------------------------------------------------------------------------------

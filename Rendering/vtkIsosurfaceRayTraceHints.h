@@ -21,8 +21,9 @@ struct vtkIsosurfaceRayTraceSettings;
 namespace vtkIsosurfaceRayTraceHints
 {
 
-/// No isovalue is within the scalars; shadows or occlusion are on, and shading is off. Of data that
-/// are a piece of others nothing is said of isovalues: the others may have them.
+/// No isovalue is within the scalars; shadows or occlusion are on, and shading is off; occlusion is
+/// on, and there is no ambient light. Of data that are a piece of others nothing is said of
+/// isovalues: the others may have them.
 std::string FindInRequest(
   const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTraceSettings& settings);
 

@@ -121,6 +121,15 @@ class TestHints(unittest.TestCase):
             volume.GetProperty().ShadeOn()
             self.assertEqual(self.draw(mapper, volume, renderer), [])
 
+    def test_occlusion_without_ambient_light(self):
+        mapper, volume, renderer = make_scene(make_waves(), 150.0)
+        mapper.AmbientOcclusionOn()
+        volume.GetProperty().SetAmbient(0.0)
+        volume.GetProperty().ShadeOn()
+        self.check((mapper, volume, renderer), r"call SetAmbient\(0\.5\)")
+        volume.GetProperty().SetAmbient(0.5)
+        self.assertEqual(self.draw(mapper, volume, renderer), [])
+
     def test_camera_that_sees_nothing(self):
         mapper, volume, renderer = make_scene(make_waves(), 150.0)
         camera = renderer.GetActiveCamera()
