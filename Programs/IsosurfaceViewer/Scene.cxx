@@ -79,7 +79,7 @@ double FindExtent(const double bounds[6], vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-Scene::Scene(vtkDataObject* data, const Scalars& scalars)
+Scene::Scene(vtkDataObject* data, const Scalars& scalars, const std::vector<double>& isovalues)
   : Highest(scalars.GetHighest())
 {
   this->Mapper->SetInputDataObject(MakeInput(data));
@@ -97,9 +97,11 @@ Scene::Scene(vtkDataObject* data, const Scalars& scalars)
   this->Volume->GetProperty()->ShadeOn();
   this->UpdateMaterial();
 
-  const double threshold = scalars.FindThreshold();
-  this->Surfaces[0] = { threshold, 1.0, { 0.96, 0.90, 0.80 }, true };
-  this->Surfaces[1] = { 0.5 * (scalars.GetLowest() + threshold), 0.4, { 0.90, 0.58, 0.46 }, false };
+  const bool areTwo = isovalues.size() > 1;
+  const double first = isovalues.empty() ? scalars.FindThreshold() : isovalues[0];
+  const double second = areTwo ? isovalues[1] : 0.5 * (scalars.GetLowest() + first);
+  this->Surfaces[0] = { first, 1.0, { 0.96, 0.90, 0.80 }, true };
+  this->Surfaces[1] = { second, 0.4, { 0.90, 0.58, 0.46 }, areTwo };
   this->UpdateColors();
 
   this->Renderer->SetBackground(0.16, 0.18, 0.22);

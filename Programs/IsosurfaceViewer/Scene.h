@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
@@ -38,7 +39,9 @@ constexpr std::size_t NumberOfSurfaces = 2;
 class Scene
 {
 public:
-  Scene(vtkDataObject* data, const Scalars& scalars);
+  /// The isovalues are those of the opaque surface and of the translucent one. Without them,
+  /// the first is the threshold of the scalars, and the second surface is hidden.
+  Scene(vtkDataObject* data, const Scalars& scalars, const std::vector<double>& isovalues);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

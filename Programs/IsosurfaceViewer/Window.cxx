@@ -91,10 +91,11 @@ void PlaceText(vtkTextActor* text, double x, double y, int size)
 }
 
 //------------------------------------------------------------------------------
-Window::Window(vtkDataObject* data, const Scalars& scalars, const std::string& title)
+Window::Window(vtkDataObject* data, const Scalars& scalars, const std::vector<double>& isovalues,
+  const std::string& title)
   : Lowest(scalars.GetLowest())
   , Highest(scalars.GetHighest())
-  , TheScene(data, scalars)
+  , TheScene(data, scalars, isovalues)
   , Times(this->TheWindow, this->TheScene.GetMapper())
   , TheRefinement(this->Interactor, this->TheScene.GetMapper())
   , Panel(this->Interactor, this->TheScene, scalars)

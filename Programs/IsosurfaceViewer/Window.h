@@ -16,6 +16,7 @@
 #include <vtkNew.h>
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
@@ -38,7 +39,9 @@ extern const char* const Controls;
 class Window
 {
 public:
-  Window(vtkDataObject* data, const Scalars& scalars, const std::string& title);
+  /// The isovalues are those of Scene.
+  Window(vtkDataObject* data, const Scalars& scalars, const std::vector<double>& isovalues,
+    const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

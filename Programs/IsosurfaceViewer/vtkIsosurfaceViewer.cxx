@@ -20,10 +20,13 @@
 #include <vtkSmartPointer.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +40,7 @@ struct Arguments
   std::vector<std::string> Files;
   bool Demo = false;
   std::string Array;
+  std::vector<double> Isovalues;
   double MaxMemory = Programs::GetDefaultMaxMemory();
   bool Help = false;
 };
@@ -51,6 +55,9 @@ Arguments ParseArguments(int argc, char* argv[])
   commandLine.Add("--demo", &arguments.Demo, "Show a volume that is computed, without a file.");
   commandLine.Add("--array", &arguments.Array,
     "The array of points or cells whose isosurfaces are shown. Default: the active scalars.");
+  commandLine.Add("--isovalue", &arguments.Isovalues,
+    "One or two isovalues, separated by spaces: the surface of the smaller one is translucent. "
+    "Default: the value between the two classes of values that differ most.");
   commandLine.Add("--max-memory", &arguments.MaxMemory, Programs::MaxMemoryHelp);
   if (!commandLine.Parse())
   {
@@ -58,7 +65,7 @@ Arguments ParseArguments(int argc, char* argv[])
     const std::string controls = std::regex_replace(Viewer::Controls, std::regex(".+"), "  $&");
     std::printf(
       "Shows isosurfaces in a window, ray traced. Usage:\n\n"
-      "  vtkIsosurfaceViewer FILE...\n"
+      "  vtkIsosurfaceViewer FILE... [--isovalue VALUE...]\n"
       "  vtkIsosurfaceViewer --demo\n\n"
       "FILE is an image (.vti, .mhd, .mha, .nii, .nii.gz, .nrrd, .nhdr or another one that VTK\n"
       "reads), a folder of DICOM slices, a grid or a mesh (.vtr, .vts, .vtu, .vtk, Exodus), one\n"
@@ -74,6 +81,11 @@ Arguments ParseArguments(int argc, char* argv[])
   {
     throw std::runtime_error("name files, a folder of DICOM slices, or --demo; see --help");
   }
+  else if (arguments.Isovalues.size() > Viewer::NumberOfSurfaces)
+  {
+    throw std::runtime_error("--isovalue takes at most two values");
+  }
+  std::sort(arguments.Isovalues.begin(), arguments.Isovalues.end(), std::greater<double>());
   return arguments;
 }
 
@@ -139,6 +151,23 @@ Input Read(const Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
+/// Throws std::runtime_error if one is not within the values.
+void CheckIsovalues(const std::vector<double>& isovalues, const Viewer::Scalars& scalars)
+{
+  for (const double isovalue : isovalues)
+  {
+    const bool isWithin = scalars.GetLowest() <= isovalue && isovalue <= scalars.GetHighest();
+    if (!isWithin)
+    {
+      std::ostringstream problem;
+      problem << "there is no surface at " << isovalue << ": the values are from "
+              << scalars.GetLowest() << " to " << scalars.GetHighest();
+      throw std::runtime_error(problem.str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void Show(const Arguments& arguments)
 {
   const std::string whyNot = vtkIsosurfaceComparisonFilter::WhyNoPictures();
@@ -147,7 +176,9 @@ void Show(const Arguments& arguments)
     throw std::runtime_error(whyNot);
   }
   const Input input = Read(arguments);
-  Viewer::Window window(input.Data, FindScalars(input, arguments.Array), input.Name);
+  const Viewer::Scalars scalars = FindScalars(input, arguments.Array);
+  CheckIsovalues(arguments.Isovalues, scalars);
+  Viewer::Window window(input.Data, scalars, arguments.Isovalues, input.Name);
   window.Run();
   std::printf("%s", window.SummarizeFrameTimes().c_str());
 }

@@ -105,6 +105,22 @@ class TestIsosurfaceViewer(unittest.TestCase):
         viewer.type("-")
         self.assertEqual(viewer.quit(), "")
 
+    def test_isovalues_as_arguments(self):
+        """They make the pictures that typing them makes."""
+        viewer = self.start(write_waves(self.folder), "--isovalue", 200)
+        one = viewer.take_picture()
+        viewer.press("a")
+        viewer.type("100")
+        viewer.press("r")  # as it begins
+        two = viewer.take_picture()
+        viewer.quit()
+        viewer = self.start(write_waves(self.folder), "--isovalue", 100, 200)
+        viewer.pictures = 2
+        self.assertLess(differ(viewer.take_picture(), two), 0.001)
+        viewer.press("a", "r")
+        self.assertLess(differ(viewer.take_picture(), one), 0.001)
+        viewer.quit()
+
     def test_sliders(self):
         viewer = self.start(write_waves(self.folder))
         plain = viewer.take_picture()
@@ -325,7 +341,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
     def test_usage(self):
         result = self.run_program("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        for word in ("vtkIsosurfaceViewer FILE", "--demo", "--array", "--max-memory", "Tab", ".vtm", "exit code"):
+        for word in ("vtkIsosurfaceViewer FILE", "--demo", "--array", "--isovalue", "--max-memory", "Tab", ".vtm", "exit code"):
             self.assertIn(word, result.stdout)
 
     def test_errors(self):
@@ -357,6 +373,9 @@ class TestIsosurfaceViewer(unittest.TestCase):
             ((surface,), "VTK has no image reader for"),
             ((mesh, "--array", "heat"), 'ball.vtu: there is no array "heat"'),
             ((waves, "--array", "flat"), "no two different values, so there is no surface; --array chooses another: "),
+            ((waves, "--isovalue", "1", "2", "3"), "--isovalue takes at most two values"),
+            ((waves, "--isovalue", "150", "500"), "there is no surface at 500: the values are from 34.0153 to 286.341"),
+            ((waves, "--isovalue", "nan"), "error: "),
             ((waves, "--max-memory", "0.01"), "--max-memory"),
             ((waves, mesh), "ball.vtu: there is no array"),
         ):
