@@ -70,8 +70,9 @@ run 'vtkIsosurfaceRender --input ct --isovalue 300 --output skull.png'
 cat <<'END'
 ## The viewer
 
-A bare system has no display; Xvfb stands in for it, and `view_ct.py` for the user, who starts `vtkIsosurfaceViewer ct` and
-presses the keys `3 0 0 Return a - 3 0 0 Return x`: an isovalue, a second surface and its isovalue, and a clip plane.
+Start `vtkIsosurfaceViewer ct`, and press the keys `3 0 0 Return a - 3 0 0 Return x`: an isovalue, a second surface and its
+isovalue, and a clip plane. A bare system has no display; here Xvfb stands in for it, and for the user `view_ct.py`, which is
+in no package, but in the folder `Testing/Packages` of the source.
 
 END
 run 'apt install --yes xvfb xauth xdotool x11-apps'
