@@ -201,6 +201,8 @@ class TestExamples(unittest.TestCase):
         scripts = [Path(EXAMPLES, f"{name}.py") for name in ("ct", "isosurface_slider", "mpi", "numpy_to_png", "pick", "simulation")]
         for path in (*scripts, Path(EXAMPLES, "../Cxx/Minimal/Minimal.cxx")):
             self.assertLess(len(path.read_text(encoding="utf-8").splitlines()), 40, path.name)
+        for path in (Path(EXAMPLES, "mpi_cloud.py"), Path(EXAMPLES, "../Cxx/MeshWindow/MeshWindow.cxx")):
+            self.assertLess(len(path.read_text(encoding="utf-8").splitlines()), 60, path.name)
 
     def test_formats_of_volumes(self):
         """The same volume in each makes the same picture."""

@@ -17,15 +17,16 @@ from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_TETRA
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkOverlappingAMR
 from vtkmodules.vtkIOImage import vtkNIFTIImageWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter, vtkXMLUnstructuredGridWriter
 from vtkIsosurfaceRayTracing import isosurface, read, render
 
 from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid
 from PackageTesting import make_ball
 from PictureTesting import EXAMPLES, make_interactor
+from TestAmr import NESTED, fill
 from TestIsosurface import PlotterOfPyVista
 
 DOCUMENTATION = Path(EXAMPLES, "../../Documentation")
@@ -69,6 +70,13 @@ def write_data():
     for name in ("flow.vtu", "flow0.vtu", "flow1.vtu", "flow2.vtu"):
         writer.SetFileName(name)
         writer.Write()
+    cluster = vtkOverlappingAMR()
+    for grid in fill(cluster, NESTED, of_cells=True):
+        grid.GetCellData().GetScalars().SetName("Density")
+    writer = vtkXMLUniformGridAMRWriter()
+    writer.SetInputData(cluster)
+    writer.SetFileName("cluster.vthb")
+    writer.Write()
 
 
 def make_pyvista():
@@ -107,7 +115,8 @@ class TestPythonDocument(unittest.TestCase):
                         self.assertEqual(printed, line + "\n")
                     if "hits" in scope:
                         self.assertGreater(max(scope["depths"]), 20.0)
-        for name in ("skull.png", "brain.png", "frame3.png", "head.png", "half.png", "turn5.png", "flow.png", "frame2.png"):
+        for name in ("skull.png", "brain.png", "frame3.png", "head.png", "half.png", "turn5.png", "flow.png", "frame2.png",
+                     "cluster.png"):
             self.assertTrue(Path(name).exists(), name)
 
     def test_version(self):

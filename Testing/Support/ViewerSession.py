@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkIsosurfaceViewer as a user works with it, by the keys and the mouse of an X server (xdotool, xwd)."""
+"""vtkIsosurfaceViewer, or another program with a window, as a user works with it, by the keys and the mouse of an X server (xdotool, xwd)."""
 
 import struct
 import subprocess
@@ -42,8 +42,9 @@ def differ(one, other, by=8):
 class Viewer:
     """A viewer that is running in a folder."""
 
-    def __init__(self, program, folder, *arguments, size=None):
+    def __init__(self, program, folder, *arguments, size=None, name="vtkIsosurfaceViewer"):
         self.folder = folder
+        self.name = name  # of the window
         self.process = subprocess.Popen(
             [program, *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         wait_for(self._find_window, "a window")
@@ -59,7 +60,7 @@ class Viewer:
         if self.process.poll() is not None:
             raise AssertionError(self.process.communicate())
         found = subprocess.run(
-            ["xdotool", "search", "--onlyvisible", "--name", "vtkIsosurfaceViewer"],
+            ["xdotool", "search", "--onlyvisible", "--name", self.name],
             check=False, capture_output=True, text=True).stdout.split()
         self.window = found[0] if found else None
         return self.window
