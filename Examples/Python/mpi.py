@@ -29,7 +29,7 @@ volume = isosurface(values, 0.2, origin=(first, 0, 0))
 volume.GetMapper().SetNormalModeToInterpolantGradient()  # which needs no samples of other processes
 
 camera = vtkCamera()
-camera.SetPosition(300, 200, 250)
+camera.SetPosition(250, 200, -180)
 camera.SetFocalPoint(48, 48, 48)
 camera.SetClippingRange(1, 1000)
 picture = vtkImageData()
